@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vesica/check.hpp>
+
+#include "convert.hpp"
+
+namespace {
+
+template <class T>
+int32_t check_numbers(int32_t kind, const T* numbers) noexcept {
+  return vesica::capi::with_shape(kind, numbers, [](const auto& shape) { return vesica::check(shape); });
+}
+
+}  // namespace
+
+int32_t vesica_check_f64(int32_t kind, const double* numbers) { return check_numbers(kind, numbers); }
+int32_t vesica_check_f32(int32_t kind, const float* numbers) { return check_numbers(kind, numbers); }

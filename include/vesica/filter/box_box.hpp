@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Box against box, and point against box: separating axes with an error bound.
+#pragma once
+
+#include <vesica/filter/box.hpp>
+
+namespace vesica::filter {
+
+/// Axes between 2^-25 and 2^25 long (double: 2^-200 and 2^200): products of their components then cannot underflow
+/// by anything that matters beside them.
+template <class V>
+auto box_axis_in_range(V squared_length) noexcept {
+  return in_range(squared_length, guard_power<V>(-50), guard_power<V>(50));
+}
+
+/// Widest gap between the shapes' projections on the two axes of a box, times |u|; negative when both overlap.
+///
+/// p0 = u.D, p1 = u x D; r0, r1 the sums of half extents along them. Bound, to first order: a coordinate of D errs by
+/// 2u of itself plus u times corner extents (offset()), one of u by u; two roundings follow, so
+///   |error p_i| <= 5u |u||D| + 2u (r0 + r1)     as |u||e| <= |c| + |s| for a segment, and sums to r for an AABB;
+///   |error r_i| <= 8u (r0 + r1)                 (U: 4u; c, s: 4u |u||w| <= 4u (|c| + |s|); sizes u; 3 roundings)
+/// and |u||D| <= |p0| + |p1|. With the subtraction's u: 6u (|p0| + |p1|) + 11u (r0 + r1) <= 12u of the sum of all.
+template <class V>
+Estimate<V> widest_gap(V p0, V p1, V r0, V r1) noexcept {
+  return {lane::max(p0 - r0, p1 - r1), roundoffs<V>(12) * ((p0 + p1) + (r0 + r1)) + underflow_allowance<V>()};
+}
+
+template <class V>
+struct BoxBox {
+  Estimate<V> gap_a, gap_b;  // along the axes of a and of b
+  V uu, ww;                  // squared lengths of the two axes
+};
+
+template <class V>
+BoxBox<V> separating_axes(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
+  using lane::abs;
+  const V uu = a.ux * a.ux + a.uy * a.uy, ww = b.ux * b.ux + b.uy * b.uy;
+  const V c = abs(a.ux * b.ux + a.uy * b.uy), s = abs(a.ux * b.uy - a.uy * b.ux);
+  const V p0 = abs(a.ux * d.x + a.uy * d.y), p1 = abs(a.ux * d.y - a.uy * d.x);
+  const V q0 = abs(b.ux * d.x + b.uy * d.y), q1 = abs(b.ux * d.y - b.uy * d.x);
+  return {widest_gap(p0, p1, a.hx * uu + (b.hx * c + b.hy * s), a.hy * uu + (b.hx * s + b.hy * c)),
+          widest_gap(q0, q1, b.hx * ww + (a.hx * c + a.hy * s), b.hy * ww + (a.hx * s + a.hy * c)), uu, ww};
+}
+
+template <class V>
+auto box_box(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
+  using namespace lane;
+  const BoxBox<V> axes = separating_axes(a, b, d);
+  const auto usable = both(both(box_axis_in_range(axes.uu), box_axis_in_range(axes.ww)),
+                           min(min(a.hx, a.hy), min(b.hx, b.hy)) >= V(0.0f));
+  return guarded(usable, both(certainly_negative(axes.gap_a), certainly_negative(axes.gap_b)),
+                 either(certainly_positive(axes.gap_a), certainly_positive(axes.gap_b)));
+}
+
+/// d: from the box's centre to the point.
+template <class V>
+Estimate<V> point_gap(const Box<V>& b, const Centre<V>& d, V uu) noexcept {
+  const V p0 = lane::abs(b.ux * d.x + b.uy * d.y), p1 = lane::abs(b.ux * d.y - b.uy * d.x);
+  return widest_gap(p0, p1, b.hx * uu, b.hy * uu);
+}
+
+template <class V>
+auto point_box(const Box<V>& b, const Centre<V>& d) noexcept {
+  const V uu = b.ux * b.ux + b.uy * b.uy;
+  const auto usable = lane::both(box_axis_in_range(uu), lane::min(b.hx, b.hy) >= V(0.0f));
+  return guarded(usable, point_gap(b, d, uu));
+}
+
+}  // namespace vesica::filter

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Discs: against points, discs, boxes along the coordinate axes, and boxes of any direction.
+#pragma once
+
+#include <vesica/filter/box_box.hpp>
+
+namespace vesica::filter {
+
+/// |D|^2 - R^2 for coordinates of D and a reach R with a relative error of u each. D^2: 2u, its square's rounding and
+/// the sum make 4u; R^2: 3u; the difference u of either. 5u each, 8 taken.
+template <class V>
+Estimate<V> beyond_reach(const Centre<V>& d, V reach) noexcept {
+  const V distance = d.x * d.x + d.y * d.y, reached = reach * reach;
+  return {distance - reached, roundoffs<V>(8) * (distance + reached) + underflow_allowance<V>()};
+}
+
+template <class V>
+auto point_disc(const Centre<V>& d, V radius) noexcept {
+  return guarded(radius >= V(0.0f), beyond_reach(d, radius));
+}
+
+template <class V>
+auto disc_disc(const Centre<V>& d, V radius_a, V radius_b) noexcept {
+  return guarded(lane::min(radius_a, radius_b) >= V(0.0f), beyond_reach(d, radius_a + radius_b));
+}
+
+/// The nearest point of an AABB differs from the centre in each coordinate by a single rounded difference, or not.
+template <class V>
+Centre<V> nearest_offset(const Circle<V>& disc, const Aabb<V>& box) noexcept {
+  using lane::max;
+  const V zero(0.0f);
+  return {max(max(box.min_x - disc.cx, disc.cx - box.max_x), zero),
+          max(max(box.min_y - disc.cy, disc.cy - box.max_y), zero)};
+}
+
+template <class V>
+auto disc_aabb(const Circle<V>& disc, const Aabb<V>& box) noexcept {
+  using namespace lane;
+  // max() above may drop a NaN: the widths' zero-or-NaN difference brings it back into the bound.
+  const V width = box.max_x - box.min_x, height = box.max_y - box.min_y;
+  Estimate<V> gap = beyond_reach(nearest_offset(disc, box), disc.r);
+  gap.error = gap.error + ((width - width) + (height - height)) + ((disc.cx - disc.cx) + (disc.cy - disc.cy));
+  return guarded(both(min(width, height) >= V(0.0f), disc.r >= V(0.0f)), gap);
+}
+
+/// (distance from the disc's centre to the box)^2 - r^2, times U = u.u; d from the box's centre to the disc's.
+///
+/// With k = (u.D, u x D), T = |k0| + |k1| + (hx + hy) U: |error k_i| <= 6u T (widest_gap), h U errs by 6u of itself, so
+/// x = max(|k0| - hx U, 0) and y err by at most e = 10u T each. Squares and their sum: 2e (x + y) + 2e^2 and 2u of
+/// x^2 + y^2 <= T (x + y); r^2 U: 6u; the difference u of either.
+template <class V>
+Estimate<V> disc_beyond_box(const Box<V>& b, const Centre<V>& d, V radius, V uu) noexcept {
+  using lane::abs, lane::max;
+  const V k0 = abs(b.ux * d.x + b.uy * d.y), k1 = abs(b.ux * d.y - b.uy * d.x);
+  const V e0 = b.hx * uu, e1 = b.hy * uu, zero(0.0f);
+  const V x = max(k0 - e0, zero), y = max(k1 - e1, zero);
+  const V reached = radius * radius * uu;
+  const V e = roundoffs<V>(12) * ((k0 + k1) + (e0 + e1));
+  return {(x * x + y * y) - reached,
+          (e + e) * ((x + y) + e) + (roundoffs<V>(8) * reached + guard_power<V>(-60))};
+}
+
+/// Axes between 2^-10 and 2^10 (double: 2^-80 and 2^80) long. What underflows then errs by less than 2^-140 in k,
+/// that is by a hair of e or by less than 2^-90 in x, and by less than 2^-128 in r^2 U: beneath the 2^-60 above.
+template <class V>
+auto disc_box(const Box<V>& b, const Centre<V>& d, V radius) noexcept {
+  using namespace lane;
+  const V uu = b.ux * b.ux + b.uy * b.uy;
+  const Estimate<V> gap = disc_beyond_box(b, d, radius, uu);
+  const auto usable = both(in_range(uu, guard_power<V>(-20), guard_power<V>(20)),
+                           both(min(min(b.hx, b.hy), radius) >= V(0.0f), gap.error <= guard_power<V>(100)));
+  return guarded(usable, gap);
+}
+
+}  // namespace vesica::filter

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What filters are made of: a computed value with a bound on its error, and the answer that the bound allows.
+///
+/// Every filter is a template over V: double for scalar calls, lanes of double or float for batches. In the comments
+/// u is the unit roundoff of V's element, and errors are to first order in u; the constants in the code leave room
+/// for the rest, and tests/filter measures observed error over bound. Fused operations only drop roundings, so
+/// the bounds hold with and without them.
+///
+/// Two habits make validity checks free. NaN and infinity reach every bound by addition, and nothing compares true
+/// with a bound that is NaN or infinite: such input is left undecided. Only negative sizes and zero axes could
+/// pass unseen, so each filter's guard looks at those. Undecided goes to the exact stage, which checks first.
+#pragma once
+
+#include <vesica/scalar.hpp>
+#include <vesica/shapes.hpp>
+
+namespace vesica::filter {
+
+/// |value - true value| <= error, unless error is NaN.
+template <class V>
+struct Estimate {
+  V value;
+  V error;
+};
+
+template <class V>
+auto certainly_positive(const Estimate<V>& e) noexcept {
+  return e.value > e.error;
+}
+
+template <class V>
+auto certainly_negative(const Estimate<V>& e) noexcept {
+  return e.value < -e.error;
+}
+
+/// A filter's answer; both false means undecided. For lanes the two are masks.
+template <class Mask>
+struct Verdict {
+  Mask overlap;
+  Mask disjoint;
+};
+
+/// No answer outside the guard.
+template <class Mask>
+Verdict<Mask> guarded(Mask guard, Mask overlap, Mask disjoint) noexcept {
+  return {lane::both(guard, overlap), lane::both(guard, disjoint)};
+}
+
+/// Two shapes overlap where the estimate is certainly negative and are disjoint where it is certainly positive.
+template <class Mask, class V>
+Verdict<Mask> guarded(Mask guard, const Estimate<V>& gap) noexcept {
+  return guarded(guard, certainly_negative(gap), certainly_positive(gap));
+}
+
+/// The element type of V: double or float, or what lanes are made of.
+template <class V>
+struct Element {
+  using Type = typename V::Element;
+};
+template <>
+struct Element<double> {
+  using Type = double;
+};
+template <>
+struct Element<float> {
+  using Type = float;
+};
+
+/// n units of roundoff.
+template <class V>
+constexpr V roundoffs(int n) noexcept {
+  using T = typename Element<V>::Type;
+  return V(static_cast<T>(n) * ScalarTraits<T>::roundoff);
+}
+
+/// 2^e for float, 2^(8 e) for double: a guard chosen by float's narrower range serves both.
+template <class V>
+constexpr V guard_power(int e) noexcept {
+  using Traits = ScalarTraits<typename Element<V>::Type>;
+  return V(Traits::power(Traits::range * e));
+}
+
+/// Covers what underflow can add to the errors of degree-3 filters, with axes no longer than 2^25 (double: 2^200).
+template <class V>
+constexpr V underflow_allowance() noexcept {
+  return guard_power<V>(-87);
+}
+
+template <class V>
+auto in_range(V x, V low, V high) noexcept {
+  return lane::both(x >= low, x <= high);
+}
+
+}  // namespace vesica::filter

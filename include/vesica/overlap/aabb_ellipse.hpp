@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+/// AABB against ellipse: do the edges that the ellipse can see miss it?
+#pragma once
+
+#include <vesica/exact/box_ellipse.hpp>
+#include <vesica/filter/box_ellipse.hpp>
+
+namespace vesica::pair {
+
+template <class V>
+auto filter(const Aabb<V>& aabb, const Ellipse<V>& ellipse) noexcept {
+  return filter::box_ellipse(filter::box(aabb), ellipse, filter::offset(filter::place(aabb), filter::place(ellipse)));
+}
+
+inline bool exact(const Aabb<double>& aabb, const Ellipse<double>& ellipse) noexcept {
+  return exact::overlap(exact::form(aabb), exact::form(ellipse));
+}
+
+}  // namespace vesica::pair

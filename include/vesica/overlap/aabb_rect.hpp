@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+/// AABB against rectangle: separating axes.
+#pragma once
+
+#include <vesica/exact/box_box.hpp>
+#include <vesica/filter/box_box.hpp>
+
+namespace vesica::pair {
+
+template <class V>
+auto filter(const Aabb<V>& aabb, const Rect<V>& rect) noexcept {
+  return filter::box_box(filter::box(aabb), filter::box(rect), filter::offset(filter::place(aabb), filter::place(rect)));
+}
+
+inline bool exact(const Aabb<double>& aabb, const Rect<double>& rect) noexcept {
+  return exact::overlap(exact::form(aabb), exact::form(rect));
+}
+
+}  // namespace vesica::pair

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Circle against AABB: is the disc's centre at most a radius from the box?
+#pragma once
+
+#include <vesica/exact/disc.hpp>
+#include <vesica/filter/disc.hpp>
+
+namespace vesica::pair {
+
+template <class V>
+auto filter(const Circle<V>& circle, const Aabb<V>& aabb) noexcept {
+  return filter::disc_aabb(circle, aabb);
+}
+
+inline bool exact(const Circle<double>& circle, const Aabb<double>& aabb) noexcept {
+  return exact::overlap(exact::form(aabb), circle);
+}
+
+}  // namespace vesica::pair

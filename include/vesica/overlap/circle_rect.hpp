@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Circle against rectangle: is the disc's centre at most a radius from the rectangle?
+#pragma once
+
+#include <vesica/exact/disc.hpp>
+#include <vesica/filter/disc.hpp>
+
+namespace vesica::pair {
+
+template <class V>
+auto filter(const Circle<V>& circle, const Rect<V>& rect) noexcept {
+  return filter::disc_box(filter::box(rect), filter::offset(filter::place(rect), filter::place(circle)), circle.r);
+}
+
+inline bool exact(const Circle<double>& circle, const Rect<double>& rect) noexcept {
+  return exact::overlap(exact::form(rect), circle);
+}
+
+}  // namespace vesica::pair

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Point against circle: at most a radius away.
+#pragma once
+
+#include <vesica/exact/disc.hpp>
+#include <vesica/filter/disc.hpp>
+
+namespace vesica::pair {
+
+template <class V>
+auto filter(const Point<V>& point, const Circle<V>& circle) noexcept {
+  return filter::point_disc(filter::offset(filter::place(point), filter::place(circle)), circle.r);
+}
+
+inline bool exact(const Point<double>& point, const Circle<double>& circle) noexcept {
+  const exact::Length dx = exact::from_double(circle.cx) - exact::from_double(point.x);
+  const exact::Length dy = exact::from_double(circle.cy) - exact::from_double(point.y);
+  return exact::within(dx, dy, exact::from_double(circle.r));
+}
+
+}  // namespace vesica::pair

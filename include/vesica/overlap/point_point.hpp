@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Point against point: the same location. Comparisons alone are exact.
+#pragma once
+
+#include <vesica/filter/comparison.hpp>
+
+namespace vesica::pair {
+
+template <class V>
+auto filter(const Point<V>& a, const Point<V>& b) noexcept {
+  return filter::compared(filter::finite(a.x, a.y, b.x, b.y), lane::both(a.x == b.x, a.y == b.y));
+}
+
+inline bool exact(const Point<double>& a, const Point<double>& b) noexcept { return filter(a, b).overlap; }
+
+}  // namespace vesica::pair

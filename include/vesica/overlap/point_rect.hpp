@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Point against rectangle.
+#pragma once
+
+#include <vesica/exact/box_box.hpp>
+#include <vesica/filter/box_box.hpp>
+
+namespace vesica::pair {
+
+template <class V>
+auto filter(const Point<V>& point, const Rect<V>& rect) noexcept {
+  return filter::point_box(filter::box(rect), filter::offset(filter::place(rect), filter::place(point)));
+}
+
+inline bool exact(const Point<double>& point, const Rect<double>& rect) noexcept {
+  return exact::overlap(exact::form(point), exact::form(rect));
+}
+
+}  // namespace vesica::pair

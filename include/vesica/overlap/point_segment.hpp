@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Point against segment: a point overlaps when it lies on the segment, end points included.
+#pragma once
+
+#include <vesica/exact/box_box.hpp>
+#include <vesica/filter/box_box.hpp>
+
+namespace vesica::pair {
+
+template <class V>
+auto filter(const Point<V>& point, const Segment<V>& segment) noexcept {
+  // Only "off the segment" can be certain: a filter cannot know that a cross product is exactly zero.
+  return filter::point_box(filter::box(segment), filter::offset(filter::place(segment), filter::place(point)));
+}
+
+inline bool exact(const Point<double>& point, const Segment<double>& segment) noexcept {
+  return exact::overlap(exact::form(point), exact::form(segment));
+}
+
+}  // namespace vesica::pair

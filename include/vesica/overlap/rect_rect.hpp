@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Rectangle against rectangle: separating axes.
+#pragma once
+
+#include <vesica/exact/box_box.hpp>
+#include <vesica/filter/box_box.hpp>
+
+namespace vesica::pair {
+
+template <class V>
+auto filter(const Rect<V>& a, const Rect<V>& b) noexcept {
+  return filter::box_box(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
+}
+
+inline bool exact(const Rect<double>& a, const Rect<double>& b) noexcept {
+  return exact::overlap(exact::form(a), exact::form(b));
+}
+
+}  // namespace vesica::pair

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Segment against AABB: separating axes.
+#pragma once
+
+#include <vesica/exact/box_box.hpp>
+#include <vesica/filter/box_box.hpp>
+
+namespace vesica::pair {
+
+template <class V>
+auto filter(const Segment<V>& segment, const Aabb<V>& aabb) noexcept {
+  return filter::box_box(filter::box(segment), filter::box(aabb), filter::offset(filter::place(segment), filter::place(aabb)));
+}
+
+inline bool exact(const Segment<double>& segment, const Aabb<double>& aabb) noexcept {
+  return exact::overlap(exact::form(segment), exact::form(aabb));
+}
+
+}  // namespace vesica::pair

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Segment against ellipse: do the edges that the ellipse can see miss it?
+#pragma once
+
+#include <vesica/exact/box_ellipse.hpp>
+#include <vesica/filter/box_ellipse.hpp>
+
+namespace vesica::pair {
+
+template <class V>
+auto filter(const Segment<V>& segment, const Ellipse<V>& ellipse) noexcept {
+  return filter::box_ellipse(filter::box(segment), ellipse, filter::offset(filter::place(segment), filter::place(ellipse)));
+}
+
+inline bool exact(const Segment<double>& segment, const Ellipse<double>& ellipse) noexcept {
+  return exact::overlap(exact::form(segment), exact::form(ellipse));
+}
+
+}  // namespace vesica::pair

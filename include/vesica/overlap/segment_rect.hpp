@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Segment against rectangle: separating axes.
+#pragma once
+
+#include <vesica/exact/box_box.hpp>
+#include <vesica/filter/box_box.hpp>
+
+namespace vesica::pair {
+
+template <class V>
+auto filter(const Segment<V>& segment, const Rect<V>& rect) noexcept {
+  return filter::box_box(filter::box(segment), filter::box(rect), filter::offset(filter::place(segment), filter::place(rect)));
+}
+
+inline bool exact(const Segment<double>& segment, const Rect<double>& rect) noexcept {
+  return exact::overlap(exact::form(segment), exact::form(rect));
+}
+
+}  // namespace vesica::pair

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The arithmetic the filters are written in, for double and float; batch kernels supply the same names for lanes
+/// of a vector. A filter is one template over such a type, so scalar and batch code cannot drift apart.
+#pragma once
+
+#include <bit>
+#include <cfloat>
+#include <cmath>
+#include <cstdint>
+
+#if defined(__FAST_MATH__)
+#error "Vesica needs IEEE arithmetic: compile without -ffast-math (its error bounds and NaN checks do not survive it)."
+#endif
+#if FLT_EVAL_METHOD != 0
+#error "Vesica needs arithmetic in the operands' own precision: on 32-bit x86 compile with -msse2 -mfpmath=sse."
+#endif
+
+namespace vesica {
+
+/// Constants of a scalar type that error bounds are made of.
+template <class T>
+struct ScalarTraits;
+
+template <>
+struct ScalarTraits<double> {
+  /// Half a unit in the last place of 1: the largest relative error of one rounding.
+  static constexpr double roundoff = 0x1p-53;
+  /// 2^e for an e within the normal range.
+  static constexpr double power(int e) noexcept {
+    double p = 1;
+    for (; e > 0; --e) p *= 2;
+    for (; e < 0; ++e) p /= 2;
+    return p;
+  }
+  /// The exponent range in units of float's. Guards are 2^(range * e) with e chosen for float.
+  static constexpr int range = 8;
+};
+template <>
+struct ScalarTraits<float> {
+  static constexpr float roundoff = 0x1p-24f;
+  static constexpr float power(int e) noexcept { return static_cast<float>(ScalarTraits<double>::power(e)); }
+  static constexpr int range = 1;
+};
+
+namespace lane {
+
+// max and min as SSE has them: NaN in the first argument yields the second. Filters never rely on it; NaN must reach
+// a bound by addition.
+constexpr double max(double a, double b) noexcept { return a > b ? a : b; }
+constexpr double min(double a, double b) noexcept { return a < b ? a : b; }
+constexpr float max(float a, float b) noexcept { return a > b ? a : b; }
+constexpr float min(float a, float b) noexcept { return a < b ? a : b; }
+inline double abs(double a) noexcept { return std::fabs(a); }
+inline float abs(float a) noexcept { return std::fabs(a); }
+inline double sqrt(double a) noexcept { return std::sqrt(a); }
+inline float sqrt(float a) noexcept { return std::sqrt(a); }
+
+// Masks without short circuits: on fresh data a branch costs more than the work it saves.
+constexpr bool both(bool a, bool b) noexcept { return static_cast<bool>(static_cast<int>(a) & static_cast<int>(b)); }
+constexpr bool either(bool a, bool b) noexcept { return static_cast<bool>(static_cast<int>(a) | static_cast<int>(b)); }
+constexpr bool and_not(bool a, bool b) noexcept { return both(a, !b); }
+constexpr double select(bool m, double yes, double no) noexcept { return m ? yes : no; }
+constexpr float select(bool m, float yes, float no) noexcept { return m ? yes : no; }
+
+
+/// x, or -x where the sign bit of y is set.
+inline double flip_sign(double x, double y) noexcept {
+  const std::uint64_t sign = std::bit_cast<std::uint64_t>(y) & 0x8000000000000000u;
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^ sign);
+}
+inline float flip_sign(float x, float y) noexcept {
+  const std::uint32_t sign = std::bit_cast<std::uint32_t>(y) & 0x80000000u;
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) ^ sign);
+}
+
+}  // namespace lane
+}  // namespace vesica
