@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vesica/check.hpp>
 
-#include "convert.hpp"
+#include "by_kind.hpp"
+#include "vesica.h"
 
 namespace {
 
 template <class T>
 int32_t check_numbers(int32_t kind, const T* numbers) noexcept {
-  return vesica::capi::with_shape(kind, numbers, [](const auto& shape) { return vesica::check(shape); });
+  return vesica::with_shape(kind, numbers, [](const auto& shape) { return vesica::check(shape); });
 }
 
 }  // namespace

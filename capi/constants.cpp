@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every constant of vesica.h as a function, and the names of things.
-#include "convert.hpp"
+#include "by_kind.hpp"
+#include "vesica.h"
 
 int32_t vesica_version(void) { return VESICA_VERSION; }
 int32_t vesica_version_major(void) { return VESICA_VERSION_MAJOR; }
@@ -35,35 +36,39 @@ static_assert(vesica::error_range == VESICA_E_RANGE);
 const char* vesica_strerror(int32_t code) {
   if (code >= 0) return "success";
   switch (code) {
-    case VESICA_E_NULL: return "a pointer is NULL";
-    case VESICA_E_SHAPE: return "a shape is invalid (NaN, infinity, negative size, zero axis, or min above max)";
-    case VESICA_E_KIND: return "unknown kind of shape";
-    case VESICA_E_ARGUMENT: return "an argument is out of range";
-    case VESICA_E_NOT_FINITE: return "a number is NaN or infinite";
-    case VESICA_E_NEGATIVE_SIZE: return "a size is negative";
-    case VESICA_E_ZERO_AXIS: return "the axis is (0, 0)";
-    case VESICA_E_INVERTED: return "min exceeds max";
-    case VESICA_E_RANGE: return "the result is out of the range of its type";
-    default: return "unknown error";
+    case VESICA_E_NULL:
+      return "a pointer is NULL";
+    case VESICA_E_SHAPE:
+      return "a shape is invalid (NaN, infinity, negative size, zero axis, or min above max)";
+    case VESICA_E_KIND:
+      return "unknown kind of shape";
+    case VESICA_E_ARGUMENT:
+      return "an argument is out of range";
+    case VESICA_E_NOT_FINITE:
+      return "a number is NaN or infinite";
+    case VESICA_E_NEGATIVE_SIZE:
+      return "a size is negative";
+    case VESICA_E_ZERO_AXIS:
+      return "the axis is (0, 0)";
+    case VESICA_E_INVERTED:
+      return "min exceeds max";
+    case VESICA_E_RANGE:
+      return "the result is out of the range of its type";
+    default:
+      return "unknown error";
   }
 }
 
-int32_t vesica_field_count(int32_t kind) {
-  switch (kind) {
-#define VESICA_CASE(name, Name) \
-  case static_cast<int32_t>(vesica::Kind::name): return vesica::ShapeTraits<vesica::Name<double>>::fields;
-    VESICA_EACH_SHAPE(VESICA_CASE)
-#undef VESICA_CASE
-    default: return VESICA_E_KIND;
-  }
-}
+int32_t vesica_field_count(int32_t kind) { return vesica::field_count(kind); }
 
 const char* vesica_kind_name(int32_t kind) {
   switch (kind) {
-#define VESICA_CASE(name, Name) \
-  case static_cast<int32_t>(vesica::Kind::name): return #name;
+#define VESICA_CASE(name, Name)                  \
+  case static_cast<int32_t>(vesica::Kind::name): \
+    return #name;
     VESICA_EACH_SHAPE(VESICA_CASE)
 #undef VESICA_CASE
-    default: return nullptr;
+    default:
+      return nullptr;
   }
 }

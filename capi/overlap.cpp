@@ -1,40 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vesica/overlap.hpp>
 
-#include "convert.hpp"
+#include "by_kind.hpp"
+#include "vesica.h"
 
 namespace {
 
 template <class A, class B, class CA, class CB>
 int32_t overlap_typed(const CA* a, const CB* b) noexcept {
   if (a == nullptr || b == nullptr) return VESICA_E_NULL;
-  return vesica::overlap_or_error(vesica::capi::load<A>(a), vesica::capi::load<B>(b));
+  return vesica::overlap_or_error(vesica::load<A>(a), vesica::load<B>(b));
 }
-
-template <class A, class B, class T>
-int32_t overlap_numbers(const T* a, const T* b) noexcept {
-  return vesica::overlap_or_error(vesica::capi::load<A>(a), vesica::capi::load<B>(b));
-}
-
-template <class T>
-using NumbersFunction = int32_t (*)(const T*, const T*) noexcept;
-
-template <class T, template <class> class A>
-inline constexpr NumbersFunction<T> row[vesica::kind_count] = {
-    overlap_numbers<A<T>, vesica::Point<T>, T>, overlap_numbers<A<T>, vesica::Segment<T>, T>,
-    overlap_numbers<A<T>, vesica::Circle<T>, T>, overlap_numbers<A<T>, vesica::Aabb<T>, T>,
-    overlap_numbers<A<T>, vesica::Rect<T>, T>, overlap_numbers<A<T>, vesica::Ellipse<T>, T>};
-
-template <class T>
-inline constexpr const NumbersFunction<T>* table[vesica::kind_count] = {
-    row<T, vesica::Point>, row<T, vesica::Segment>, row<T, vesica::Circle>,
-    row<T, vesica::Aabb>,  row<T, vesica::Rect>,    row<T, vesica::Ellipse>};
 
 template <class T>
 int32_t overlap_by_kind(int32_t kind_a, const T* a, int32_t kind_b, const T* b) noexcept {
   if (a == nullptr || b == nullptr) return VESICA_E_NULL;
-  if (!vesica::capi::is_kind(kind_a) || !vesica::capi::is_kind(kind_b)) return VESICA_E_KIND;
-  return table<T>[kind_a][kind_b](a, b);
+  return vesica::with_shape(kind_a, a, [&](const auto& shape_a) {
+    return vesica::with_shape(kind_b, b,
+                              [&](const auto& shape_b) { return vesica::overlap_or_error(shape_a, shape_b); });
+  });
 }
 
 }  // namespace
@@ -46,9 +30,9 @@ int32_t vesica_overlap_f32(int32_t kind_a, const float* numbers_a, int32_t kind_
   return overlap_by_kind(kind_a, numbers_a, kind_b, numbers_b);
 }
 
-#define VESICA_PAIR_OF(a, A, b, B, scalar, T)                                                                  \
+#define VESICA_PAIR_OF(a, A, b, B, scalar, T)                                                                   \
   int32_t vesica_overlap_##a##_##b##_##scalar(const vesica_##a##_##scalar* s, const vesica_##b##_##scalar* t) { \
-    return overlap_typed<vesica::A<T>, vesica::B<T>>(s, t);                                                    \
+    return overlap_typed<vesica::A<T>, vesica::B<T>>(s, t);                                                     \
   }
 #define VESICA_PAIR(a, A, b, B) VESICA_PAIR_OF(a, A, b, B, f64, double) VESICA_PAIR_OF(a, A, b, B, f32, float)
 

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <limits>
-
 #include <vesica/check.hpp>
 #include <vesica/directed.hpp>
 #include <vesica/exact/number.hpp>
@@ -22,9 +21,7 @@ struct Reach {
 };
 
 /// A place to start looking from, without a promise.
-inline directed::Estimate unknown(double guess) noexcept {
-  return {guess, 0, std::numeric_limits<double>::infinity()};
-}
+inline directed::Estimate unknown(double guess) noexcept { return {guess, 0, std::numeric_limits<double>::infinity()}; }
 
 /// Whether the product of p and q is 0 exactly, or lies where its square and the remainders have full precision.
 inline bool in_range(double p, double q, double product) noexcept {
@@ -62,9 +59,10 @@ inline directed::Estimate estimate(const Ellipse<double>&, const directed::Pair&
 /// The smallest double at or above c + extent, in exact arithmetic; false when it is beyond the finite ones.
 inline bool exact_upper(const Rect<double>&, const Reach& r, double start, double& out) noexcept {
   using namespace exact;
-  const auto value = from_double(r.c) + abs(from_double(r.p0) * from_double(r.q0)) +
-                     abs(from_double(r.p1) * from_double(r.q1));
-  return directed::search_up(start, [&](double m) { return compare(from_double(m), value) >= 0; }, out);
+  const auto value =
+      from_double(r.c) + abs(from_double(r.p0) * from_double(r.q0)) + abs(from_double(r.p1) * from_double(r.q1));
+  return directed::search_up(
+      start, [&](double m) { return compare(from_double(m), value) >= 0; }, out);
 }
 inline bool exact_upper(const Ellipse<double>&, const Reach& r, double start, double& out) noexcept {
   using namespace exact;

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <limits>
 #include <type_traits>
-
 #include <vesica/scalar.hpp>
 
 namespace vesica::directed {

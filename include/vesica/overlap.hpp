@@ -4,32 +4,34 @@
 /// Two stages. The pair's filter evaluates the predicate in floating point with a bound on its error and answers
 /// nearly always; what it leaves open is checked for validity and decided in exact arithmetic. There is no epsilon.
 ///
-/// Laws, each tested: overlap(a, b) == overlap(b, a); unchanged when both shapes are mirrored, turned by quarter turns, or
-/// scaled by a power of two without leaving the format; overlap(a, a); a shape's bounds overlap whatever it overlaps.
+/// Laws, each tested: overlap(a, b) == overlap(b, a); unchanged when both shapes are mirrored, turned by quarter turns,
+/// or scaled by a power of two without leaving the format; overlap(a, a); a shape's bounds overlap whatever it
+/// overlaps.
 #pragma once
 
+#include <type_traits>
 #include <vesica/check.hpp>
-#include <vesica/overlap/point_point.hpp>
-#include <vesica/overlap/point_segment.hpp>
-#include <vesica/overlap/point_circle.hpp>
-#include <vesica/overlap/point_aabb.hpp>
-#include <vesica/overlap/point_rect.hpp>
-#include <vesica/overlap/point_ellipse.hpp>
-#include <vesica/overlap/segment_segment.hpp>
-#include <vesica/overlap/segment_circle.hpp>
-#include <vesica/overlap/segment_aabb.hpp>
-#include <vesica/overlap/segment_rect.hpp>
-#include <vesica/overlap/segment_ellipse.hpp>
-#include <vesica/overlap/circle_circle.hpp>
-#include <vesica/overlap/circle_aabb.hpp>
-#include <vesica/overlap/circle_rect.hpp>
-#include <vesica/overlap/circle_ellipse.hpp>
 #include <vesica/overlap/aabb_aabb.hpp>
-#include <vesica/overlap/aabb_rect.hpp>
 #include <vesica/overlap/aabb_ellipse.hpp>
-#include <vesica/overlap/rect_rect.hpp>
-#include <vesica/overlap/rect_ellipse.hpp>
+#include <vesica/overlap/aabb_rect.hpp>
+#include <vesica/overlap/circle_aabb.hpp>
+#include <vesica/overlap/circle_circle.hpp>
+#include <vesica/overlap/circle_ellipse.hpp>
+#include <vesica/overlap/circle_rect.hpp>
 #include <vesica/overlap/ellipse_ellipse.hpp>
+#include <vesica/overlap/point_aabb.hpp>
+#include <vesica/overlap/point_circle.hpp>
+#include <vesica/overlap/point_ellipse.hpp>
+#include <vesica/overlap/point_point.hpp>
+#include <vesica/overlap/point_rect.hpp>
+#include <vesica/overlap/point_segment.hpp>
+#include <vesica/overlap/rect_ellipse.hpp>
+#include <vesica/overlap/rect_rect.hpp>
+#include <vesica/overlap/segment_aabb.hpp>
+#include <vesica/overlap/segment_circle.hpp>
+#include <vesica/overlap/segment_ellipse.hpp>
+#include <vesica/overlap/segment_rect.hpp>
+#include <vesica/overlap/segment_segment.hpp>
 
 namespace vesica {
 
@@ -56,27 +58,19 @@ inline constexpr bool in_order = ShapeTraits<A>::kind <= ShapeTraits<B>::kind;
 }  // namespace detail
 
 /// 1 when the shapes share a point, 0 when not, error_shape when either is invalid: what the C face returns.
-/// Shapes in the order of kinds.
-template <template <class> class A, template <class> class B>
-  requires(detail::in_order<A<double>, B<double>>)
-inline std::int32_t overlap_or_error(const A<double>& a, const B<double>& b) noexcept {
-  const auto verdict = pair::filter(a, b);
-  if (lane::either(verdict.overlap, verdict.disjoint)) [[likely]] return verdict.overlap ? 1 : 0;
-  return detail::decide_undecided(a, b);
-}
-
-/// A float is a double exactly: one path serves both.
-template <template <class> class A, template <class> class B>
-  requires(detail::in_order<A<double>, B<double>>)
-inline std::int32_t overlap_or_error(const A<float>& a, const B<float>& b) noexcept {
-  return overlap_or_error(widen(a), widen(b));
-}
-
-/// The other order of arguments.
+/// Any kinds, in either order. A float is a double exactly, so one path serves both.
 template <template <class> class A, template <class> class B, class T>
-  requires(!detail::in_order<A<T>, B<T>>)
 inline std::int32_t overlap_or_error(const A<T>& a, const B<T>& b) noexcept {
-  return overlap_or_error(b, a);
+  if constexpr (!detail::in_order<A<T>, B<T>>) {
+    return overlap_or_error(b, a);
+  } else if constexpr (std::is_same_v<T, float>) {
+    return overlap_or_error(widen(a), widen(b));
+  } else {
+    const auto verdict = pair::filter(a, b);
+    if (lane::either(verdict.overlap, verdict.disjoint)) [[likely]]
+      return verdict.overlap ? 1 : 0;
+    return detail::decide_undecided(a, b);
+  }
 }
 
 /// Whether two shapes of any kinds, in either order, share a point. An invalid shape (see check()) overlaps nothing.

@@ -26,7 +26,7 @@ struct ScalarTraits<double> {
   /// Half a unit in the last place of 1: the largest relative error of one rounding.
   static constexpr double roundoff = 0x1p-53;
   /// 2^e for an e within the normal range.
-  static constexpr double power(int e) noexcept {
+  static consteval double power(int e) noexcept {
     double p = 1;
     for (; e > 0; --e) p *= 2;
     for (; e < 0; ++e) p /= 2;
@@ -38,7 +38,7 @@ struct ScalarTraits<double> {
 template <>
 struct ScalarTraits<float> {
   static constexpr float roundoff = 0x1p-24f;
-  static constexpr float power(int e) noexcept { return static_cast<float>(ScalarTraits<double>::power(e)); }
+  static consteval float power(int e) noexcept { return static_cast<float>(ScalarTraits<double>::power(e)); }
   static constexpr int range = 1;
 };
 
@@ -52,8 +52,12 @@ constexpr float max(float a, float b) noexcept { return a > b ? a : b; }
 constexpr float min(float a, float b) noexcept { return a < b ? a : b; }
 inline double abs(double a) noexcept { return std::fabs(a); }
 inline float abs(float a) noexcept { return std::fabs(a); }
-inline double sqrt(double a) noexcept { return std::sqrt(a); }
-inline float sqrt(float a) noexcept { return std::sqrt(a); }
+
+// Within 2^-13 (float) or 2^-26 (double) of the true value, which is all their callers need; lanes may be that rough.
+inline double rough_sqrt(double a) noexcept { return std::sqrt(a); }
+inline float rough_sqrt(float a) noexcept { return std::sqrt(a); }
+constexpr double rough_quotient(double a, double b) noexcept { return a / b; }
+constexpr float rough_quotient(float a, float b) noexcept { return a / b; }
 
 // Masks without short circuits: on fresh data a branch costs more than the work it saves.
 constexpr bool both(bool a, bool b) noexcept { return static_cast<bool>(static_cast<int>(a) & static_cast<int>(b)); }
@@ -61,7 +65,6 @@ constexpr bool either(bool a, bool b) noexcept { return static_cast<bool>(static
 constexpr bool and_not(bool a, bool b) noexcept { return both(a, !b); }
 constexpr double select(bool m, double yes, double no) noexcept { return m ? yes : no; }
 constexpr float select(bool m, float yes, float no) noexcept { return m ? yes : no; }
-
 
 /// x, or -x where the sign bit of y is set.
 inline double flip_sign(double x, double y) noexcept {

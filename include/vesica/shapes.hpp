@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-
 #include <vesica/scalar.hpp>
 
 namespace vesica {

@@ -23,11 +23,12 @@ bool segment_misses(const Number<P>& p00, const Number<P>& p01, const Number<D>&
 
 }  // namespace detail
 
-/// Whether a box and an ellipse share a point. The frame of the box, in units of |u|, folded so that the ellipse's centre
-/// k lies in the first quadrant; the visible edges then are those towards +x and +y. Where the centre lies beside the
-/// box along an axis (x or y zero) the tested segment runs inside the box instead, through the centre's foot, so that
-/// meeting it proves overlap: a point of both shapes seen from the centre lies behind a visible edge, so no case is
-/// left out. Degree 18. The regions are those of D. Eberly, "Intersection of Rectangle and Ellipse" (Geometric Tools).
+/// Whether a box and an ellipse share a point. The frame of the box, in units of |u|, folded so that the ellipse's
+/// centre k lies in the first quadrant; the visible edges then are those towards +x and +y. Where the centre lies
+/// beside the box along an axis (x or y zero) the tested segment runs inside the box instead, through the centre's
+/// foot, so that meeting it proves overlap: a point of both shapes seen from the centre lies behind a visible edge, so
+/// no case is left out. Degree 18. The regions are those of D. Eberly, "Intersection of Rectangle and Ellipse"
+/// (Geometric Tools).
 inline bool overlap(const Box& box, const Ellipse& ellipse) noexcept {
   if (degenerate(ellipse)) return overlap(box, as_box(ellipse));
   const Length dx = ellipse.cx - box.cx, dy = ellipse.cy - box.cy;

@@ -37,12 +37,8 @@ inline Box form(const Segment<double>& s) noexcept {
 }
 
 inline Box form(const Aabb<double>& s) noexcept {
-  return {half(s.min_x) + half(s.max_x),
-          half(s.min_y) + half(s.max_y),
-          from_double(1),
-          from_double(0),
-          half(s.max_x) - half(s.min_x),
-          half(s.max_y) - half(s.min_y)};
+  return {half(s.min_x) + half(s.max_x), half(s.min_y) + half(s.max_y), from_double(1), from_double(0),
+          half(s.max_x) - half(s.min_x), half(s.max_y) - half(s.min_y)};
 }
 
 inline Box form(const Rect<double>& s) noexcept {

@@ -112,9 +112,10 @@ struct Number {
 
   Number() noexcept : sign(0), low(0), size(0) {}
   Number(const Number& other) noexcept { *this = other; }
+  /// A value of a lower degree is one of this degree too.
   template <int Lower>
-    requires(Lower < Degree)
   Number(const Number<Lower>& other) noexcept {
+    static_assert(Lower < Degree);
     copy(other);
   }
   Number& operator=(const Number& other) noexcept {

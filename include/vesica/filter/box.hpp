@@ -66,8 +66,8 @@ Centre<V> place(const Ellipse<V>& s) noexcept {
 }
 
 /// Centre of b minus centre of a. Between two centres each coordinate has a relative error of u. With corners the
-/// midpoint is never formed: differences of stored points come first, and |p0| + |p1| = max(|p0 + p1|, |p0 - p1|) bounds
-/// the error of a coordinate by u (2 |d| + e), e the sum of the corner shapes' half extents along it.
+/// midpoint is never formed: differences of stored points come first, and |p0| + |p1| = max(|p0 + p1|, |p0 - p1|)
+/// bounds the error of a coordinate by u (2 |d| + e), e the sum of the corner shapes' half extents along it.
 template <class V>
 Centre<V> offset(const Centre<V>& a, const Centre<V>& b) noexcept {
   return {b.x - a.x, b.y - a.y};

@@ -10,7 +10,7 @@ namespace vesica::filter {
 /// by anything that matters beside them.
 template <class V>
 auto box_axis_in_range(V squared_length) noexcept {
-  return in_range(squared_length, guard_power<V>(-50), guard_power<V>(50));
+  return in_range(squared_length, guard_power<V, -50>(), guard_power<V, 50>());
 }
 
 /// Widest gap between the shapes' projections on the two axes of a box, times |u|; negative when both overlap.
@@ -22,7 +22,7 @@ auto box_axis_in_range(V squared_length) noexcept {
 /// and |u||D| <= |p0| + |p1|. With the subtraction's u: 6u (|p0| + |p1|) + 11u (r0 + r1) <= 12u of the sum of all.
 template <class V>
 Estimate<V> widest_gap(V p0, V p1, V r0, V r1) noexcept {
-  return {lane::max(p0 - r0, p1 - r1), roundoffs<V>(12) * ((p0 + p1) + (r0 + r1)) + underflow_allowance<V>()};
+  return {max(p0 - r0, p1 - r1), roundoffs<V>(12) * ((p0 + p1) + (r0 + r1)) + underflow_allowance<V>()};
 }
 
 template <class V>
@@ -33,7 +33,6 @@ struct BoxBox {
 
 template <class V>
 BoxBox<V> separating_axes(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
-  using lane::abs;
   const V uu = a.ux * a.ux + a.uy * a.uy, ww = b.ux * b.ux + b.uy * b.uy;
   const V c = abs(a.ux * b.ux + a.uy * b.uy), s = abs(a.ux * b.uy - a.uy * b.ux);
   const V p0 = abs(a.ux * d.x + a.uy * d.y), p1 = abs(a.ux * d.y - a.uy * d.x);
@@ -44,7 +43,6 @@ BoxBox<V> separating_axes(const Box<V>& a, const Box<V>& b, const Centre<V>& d) 
 
 template <class V>
 auto box_box(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
-  using namespace lane;
   const BoxBox<V> axes = separating_axes(a, b, d);
   const auto usable = both(both(box_axis_in_range(axes.uu), box_axis_in_range(axes.ww)),
                            min(min(a.hx, a.hy), min(b.hx, b.hy)) >= V(0.0f));
@@ -55,14 +53,14 @@ auto box_box(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
 /// d: from the box's centre to the point.
 template <class V>
 Estimate<V> point_gap(const Box<V>& b, const Centre<V>& d, V uu) noexcept {
-  const V p0 = lane::abs(b.ux * d.x + b.uy * d.y), p1 = lane::abs(b.ux * d.y - b.uy * d.x);
+  const V p0 = abs(b.ux * d.x + b.uy * d.y), p1 = abs(b.ux * d.y - b.uy * d.x);
   return widest_gap(p0, p1, b.hx * uu, b.hy * uu);
 }
 
 template <class V>
 auto point_box(const Box<V>& b, const Centre<V>& d) noexcept {
   const V uu = b.ux * b.ux + b.uy * b.uy;
-  const auto usable = lane::both(box_axis_in_range(uu), lane::min(b.hx, b.hy) >= V(0.0f));
+  const auto usable = both(box_axis_in_range(uu), min(b.hx, b.hy) >= V(0.0f));
   return guarded(usable, point_gap(b, d, uu));
 }
 

@@ -6,8 +6,8 @@
 
 namespace vesica::filter {
 
-/// Whether two segments, one along each axis of the box's frame, miss the ellipse: positive where they do. The shapes are
-/// disjoint iff both do. exact/box_ellipse.hpp says which segments, and why two suffice.
+/// Whether two segments, one along each axis of the box's frame, miss the ellipse: positive where they do. The shapes
+/// are disjoint iff both do. exact/box_ellipse.hpp says which segments, and why two suffice.
 template <class V>
 struct BoxEllipse {
   Estimate<V> misses_x, misses_y;
@@ -23,20 +23,18 @@ struct BoxEllipse {
 ///   c, s: 4u |u||v|; p00, p11: 12u Q; p01: 10u Q, |p01| <= Q / 2
 ///   m: 12u Q y + 6u Q T + 10u Q x + 5u Q T + 18u Q e + 3u (Q y + Q x / 2 + Q e) <= 32u Q T =: error_m
 ///   det = (a b U V)^2: 19u; p00 - x^2: 13u Q + 22u x T
-/// so m^2 is off by error_m (2m + error_m) + u m^2, the product by det (33u Q + 42u x T) and the difference by u of each.
+/// so m^2 is off by error_m (2m + error_m) + u m^2, the product by det (33u Q + 42u x T) and the difference by u of
+/// each.
 template <class V>
 Estimate<V> segment_misses(V p00, V p01, V det, V q, V t, V x, V y, V e) noexcept {
-  using lane::abs, lane::max;
   const V m = max(abs(p00 * y - p01 * x) - p00 * e, V(0.0f));
   const V error_m = roundoffs<V>(34) * (q * t);
-  return {m * m - det * (p00 - x * x),
-          error_m * ((m + m) + error_m) + roundoffs<V>(48) * (det * (q + x * t))};
+  return {m * m - det * (p00 - x * x), error_m * ((m + m) + error_m) + roundoffs<V>(48) * (det * (q + x * t))};
 }
 
 /// d: from the box's centre to the ellipse's.
 template <class V>
 BoxEllipse<V> visible_edges(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
-  using lane::abs, lane::max, lane::select;
   const V zero(0.0f);
   const V uu = box.ux * box.ux + box.uy * box.uy, vv = ellipse.ux * ellipse.ux + ellipse.uy * ellipse.uy;
   const V kx = box.ux * d.x + box.uy * d.y, ky = box.ux * d.y - box.uy * d.x;
@@ -44,7 +42,7 @@ BoxEllipse<V> visible_edges(const Box<V>& box, const Ellipse<V>& ellipse, const 
   const V ac = ellipse.a * c, as = ellipse.a * s, bc = ellipse.b * c, bs = ellipse.b * s;
   const V p00 = ac * ac + bs * bs, p11 = as * as + bc * bc;
   // Folding the centre into the first quadrant flips the sign of p01 with that of kx ky, which must not underflow.
-  const V p01 = lane::flip_sign(lane::flip_sign(ac * as - bc * bs, kx), ky);
+  const V p01 = flip_sign(flip_sign(ac * as - bc * bs, kx), ky);
   const V root = (ellipse.a * ellipse.b) * (uu * vv), det = root * root;
   const V ex = box.hx * uu, ey = box.hy * uu;
   const V x = max(abs(kx) - ex, zero), y = max(abs(ky) - ey, zero);
@@ -53,17 +51,16 @@ BoxEllipse<V> visible_edges(const Box<V>& box, const Ellipse<V>& ellipse, const 
           vv};
 }
 
-/// Guard: half lengths at least 2^-10, squared axes 2^-5 to 2^15 (double: the 8th powers), sizes not negative, errors below
-/// 2^100. Then det Q >= 2^-90 stays normal, no product of either side overflows while its bound does not, and what
-/// underflows in k or T is far below the part of the bound that det Q carries.
+/// Guard: half lengths at least 2^-10, squared axes 2^-5 to 2^15 (double: the 8th powers), sizes not negative, errors
+/// below 2^100. Then det Q >= 2^-90 stays normal, no product of either side overflows while its bound does not, and
+/// what underflows in k or T is far below the part of the bound that det Q carries.
 template <class V>
 auto box_ellipse(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
-  using namespace lane;
   const BoxEllipse<V> edges = visible_edges(box, ellipse, d);
-  const V low = guard_power<V>(-5), high = guard_power<V>(15);
+  const V low = guard_power<V, -5>(), high = guard_power<V, 15>();
   const auto axes = both(min(edges.uu, edges.vv) >= low, max(edges.uu, edges.vv) <= high);
-  const auto sizes = both(min(ellipse.a, ellipse.b) >= guard_power<V>(-10), min(box.hx, box.hy) >= V(0.0f));
-  const auto bounded = edges.misses_x.error + edges.misses_y.error <= guard_power<V>(100);
+  const auto sizes = both(min(ellipse.a, ellipse.b) >= guard_power<V, -10>(), min(box.hx, box.hy) >= V(0.0f));
+  const auto bounded = edges.misses_x.error + edges.misses_y.error <= guard_power<V, 100>();
   return guarded(both(both(axes, sizes), bounded),
                  either(certainly_negative(edges.misses_x), certainly_negative(edges.misses_y)),
                  both(certainly_positive(edges.misses_x), certainly_positive(edges.misses_y)));

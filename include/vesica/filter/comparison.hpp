@@ -14,13 +14,12 @@ auto finite(V first, W... rest) noexcept {
 
 template <class V>
 auto valid_aabb(const Aabb<V>& s) noexcept {
-  return lane::both(finite(s.min_x, s.min_y, s.max_x, s.max_y),
-                    lane::both(s.min_x <= s.max_x, s.min_y <= s.max_y));
+  return both(finite(s.min_x, s.min_y, s.max_x, s.max_y), both(s.min_x <= s.max_x, s.min_y <= s.max_y));
 }
 
 template <class Mask>
 Verdict<Mask> compared(Mask valid, Mask overlap) noexcept {
-  return {lane::both(valid, overlap), lane::and_not(valid, overlap)};
+  return {both(valid, overlap), and_not(valid, overlap)};
 }
 
 }  // namespace vesica::filter

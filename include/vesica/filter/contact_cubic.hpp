@@ -17,21 +17,22 @@ struct ContactCubic {
 
 /// p(t) at a t >= 0 that nearly minimises a lower estimate of p over x >= 0.
 ///
-/// Let l_i = c_i - 16u total_i, so that d1 + l1 x + l2 x^2 + d2 x^3 lies below p but for the errors of d1, d2. Its minimiser is t,
-/// by the form of the quadratic's root that adds like signs. With h = d1 + total1 t + total2 t^2 + d2 t^3:
+/// Let l_i = c_i - 16u total_i, so that d1 + l1 x + l2 x^2 + d2 x^3 lies below p but for the errors of d1, d2. Its
+/// minimiser is t, by the form of the quadratic's root that adds like signs. With h = d1 + total1 t + total2 t^2 + d2
+/// t^3:
 ///   disjoint  p(t) < 0 at any t > 0 proves it: coefficients err by 14u h, Horner's rule by 6u h: 20u h in all.
 ///   overlap   the lower estimate at t: 16u h and 6u h below the computed value; d1 and d2: 11u h. An error of t enters
-///             squared: even where the quadratic's root is nearly double, t errs by less than 3 sqrt(u) t, and p by less
-///             than u^1.5 h. 33u h in all.
+///             squared: even where the quadratic's root is nearly double, t errs by less than 3 sqrt(u) t, and p by
+///             less than u^1.5 h. 33u h in all. A rough root and quotient, 2^-12.4 of t together for float, cost u h
+///             more.
 /// 40u h serves both.
 template <class V>
 Estimate<V> least_value(const ContactCubic<V>& p) noexcept {
-  using namespace lane;
   const V zero(0.0f), three(3.0f), shift = roundoffs<V>(16);
   const V l1 = p.c1 - shift * p.total1, l2 = p.c2 - shift * p.total2;
-  const V root = sqrt(max(l2 * l2 - three * (p.d2 * l1), zero));
+  const V root = rough_sqrt(max(l2 * l2 - three * (p.d2 * l1), zero));
   const auto rising = l2 > zero;
-  const V t = max(select(rising, zero - l1, root - l2) / select(rising, l2 + root, three * p.d2), zero);
+  const V t = max(rough_quotient(select(rising, zero - l1, root - l2), select(rising, l2 + root, three * p.d2)), zero);
   const V value = ((p.d2 * t + p.c2) * t + p.c1) * t + p.d1;
   const V magnitude = ((p.d2 * t + p.total2) * t + p.total1) * t + p.d1;
   // A NaN is lost in max() only if it came from the totals, which are in the magnitude too.
@@ -47,17 +48,16 @@ auto decide(const ContactCubic<V>& p) noexcept {
 /// Totals and leading terms together below 2^62 (double: 2^496): no square in least_value() overflows.
 template <class V>
 auto totals_in_range(const ContactCubic<V>& p) noexcept {
-  return (p.d1 + p.d2) + (p.total1 + p.total2) <= guard_power<V>(62);
+  return (p.d1 + p.d2) + (p.total1 + p.total2) <= guard_power<V, 62>();
 }
 
 /// d: from the first ellipse's centre to the second's. With v, w the axes and M = |v||D| <= |x0| + |x1|,
 ///   d1 = (a0 a1 V)^2: 9u
-///   mu: c, s err by 2u |v||w|, so c^2 by 4u (c^2 + |c s|) + u c^2: in all 11u mu + 4u |c s| (a0^2 + a1^2) (b0^2 + b1^2)
-///   al: x0 and x1 err by 3u M, so al by 10u al + 6u (a0^2 + a1^2) |x0 x1|
-///   c1 = d1 + mu - al: two roundings more; 13u total1.
+///   mu: c, s err by 2u |v||w|, so c^2 by 4u (c^2 + |c s|) + u c^2: in all 11u mu + 4u |c s| (a0^2 + a1^2) (b0^2 +
+///   b1^2) al: x0 and x1 err by 3u M, so al by 10u al + 6u (a0^2 + a1^2) |x0 x1| c1 = d1 + mu - al: two roundings more;
+///   13u total1.
 template <class V>
 ContactCubic<V> contact_cubic(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d, V vv, V ww) noexcept {
-  using lane::abs;
   const V c = e.ux * f.ux + e.uy * f.uy, s = e.ux * f.uy - e.uy * f.ux;
   const V x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x;
   const V y0 = f.ux * d.x + f.uy * d.y, y1 = f.ux * d.y - f.uy * d.x;
@@ -77,16 +77,15 @@ ContactCubic<V> contact_cubic(const Ellipse<V>& e, const Ellipse<V>& f, const Ce
           ((d2 + mu) + be) + (sb * abs(y0 * y1) + turned)};
 }
 
-/// Guard: half lengths and squared axes at least 2^-6 (double: 2^-48), so that d1 and d2 are at least 2^-36 (2^-288) and all
-/// that underflows is negligible beside them.
+/// Guard: half lengths and squared axes at least 2^-6 (double: 2^-48), so that d1 and d2 are at least 2^-36 (2^-288)
+/// and all that underflows is negligible beside them.
 template <class V>
 auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
-  using namespace lane;
   const V vv = e.ux * e.ux + e.uy * e.uy, ww = f.ux * f.ux + f.uy * f.uy;
   const ContactCubic<V> p = contact_cubic(e, f, offset(place(e), place(f)), vv, ww);
   const V least_size = min(min(min(e.a, e.b), min(f.a, f.b)), min(vv, ww));
   const auto verdict = decide(p);
-  return guarded(both(least_size >= guard_power<V>(-6), totals_in_range(p)), verdict.overlap, verdict.disjoint);
+  return guarded(both(least_size >= guard_power<V, -6>(), totals_in_range(p)), verdict.overlap, verdict.disjoint);
 }
 
 /// Circle and ellipse: the same cubic with x = t / r^2, times r^2, is monic:
@@ -100,17 +99,17 @@ ContactCubic<V> contact_cubic(const Circle<V>& disc, const Ellipse<V>& e, const 
   const V m0 = e.b * x0, m1 = e.a * x1;
   const V al = m0 * m0 + m1 * m1, dd = d.x * d.x + d.y * d.y;
   const V c1 = pq + rr * sum, c2 = rr + sum;
-  return {rr * pq, c1 - al, c2 - dd, V(1.0f), (c1 + al) + (aa + bb) * lane::abs(x0 * x1), c2 + dd};
+  return {rr * pq, c1 - al, c2 - dd, V(1.0f), (c1 + al) + (aa + bb) * abs(x0 * x1), c2 + dd};
 }
 
-/// Guard: r^2, a^2, b^2 at least 2^-17 and the squared axis 2^-17 (double: the 8th powers), so that r^2 P Q stays normal.
+/// Guard: r^2, a^2, b^2 at least 2^-17 and the squared axis 2^-17 (double: the 8th powers), so that r^2 P Q stays
+/// normal.
 template <class V>
 auto circle_ellipse(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
-  using namespace lane;
   const V vv = e.ux * e.ux + e.uy * e.uy;
   const ContactCubic<V> p = contact_cubic(disc, e, offset(place(disc), place(e)), vv);
-  const V low = guard_power<V>(-8);
-  const auto sizes = both(min(min(e.a, e.b), disc.r) >= low, vv >= guard_power<V>(-16));
+  const V low = guard_power<V, -8>();
+  const auto sizes = both(min(min(e.a, e.b), disc.r) >= low, vv >= guard_power<V, -16>());
   const auto verdict = decide(p);
   return guarded(both(sizes, totals_in_range(p)), verdict.overlap, verdict.disjoint);
 }

@@ -21,13 +21,12 @@ auto point_disc(const Centre<V>& d, V radius) noexcept {
 
 template <class V>
 auto disc_disc(const Centre<V>& d, V radius_a, V radius_b) noexcept {
-  return guarded(lane::min(radius_a, radius_b) >= V(0.0f), beyond_reach(d, radius_a + radius_b));
+  return guarded(min(radius_a, radius_b) >= V(0.0f), beyond_reach(d, radius_a + radius_b));
 }
 
 /// The nearest point of an AABB differs from the centre in each coordinate by a single rounded difference, or not.
 template <class V>
 Centre<V> nearest_offset(const Circle<V>& disc, const Aabb<V>& box) noexcept {
-  using lane::max;
   const V zero(0.0f);
   return {max(max(box.min_x - disc.cx, disc.cx - box.max_x), zero),
           max(max(box.min_y - disc.cy, disc.cy - box.max_y), zero)};
@@ -35,7 +34,6 @@ Centre<V> nearest_offset(const Circle<V>& disc, const Aabb<V>& box) noexcept {
 
 template <class V>
 auto disc_aabb(const Circle<V>& disc, const Aabb<V>& box) noexcept {
-  using namespace lane;
   // max() above may drop a NaN: the widths' zero-or-NaN difference brings it back into the bound.
   const V width = box.max_x - box.min_x, height = box.max_y - box.min_y;
   Estimate<V> gap = beyond_reach(nearest_offset(disc, box), disc.r);
@@ -50,25 +48,22 @@ auto disc_aabb(const Circle<V>& disc, const Aabb<V>& box) noexcept {
 /// x^2 + y^2 <= T (x + y); r^2 U: 6u; the difference u of either.
 template <class V>
 Estimate<V> disc_beyond_box(const Box<V>& b, const Centre<V>& d, V radius, V uu) noexcept {
-  using lane::abs, lane::max;
   const V k0 = abs(b.ux * d.x + b.uy * d.y), k1 = abs(b.ux * d.y - b.uy * d.x);
   const V e0 = b.hx * uu, e1 = b.hy * uu, zero(0.0f);
   const V x = max(k0 - e0, zero), y = max(k1 - e1, zero);
   const V reached = radius * radius * uu;
   const V e = roundoffs<V>(12) * ((k0 + k1) + (e0 + e1));
-  return {(x * x + y * y) - reached,
-          (e + e) * ((x + y) + e) + (roundoffs<V>(8) * reached + guard_power<V>(-60))};
+  return {(x * x + y * y) - reached, (e + e) * ((x + y) + e) + (roundoffs<V>(8) * reached + guard_power<V, -60>())};
 }
 
 /// Axes between 2^-10 and 2^10 (double: 2^-80 and 2^80) long. What underflows then errs by less than 2^-140 in k,
 /// that is by a hair of e or by less than 2^-90 in x, and by less than 2^-128 in r^2 U: beneath the 2^-60 above.
 template <class V>
 auto disc_box(const Box<V>& b, const Centre<V>& d, V radius) noexcept {
-  using namespace lane;
   const V uu = b.ux * b.ux + b.uy * b.uy;
   const Estimate<V> gap = disc_beyond_box(b, d, radius, uu);
-  const auto usable = both(in_range(uu, guard_power<V>(-20), guard_power<V>(20)),
-                           both(min(min(b.hx, b.hy), radius) >= V(0.0f), gap.error <= guard_power<V>(100)));
+  const auto usable = both(in_range(uu, guard_power<V, -20>(), guard_power<V, 20>()),
+                           both(min(min(b.hx, b.hy), radius) >= V(0.0f), gap.error <= guard_power<V, 100>()));
   return guarded(usable, gap);
 }
 

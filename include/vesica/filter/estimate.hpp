@@ -16,6 +16,8 @@
 
 namespace vesica::filter {
 
+using namespace lane;  // for scalars; lanes of a vector bring the same names by argument-dependent lookup
+
 /// |value - true value| <= error, unless error is NaN.
 template <class V>
 struct Estimate {
@@ -43,7 +45,7 @@ struct Verdict {
 /// No answer outside the guard.
 template <class Mask>
 Verdict<Mask> guarded(Mask guard, Mask overlap, Mask disjoint) noexcept {
-  return {lane::both(guard, overlap), lane::both(guard, disjoint)};
+  return {both(guard, overlap), both(guard, disjoint)};
 }
 
 /// Two shapes overlap where the estimate is certainly negative and are disjoint where it is certainly positive.
@@ -68,27 +70,27 @@ struct Element<float> {
 
 /// n units of roundoff.
 template <class V>
-constexpr V roundoffs(int n) noexcept {
+V roundoffs(int n) noexcept {
   using T = typename Element<V>::Type;
   return V(static_cast<T>(n) * ScalarTraits<T>::roundoff);
 }
 
 /// 2^e for float, 2^(8 e) for double: a guard chosen by float's narrower range serves both.
-template <class V>
-constexpr V guard_power(int e) noexcept {
+template <class V, int e>
+V guard_power() noexcept {
   using Traits = ScalarTraits<typename Element<V>::Type>;
   return V(Traits::power(Traits::range * e));
 }
 
 /// Covers what underflow can add to the errors of degree-3 filters, with axes no longer than 2^25 (double: 2^200).
 template <class V>
-constexpr V underflow_allowance() noexcept {
-  return guard_power<V>(-87);
+V underflow_allowance() noexcept {
+  return guard_power<V, -87>();
 }
 
 template <class V>
 auto in_range(V x, V low, V high) noexcept {
-  return lane::both(x >= low, x <= high);
+  return both(x >= low, x <= high);
 }
 
 }  // namespace vesica::filter

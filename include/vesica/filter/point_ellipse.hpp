@@ -13,17 +13,16 @@ Estimate<V> outside_ellipse(const Ellipse<V>& e, const Centre<V>& d, V vv) noexc
   const V x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x;
   const V m0 = e.b * x0, m1 = e.a * x1, root = (e.a * e.b) * vv;
   const V al = m0 * m0 + m1 * m1, det = root * root;
-  return {al - det, roundoffs<V>(12) * ((al + det) + (e.a * e.a + e.b * e.b) * lane::abs(x0 * x1))};
+  return {al - det, roundoffs<V>(12) * ((al + det) + (e.a * e.a + e.b * e.b) * abs(x0 * x1))};
 }
 
-/// Guard: half lengths and the squared axis at least 2^-12 (double: 2^-96), so (a b V)^2 >= 2^-72 is normal; errors below
-/// 2^100, where no term has overflowed.
+/// Guard: half lengths and the squared axis at least 2^-12 (double: 2^-96), so (a b V)^2 >= 2^-72 is normal; errors
+/// below 2^100, where no term has overflowed.
 template <class V>
 auto point_ellipse(const Ellipse<V>& e, const Centre<V>& d) noexcept {
-  using namespace lane;
   const V vv = e.ux * e.ux + e.uy * e.uy;
   const Estimate<V> gap = outside_ellipse(e, d, vv);
-  const auto usable = both(min(min(e.a, e.b), vv) >= guard_power<V>(-12), gap.error <= guard_power<V>(100));
+  const auto usable = both(min(min(e.a, e.b), vv) >= guard_power<V, -12>(), gap.error <= guard_power<V, 100>());
   return guarded(usable, gap);
 }
 

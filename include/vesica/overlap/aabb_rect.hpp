@@ -9,7 +9,8 @@ namespace vesica::pair {
 
 template <class V>
 auto filter(const Aabb<V>& aabb, const Rect<V>& rect) noexcept {
-  return filter::box_box(filter::box(aabb), filter::box(rect), filter::offset(filter::place(aabb), filter::place(rect)));
+  return filter::box_box(filter::box(aabb), filter::box(rect),
+                         filter::offset(filter::place(aabb), filter::place(rect)));
 }
 
 inline bool exact(const Aabb<double>& aabb, const Rect<double>& rect) noexcept {

@@ -16,7 +16,8 @@ inline bool exact(const Point<double>& point, const Ellipse<double>& ellipse) no
   const exact::Ellipse e = exact::form(ellipse);
   if (exact::degenerate(e)) return exact::overlap(exact::form(point), exact::as_box(e));
   const exact::Length dx = exact::from_double(point.x) - e.cx, dy = exact::from_double(point.y) - e.cy;
-  const auto along = square(e.b * exact::dot(e.ux, e.uy, dx, dy)), across = square(e.a * exact::cross(e.ux, e.uy, dx, dy));
+  const auto along = square(e.b * exact::dot(e.ux, e.uy, dx, dy)),
+             across = square(e.a * exact::cross(e.ux, e.uy, dx, dy));
   return compare(along + across, square(e.a * e.b * exact::dot(e.ux, e.uy, e.ux, e.uy))) <= 0;
 }
 

@@ -9,7 +9,8 @@ namespace vesica::pair {
 
 template <class V>
 auto filter(const Segment<V>& segment, const Aabb<V>& aabb) noexcept {
-  return filter::box_box(filter::box(segment), filter::box(aabb), filter::offset(filter::place(segment), filter::place(aabb)));
+  return filter::box_box(filter::box(segment), filter::box(aabb),
+                         filter::offset(filter::place(segment), filter::place(aabb)));
 }
 
 inline bool exact(const Segment<double>& segment, const Aabb<double>& aabb) noexcept {

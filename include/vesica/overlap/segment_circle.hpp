@@ -9,7 +9,8 @@ namespace vesica::pair {
 
 template <class V>
 auto filter(const Segment<V>& segment, const Circle<V>& circle) noexcept {
-  return filter::disc_box(filter::box(segment), filter::offset(filter::place(segment), filter::place(circle)), circle.r);
+  return filter::disc_box(filter::box(segment), filter::offset(filter::place(segment), filter::place(circle)),
+                          circle.r);
 }
 
 inline bool exact(const Segment<double>& segment, const Circle<double>& circle) noexcept {

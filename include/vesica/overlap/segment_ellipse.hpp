@@ -9,7 +9,8 @@ namespace vesica::pair {
 
 template <class V>
 auto filter(const Segment<V>& segment, const Ellipse<V>& ellipse) noexcept {
-  return filter::box_ellipse(filter::box(segment), ellipse, filter::offset(filter::place(segment), filter::place(ellipse)));
+  return filter::box_ellipse(filter::box(segment), ellipse,
+                             filter::offset(filter::place(segment), filter::place(ellipse)));
 }
 
 inline bool exact(const Segment<double>& segment, const Ellipse<double>& ellipse) noexcept {

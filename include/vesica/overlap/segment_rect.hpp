@@ -9,7 +9,8 @@ namespace vesica::pair {
 
 template <class V>
 auto filter(const Segment<V>& segment, const Rect<V>& rect) noexcept {
-  return filter::box_box(filter::box(segment), filter::box(rect), filter::offset(filter::place(segment), filter::place(rect)));
+  return filter::box_box(filter::box(segment), filter::box(rect),
+                         filter::offset(filter::place(segment), filter::place(rect)));
 }
 
 inline bool exact(const Segment<double>& segment, const Rect<double>& rect) noexcept {

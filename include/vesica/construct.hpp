@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Shapes from what people have: corners, angles, radius vectors, covariances, matrices. Each returns 0 or an error
+/// and writes `out` only on 0; what it writes is valid. Floats are computed in double and rounded once, at the end.
+#pragma once
+
+#include <cmath>
+#include <vesica/check.hpp>
+#include <vesica/directed.hpp>
+#include <vesica/shapes.hpp>
+#include <vesica/spectrum.hpp>
+
+namespace vesica {
+
+namespace detail {
+
+/// A computed shape can break one rule only: a number may have overflowed.
+template <class Shape>
+int store(const Shape& s, Shape& out) noexcept {
+  if (check(s) != 0) return error_range;
+  out = s;
+  return 0;
+}
+
+template <class T>
+T cosine(T angle) noexcept {
+  return static_cast<T>(std::cos(static_cast<double>(angle)));
+}
+template <class T>
+T sine(T angle) noexcept {
+  return static_cast<T>(std::sin(static_cast<double>(angle)));
+}
+
+/// A product rounded once; 0 or infinite where it leaves the range.
+template <class T>
+T multiply(const Scaled& a, const Scaled& b) noexcept {
+  return static_cast<T>(scale(a.value * b.value, a.exponent + b.exponent));
+}
+/// 1 / a.
+template <class T>
+T invert(const Scaled& a) noexcept {
+  return static_cast<T>(scale(1 / a.value, -a.exponent));
+}
+
+inline Scaled take_apart(double x) noexcept {
+  const int exponent = exponent_of(x);
+  return {scale(x, -exponent), exponent};
+}
+
+/// a + b + c + d to 1 roundoff of itself plus 2^-100 of the largest term.
+inline double sum_of_four(double a, double b, double c, double d) noexcept {
+  const auto ab = directed::sum(a, b), cd = directed::sum(c, d), all = directed::sum(ab.high, cd.high);
+  return all.high + (all.low + (ab.low + cd.low));
+}
+
+/// A quarter of a length.
+inline Scaled quarter(const Scaled& length) noexcept { return {length.value / 4, length.exponent}; }
+
+/// A rectangle whose sizes still carry their power of two.
+struct MeanRect {
+  double cx, cy, ux, uy;
+  Scaled hx, hy;
+};
+
+/// The mean rectangle of four corners x0 y0 ... x3 y3 in order, all of magnitude at most 2^1021.
+inline MeanRect mean_rect(const double (&p)[8]) noexcept {
+  const double cx = sum_of_four(p[0], p[2], p[4], p[6]) / 4, cy = sum_of_four(p[1], p[3], p[5], p[7]) / 4;
+  // Twice the mean edge from corner 0 to 1 and 3 to 2, and from 0 to 3 and 1 to 2.
+  const Direction first = direction(sum_of_four(p[2], -p[0], p[4], -p[6]), sum_of_four(p[3], -p[1], p[5], -p[7]));
+  const Direction second = direction(sum_of_four(p[6], -p[0], p[4], -p[2]), sum_of_four(p[7], -p[1], p[5], -p[3]));
+  // The longer pair gives the direction, for rounded corners turn it least; of the shorter, the part across counts.
+  const Scaled hx = quarter(first.length), hy = quarter(second.length);
+  const double across = std::fabs(first.x * second.y - first.y * second.x);
+  if (scale(hy.value, hy.exponent - hx.exponent) <= hx.value) {
+    return {cx, cy, first.x, first.y, hx, {hy.value * across, hy.exponent}};
+  }
+  const double turn = first.x * second.y < first.y * second.x ? -1 : 1;
+  return {cx, cy, turn * second.y, -turn * second.x, {hx.value * across, hx.exponent}, hy};
+}
+
+}  // namespace detail
+
+/// Box with two opposite corners, in any order. Exact. Errors: error_not_finite.
+template <class T>
+int aabb_from_corners(T x0, T y0, T x1, T y1, Aabb<T>& out) noexcept {
+  if (!detail::all_finite(x0, y0, x1, y1)) return error_not_finite;
+  out = {std::fmin(x0, x1), std::fmin(y0, y1), std::fmax(x0, x1), std::fmax(y0, y1)};
+  return 0;
+}
+
+/// Rectangle from centre, angle in radians (counter-clockwise from +x where y points up), width along the angle and
+/// height across it. Sizes are exact. Errors: error_not_finite, error_negative_size.
+template <class T>
+int rect_from_angle(T cx, T cy, T angle, T width, T height, Rect<T>& out) noexcept {
+  if (!detail::all_finite(cx, cy, angle, width, height)) return error_not_finite;
+  if (width < 0 || height < 0) return error_negative_size;
+  const T ux = detail::cosine(angle), uy = detail::sine(angle), half = T{1} / 2;
+  // An odd multiple of the smallest number cannot be halved; the axis, a unit of length, can.
+  const bool halves = 2 * (half * width) == width && 2 * (half * height) == height;
+  out = halves ? Rect<T>{cx, cy, ux, uy, half * width, half * height}
+               : Rect<T>{cx, cy, half * ux, half * uy, width, height};
+  return 0;
+}
+
+/// Rectangle from four corners x0 y0 ... x3 y3 in order round the outline, either turning sense.
+///
+/// The centre is the mean of the corners. The unit axis runs from corner 0 towards corner 1 and hx belongs to that
+/// edge; opposite edges are averaged, the longer pair gives the direction, and the shorter pair's extent is measured
+/// across it. Equal corners: a segment; four times the same: a point with axis (1, 0).
+/// Errors: error_not_finite, error_range (a half extent overflows).
+template <class T>
+int rect_from_corners(const T (&corners)[8], Rect<T>& out) noexcept {
+  double p[8], largest = 0;
+  for (int i = 0; i < 8; ++i) {
+    if (!detail::all_finite(corners[i])) return error_not_finite;
+    p[i] = static_cast<double>(corners[i]);
+    largest = std::fmax(largest, std::fabs(p[i]));
+  }
+  const int lift = largest > 0x1p1020 ? 3 : 0;  // room for sums of four
+  for (double& number : p) number = detail::scale(number, -lift);
+  const detail::MeanRect r = detail::mean_rect(p);
+  const detail::Scaled unit{1, lift};
+  return detail::store(Rect<T>{static_cast<T>(detail::scale(r.cx, lift)), static_cast<T>(detail::scale(r.cy, lift)),
+                               static_cast<T>(r.ux), static_cast<T>(r.uy), detail::multiply<T>(r.hx, unit),
+                               detail::multiply<T>(r.hy, unit)},
+                       out);
+}
+
+/// Ellipse from centre, angle as rect_from_angle, and half lengths a along the angle and b across it.
+/// Errors: error_not_finite, error_negative_size.
+template <class T>
+int ellipse_from_angle(T cx, T cy, T angle, T a, T b, Ellipse<T>& out) noexcept {
+  if (!detail::all_finite(cx, cy, angle, a, b)) return error_not_finite;
+  if (a < 0 || b < 0) return error_negative_size;
+  out = {cx, cy, detail::cosine(angle), detail::sine(angle), a, b};
+  return 0;
+}
+
+/// Ellipse with half axes (wx, wy) and ratio * perp(wx, wy). Exact. A zero vector gives the point (cx, cy).
+/// Errors: error_not_finite, error_negative_size.
+template <class T>
+int ellipse_from_radius_vector(T cx, T cy, T wx, T wy, T ratio, Ellipse<T>& out) noexcept {
+  if (!detail::all_finite(cx, cy, wx, wy, ratio)) return error_not_finite;
+  if (ratio < 0) return error_negative_size;
+  out = wx == 0 && wy == 0 ? Ellipse<T>{cx, cy, 1, 0, 0, 0} : Ellipse<T>{cx, cy, wx, wy, 1, ratio};
+  return 0;
+}
+
+/// Ellipse of the points within k standard deviations of a mean: a >= b up to rounding; the axis is a unit vector with
+/// x >= 0.
+///
+/// The covariance must be positive semidefinite as stored; a singular one gives a segment or a point.
+/// Errors: error_not_finite, error_negative_size (k < 0), error_argument (no covariance), error_range (overflow).
+template <class T>
+int ellipse_from_covariance(T mean_x, T mean_y, T cxx, T cxy, T cyy, T k, Ellipse<T>& out) noexcept {
+  if (!detail::all_finite(mean_x, mean_y, cxx, cxy, cyy, k)) return error_not_finite;
+  if (k < 0) return error_negative_size;
+  detail::Spectrum s;
+  const auto kind = detail::spectrum(static_cast<double>(cxx), static_cast<double>(cxy), static_cast<double>(cyy), s);
+  if (kind == detail::Definite::no) return error_argument;
+  const detail::Scaled times = detail::take_apart(static_cast<double>(k));
+  return detail::store(Ellipse<T>{mean_x, mean_y, static_cast<T>(s.x), static_cast<T>(s.y),
+                                  detail::multiply<T>(times, s.larger), detail::multiply<T>(times, s.smaller)},
+                       out);
+}
+
+/// Ellipse of the points X with (X - C) . M (X - C) <= 1: a >= b up to rounding; the axis is a unit vector with x >= 0.
+///
+/// M must be positive definite as stored. Nothing can overflow: an eigenvalue is never below the smallest number by
+/// more than the square of the precision. Errors: error_not_finite, error_argument (not positive definite).
+template <class T>
+int ellipse_from_matrix(T cx, T cy, T mxx, T mxy, T myy, Ellipse<T>& out) noexcept {
+  if (!detail::all_finite(cx, cy, mxx, mxy, myy)) return error_not_finite;
+  // The inverse of M is a positive multiple of (myy, -mxy, mxx), which has M's eigenvalues and the inverse's axis.
+  detail::Spectrum s;
+  const auto kind = detail::spectrum(static_cast<double>(myy), static_cast<double>(-mxy), static_cast<double>(mxx), s);
+  if (kind != detail::Definite::positive) return error_argument;
+  out = {cx, cy, static_cast<T>(s.x), static_cast<T>(s.y), detail::invert<T>(s.smaller), detail::invert<T>(s.larger)};
+  return 0;
+}
+
+}  // namespace vesica

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Overlap of whole arrays: layouts, blocks, and the way from an undecided lane to its exact answer.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "kernels/table.hpp"
+
+namespace vesica::batch {
+
+/// An array of shapes of one kind, as vesica_shapes_<T>, already validated; a single shape has stride 0.
+template <class T>
+struct Shapes {
+  std::int32_t kind;
+  std::int64_t count;
+  std::ptrdiff_t stride;  // bytes from one element's number to the next one's; 0 where one shape repeats
+  const T* field[max_fields];
+};
+
+/// What was found: how many pairs overlap, and whether any shape was invalid.
+struct Tally {
+  std::int64_t overlaps = 0;
+  bool invalid = false;
+};
+
+/// out[i] = 1 where a[i] and b[i] overlap, else 0, for i < n.
+template <class T>
+Tally many(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b, std::int64_t n,
+           std::uint8_t* out) noexcept;
+
+/// out[i * row_stride + j] = 1 where a[i] and b[j] overlap, else 0.
+template <class T>
+Tally matrix(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b, std::uint8_t* out,
+             std::ptrdiff_t row_stride) noexcept;
+
+/// Writes the first `capacity` of the indices i, ascending, for which the one shape overlaps many[i].
+template <class T>
+Tally select(const KernelTable& kernels, const Shapes<T>& one, const Shapes<T>& many, std::int64_t* out,
+             std::int64_t capacity) noexcept;
+
+}  // namespace vesica::batch

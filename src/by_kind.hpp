@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a kind and flat numbers to a shape.
+#pragma once
+
+#include <cstring>
+#include <vesica/shapes.hpp>
+
+namespace vesica {
+
+/// X(shape, Shape): every shape by its lower-case and its type name, in the order of shapes.
+#define VESICA_EACH_SHAPE(X) \
+  X(point, Point) X(segment, Segment) X(circle, Circle) X(aabb, Aabb) X(rect, Rect) X(ellipse, Ellipse)
+
+inline bool is_kind(std::int32_t kind) noexcept { return kind >= 0 && kind < kind_count; }
+
+/// One shape from its flat numbers, which need no alignment.
+template <class Shape>
+Shape load(const void* numbers) noexcept {
+  static_assert(sizeof(Shape) == ShapeTraits<Shape>::fields * sizeof(typename ShapeTraits<Shape>::Scalar));
+  Shape shape;
+  std::memcpy(&shape, numbers, sizeof shape);
+  return shape;
+}
+
+/// Calls action with the shape that the kind and its numbers make.
+template <class T, class Action>
+std::int32_t with_shape(std::int32_t kind, const T* numbers, Action action) noexcept {
+  if (numbers == nullptr) return error_null;
+  switch (kind) {
+#define VESICA_CASE(name, Name)               \
+  case static_cast<std::int32_t>(Kind::name): \
+    return action(load<Name<T>>(numbers));
+    VESICA_EACH_SHAPE(VESICA_CASE)
+#undef VESICA_CASE
+    default:
+      return error_kind;
+  }
+}
+
+/// The numbers a shape of this kind has, or error_kind.
+constexpr std::int32_t field_count(std::int32_t kind) noexcept {
+  switch (kind) {
+#define VESICA_CASE(name, Name)               \
+  case static_cast<std::int32_t>(Kind::name): \
+    return ShapeTraits<Name<double>>::fields;
+    VESICA_EACH_SHAPE(VESICA_CASE)
+#undef VESICA_CASE
+    default:
+      return error_kind;
+  }
+}
+
+}  // namespace vesica

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lanes/avx2.hpp"
+
+#include "kernels/block.hpp"
+
+namespace vesica {
+
+constinit const KernelTable kernels_avx2 = make_table("avx2");
+
+}  // namespace vesica

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lanes/avx512.hpp"
+
+#include "kernels/block.hpp"
+
+namespace vesica {
+
+constinit const KernelTable kernels_avx512 = make_table("avx512");
+
+}  // namespace vesica

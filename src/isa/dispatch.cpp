@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Chooses the instruction set, once, when the library is loaded.
+#include <cstdlib>
+#include <cstring>
+
+#include "kernels/table.hpp"
+
+namespace vesica {
+
+namespace {
+
+struct Candidate {
+  const KernelTable* table;
+  bool usable;
+};
+
+/// VESICA_ISA in the environment forces a set by name; a name that is unknown, or of a set this processor lacks, is
+/// ignored. Otherwise the last usable one is the best.
+template <std::size_t N>
+const KernelTable* choose(const Candidate (&candidates)[N]) noexcept {
+  const char* forced = std::getenv("VESICA_ISA");
+  const KernelTable* best = candidates[0].table;
+  for (const Candidate& candidate : candidates) {
+    if (!candidate.usable) continue;
+    best = candidate.table;
+    if (forced != nullptr && std::strcmp(forced, best->name) == 0) return best;
+  }
+  return best;
+}
+
+const KernelTable* choose() noexcept {
+#if defined(__x86_64__)
+  __builtin_cpu_init();
+  const bool avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2") &&
+                    __builtin_cpu_supports("popcnt");
+  const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+                      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq");
+  return choose({{&kernels_portable, true}, {&kernels_sse2, true}, {&kernels_avx2, avx2}, {&kernels_avx512, avx512}});
+#elif defined(__aarch64__)
+  return choose({{&kernels_portable, true}, {&kernels_neon, true}});
+#else
+  return choose({{&kernels_portable, true}});
+#endif
+}
+
+// The library's only variable.
+const KernelTable* chosen = nullptr;
+
+[[gnu::constructor]] void choose_at_load() noexcept { chosen = choose(); }
+
+}  // namespace
+
+const KernelTable& kernels() noexcept {
+  if (chosen == nullptr) [[unlikely]]
+    chosen = choose();  // called from another library's constructor, before ours
+  return *chosen;
+}
+
+}  // namespace vesica

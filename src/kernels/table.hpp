@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an instruction set offers: for each pair of kinds and scalar, a kernel that answers one block.
+#pragma once
+
+#include <cstdint>
+#include <vesica/shapes.hpp>
+
+namespace vesica {
+
+inline constexpr int max_fields = 6;
+
+/// A block of pairs: element i of each field of a shape at first[field][i]; a repeated shape has its numbers at [0].
+/// Fields need no alignment.
+template <class T>
+struct Block {
+  const T* first[max_fields];
+  const T* second[max_fields];
+  std::int32_t count;
+  std::uint8_t* out;        // count bytes: 1 where the filter is sure of overlap, else 0
+  std::int32_t* undecided;  // room for count indices, ascending
+};
+
+struct BlockResult {
+  std::int32_t overlaps;
+  std::int32_t undecided;
+};
+
+template <class T>
+using BlockKernel = BlockResult (*)(const Block<T>&) noexcept;
+
+/// Which operand, if any, is one shape repeated.
+enum class Repeat { none, first, second };
+inline constexpr int repeat_count = 3;
+
+/// Kernels by Repeat. `unit` may leave every axis whose length is not near 1 undecided, in return for speed; it is
+/// `general` where no such gain is known.
+template <class T>
+struct PairKernels {
+  BlockKernel<T> general[repeat_count];
+  BlockKernel<T> unit[repeat_count];
+};
+
+/// Indexed by the two kinds in the order of shapes; the other half is empty.
+template <class T>
+using ScalarKernels = PairKernels<T>[kind_count][kind_count];
+
+struct KernelTable {
+  const char* name;
+  ScalarKernels<float> f32;
+  ScalarKernels<double> f64;
+
+  const ScalarKernels<float>& of(float) const noexcept { return f32; }
+  const ScalarKernels<double>& of(double) const noexcept { return f64; }
+};
+
+/// The instruction sets built for this machine's architecture; the portable one is a single lane, and runs anywhere.
+extern const KernelTable kernels_portable;
+#if defined(__x86_64__)
+extern const KernelTable kernels_sse2, kernels_avx2, kernels_avx512;
+#elif defined(__aarch64__)
+extern const KernelTable kernels_neon;
+#endif
+
+/// The table chosen when the library was loaded.
+const KernelTable& kernels() noexcept;
+
+}  // namespace vesica

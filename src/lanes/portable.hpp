@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// One lane: what machines without a kernel of their own run, from the scalar arithmetic of the core.
+#pragma once
+
+#include <cstdint>
+#include <vesica/scalar.hpp>
+
+namespace vesica {
+namespace {  // a type of its own in each object: no instantiation may be shared with one for another instruction set
+
+struct LaneMask {
+  bool v;
+};
+inline LaneMask both(LaneMask a, LaneMask b) { return {lane::both(a.v, b.v)}; }
+inline LaneMask either(LaneMask a, LaneMask b) { return {lane::either(a.v, b.v)}; }
+inline LaneMask and_not(LaneMask a, LaneMask b) { return {lane::and_not(a.v, b.v)}; }
+inline std::uint32_t bits(LaneMask m) { return m.v; }
+inline int count(LaneMask m) { return m.v; }
+inline void store_bytes(LaneMask m, std::uint8_t* out) { *out = m.v; }
+
+template <class T>
+struct One {
+  using Element = T;
+  static constexpr int width = 1;
+  T v;
+  One() = default;
+  explicit One(T x) : v(x) {}
+  static One load(const T* p) {
+    T x;
+    __builtin_memcpy(&x, p, sizeof x);
+    return One(x);
+  }
+  friend One operator+(One a, One b) { return One(a.v + b.v); }
+  friend One operator-(One a, One b) { return One(a.v - b.v); }
+  friend One operator*(One a, One b) { return One(a.v * b.v); }
+  friend One operator-(One a) { return One(-a.v); }
+  friend LaneMask operator<(One a, One b) { return {a.v < b.v}; }
+  friend LaneMask operator<=(One a, One b) { return {a.v <= b.v}; }
+  friend LaneMask operator>(One a, One b) { return {a.v > b.v}; }
+  friend LaneMask operator>=(One a, One b) { return {a.v >= b.v}; }
+  friend LaneMask operator==(One a, One b) { return {a.v == b.v}; }
+  friend One abs(One a) { return One(lane::abs(a.v)); }
+  friend One max(One a, One b) { return One(lane::max(a.v, b.v)); }
+  friend One min(One a, One b) { return One(lane::min(a.v, b.v)); }
+  friend One select(LaneMask m, One yes, One no) { return m.v ? yes : no; }
+  friend One flip_sign(One x, One y) { return One(lane::flip_sign(x.v, y.v)); }
+  friend One rough_sqrt(One a) { return One(lane::rough_sqrt(a.v)); }
+  friend One rough_quotient(One a, One b) { return One(lane::rough_quotient(a.v, b.v)); }
+};
+using Floats = One<float>;
+using Doubles = One<double>;
+
+}  // namespace
+}  // namespace vesica
