@@ -6,19 +6,35 @@
 
 namespace {
 
-template <class A, class B, class CA, class CB>
-int32_t overlap_typed(const CA* a, const CB* b) noexcept {
-  if (a == nullptr || b == nullptr) return VESICA_E_NULL;
-  return vesica::overlap_or_error(vesica::load<A>(a), vesica::load<B>(b));
+/// The C structs and flat numbers are the core's shapes byte for byte, and are read in place.
+template <class A, class B>
+VESICA_INLINE int32_t overlap_at(const void* a, const void* b) noexcept {
+  return vesica::overlap_or_error(*static_cast<const A*>(a), *static_cast<const B*>(b));
 }
+
+template <class A, class B>
+VESICA_INLINE int32_t overlap_typed(const void* a, const void* b) noexcept {
+  if (a == nullptr || b == nullptr) return VESICA_E_NULL;
+  return overlap_at<A, B>(a, b);
+}
+
+using Function = int32_t (*)(const void*, const void*) noexcept;
+
+#define VESICA_FUNCTION(name, Name) overlap_at<A<T>, vesica::Name<T>>,
+template <class T, template <class> class A>
+inline constexpr Function row[vesica::kind_count] = {VESICA_EACH_SHAPE(VESICA_FUNCTION)};
+#undef VESICA_FUNCTION
+
+#define VESICA_ROW(name, Name) row<T, vesica::Name>,
+template <class T>
+inline constexpr const Function* table[vesica::kind_count] = {VESICA_EACH_SHAPE(VESICA_ROW)};
+#undef VESICA_ROW
 
 template <class T>
 int32_t overlap_by_kind(int32_t kind_a, const T* a, int32_t kind_b, const T* b) noexcept {
   if (a == nullptr || b == nullptr) return VESICA_E_NULL;
-  return vesica::with_shape(kind_a, a, [&](const auto& shape_a) {
-    return vesica::with_shape(kind_b, b,
-                              [&](const auto& shape_b) { return vesica::overlap_or_error(shape_a, shape_b); });
-  });
+  if (!vesica::is_kind(kind_a) || !vesica::is_kind(kind_b)) return VESICA_E_KIND;
+  return table<T>[kind_a][kind_b](a, b);
 }
 
 }  // namespace

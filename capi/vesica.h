@@ -12,8 +12,8 @@
  *  - Coordinates and sizes share one unit, any unit. Subnormal, huge and mixed magnitudes are all answered exactly.
  *  - int32_t results are an answer >= 0 or a negative VESICA_E_ error. Nothing is written through an output pointer
  *    on error. NULL for a pointer is VESICA_E_NULL; it is looked at first, then the kind, then the numbers.
- *  - Input is only read and may be shared, the same shape twice included. Input needs no more than the alignment
- *    of a byte.
+ *  - Input is only read and may be shared, the same shape twice included. Arrays of shapes (vesica_shapes) need no
+ *    alignment; other pointers have that of their types, as always in C.
  *  - No function allocates, locks, prints, sets errno or keeps state: all are thread-safe and reentrant, at any
  *    rounding mode of the caller's that is to-nearest. The exact stage uses at most 128 KiB of stack.
  *
@@ -256,10 +256,9 @@ VESICA_API int32_t vesica_rect_from_angle_f64(double cx, double cy, double angle
  * a unit vector along the first edge, from corner 0 to 1, and hx belongs to that edge; opposite edges are averaged,
  * the longer pair gives the direction, and the shorter counts by its part across the longer. Two or four equal
  * corners are legal: a segment, or a point with axis (1, 0).
- * Accuracy: with e the sum of 4 units in the last place of the longer half extent and 2^-98 times the largest
- * coordinate, half extents and the ends of the axis scaled by the longer one are right to e, and the centre to 1 unit
- * in the last place and 2^-98 times the largest coordinate. Corners of an axis-parallel rectangle give it exactly
- * when its centre and half extents are representable.
+ * Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the longer,
+ * the centre to 1 in its own, both plus 2^-98 times the largest coordinate. The corners of an axis-parallel rectangle
+ * give it exactly when its centre and half extents are representable.
  * Returns 0. Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent overflows).
  * Cost: about 110 ns. Since 0.1.
  */
@@ -499,10 +498,9 @@ VESICA_API int32_t vesica_rect_from_angle_f32(float cx, float cy, float angle, f
  * a unit vector along the first edge, from corner 0 to 1, and hx belongs to that edge; opposite edges are averaged,
  * the longer pair gives the direction, and the shorter counts by its part across the longer. Two or four equal
  * corners are legal: a segment, or a point with axis (1, 0).
- * Accuracy: with e the sum of 4 units in the last place of the longer half extent and 2^-98 times the largest
- * coordinate, half extents and the ends of the axis scaled by the longer one are right to e, and the centre to 1 unit
- * in the last place and 2^-98 times the largest coordinate. Corners of an axis-parallel rectangle give it exactly
- * when its centre and half extents are representable.
+ * Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the longer,
+ * the centre to 1 in its own, both plus 2^-98 times the largest coordinate. The corners of an axis-parallel rectangle
+ * give it exactly when its centre and half extents are representable.
  * Returns 0. Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent overflows).
  * Cost: about 110 ns. Since 0.1.
  */

@@ -74,7 +74,7 @@ inline MeanRect mean_rect(const double (&p)[8]) noexcept {
     return {cx, cy, first.x, first.y, hx, {hy.value * across, hy.exponent}};
   }
   const double turn = first.x * second.y < first.y * second.x ? -1 : 1;
-  return {cx, cy, turn * second.y, -turn * second.x, {hx.value * across, hx.exponent}, hy};
+  return {cx, cy, 0 + turn * second.y, 0 - turn * second.x, {hx.value * across, hx.exponent}, hy};
 }
 
 }  // namespace detail

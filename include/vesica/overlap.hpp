@@ -9,7 +9,6 @@
 /// overlaps.
 #pragma once
 
-#include <type_traits>
 #include <vesica/check.hpp>
 #include <vesica/overlap/aabb_aabb.hpp>
 #include <vesica/overlap/aabb_ellipse.hpp>
@@ -47,7 +46,7 @@ namespace detail {
 template <class A, class B>
 VESICA_COLD std::int32_t decide_undecided(const A& a, const B& b) noexcept {
   if (check(a) != 0 || check(b) != 0) return error_shape;
-  return pair::exact(a, b) ? 1 : 0;
+  return pair::exact(widen(a), widen(b)) ? 1 : 0;
 }
 
 #undef VESICA_COLD
@@ -60,22 +59,22 @@ inline constexpr bool in_order = ShapeTraits<A>::kind <= ShapeTraits<B>::kind;
 /// 1 when the shapes share a point, 0 when not, error_shape when either is invalid: what the C face returns.
 /// Any kinds, in either order. A float is a double exactly, so one path serves both.
 template <template <class> class A, template <class> class B, class T>
-inline std::int32_t overlap_or_error(const A<T>& a, const B<T>& b) noexcept {
+VESICA_INLINE std::int32_t overlap_or_error(const A<T>& a, const B<T>& b) noexcept {
   if constexpr (!detail::in_order<A<T>, B<T>>) {
     return overlap_or_error(b, a);
-  } else if constexpr (std::is_same_v<T, float>) {
-    return overlap_or_error(widen(a), widen(b));
   } else {
-    const auto verdict = pair::filter(a, b);
-    if (lane::either(verdict.overlap, verdict.disjoint)) [[likely]]
-      return verdict.overlap ? 1 : 0;
+    const auto verdict = pair::filter(widen(a), widen(b));
+    // 1, 0 or -1 for undecided, by arithmetic: a jump on the answer itself could not be predicted.
+    const std::int32_t answer = 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
+    if (answer >= 0) [[likely]]
+      return answer;
     return detail::decide_undecided(a, b);
   }
 }
 
 /// Whether two shapes of any kinds, in either order, share a point. An invalid shape (see check()) overlaps nothing.
 template <template <class> class A, template <class> class B, class T>
-inline bool overlap(const A<T>& a, const B<T>& b) noexcept {
+VESICA_INLINE bool overlap(const A<T>& a, const B<T>& b) noexcept {
   return overlap_or_error(a, b) == 1;
 }
 

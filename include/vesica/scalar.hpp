@@ -15,6 +15,13 @@
 #error "Vesica needs arithmetic in the operands' own precision: on 32-bit x86 compile with -msse2 -mfpmath=sse."
 #endif
 
+/// Filters are one expression spread over several functions: a call in the middle costs as much as the filter does.
+#if defined(__GNUC__)
+#define VESICA_INLINE [[gnu::always_inline]] inline
+#else
+#define VESICA_INLINE inline
+#endif
+
 namespace vesica {
 
 /// Constants of a scalar type that error bounds are made of.
@@ -63,8 +70,20 @@ constexpr float rough_quotient(float a, float b) noexcept { return a / b; }
 constexpr bool both(bool a, bool b) noexcept { return static_cast<bool>(static_cast<int>(a) & static_cast<int>(b)); }
 constexpr bool either(bool a, bool b) noexcept { return static_cast<bool>(static_cast<int>(a) | static_cast<int>(b)); }
 constexpr bool and_not(bool a, bool b) noexcept { return both(a, !b); }
-constexpr double select(bool m, double yes, double no) noexcept { return m ? yes : no; }
-constexpr float select(bool m, float yes, float no) noexcept { return m ? yes : no; }
+
+// By bits and by arithmetic: a ternary on fresh data becomes a mispredicted branch.
+inline double select(bool m, double yes, double no) noexcept {
+  const std::uint64_t mask = std::uint64_t{0} - static_cast<std::uint64_t>(m);
+  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(yes) & mask) | (std::bit_cast<std::uint64_t>(no) & ~mask));
+}
+inline float select(bool m, float yes, float no) noexcept {
+  const std::uint32_t mask = std::uint32_t{0} - static_cast<std::uint32_t>(m);
+  return std::bit_cast<float>((std::bit_cast<std::uint32_t>(yes) & mask) | (std::bit_cast<std::uint32_t>(no) & ~mask));
+}
+
+/// max(x, 0); exact. Lanes may turn NaN into 0.
+inline double positive_part(double x) noexcept { return 0.5 * (x + abs(x)); }
+inline float positive_part(float x) noexcept { return 0.5f * (x + abs(x)); }
 
 /// x, or -x where the sign bit of y is set.
 inline double flip_sign(double x, double y) noexcept {

@@ -107,6 +107,10 @@ struct ShapeTraits<Ellipse<T>> {
 };
 
 // A float is a double exactly, so scalar queries on float shapes are answered on these.
+template <template <class> class Shape>
+constexpr const Shape<double>& widen(const Shape<double>& s) noexcept {
+  return s;
+}
 constexpr Point<double> widen(const Point<float>& s) noexcept { return {s.x, s.y}; }
 constexpr Segment<double> widen(const Segment<float>& s) noexcept { return {s.x0, s.y0, s.x1, s.y1}; }
 constexpr Circle<double> widen(const Circle<float>& s) noexcept { return {s.cx, s.cy, s.r}; }

@@ -65,11 +65,12 @@ inline double determinant(double a, double b, double c) noexcept {
   return std::fma(a, b, -square) + std::fma(-c, c, square);
 }
 
-/// Unit eigenvector from (cos, sin) of twice its angle.
-inline void halve_angle(double cosine, double sine, Spectrum& out) noexcept {
+/// Unit eigenvector from (cos, sin) of twice its angle; y takes the sign of xy, which a sine may have lost to
+/// underflow.
+inline void halve_angle(double cosine, double sine, double xy, Spectrum& out) noexcept {
   const double major = std::sqrt((1 + std::fabs(cosine)) / 2), minor = std::fabs(sine) / (2 * major);
   out.x = cosine >= 0 ? major : minor;
-  out.y = std::copysign(cosine >= 0 ? minor : major, sine == 0 ? 1.0 : sine);
+  out.y = std::copysign(cosine >= 0 ? minor : major, xy == 0 ? 1.0 : xy);
 }
 
 /// Takes a symmetric matrix apart; `out` is written unless the answer, which is exact, is `no`.
@@ -86,7 +87,7 @@ inline Definite spectrum(double xx, double xy, double yy, Spectrum& out) noexcep
   // Twice the eigenvector's angle is that of (xx - yy, 2 xy), whose length is the eigenvalues' difference.
   const int k = exponent_of(std::fmax(std::fabs(xx - yy), std::fabs(xy)));
   const Direction twice = direction(scale(xx - yy, -k), 2 * scale(xy, -k), k);
-  halve_angle(twice.x, twice.y, out);
+  halve_angle(twice.x, twice.y, xy, out);
   if (xy == 0) {  // spares the nicest matrices the detour
     const Scaled root_x{std::sqrt(x), i}, root_y{std::sqrt(y), j};
     out.larger = xx >= yy ? root_x : root_y;

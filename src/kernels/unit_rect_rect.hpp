@@ -13,7 +13,7 @@ namespace vesica::filter {
 /// and r with the subtraction by 6u (hx U + (gx + gy) |u||w|) <= 12u H: 20.5u H; 26u H leaves room for second order. A
 /// centre beyond all bounds would not show in H, so only finite gaps count.
 template <class V>
-auto unit_box_box(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
+VESICA_INLINE auto unit_box_box(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
   const V uu = a.ux * a.ux + a.uy * a.uy, ww = b.ux * b.ux + b.uy * b.uy;
   const V c = abs(a.ux * b.ux + a.uy * b.uy), s = abs(a.ux * b.uy - a.uy * b.ux);
   const V p0 = abs(a.ux * d.x + a.uy * d.y) - a.hx * uu, p1 = abs(a.ux * d.y - a.uy * d.x) - a.hy * uu;

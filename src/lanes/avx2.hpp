@@ -40,6 +40,7 @@ inline Floats operator-(Floats a) { return _mm256_xor_ps(a.v, _mm256_set1_ps(-0.
 inline Floats abs(Floats a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v); }
 inline Floats max(Floats a, Floats b) { return _mm256_max_ps(a.v, b.v); }
 inline Floats min(Floats a, Floats b) { return _mm256_min_ps(a.v, b.v); }
+inline Floats positive_part(Floats a) { return max(a, Floats(0.0f)); }
 inline FloatMask operator<(Floats a, Floats b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_LT_OQ)}; }
 inline FloatMask operator<=(Floats a, Floats b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)}; }
 inline FloatMask operator>(Floats a, Floats b) { return {_mm256_cmp_ps(a.v, b.v, _CMP_GT_OQ)}; }
@@ -79,6 +80,7 @@ inline Doubles operator-(Doubles a) { return _mm256_xor_pd(a.v, _mm256_set1_pd(-
 inline Doubles abs(Doubles a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v); }
 inline Doubles max(Doubles a, Doubles b) { return _mm256_max_pd(a.v, b.v); }
 inline Doubles min(Doubles a, Doubles b) { return _mm256_min_pd(a.v, b.v); }
+inline Doubles positive_part(Doubles a) { return max(a, Doubles(0.0)); }
 inline DoubleMask operator<(Doubles a, Doubles b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_LT_OQ)}; }
 inline DoubleMask operator<=(Doubles a, Doubles b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_LE_OQ)}; }
 inline DoubleMask operator>(Doubles a, Doubles b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_GT_OQ)}; }

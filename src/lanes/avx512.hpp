@@ -66,6 +66,7 @@ inline Floats operator-(Floats a) { return _mm512_xor_ps(a.v, _mm512_set1_ps(-0.
 inline Floats abs(Floats a) { return _mm512_abs_ps(a.v); }
 inline Floats max(Floats a, Floats b) { return _mm512_max_ps(a.v, b.v); }
 inline Floats min(Floats a, Floats b) { return _mm512_min_ps(a.v, b.v); }
+inline Floats positive_part(Floats a) { return max(a, Floats(0.0f)); }
 inline Mask<16> operator<(Floats a, Floats b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ)}; }
 inline Mask<16> operator<=(Floats a, Floats b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ)}; }
 inline Mask<16> operator>(Floats a, Floats b) { return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_GT_OQ)}; }
@@ -94,6 +95,7 @@ inline Doubles operator-(Doubles a) { return _mm512_xor_pd(a.v, _mm512_set1_pd(-
 inline Doubles abs(Doubles a) { return _mm512_abs_pd(a.v); }
 inline Doubles max(Doubles a, Doubles b) { return _mm512_max_pd(a.v, b.v); }
 inline Doubles min(Doubles a, Doubles b) { return _mm512_min_pd(a.v, b.v); }
+inline Doubles positive_part(Doubles a) { return max(a, Doubles(0.0)); }
 inline Mask<8> operator<(Doubles a, Doubles b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_LT_OQ)}; }
 inline Mask<8> operator<=(Doubles a, Doubles b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_LE_OQ)}; }
 inline Mask<8> operator>(Doubles a, Doubles b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_GT_OQ)}; }

@@ -44,6 +44,7 @@ inline Floats operator-(Floats a) { return vnegq_f32(a.v); }
 inline Floats abs(Floats a) { return vabsq_f32(a.v); }
 inline Floats max(Floats a, Floats b) { return vmaxq_f32(a.v, b.v); }
 inline Floats min(Floats a, Floats b) { return vminq_f32(a.v, b.v); }
+inline Floats positive_part(Floats a) { return max(a, Floats(0.0f)); }
 inline FloatMask operator<(Floats a, Floats b) { return {vcltq_f32(a.v, b.v)}; }
 inline FloatMask operator<=(Floats a, Floats b) { return {vcleq_f32(a.v, b.v)}; }
 inline FloatMask operator>(Floats a, Floats b) { return {vcgtq_f32(a.v, b.v)}; }
@@ -88,6 +89,7 @@ inline Doubles operator-(Doubles a) { return vnegq_f64(a.v); }
 inline Doubles abs(Doubles a) { return vabsq_f64(a.v); }
 inline Doubles max(Doubles a, Doubles b) { return vmaxq_f64(a.v, b.v); }
 inline Doubles min(Doubles a, Doubles b) { return vminq_f64(a.v, b.v); }
+inline Doubles positive_part(Doubles a) { return max(a, Doubles(0.0)); }
 inline DoubleMask operator<(Doubles a, Doubles b) { return {vcltq_f64(a.v, b.v)}; }
 inline DoubleMask operator<=(Doubles a, Doubles b) { return {vcleq_f64(a.v, b.v)}; }
 inline DoubleMask operator>(Doubles a, Doubles b) { return {vcgtq_f64(a.v, b.v)}; }

@@ -42,6 +42,7 @@ struct One {
   friend One abs(One a) { return One(lane::abs(a.v)); }
   friend One max(One a, One b) { return One(lane::max(a.v, b.v)); }
   friend One min(One a, One b) { return One(lane::min(a.v, b.v)); }
+  friend One positive_part(One a) { return One(lane::positive_part(a.v)); }
   friend One select(LaneMask m, One yes, One no) { return m.v ? yes : no; }
   friend One flip_sign(One x, One y) { return One(lane::flip_sign(x.v, y.v)); }
   friend One rough_sqrt(One a) { return One(lane::rough_sqrt(a.v)); }

@@ -42,6 +42,7 @@ inline Floats operator-(Floats a) { return _mm_xor_ps(a.v, _mm_set1_ps(-0.0f)); 
 inline Floats abs(Floats a) { return _mm_andnot_ps(_mm_set1_ps(-0.0f), a.v); }
 inline Floats max(Floats a, Floats b) { return _mm_max_ps(a.v, b.v); }
 inline Floats min(Floats a, Floats b) { return _mm_min_ps(a.v, b.v); }
+inline Floats positive_part(Floats a) { return max(a, Floats(0.0f)); }
 inline FloatMask operator<(Floats a, Floats b) { return {_mm_cmplt_ps(a.v, b.v)}; }
 inline FloatMask operator<=(Floats a, Floats b) { return {_mm_cmple_ps(a.v, b.v)}; }
 inline FloatMask operator>(Floats a, Floats b) { return {_mm_cmpgt_ps(a.v, b.v)}; }
@@ -83,6 +84,7 @@ inline Doubles operator-(Doubles a) { return _mm_xor_pd(a.v, _mm_set1_pd(-0.0));
 inline Doubles abs(Doubles a) { return _mm_andnot_pd(_mm_set1_pd(-0.0), a.v); }
 inline Doubles max(Doubles a, Doubles b) { return _mm_max_pd(a.v, b.v); }
 inline Doubles min(Doubles a, Doubles b) { return _mm_min_pd(a.v, b.v); }
+inline Doubles positive_part(Doubles a) { return max(a, Doubles(0.0)); }
 inline DoubleMask operator<(Doubles a, Doubles b) { return {_mm_cmplt_pd(a.v, b.v)}; }
 inline DoubleMask operator<=(Doubles a, Doubles b) { return {_mm_cmple_pd(a.v, b.v)}; }
 inline DoubleMask operator>(Doubles a, Doubles b) { return {_mm_cmpgt_pd(a.v, b.v)}; }

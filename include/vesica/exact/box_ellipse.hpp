@@ -18,7 +18,7 @@ bool segment_misses(const Number<P>& p00, const Number<P>& p01, const Number<D>&
   const auto room = p00 - square(x);
   if (room.sign < 0) return true;
   if (gap.sign <= 0) return false;
-  return compare(square(gap), det * room) > 0;
+  return compare_product_with_square(det, room, gap) < 0;
 }
 
 }  // namespace detail

@@ -42,7 +42,7 @@ inline bool overlap(const Ellipse& e, const Ellipse& f) noexcept {
   const auto a = square(p.c2) - three * (p.d2 * p.c1);
   const auto b = p.c1 * p.c2 - integer(9) * (p.d1 * p.d2);
   const auto c = square(p.c1) - three * (p.d1 * p.c2);
-  return compare(integer(4) * (a * c), square(b)) <= 0;
+  return compare_product_with_square(integer(4) * a, c, b) <= 0;
 }
 
 }  // namespace vesica::exact

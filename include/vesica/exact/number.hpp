@@ -40,7 +40,7 @@ inline LimbPair multiply_add(Limb a, Limb b, Limb c, Limb d) noexcept {
 #endif
 }
 
-/// out[0, na + nb) = a * b, schoolbook. Zero limbs are skipped: numbers with a wide exponent range are mostly zeros.
+/// out[0, na + nb) = a * b, schoolbook. Zero limbs of a are skipped.
 inline void multiply(const Limb* a, int na, const Limb* b, int nb, Limb* out) noexcept {
   for (int i = 0; i < na + nb; ++i) out[i] = 0;
   for (int i = 0; i < na; ++i) {
@@ -53,6 +53,37 @@ inline void multiply(const Limb* a, int na, const Limb* b, int nb, Limb* out) no
     }
     out[i + nb] = carry;
   }
+}
+
+/// out[0, 2 n) = a * a: products of different limbs once, doubled, and the squares.
+inline void multiply_by_itself(const Limb* a, int n, Limb* out) noexcept {
+  for (int i = 0; i < 2 * n; ++i) out[i] = 0;
+  for (int i = 0; i < n; ++i) {
+    if (a[i] == 0) continue;
+    Limb carry = 0;
+    for (int j = i + 1; j < n; ++j) {
+      const LimbPair sum = multiply_add(a[i], a[j], out[i + j], carry);
+      out[i + j] = sum.low;
+      carry = sum.high;
+    }
+    out[i + n] = carry;
+  }
+  Limb carry = 0, shifted_out = 0;
+  for (int i = 0; i < n; ++i) {
+    const Limb low = out[2 * i] << 1 | shifted_out, high = out[2 * i + 1] << 1 | out[2 * i] >> 63;
+    shifted_out = out[2 * i + 1] >> 63;
+    const LimbPair sum = multiply_add(a[i], a[i], low, carry);
+    out[2 * i] = sum.low;
+    out[2 * i + 1] = sum.high + high;
+    carry = out[2 * i + 1] < high;
+  }
+}
+
+/// Numbers with a wide range of exponents are mostly zeros: this many limbs are not.
+inline int count_nonzero(const Limb* a, int n) noexcept {
+  int count = 0;
+  for (int i = 0; i < n; ++i) count += a[i] != 0;
+  return count;
 }
 
 /// A magnitude placed on the limb grid; zeros surround it.
@@ -189,7 +220,7 @@ Number<A + B> operator*(const Number<A>& a, const Number<B>& b) noexcept {
   product.low = a.low + b.low;
   product.size = a.size + b.size;
   assert(product.size <= product.capacity);
-  if (a.size < b.size) {
+  if (detail::count_nonzero(a.limb, a.size) * b.size < detail::count_nonzero(b.limb, b.size) * a.size) {
     detail::multiply(a.limb, a.size, b.limb, b.size, product.limb);
   } else {
     detail::multiply(b.limb, b.size, a.limb, a.size, product.limb);
@@ -200,7 +231,15 @@ Number<A + B> operator*(const Number<A>& a, const Number<B>& b) noexcept {
 
 template <int A>
 Number<2 * A> square(const Number<A>& a) noexcept {
-  return a * a;
+  Number<2 * A> product;
+  if (a.sign == 0) return product;
+  product.sign = 1;
+  product.low = 2 * a.low;
+  product.size = 2 * a.size;
+  assert(product.size <= product.capacity);
+  detail::multiply_by_itself(a.limb, a.size, product.limb);
+  product.strip();
+  return product;
 }
 
 namespace detail {
@@ -263,6 +302,28 @@ template <int A, int B>
 int compare(const Number<A>& a, const Number<B>& b) noexcept {
   if (a.sign != b.sign) return a.sign < b.sign ? -1 : 1;
   return a.sign * detail::compare_magnitude(a.span(), b.span());
+}
+
+namespace detail {
+
+/// The position of the highest bit of a value that is not zero.
+template <int A>
+std::int64_t top_bit(const Number<A>& a) noexcept {
+  return 64 * (std::int64_t{a.low} + a.size) - std::countl_zero(a.limb[a.size - 1]);
+}
+
+}  // namespace detail
+
+/// Sign of a b - c^2, with neither product formed where signs or magnitudes tell.
+template <int A, int B, int C>
+int compare_product_with_square(const Number<A>& a, const Number<B>& b, const Number<C>& c) noexcept {
+  const int sign = a.sign * b.sign;
+  if (sign <= 0 || c.sign == 0) return sign < 0 || c.sign == 0 ? sign : -1;
+  // The top bit of a product is that of its factors' sum, or one below.
+  const std::int64_t left = detail::top_bit(a) + detail::top_bit(b), right = 2 * detail::top_bit(c);
+  if (left + 1 < right) return -1;
+  if (right + 1 < left) return 1;
+  return compare(a * b, square(c));
 }
 
 }  // namespace vesica::exact

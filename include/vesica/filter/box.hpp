@@ -14,19 +14,19 @@ struct Box {
 };
 
 template <class V>
-Box<V> box(const Rect<V>& s) noexcept {
+VESICA_INLINE Box<V> box(const Rect<V>& s) noexcept {
   return {s.ux, s.uy, s.hx, s.hy};
 }
 
 /// With an axis of length 1/2 the half extents are the widths, and nothing is halved: min > max shows as a negative
 /// size even among subnormals.
 template <class V>
-Box<V> box(const Aabb<V>& s) noexcept {
+VESICA_INLINE Box<V> box(const Aabb<V>& s) noexcept {
   return {V(0.5f), V(0.0f), s.max_x - s.min_x, s.max_y - s.min_y};
 }
 
 template <class V>
-Box<V> box(const Segment<V>& s) noexcept {
+VESICA_INLINE Box<V> box(const Segment<V>& s) noexcept {
   return {s.x1 - s.x0, s.y1 - s.y0, V(0.5f), V(0.0f)};
 }
 
@@ -41,27 +41,27 @@ struct Centre {
 };
 
 template <class V>
-Corners<V> place(const Segment<V>& s) noexcept {
+VESICA_INLINE Corners<V> place(const Segment<V>& s) noexcept {
   return {s.x0, s.y0, s.x1, s.y1};
 }
 template <class V>
-Corners<V> place(const Aabb<V>& s) noexcept {
+VESICA_INLINE Corners<V> place(const Aabb<V>& s) noexcept {
   return {s.min_x, s.min_y, s.max_x, s.max_y};
 }
 template <class V>
-Centre<V> place(const Point<V>& s) noexcept {
+VESICA_INLINE Centre<V> place(const Point<V>& s) noexcept {
   return {s.x, s.y};
 }
 template <class V>
-Centre<V> place(const Circle<V>& s) noexcept {
+VESICA_INLINE Centre<V> place(const Circle<V>& s) noexcept {
   return {s.cx, s.cy};
 }
 template <class V>
-Centre<V> place(const Rect<V>& s) noexcept {
+VESICA_INLINE Centre<V> place(const Rect<V>& s) noexcept {
   return {s.cx, s.cy};
 }
 template <class V>
-Centre<V> place(const Ellipse<V>& s) noexcept {
+VESICA_INLINE Centre<V> place(const Ellipse<V>& s) noexcept {
   return {s.cx, s.cy};
 }
 
@@ -69,19 +69,19 @@ Centre<V> place(const Ellipse<V>& s) noexcept {
 /// midpoint is never formed: differences of stored points come first, and |p0| + |p1| = max(|p0 + p1|, |p0 - p1|)
 /// bounds the error of a coordinate by u (2 |d| + e), e the sum of the corner shapes' half extents along it.
 template <class V>
-Centre<V> offset(const Centre<V>& a, const Centre<V>& b) noexcept {
+VESICA_INLINE Centre<V> offset(const Centre<V>& a, const Centre<V>& b) noexcept {
   return {b.x - a.x, b.y - a.y};
 }
 template <class V>
-Centre<V> offset(const Corners<V>& a, const Centre<V>& b) noexcept {
+VESICA_INLINE Centre<V> offset(const Corners<V>& a, const Centre<V>& b) noexcept {
   return {V(0.5f) * ((b.x - a.x0) + (b.x - a.x1)), V(0.5f) * ((b.y - a.y0) + (b.y - a.y1))};
 }
 template <class V>
-Centre<V> offset(const Centre<V>& a, const Corners<V>& b) noexcept {
+VESICA_INLINE Centre<V> offset(const Centre<V>& a, const Corners<V>& b) noexcept {
   return {V(0.5f) * ((b.x0 - a.x) + (b.x1 - a.x)), V(0.5f) * ((b.y0 - a.y) + (b.y1 - a.y))};
 }
 template <class V>
-Centre<V> offset(const Corners<V>& a, const Corners<V>& b) noexcept {
+VESICA_INLINE Centre<V> offset(const Corners<V>& a, const Corners<V>& b) noexcept {
   return {V(0.5f) * ((b.x0 - a.x0) + (b.x1 - a.x1)), V(0.5f) * ((b.y0 - a.y0) + (b.y1 - a.y1))};
 }
 

@@ -9,7 +9,7 @@ namespace vesica::filter {
 /// Axes between 2^-25 and 2^25 long (double: 2^-200 and 2^200): products of their components then cannot underflow
 /// by anything that matters beside them.
 template <class V>
-auto box_axis_in_range(V squared_length) noexcept {
+VESICA_INLINE auto box_axis_in_range(V squared_length) noexcept {
   return in_range(squared_length, guard_power<V, -50>(), guard_power<V, 50>());
 }
 
@@ -21,7 +21,7 @@ auto box_axis_in_range(V squared_length) noexcept {
 ///   |error r_i| <= 8u (r0 + r1)                 (U: 4u; c, s: 4u |u||w| <= 4u (|c| + |s|); sizes u; 3 roundings)
 /// and |u||D| <= |p0| + |p1|. With the subtraction's u: 6u (|p0| + |p1|) + 11u (r0 + r1) <= 12u of the sum of all.
 template <class V>
-Estimate<V> widest_gap(V p0, V p1, V r0, V r1) noexcept {
+VESICA_INLINE Estimate<V> widest_gap(V p0, V p1, V r0, V r1) noexcept {
   return {max(p0 - r0, p1 - r1), roundoffs<V>(12) * ((p0 + p1) + (r0 + r1)) + underflow_allowance<V>()};
 }
 
@@ -32,7 +32,7 @@ struct BoxBox {
 };
 
 template <class V>
-BoxBox<V> separating_axes(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
+VESICA_INLINE BoxBox<V> separating_axes(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
   const V uu = a.ux * a.ux + a.uy * a.uy, ww = b.ux * b.ux + b.uy * b.uy;
   const V c = abs(a.ux * b.ux + a.uy * b.uy), s = abs(a.ux * b.uy - a.uy * b.ux);
   const V p0 = abs(a.ux * d.x + a.uy * d.y), p1 = abs(a.ux * d.y - a.uy * d.x);
@@ -42,7 +42,7 @@ BoxBox<V> separating_axes(const Box<V>& a, const Box<V>& b, const Centre<V>& d) 
 }
 
 template <class V>
-auto box_box(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
+VESICA_INLINE auto box_box(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
   const BoxBox<V> axes = separating_axes(a, b, d);
   const auto usable = both(both(box_axis_in_range(axes.uu), box_axis_in_range(axes.ww)),
                            min(min(a.hx, a.hy), min(b.hx, b.hy)) >= V(0.0f));
@@ -52,13 +52,13 @@ auto box_box(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
 
 /// d: from the box's centre to the point.
 template <class V>
-Estimate<V> point_gap(const Box<V>& b, const Centre<V>& d, V uu) noexcept {
+VESICA_INLINE Estimate<V> point_gap(const Box<V>& b, const Centre<V>& d, V uu) noexcept {
   const V p0 = abs(b.ux * d.x + b.uy * d.y), p1 = abs(b.ux * d.y - b.uy * d.x);
   return widest_gap(p0, p1, b.hx * uu, b.hy * uu);
 }
 
 template <class V>
-auto point_box(const Box<V>& b, const Centre<V>& d) noexcept {
+VESICA_INLINE auto point_box(const Box<V>& b, const Centre<V>& d) noexcept {
   const V uu = b.ux * b.ux + b.uy * b.uy;
   const auto usable = both(box_axis_in_range(uu), min(b.hx, b.hy) >= V(0.0f));
   return guarded(usable, point_gap(b, d, uu));

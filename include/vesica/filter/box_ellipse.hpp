@@ -26,16 +26,15 @@ struct BoxEllipse {
 /// so m^2 is off by error_m (2m + error_m) + u m^2, the product by det (33u Q + 42u x T) and the difference by u of
 /// each.
 template <class V>
-Estimate<V> segment_misses(V p00, V p01, V det, V q, V t, V x, V y, V e) noexcept {
-  const V m = max(abs(p00 * y - p01 * x) - p00 * e, V(0.0f));
+VESICA_INLINE Estimate<V> segment_misses(V p00, V p01, V det, V q, V t, V x, V y, V e) noexcept {
+  const V m = positive_part(abs(p00 * y - p01 * x) - p00 * e);
   const V error_m = roundoffs<V>(34) * (q * t);
   return {m * m - det * (p00 - x * x), error_m * ((m + m) + error_m) + roundoffs<V>(48) * (det * (q + x * t))};
 }
 
 /// d: from the box's centre to the ellipse's.
 template <class V>
-BoxEllipse<V> visible_edges(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
-  const V zero(0.0f);
+VESICA_INLINE BoxEllipse<V> visible_edges(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
   const V uu = box.ux * box.ux + box.uy * box.uy, vv = ellipse.ux * ellipse.ux + ellipse.uy * ellipse.uy;
   const V kx = box.ux * d.x + box.uy * d.y, ky = box.ux * d.y - box.uy * d.x;
   const V c = box.ux * ellipse.ux + box.uy * ellipse.uy, s = box.ux * ellipse.uy - box.uy * ellipse.ux;
@@ -45,7 +44,7 @@ BoxEllipse<V> visible_edges(const Box<V>& box, const Ellipse<V>& ellipse, const 
   const V p01 = flip_sign(flip_sign(ac * as - bc * bs, kx), ky);
   const V root = (ellipse.a * ellipse.b) * (uu * vv), det = root * root;
   const V ex = box.hx * uu, ey = box.hy * uu;
-  const V x = max(abs(kx) - ex, zero), y = max(abs(ky) - ey, zero);
+  const V x = positive_part(abs(kx) - ex), y = positive_part(abs(ky) - ey);
   const V q = p00 + p11, t = (abs(kx) + abs(ky)) + (ex + ey);
   return {segment_misses(p00, p01, det, q, t, x, abs(ky), ey), segment_misses(p11, p01, det, q, t, y, abs(kx), ex), uu,
           vv};
@@ -55,7 +54,7 @@ BoxEllipse<V> visible_edges(const Box<V>& box, const Ellipse<V>& ellipse, const 
 /// below 2^100. Then det Q >= 2^-90 stays normal, no product of either side overflows while its bound does not, and
 /// what underflows in k or T is far below the part of the bound that det Q carries.
 template <class V>
-auto box_ellipse(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
+VESICA_INLINE auto box_ellipse(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
   const BoxEllipse<V> edges = visible_edges(box, ellipse, d);
   const V low = guard_power<V, -5>(), high = guard_power<V, 15>();
   const auto axes = both(min(edges.uu, edges.vv) >= low, max(edges.uu, edges.vv) <= high);

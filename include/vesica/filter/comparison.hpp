@@ -8,17 +8,17 @@ namespace vesica::filter {
 
 /// All numbers finite: x - x is 0 for a finite x and NaN for any other, and NaN survives the sum.
 template <class V, class... W>
-auto finite(V first, W... rest) noexcept {
+VESICA_INLINE auto finite(V first, W... rest) noexcept {
   return ((first - first) + ... + (rest - rest)) == V(0.0f);
 }
 
 template <class V>
-auto valid_aabb(const Aabb<V>& s) noexcept {
+VESICA_INLINE auto valid_aabb(const Aabb<V>& s) noexcept {
   return both(finite(s.min_x, s.min_y, s.max_x, s.max_y), both(s.min_x <= s.max_x, s.min_y <= s.max_y));
 }
 
 template <class Mask>
-Verdict<Mask> compared(Mask valid, Mask overlap) noexcept {
+VESICA_INLINE Verdict<Mask> compared(Mask valid, Mask overlap) noexcept {
   return {both(valid, overlap), and_not(valid, overlap)};
 }
 

@@ -27,12 +27,13 @@ struct ContactCubic {
 ///             more.
 /// 40u h serves both.
 template <class V>
-Estimate<V> least_value(const ContactCubic<V>& p) noexcept {
+VESICA_INLINE Estimate<V> least_value(const ContactCubic<V>& p) noexcept {
   const V zero(0.0f), three(3.0f), shift = roundoffs<V>(16);
   const V l1 = p.c1 - shift * p.total1, l2 = p.c2 - shift * p.total2;
-  const V root = rough_sqrt(max(l2 * l2 - three * (p.d2 * l1), zero));
+  const V root = rough_sqrt(positive_part(l2 * l2 - three * (p.d2 * l1)));
   const auto rising = l2 > zero;
-  const V t = max(rough_quotient(select(rising, zero - l1, root - l2), select(rising, l2 + root, three * p.d2)), zero);
+  const V t =
+      positive_part(rough_quotient(select(rising, zero - l1, root - l2), select(rising, l2 + root, three * p.d2)));
   const V value = ((p.d2 * t + p.c2) * t + p.c1) * t + p.d1;
   const V magnitude = ((p.d2 * t + p.total2) * t + p.total1) * t + p.d1;
   // A NaN is lost in max() only if it came from the totals, which are in the magnitude too.
@@ -40,14 +41,14 @@ Estimate<V> least_value(const ContactCubic<V>& p) noexcept {
 }
 
 template <class V>
-auto decide(const ContactCubic<V>& p) noexcept {
+VESICA_INLINE auto decide(const ContactCubic<V>& p) noexcept {
   const Estimate<V> least = least_value(p);
   return Verdict<decltype(least.value > least.error)>{certainly_positive(least), certainly_negative(least)};
 }
 
 /// Totals and leading terms together below 2^62 (double: 2^496): no square in least_value() overflows.
 template <class V>
-auto totals_in_range(const ContactCubic<V>& p) noexcept {
+VESICA_INLINE auto totals_in_range(const ContactCubic<V>& p) noexcept {
   return (p.d1 + p.d2) + (p.total1 + p.total2) <= guard_power<V, 62>();
 }
 
@@ -57,7 +58,8 @@ auto totals_in_range(const ContactCubic<V>& p) noexcept {
 ///   b1^2) al: x0 and x1 err by 3u M, so al by 10u al + 6u (a0^2 + a1^2) |x0 x1| c1 = d1 + mu - al: two roundings more;
 ///   13u total1.
 template <class V>
-ContactCubic<V> contact_cubic(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d, V vv, V ww) noexcept {
+VESICA_INLINE ContactCubic<V> contact_cubic(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d, V vv,
+                                            V ww) noexcept {
   const V c = e.ux * f.ux + e.uy * f.uy, s = e.ux * f.uy - e.uy * f.ux;
   const V x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x;
   const V y0 = f.ux * d.x + f.uy * d.y, y1 = f.ux * d.y - f.uy * d.x;
@@ -67,20 +69,21 @@ ContactCubic<V> contact_cubic(const Ellipse<V>& e, const Ellipse<V>& f, const Ce
   const V mu = (c * c) * (a0 * b1 + a1 * b0) + (s * s) * (a0 * b0 + a1 * b1);
   const V m0 = e.b * x0, m1 = e.a * x1, n0 = f.b * y0, n1 = f.a * y1;
   const V al = m0 * m0 + m1 * m1, be = n0 * n0 + n1 * n1;
-  const V sa = a0 + a1, sb = b0 + b1;
-  const V turned = (sa * sb) * abs(c * s);
+  const V sa = a0 + a1, sb = b0 + b1, u = roundoffs<V>(1), two_u = roundoffs<V>(2);
+  const V turned = (sa * sb) * (abs(c * s) + u * (c * c + s * s));
+  const V across_e = abs(x0 * x1) + two_u * (x0 * x0 + x1 * x1), across_f = abs(y0 * y1) + two_u * (y0 * y0 + y1 * y1);
   return {d1,
           (d1 + mu) - al,
           (d2 + mu) - be,
           d2,
-          ((d1 + mu) + al) + (sa * abs(x0 * x1) + turned),
-          ((d2 + mu) + be) + (sb * abs(y0 * y1) + turned)};
+          ((d1 + mu) + al) + (sa * across_e + turned),
+          ((d2 + mu) + be) + (sb * across_f + turned)};
 }
 
 /// Guard: half lengths and squared axes at least 2^-6 (double: 2^-48), so that d1 and d2 are at least 2^-36 (2^-288)
 /// and all that underflows is negligible beside them.
 template <class V>
-auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
+VESICA_INLINE auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy, ww = f.ux * f.ux + f.uy * f.uy;
   const ContactCubic<V> p = contact_cubic(e, f, offset(place(e), place(f)), vv, ww);
   const V least_size = min(min(min(e.a, e.b), min(f.a, f.b)), min(vv, ww));
@@ -92,20 +95,22 @@ auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
 /// (r^2 + t)(P + t)(Q + t) - t (al + |D|^2 t), P = V a^2 and Q = V b^2 the squared half lengths. Of lower degree, so
 /// cheaper and of wider range. Errors: r^2 P Q 11u; c1: 12u and 6u of (a^2 + b^2) |x0 x1|; c2: 7u.
 template <class V>
-ContactCubic<V> contact_cubic(const Circle<V>& disc, const Ellipse<V>& e, const Centre<V>& d, V vv) noexcept {
+VESICA_INLINE ContactCubic<V> contact_cubic(const Circle<V>& disc, const Ellipse<V>& e, const Centre<V>& d,
+                                            V vv) noexcept {
   const V x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x;
   const V aa = e.a * e.a, bb = e.b * e.b, rr = disc.r * disc.r;
   const V p = aa * vv, q = bb * vv, pq = p * q, sum = p + q;
   const V m0 = e.b * x0, m1 = e.a * x1;
   const V al = m0 * m0 + m1 * m1, dd = d.x * d.x + d.y * d.y;
   const V c1 = pq + rr * sum, c2 = rr + sum;
-  return {rr * pq, c1 - al, c2 - dd, V(1.0f), (c1 + al) + (aa + bb) * abs(x0 * x1), c2 + dd};
+  const V across = abs(x0 * x1) + roundoffs<V>(2) * (x0 * x0 + x1 * x1);
+  return {rr * pq, c1 - al, c2 - dd, V(1.0f), (c1 + al) + (aa + bb) * across, c2 + dd};
 }
 
 /// Guard: r^2, a^2, b^2 at least 2^-17 and the squared axis 2^-17 (double: the 8th powers), so that r^2 P Q stays
 /// normal.
 template <class V>
-auto circle_ellipse(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
+VESICA_INLINE auto circle_ellipse(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy;
   const ContactCubic<V> p = contact_cubic(disc, e, offset(place(disc), place(e)), vv);
   const V low = guard_power<V, -8>();

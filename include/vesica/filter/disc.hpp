@@ -9,31 +9,30 @@ namespace vesica::filter {
 /// |D|^2 - R^2 for coordinates of D and a reach R with a relative error of u each. D^2: 2u, its square's rounding and
 /// the sum make 4u; R^2: 3u; the difference u of either. 5u each, 8 taken.
 template <class V>
-Estimate<V> beyond_reach(const Centre<V>& d, V reach) noexcept {
+VESICA_INLINE Estimate<V> beyond_reach(const Centre<V>& d, V reach) noexcept {
   const V distance = d.x * d.x + d.y * d.y, reached = reach * reach;
   return {distance - reached, roundoffs<V>(8) * (distance + reached) + underflow_allowance<V>()};
 }
 
 template <class V>
-auto point_disc(const Centre<V>& d, V radius) noexcept {
+VESICA_INLINE auto point_disc(const Centre<V>& d, V radius) noexcept {
   return guarded(radius >= V(0.0f), beyond_reach(d, radius));
 }
 
 template <class V>
-auto disc_disc(const Centre<V>& d, V radius_a, V radius_b) noexcept {
+VESICA_INLINE auto disc_disc(const Centre<V>& d, V radius_a, V radius_b) noexcept {
   return guarded(min(radius_a, radius_b) >= V(0.0f), beyond_reach(d, radius_a + radius_b));
 }
 
 /// The nearest point of an AABB differs from the centre in each coordinate by a single rounded difference, or not.
 template <class V>
-Centre<V> nearest_offset(const Circle<V>& disc, const Aabb<V>& box) noexcept {
-  const V zero(0.0f);
-  return {max(max(box.min_x - disc.cx, disc.cx - box.max_x), zero),
-          max(max(box.min_y - disc.cy, disc.cy - box.max_y), zero)};
+VESICA_INLINE Centre<V> nearest_offset(const Circle<V>& disc, const Aabb<V>& box) noexcept {
+  return {positive_part(max(box.min_x - disc.cx, disc.cx - box.max_x)),
+          positive_part(max(box.min_y - disc.cy, disc.cy - box.max_y))};
 }
 
 template <class V>
-auto disc_aabb(const Circle<V>& disc, const Aabb<V>& box) noexcept {
+VESICA_INLINE auto disc_aabb(const Circle<V>& disc, const Aabb<V>& box) noexcept {
   // max() above may drop a NaN: the widths' zero-or-NaN difference brings it back into the bound.
   const V width = box.max_x - box.min_x, height = box.max_y - box.min_y;
   Estimate<V> gap = beyond_reach(nearest_offset(disc, box), disc.r);
@@ -47,10 +46,10 @@ auto disc_aabb(const Circle<V>& disc, const Aabb<V>& box) noexcept {
 /// x = max(|k0| - hx U, 0) and y err by at most e = 10u T each. Squares and their sum: 2e (x + y) + 2e^2 and 2u of
 /// x^2 + y^2 <= T (x + y); r^2 U: 6u; the difference u of either.
 template <class V>
-Estimate<V> disc_beyond_box(const Box<V>& b, const Centre<V>& d, V radius, V uu) noexcept {
+VESICA_INLINE Estimate<V> disc_beyond_box(const Box<V>& b, const Centre<V>& d, V radius, V uu) noexcept {
   const V k0 = abs(b.ux * d.x + b.uy * d.y), k1 = abs(b.ux * d.y - b.uy * d.x);
-  const V e0 = b.hx * uu, e1 = b.hy * uu, zero(0.0f);
-  const V x = max(k0 - e0, zero), y = max(k1 - e1, zero);
+  const V e0 = b.hx * uu, e1 = b.hy * uu;
+  const V x = positive_part(k0 - e0), y = positive_part(k1 - e1);
   const V reached = radius * radius * uu;
   const V e = roundoffs<V>(12) * ((k0 + k1) + (e0 + e1));
   return {(x * x + y * y) - reached, (e + e) * ((x + y) + e) + (roundoffs<V>(8) * reached + guard_power<V, -60>())};
@@ -59,7 +58,7 @@ Estimate<V> disc_beyond_box(const Box<V>& b, const Centre<V>& d, V radius, V uu)
 /// Axes between 2^-10 and 2^10 (double: 2^-80 and 2^80) long. What underflows then errs by less than 2^-140 in k,
 /// that is by a hair of e or by less than 2^-90 in x, and by less than 2^-128 in r^2 U: beneath the 2^-60 above.
 template <class V>
-auto disc_box(const Box<V>& b, const Centre<V>& d, V radius) noexcept {
+VESICA_INLINE auto disc_box(const Box<V>& b, const Centre<V>& d, V radius) noexcept {
   const V uu = b.ux * b.ux + b.uy * b.uy;
   const Estimate<V> gap = disc_beyond_box(b, d, radius, uu);
   const auto usable = both(in_range(uu, guard_power<V, -20>(), guard_power<V, 20>()),

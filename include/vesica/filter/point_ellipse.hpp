@@ -7,19 +7,21 @@
 namespace vesica::filter {
 
 /// (b v.X)^2 + (a v x X)^2 - (a b V)^2 with X from the centre to the point. The first two: 10u of themselves and
-/// 6u (a^2 + b^2) |x0 x1|, as al in filter/contact_cubic.hpp; (a b V)^2: 9u; the difference u of either.
+/// 6u (a^2 + b^2) (|x0 x1| + 2u (x0^2 + x1^2)), as al in filter/contact_cubic.hpp; (a b V)^2: 9u; the difference u of
+/// either.
 template <class V>
-Estimate<V> outside_ellipse(const Ellipse<V>& e, const Centre<V>& d, V vv) noexcept {
+VESICA_INLINE Estimate<V> outside_ellipse(const Ellipse<V>& e, const Centre<V>& d, V vv) noexcept {
   const V x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x;
   const V m0 = e.b * x0, m1 = e.a * x1, root = (e.a * e.b) * vv;
   const V al = m0 * m0 + m1 * m1, det = root * root;
-  return {al - det, roundoffs<V>(12) * ((al + det) + (e.a * e.a + e.b * e.b) * abs(x0 * x1))};
+  const V across = abs(x0 * x1) + roundoffs<V>(2) * (x0 * x0 + x1 * x1);
+  return {al - det, roundoffs<V>(12) * ((al + det) + (e.a * e.a + e.b * e.b) * across)};
 }
 
 /// Guard: half lengths and the squared axis at least 2^-12 (double: 2^-96), so (a b V)^2 >= 2^-72 is normal; errors
 /// below 2^100, where no term has overflowed.
 template <class V>
-auto point_ellipse(const Ellipse<V>& e, const Centre<V>& d) noexcept {
+VESICA_INLINE auto point_ellipse(const Ellipse<V>& e, const Centre<V>& d) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy;
   const Estimate<V> gap = outside_ellipse(e, d, vv);
   const auto usable = both(min(min(e.a, e.b), vv) >= guard_power<V, -12>(), gap.error <= guard_power<V, 100>());

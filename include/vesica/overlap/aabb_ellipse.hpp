@@ -8,7 +8,7 @@
 namespace vesica::pair {
 
 template <class V>
-auto filter(const Aabb<V>& aabb, const Ellipse<V>& ellipse) noexcept {
+VESICA_INLINE auto filter(const Aabb<V>& aabb, const Ellipse<V>& ellipse) noexcept {
   return filter::box_ellipse(filter::box(aabb), ellipse, filter::offset(filter::place(aabb), filter::place(ellipse)));
 }
 

@@ -8,7 +8,7 @@
 namespace vesica::pair {
 
 template <class V>
-auto filter(const Aabb<V>& aabb, const Rect<V>& rect) noexcept {
+VESICA_INLINE auto filter(const Aabb<V>& aabb, const Rect<V>& rect) noexcept {
   return filter::box_box(filter::box(aabb), filter::box(rect),
                          filter::offset(filter::place(aabb), filter::place(rect)));
 }

@@ -8,7 +8,7 @@
 namespace vesica::pair {
 
 template <class V>
-auto filter(const Circle<V>& circle, const Aabb<V>& aabb) noexcept {
+VESICA_INLINE auto filter(const Circle<V>& circle, const Aabb<V>& aabb) noexcept {
   return filter::disc_aabb(circle, aabb);
 }
 

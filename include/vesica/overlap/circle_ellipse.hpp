@@ -8,7 +8,7 @@
 namespace vesica::pair {
 
 template <class V>
-auto filter(const Circle<V>& circle, const Ellipse<V>& ellipse) noexcept {
+VESICA_INLINE auto filter(const Circle<V>& circle, const Ellipse<V>& ellipse) noexcept {
   return filter::circle_ellipse(circle, ellipse);
 }
 

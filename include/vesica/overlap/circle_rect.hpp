@@ -8,7 +8,7 @@
 namespace vesica::pair {
 
 template <class V>
-auto filter(const Circle<V>& circle, const Rect<V>& rect) noexcept {
+VESICA_INLINE auto filter(const Circle<V>& circle, const Rect<V>& rect) noexcept {
   return filter::disc_box(filter::box(rect), filter::offset(filter::place(rect), filter::place(circle)), circle.r);
 }
 

@@ -8,7 +8,7 @@
 namespace vesica::pair {
 
 template <class V>
-auto filter(const Ellipse<V>& a, const Ellipse<V>& b) noexcept {
+VESICA_INLINE auto filter(const Ellipse<V>& a, const Ellipse<V>& b) noexcept {
   return filter::ellipse_ellipse(a, b);
 }
 

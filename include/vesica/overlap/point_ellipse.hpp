@@ -8,7 +8,7 @@
 namespace vesica::pair {
 
 template <class V>
-auto filter(const Point<V>& point, const Ellipse<V>& ellipse) noexcept {
+VESICA_INLINE auto filter(const Point<V>& point, const Ellipse<V>& ellipse) noexcept {
   return filter::point_ellipse(ellipse, filter::offset(filter::place(ellipse), filter::place(point)));
 }
 

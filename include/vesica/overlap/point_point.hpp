@@ -9,7 +9,7 @@ namespace vesica::pair {
 using namespace lane;
 
 template <class V>
-auto filter(const Point<V>& a, const Point<V>& b) noexcept {
+VESICA_INLINE auto filter(const Point<V>& a, const Point<V>& b) noexcept {
   return filter::compared(filter::finite(a.x, a.y, b.x, b.y), both(a.x == b.x, a.y == b.y));
 }
 

@@ -8,7 +8,7 @@
 namespace vesica::pair {
 
 template <class V>
-auto filter(const Point<V>& point, const Rect<V>& rect) noexcept {
+VESICA_INLINE auto filter(const Point<V>& point, const Rect<V>& rect) noexcept {
   return filter::point_box(filter::box(rect), filter::offset(filter::place(rect), filter::place(point)));
 }
 

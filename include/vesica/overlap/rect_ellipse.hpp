@@ -8,7 +8,7 @@
 namespace vesica::pair {
 
 template <class V>
-auto filter(const Rect<V>& rect, const Ellipse<V>& ellipse) noexcept {
+VESICA_INLINE auto filter(const Rect<V>& rect, const Ellipse<V>& ellipse) noexcept {
   return filter::box_ellipse(filter::box(rect), ellipse, filter::offset(filter::place(rect), filter::place(ellipse)));
 }
 

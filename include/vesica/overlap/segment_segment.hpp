@@ -8,7 +8,7 @@
 namespace vesica::pair {
 
 template <class V>
-auto filter(const Segment<V>& a, const Segment<V>& b) noexcept {
+VESICA_INLINE auto filter(const Segment<V>& a, const Segment<V>& b) noexcept {
   return filter::box_box(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
 }
 

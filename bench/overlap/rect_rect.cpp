@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "textbook/rect_rect.hpp"
+
+#include "pair.hpp"
+
+namespace vesica::bench {
+namespace {
+
+const bool added = add_rows<vesica_overlap_rect_rect_f64, textbook::rect_rect<vesica_rect_f64>>(
+                       {{Workload::mixed, ratio_at_most(0.9)},
+                        {Workload::sparse},
+                        {Workload::near},
+                        {Workload::tangent, nanoseconds_at_most(1200)},
+                        {Workload::last_ulp, nanoseconds_at_most(1200)},
+                        {Workload::exponents, nanoseconds_at_most(190'000)}}) &&
+                   add_rows<vesica_overlap_rect_rect_f32, textbook::rect_rect<vesica_rect_f32>>({{Workload::mixed}});
+
+}  // namespace
+}  // namespace vesica::bench

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Shapes as workloads make them (a kind and its numbers in double) and as a benchmark's buffers hold them.
+#pragma once
+
+#include <vesica.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+namespace vesica::bench {
+
+/// The numbers of one shape in the shape's order; those beyond its field count are 0.
+using Numbers = std::array<double, 6>;
+
+/// What a typed C struct is.
+template <class Scalar_, std::int32_t kind_>
+struct Description {
+  using Scalar = Scalar_;
+  static constexpr std::int32_t kind = kind_;
+};
+
+template <class Shape>
+struct Described;
+
+// clang-format off
+template <> struct Described<vesica_point_f64>   : Description<double, VESICA_POINT> {};
+template <> struct Described<vesica_segment_f64> : Description<double, VESICA_SEGMENT> {};
+template <> struct Described<vesica_circle_f64>  : Description<double, VESICA_CIRCLE> {};
+template <> struct Described<vesica_aabb_f64>    : Description<double, VESICA_AABB> {};
+template <> struct Described<vesica_rect_f64>    : Description<double, VESICA_RECT> {};
+template <> struct Described<vesica_ellipse_f64> : Description<double, VESICA_ELLIPSE> {};
+template <> struct Described<vesica_point_f32>   : Description<float, VESICA_POINT> {};
+template <> struct Described<vesica_segment_f32> : Description<float, VESICA_SEGMENT> {};
+template <> struct Described<vesica_circle_f32>  : Description<float, VESICA_CIRCLE> {};
+template <> struct Described<vesica_aabb_f32>    : Description<float, VESICA_AABB> {};
+template <> struct Described<vesica_rect_f32>    : Description<float, VESICA_RECT> {};
+template <> struct Described<vesica_ellipse_f32> : Description<float, VESICA_ELLIPSE> {};
+// clang-format on
+
+template <class Shape>
+constexpr std::int32_t kind_of = Described<Shape>::kind;
+
+template <class Shape>
+constexpr const char* scalar_name = std::is_same_v<typename Described<Shape>::Scalar, double> ? "f64" : "f32";
+
+/// The numbers as a typed struct, rounded to its scalar.
+template <class Shape>
+Shape to_shape(const Numbers& numbers) {
+  using Scalar = typename Described<Shape>::Scalar;
+  constexpr std::size_t fields = sizeof(Shape) / sizeof(Scalar);
+  std::array<Scalar, fields> rounded{};
+  for (std::size_t i = 0; i < fields; ++i) rounded[i] = static_cast<Scalar>(numbers[i]);
+  Shape shape;
+  std::memcpy(&shape, rounded.data(), sizeof shape);
+  return shape;
+}
+
+}  // namespace vesica::bench

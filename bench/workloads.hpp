@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What the benchmarks run on. Every pool is a function of the kinds, the workload and the seed alone.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "random.hpp"
+#include "shapes.hpp"
+
+namespace vesica::bench {
+
+enum class Workload {
+  mixed,      ///< independent shapes, scattered so that about half of the pairs overlap
+  sparse,     ///< the same, about 5% overlap
+  near,       ///< pairs moved along a line until they touch, then apart or together by 1e-6 of the distance
+  tangent,    ///< integers that touch exactly: no filter can decide, every call reaches the exact stage
+  last_ulp,   ///< pairs within the last unit in the last place of touching, all mantissas full
+  exponents,  ///< random exponents over the whole finite range, a field each; the slowest few of many
+};
+
+const char* name_of(Workload workload);
+
+/// Shapes to draw pairs from. Matched pools pair a[i] with b[i]; others any a with any b, so that a pool of n shapes
+/// a side holds n * n pairs: more than any branch predictor can learn.
+struct Pool {
+  std::vector<Numbers> a, b;
+  bool matched = false;
+};
+
+/// Does `make_pool` know this workload for this pair of kinds?
+bool has_workload(std::int32_t kind_a, std::int32_t kind_b, Workload workload);
+
+/// The pool's sizes are powers of two.
+Pool make_pool(std::int32_t kind_a, std::int32_t kind_b, Workload workload, std::uint64_t seed);
+
+/// VESICA_SEED from the environment, or the default seed.
+std::uint64_t seed_of_run();
+
+}  // namespace vesica::bench
