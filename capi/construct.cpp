@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cstring>
 #include <vesica/bounds.hpp>
 #include <vesica/construct.hpp>
 

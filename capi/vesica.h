@@ -285,8 +285,8 @@ VESICA_API int32_t vesica_ellipse_from_radius_vector_f64(double cx, double cy, d
  * Ellipse of the points within k standard deviations of a mean (Mahalanobis distance at most k).
  *
  * cxx, cxy, cyy: the covariance matrix, units squared; it must be positive semidefinite, cxy^2 <= cxx cyy, as stored.
- * A singular one, or k = 0, gives a segment or a point. a is the longer half length; the axis is a unit vector with
- * x >= 0, (1, 0) when the half lengths are equal. Half lengths and both components of the axis are each right to
+ * A singular one, or k = 0, gives a segment or a point. a >= b; the axis is a unit vector with x >= 0, (1, 0) for
+ * equal variances without correlation. Half lengths and both components of the axis are each right to
  * 8 units in their own last place, however near to singular or to a circle.
  * Returns 0. Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k < 0), VESICA_E_ARGUMENT (not a
  * covariance), VESICA_E_RANGE (a half length overflows). Cost: about 90 ns. Since 0.1.
@@ -527,8 +527,8 @@ VESICA_API int32_t vesica_ellipse_from_radius_vector_f32(float cx, float cy, flo
  * Ellipse of the points within k standard deviations of a mean (Mahalanobis distance at most k).
  *
  * cxx, cxy, cyy: the covariance matrix, units squared; it must be positive semidefinite, cxy^2 <= cxx cyy, as stored.
- * A singular one, or k = 0, gives a segment or a point. a is the longer half length; the axis is a unit vector with
- * x >= 0, (1, 0) when the half lengths are equal. Half lengths and both components of the axis are each right to
+ * A singular one, or k = 0, gives a segment or a point. a >= b; the axis is a unit vector with x >= 0, (1, 0) for
+ * equal variances without correlation. Half lengths and both components of the axis are each right to
  * 8 units in their own last place, however near to singular or to a circle.
  * Returns 0. Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k < 0), VESICA_E_ARGUMENT (not a
  * covariance), VESICA_E_RANGE (a half length overflows). Cost: about 90 ns. Since 0.1.
@@ -621,9 +621,11 @@ VESICA_API int64_t vesica_overlap_select_f32(const vesica_shapes_f32 *one, const
         vesica_aabb_f64: VESICA_AABB, vesica_aabb_f32: VESICA_AABB, \
         vesica_rect_f64: VESICA_RECT, vesica_rect_f32: VESICA_RECT, \
         vesica_ellipse_f64: VESICA_ELLIPSE, vesica_ellipse_f32: VESICA_ELLIPSE)
-/* Both shapes must have one scalar type: mixing them does not compile. */
+/* Both shapes must have one scalar type: a mixed call selects 0, which is not a function, and does not compile. */
 #define vesica_overlap(a, b) \
-    _Generic(*VESICA_FIRST_(a), double: vesica_overlap_f64, float: vesica_overlap_f32)( \
+    _Generic(*VESICA_FIRST_(a), \
+        double: _Generic(*VESICA_FIRST_(b), double: vesica_overlap_f64, default: 0), \
+        float: _Generic(*VESICA_FIRST_(b), float: vesica_overlap_f32, default: 0))( \
         VESICA_KIND_OF(a), VESICA_FIRST_(a), VESICA_KIND_OF(b), VESICA_FIRST_(b))
 #define VESICA_FIRST_(shape) \
     _Generic(*(shape), \

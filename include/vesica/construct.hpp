@@ -158,12 +158,11 @@ int ellipse_from_covariance(T mean_x, T mean_y, T cxx, T cxy, T cyy, T k, Ellips
   const auto kind = detail::spectrum(static_cast<double>(cxx), static_cast<double>(cxy), static_cast<double>(cyy), s);
   if (kind == detail::Definite::no) return error_argument;
   const detail::Scaled times = detail::take_apart(static_cast<double>(k));
-  return detail::store(Ellipse<T>{mean_x, mean_y, static_cast<T>(s.x), static_cast<T>(s.y),
-                                  detail::multiply<T>(times, s.larger), detail::multiply<T>(times, s.smaller)},
-                       out);
+  const T a = detail::multiply<T>(times, s.larger), b = detail::multiply<T>(times, s.smaller);
+  return detail::store(Ellipse<T>{mean_x, mean_y, static_cast<T>(s.x), static_cast<T>(s.y), a, std::fmin(a, b)}, out);
 }
 
-/// Ellipse of the points X with (X - C) . M (X - C) <= 1: a >= b up to rounding; the axis is a unit vector with x >= 0.
+/// Ellipse of the points X with (X - C) . M (X - C) <= 1: a >= b; the axis is a unit vector with x >= 0.
 ///
 /// M must be positive definite as stored. Nothing can overflow: an eigenvalue is never below the smallest number by
 /// more than the square of the precision. Errors: error_not_finite, error_argument (not positive definite).
@@ -174,7 +173,8 @@ int ellipse_from_matrix(T cx, T cy, T mxx, T mxy, T myy, Ellipse<T>& out) noexce
   detail::Spectrum s;
   const auto kind = detail::spectrum(static_cast<double>(myy), static_cast<double>(-mxy), static_cast<double>(mxx), s);
   if (kind != detail::Definite::positive) return error_argument;
-  out = {cx, cy, static_cast<T>(s.x), static_cast<T>(s.y), detail::invert<T>(s.smaller), detail::invert<T>(s.larger)};
+  const T a = detail::invert<T>(s.smaller), b = detail::invert<T>(s.larger);
+  out = {cx, cy, static_cast<T>(s.x), static_cast<T>(s.y), a, std::fmin(a, b)};
   return 0;
 }
 

@@ -40,7 +40,7 @@ struct Direction {
   Scaled length;
 };
 
-/// (x, y) * 2^exponent taken apart. All three numbers are right to 2 units in the last place.
+/// (x, y) * 2^exponent taken apart. All three numbers are right to 3 units in the last place.
 inline Direction direction(double x, double y, int exponent = 0) noexcept {
   if (x == 0 && y == 0) return {1, 0, {0, 0}};
   const int own = exponent_of(std::fmax(std::fabs(x), std::fabs(y)));
@@ -76,7 +76,7 @@ inline void halve_angle(double cosine, double sine, double xy, Spectrum& out) no
 /// Takes a symmetric matrix apart; `out` is written unless the answer, which is exact, is `no`.
 ///
 /// No step cancels but the determinant's, which is done in fused operations: the larger eigenvalue is a sum of
-/// positive terms, the smaller the determinant over it. Roundoffs add up to below 4 units in the last place.
+/// positive terms, the smaller the determinant over it. Each of the four numbers is right to 8 units in its last place.
 inline Definite spectrum(double xx, double xy, double yy, Spectrum& out) noexcept {
   if (xx < 0 || yy < 0 || ((xx == 0 || yy == 0) && xy != 0)) return Definite::no;
   // Each row scaled by its own power of two, so that the diagonal lies in [1/4, 1) and no product underflows.

@@ -24,7 +24,7 @@ VESICA_INLINE auto unit_box_box(const Box<V>& a, const Box<V>& b, const Centre<V
   const Estimate<V> gap{max(gap_a, gap_b), roundoffs<V>(26) * sizes + underflow_allowance<V>()};
   const V half(0.5f), two(2.0f), bound = guard_power<V, 100>();
   const auto axes = both(in_range(uu, half, two), in_range(ww, half, two));
-  const auto valid = both(min(a.hx, a.hy) >= V(0.0f), min(b.hx, b.hy) >= V(0.0f));
+  const auto valid = at_least(V(0.0f), a.hx, a.hy, b.hx, b.hy);
   return guarded(both(both(axes, valid), both(gap.error <= bound, abs(gap.value) <= bound)), gap);
 }
 

@@ -44,8 +44,8 @@ VESICA_INLINE BoxBox<V> separating_axes(const Box<V>& a, const Box<V>& b, const 
 template <class V>
 VESICA_INLINE auto box_box(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
   const BoxBox<V> axes = separating_axes(a, b, d);
-  const auto usable = both(both(box_axis_in_range(axes.uu), box_axis_in_range(axes.ww)),
-                           min(min(a.hx, a.hy), min(b.hx, b.hy)) >= V(0.0f));
+  const auto usable =
+      both(both(box_axis_in_range(axes.uu), box_axis_in_range(axes.ww)), at_least(V(0.0f), a.hx, a.hy, b.hx, b.hy));
   return guarded(usable, both(certainly_negative(axes.gap_a), certainly_negative(axes.gap_b)),
                  either(certainly_positive(axes.gap_a), certainly_positive(axes.gap_b)));
 }
@@ -60,7 +60,7 @@ VESICA_INLINE Estimate<V> point_gap(const Box<V>& b, const Centre<V>& d, V uu) n
 template <class V>
 VESICA_INLINE auto point_box(const Box<V>& b, const Centre<V>& d) noexcept {
   const V uu = b.ux * b.ux + b.uy * b.uy;
-  const auto usable = both(box_axis_in_range(uu), min(b.hx, b.hy) >= V(0.0f));
+  const auto usable = both(box_axis_in_range(uu), at_least(V(0.0f), b.hx, b.hy));
   return guarded(usable, point_gap(b, d, uu));
 }
 

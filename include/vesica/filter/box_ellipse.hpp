@@ -57,8 +57,8 @@ template <class V>
 VESICA_INLINE auto box_ellipse(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
   const BoxEllipse<V> edges = visible_edges(box, ellipse, d);
   const V low = guard_power<V, -5>(), high = guard_power<V, 15>();
-  const auto axes = both(min(edges.uu, edges.vv) >= low, max(edges.uu, edges.vv) <= high);
-  const auto sizes = both(min(ellipse.a, ellipse.b) >= guard_power<V, -10>(), min(box.hx, box.hy) >= V(0.0f));
+  const auto axes = both(in_range(edges.uu, low, high), in_range(edges.vv, low, high));
+  const auto sizes = both(at_least(guard_power<V, -10>(), ellipse.a, ellipse.b), at_least(V(0.0f), box.hx, box.hy));
   const auto bounded = edges.misses_x.error + edges.misses_y.error <= guard_power<V, 100>();
   return guarded(both(both(axes, sizes), bounded),
                  either(certainly_negative(edges.misses_x), certainly_negative(edges.misses_y)),

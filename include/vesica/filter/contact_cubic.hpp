@@ -17,14 +17,13 @@ struct ContactCubic {
 
 /// p(t) at a t >= 0 that nearly minimises a lower estimate of p over x >= 0.
 ///
-/// Let l_i = c_i - 16u total_i, so that d1 + l1 x + l2 x^2 + d2 x^3 lies below p but for the errors of d1, d2. Its
-/// minimiser is t, by the form of the quadratic's root that adds like signs. With h = d1 + total1 t + total2 t^2 + d2
-/// t^3:
-///   disjoint  p(t) < 0 at any t > 0 proves it: coefficients err by 14u h, Horner's rule by 6u h: 20u h in all.
-///   overlap   the lower estimate at t: 16u h and 6u h below the computed value; d1 and d2: 11u h. An error of t enters
-///             squared: even where the quadratic's root is nearly double, t errs by less than 3 sqrt(u) t, and p by
-///             less than u^1.5 h. 33u h in all. A rough root and quotient, 2^-12.4 of t together for float, cost u h
-///             more.
+/// Let l_i = c_i - 16u total_i, so that d1 + l1 x + l2 x^2 + d2 x^3 lies below p but for the errors of d1 and d2. Its
+/// minimiser is t, by the form of the quadratic's root that adds like signs. With
+/// h = d1 + total1 t + total2 t^2 + d2 t^3,
+///   disjoint: p(t) < 0 at any t > 0 proves it. Coefficients err by 14u h, Horner's rule by 6u h: 20u h in all.
+///   overlap: the lower estimate at t is 16u h and 6u h below the computed value; d1 and d2 err by 11u h. An error of t
+///     enters squared: even where the quadratic's root is nearly double, t errs by less than 3 sqrt(u) t, and p by less
+///     than u^1.5 h. A rough root and quotient, 2^-13 each of t, cost 2u h. 35u h in all.
 /// 40u h serves both.
 template <class V>
 VESICA_INLINE Estimate<V> least_value(const ContactCubic<V>& p) noexcept {
@@ -36,7 +35,7 @@ VESICA_INLINE Estimate<V> least_value(const ContactCubic<V>& p) noexcept {
       positive_part(rough_quotient(select(rising, zero - l1, root - l2), select(rising, l2 + root, three * p.d2)));
   const V value = ((p.d2 * t + p.c2) * t + p.c1) * t + p.d1;
   const V magnitude = ((p.d2 * t + p.total2) * t + p.total1) * t + p.d1;
-  // A NaN is lost in max() only if it came from the totals, which are in the magnitude too.
+  // positive_part() may lose a NaN, but any NaN in it came from the totals, which are in the magnitude too.
   return {value, roundoffs<V>(40) * magnitude};
 }
 
@@ -52,11 +51,13 @@ VESICA_INLINE auto totals_in_range(const ContactCubic<V>& p) noexcept {
   return (p.d1 + p.d2) + (p.total1 + p.total2) <= guard_power<V, 62>();
 }
 
-/// d: from the first ellipse's centre to the second's. With v, w the axes and M = |v||D| <= |x0| + |x1|,
+/// d: from the first ellipse's centre to the second's. With v, w the axes, N = |v||w| and M = |v||D| <= |x0| + |x1|,
 ///   d1 = (a0 a1 V)^2: 9u
-///   mu: c, s err by 2u |v||w|, so c^2 by 4u (c^2 + |c s|) + u c^2: in all 11u mu + 4u |c s| (a0^2 + a1^2) (b0^2 +
-///   b1^2) al: x0 and x1 err by 3u M, so al by 10u al + 6u (a0^2 + a1^2) |x0 x1| c1 = d1 + mu - al: two roundings more;
-///   13u total1.
+///   mu: c and s err by 2u N, so c^2 by 4u (c^2 + |c s|) + u c^2: in all 11u mu + 4u |c s| (a0^2 + a1^2)(b0^2 + b1^2)
+///   al: x0 and x1 err by 3u M, so al by 10u al + 6u (a0^2 + a1^2) |x0 x1|
+///   c1 = d1 + mu - al: two roundings more; 13u total1.
+/// For ellipses thinner than 1 : 2^-26 second order shows where first order vanishes: b^2 (3u M)^2 in al when x0 is nearly
+/// zero, (2u N)^2 (a0^2 + a1^2)(b0^2 + b1^2) in mu when c or s is. The u^2 terms in the totals cover them.
 template <class V>
 VESICA_INLINE ContactCubic<V> contact_cubic(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d, V vv,
                                             V ww) noexcept {
@@ -86,9 +87,9 @@ template <class V>
 VESICA_INLINE auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy, ww = f.ux * f.ux + f.uy * f.uy;
   const ContactCubic<V> p = contact_cubic(e, f, offset(place(e), place(f)), vv, ww);
-  const V least_size = min(min(min(e.a, e.b), min(f.a, f.b)), min(vv, ww));
   const auto verdict = decide(p);
-  return guarded(both(least_size >= guard_power<V, -6>(), totals_in_range(p)), verdict.overlap, verdict.disjoint);
+  return guarded(both(at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww), totals_in_range(p)), verdict.overlap,
+                 verdict.disjoint);
 }
 
 /// Circle and ellipse: the same cubic with x = t / r^2, times r^2, is monic:
@@ -114,7 +115,7 @@ VESICA_INLINE auto circle_ellipse(const Circle<V>& disc, const Ellipse<V>& e) no
   const V vv = e.ux * e.ux + e.uy * e.uy;
   const ContactCubic<V> p = contact_cubic(disc, e, offset(place(disc), place(e)), vv);
   const V low = guard_power<V, -8>();
-  const auto sizes = both(min(min(e.a, e.b), disc.r) >= low, vv >= guard_power<V, -16>());
+  const auto sizes = both(at_least(low, e.a, e.b, disc.r), vv >= guard_power<V, -16>());
   const auto verdict = decide(p);
   return guarded(both(sizes, totals_in_range(p)), verdict.overlap, verdict.disjoint);
 }

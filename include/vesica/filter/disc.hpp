@@ -21,7 +21,7 @@ VESICA_INLINE auto point_disc(const Centre<V>& d, V radius) noexcept {
 
 template <class V>
 VESICA_INLINE auto disc_disc(const Centre<V>& d, V radius_a, V radius_b) noexcept {
-  return guarded(min(radius_a, radius_b) >= V(0.0f), beyond_reach(d, radius_a + radius_b));
+  return guarded(at_least(V(0.0f), radius_a, radius_b), beyond_reach(d, radius_a + radius_b));
 }
 
 /// The nearest point of an AABB differs from the centre in each coordinate by a single rounded difference, or not.
@@ -37,7 +37,7 @@ VESICA_INLINE auto disc_aabb(const Circle<V>& disc, const Aabb<V>& box) noexcept
   const V width = box.max_x - box.min_x, height = box.max_y - box.min_y;
   Estimate<V> gap = beyond_reach(nearest_offset(disc, box), disc.r);
   gap.error = gap.error + ((width - width) + (height - height)) + ((disc.cx - disc.cx) + (disc.cy - disc.cy));
-  return guarded(both(min(width, height) >= V(0.0f), disc.r >= V(0.0f)), gap);
+  return guarded(at_least(V(0.0f), width, height, disc.r), gap);
 }
 
 /// (distance from the disc's centre to the box)^2 - r^2, times U = u.u; d from the box's centre to the disc's.
@@ -62,7 +62,7 @@ VESICA_INLINE auto disc_box(const Box<V>& b, const Centre<V>& d, V radius) noexc
   const V uu = b.ux * b.ux + b.uy * b.uy;
   const Estimate<V> gap = disc_beyond_box(b, d, radius, uu);
   const auto usable = both(in_range(uu, guard_power<V, -20>(), guard_power<V, 20>()),
-                           both(min(min(b.hx, b.hy), radius) >= V(0.0f), gap.error <= guard_power<V, 100>()));
+                           both(at_least(V(0.0f), b.hx, b.hy, radius), gap.error <= guard_power<V, 100>()));
   return guarded(usable, gap);
 }
 

@@ -88,6 +88,16 @@ VESICA_INLINE V underflow_allowance() noexcept {
   return guard_power<V, -87>();
 }
 
+/// All values >= bound. Not by min(): of numbers widened from float g++ makes branches.
+template <class V, class... W>
+VESICA_INLINE auto at_least(V bound, V first, W... rest) noexcept {
+  if constexpr (sizeof...(rest) == 0) {
+    return first >= bound;
+  } else {
+    return both(first >= bound, at_least(bound, rest...));
+  }
+}
+
 template <class V>
 VESICA_INLINE auto in_range(V x, V low, V high) noexcept {
   return both(x >= low, x <= high);

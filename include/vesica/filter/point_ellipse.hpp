@@ -24,7 +24,7 @@ template <class V>
 VESICA_INLINE auto point_ellipse(const Ellipse<V>& e, const Centre<V>& d) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy;
   const Estimate<V> gap = outside_ellipse(e, d, vv);
-  const auto usable = both(min(min(e.a, e.b), vv) >= guard_power<V, -12>(), gap.error <= guard_power<V, 100>());
+  const auto usable = both(at_least(guard_power<V, -12>(), e.a, e.b, vv), gap.error <= guard_power<V, 100>());
   return guarded(usable, gap);
 }
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Several pieces of code timed in turns on the same data, so that what disturbs the machine disturbs all of them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace vesica::bench {
+
+/// One timed pass; its result is consumed, so that it cannot be dropped.
+using Pass = std::function<std::int64_t()>;
+
+/// Nanoseconds of each round's pass.
+using Times = std::vector<double>;
+
+/// How long a contest goes on: at least `rounds`, and until `seconds` have passed.
+struct Budget {
+  double seconds = 0.2;
+  int rounds = 9;
+};
+
+/// In every round each entrant makes one pass, right after prepare(round), which must lay out the same data whenever
+/// it is called for the same round. Who goes first changes from round to round. The clock's own time is taken off.
+std::vector<Times> contest(const std::function<void(std::uint64_t round)>& prepare, const std::vector<Pass>& entrants,
+                           Budget budget);
+
+/// The value a share of the numbers stays below. Not interpolated.
+double quantile(Times values, double share);
+inline double median(Times values) { return quantile(std::move(values), 0.5); }
+
+/// Round by round: what disturbed one round disturbed both of its times.
+Times ratios(const Times& numerators, const Times& denominators);
+
+}  // namespace vesica::bench

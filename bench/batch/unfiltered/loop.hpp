@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The loop around every yardstick. Included once by each source that names an instruction set, after its lanes.
+#pragma once
+
+#include <type_traits>
+#include <utility>
+
+#include "batch/unfiltered/contact_cubic.hpp"
+#include "batch/unfiltered/rect_ellipse.hpp"
+#include "batch/unfiltered/rect_rect.hpp"
+#include "batch/unfiltered/table.hpp"
+
+namespace vesica::unfiltered {
+namespace {  // as the lanes, a type of its own in each object
+
+template <class T>
+using LanesOf = std::conditional_t<sizeof(T) == 4, Floats, Doubles>;
+
+/// The columns of one operand, in a copy that stores of answers cannot change.
+template <template <class> class Shape, class T, bool one>
+class Operand {
+ public:
+  explicit Operand(Columns<T> from) noexcept : shape_(first(from, Fields{})) {
+    for (int k = 0; k < fields; ++k) field_[k] = from[k];
+  }
+
+  Shape<LanesOf<T>> at(std::int64_t i) const noexcept {
+    if constexpr (one) return shape_;
+    return load(i, Fields{});
+  }
+
+ private:
+  static constexpr int fields = ShapeTraits<Shape<T>>::fields;
+  using Fields = std::make_index_sequence<fields>;
+
+  template <std::size_t... k>
+  static Shape<LanesOf<T>> first(Columns<T> from, std::index_sequence<k...>) noexcept {
+    return {LanesOf<T>(from[k][0])...};
+  }
+  template <std::size_t... k>
+  Shape<LanesOf<T>> load(std::int64_t i, std::index_sequence<k...>) const noexcept {
+    return {LanesOf<T>::load(field_[k] + i)...};
+  }
+
+  Shape<LanesOf<T>> shape_;
+  const T* field_[fields];
+};
+
+template <template <class> class A, template <class> class B, class T, bool one>
+std::int64_t answer(Columns<T> first, Columns<T> second, std::int64_t n, std::uint8_t* out) noexcept {
+  const Operand<A, T, one> a(first);
+  const Operand<B, T, false> b(second);
+  std::int64_t overlaps = 0;
+  for (std::int64_t i = 0; i < n; i += LanesOf<T>::width) {
+    const auto mask = overlap(a.at(i), b.at(i));
+    store_bytes(mask, out + i);
+    overlaps += count(mask);
+  }
+  return overlaps;
+}
+
+/// Eight sums at once, so that additions do not wait for each other.
+template <class T>
+T sum_of(const T* numbers, std::size_t n) noexcept {
+  using V = LanesOf<T>;
+  constexpr std::size_t width = V::width, chains = 8;
+  V sum[chains];
+  for (V& part : sum) part = V(T(0));
+  for (std::size_t i = 0; i < n; i += width * chains) {
+    for (std::size_t k = 0; k < chains; ++k) sum[k] = sum[k] + V::load(numbers + i + k * width);
+  }
+  for (std::size_t k = 1; k < chains; ++k) sum[0] = sum[0] + sum[k];
+  T parts[width];
+  __builtin_memcpy(parts, &sum[0], sizeof parts);
+  T total = 0;
+  for (const T part : parts) total += part;
+  return total;
+}
+
+template <template <class> class A, template <class> class B, class T>
+constexpr void fill(Kernels<T>& kernels) noexcept {
+  kernels[static_cast<int>(ShapeTraits<A<T>>::kind)][static_cast<int>(ShapeTraits<B<T>>::kind)] = {
+      answer<A, B, T, false>, answer<A, B, T, true>};
+}
+
+template <class T>
+constexpr void fill_all(Kernels<T>& kernels) noexcept {
+  fill<Rect, Rect>(kernels);
+  fill<Rect, Ellipse>(kernels);
+  fill<Circle, Ellipse>(kernels);
+  fill<Ellipse, Ellipse>(kernels);
+}
+
+consteval Table make_table(const char* name) noexcept {
+  Table table{name, {}, {}, sum_of<float>, sum_of<double>};
+  fill_all(table.f32);
+  fill_all(table.f64);
+  return table;
+}
+
+}  // namespace
+}  // namespace vesica::unfiltered

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+// Constructors by literal expectations: exact results, degenerate input, and every documented error.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "capi/constructors.hpp"
+
+namespace {
+
+template <class Api>
+class Construct : public testing::Test {
+ protected:
+  using Scalar = typename Api::Scalar;
+  using Rect = typename Api::Rect;
+  using Ellipse = typename Api::Ellipse;
+  using Limits = std::numeric_limits<Scalar>;
+
+  /// Each number equal to the wanted one, or within so many units in the wanted number's last place.
+  template <class Shape, std::size_t n>
+  static void expect(const Shape& found, const Scalar (&wanted)[n], int ulps = 0) {
+    Scalar numbers[n];
+    static_assert(sizeof found == sizeof numbers);
+    std::memcpy(numbers, &found, sizeof found);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Scalar size = std::fabs(wanted[i]), ulp = size - std::nextafter(size, Scalar{0});
+      EXPECT_LE(std::fabs(numbers[i] - wanted[i]), static_cast<Scalar>(ulps) * ulp)
+          << "number " << i << " is " << numbers[i] << ", not " << wanted[i];
+    }
+  }
+
+  static Rect rect_from_corners(const Scalar (&corners)[8], std::int32_t result = 0) {
+    Rect out{1, 2, 3, 4, 5, 6};
+    EXPECT_EQ(Api::rect_from_corners(corners, &out), result);
+    return out;
+  }
+
+  static Ellipse covariance(Scalar cxx, Scalar cxy, Scalar cyy, Scalar k, std::int32_t result = 0) {
+    Ellipse out{1, 2, 3, 4, 5, 6};
+    EXPECT_EQ(Api::ellipse_from_covariance(7, 8, cxx, cxy, cyy, k, &out), result);
+    return out;
+  }
+
+  static Ellipse matrix(Scalar mxx, Scalar mxy, Scalar myy, std::int32_t result = 0) {
+    Ellipse out{1, 2, 3, 4, 5, 6};
+    EXPECT_EQ(Api::ellipse_from_matrix(7, 8, mxx, mxy, myy, &out), result);
+    return out;
+  }
+};
+
+using Scalars = testing::Types<capi::F64, capi::F32>;
+TYPED_TEST_SUITE(Construct, Scalars);
+
+TYPED_TEST(Construct, AabbFromCorners) {
+  typename TypeParam::Aabb out{};
+  EXPECT_EQ(TypeParam::aabb_from_corners(3, -1, 1, 5, &out), 0);
+  this->expect(out, {1, -1, 3, 5});
+  EXPECT_EQ(TypeParam::aabb_from_corners(1, 5, 3, -1, &out), 0);
+  this->expect(out, {1, -1, 3, 5});
+  EXPECT_EQ(TypeParam::aabb_from_corners(2, 2, 2, 2, &out), 0);
+  this->expect(out, {2, 2, 2, 2});
+}
+
+TYPED_TEST(Construct, FromAngleZero) {
+  typename TypeParam::Rect rect{};
+  EXPECT_EQ(TypeParam::rect_from_angle(1, 2, 0, 6, 4, &rect), 0);
+  this->expect(rect, {1, 2, 1, 0, 3, 2});
+  typename TypeParam::Ellipse ellipse{};
+  EXPECT_EQ(TypeParam::ellipse_from_angle(1, 2, 0, 6, 4, &ellipse), 0);
+  this->expect(ellipse, {1, 2, 1, 0, 6, 4});
+  EXPECT_EQ(TypeParam::rect_from_angle(1, 2, 0, 0, 4, &rect), 0);
+  this->expect(rect, {1, 2, 1, 0, 0, 2});
+}
+
+// Half the smallest number is not a number: the axis is halved in its place, and the size stays exact.
+TYPED_TEST(Construct, SizesThatCannotBeHalved) {
+  using T = typename TypeParam::Scalar;
+  const T tiny = std::numeric_limits<T>::denorm_min(), max = std::numeric_limits<T>::max(), half = T{1} / 2;
+  typename TypeParam::Rect rect{};
+  EXPECT_EQ(TypeParam::rect_from_angle(0, 0, 0, tiny, 4, &rect), 0);
+  this->expect(rect, {0, 0, half, 0, tiny, 4});
+  EXPECT_EQ(TypeParam::rect_from_angle(0, 0, 0, max, 3 * tiny, &rect), 0);
+  this->expect(rect, {0, 0, half, 0, max, 3 * tiny});
+  EXPECT_EQ(TypeParam::rect_from_angle(0, 0, 0, 2 * tiny, 4 * tiny, &rect), 0);
+  this->expect(rect, {0, 0, 1, 0, tiny, 2 * tiny});
+}
+
+TYPED_TEST(Construct, FromRadiusVectorIsExact) {
+  using T = typename TypeParam::Scalar;
+  const T third = T{1} / 3, tiny = std::numeric_limits<T>::denorm_min(), max = std::numeric_limits<T>::max();
+  typename TypeParam::Ellipse out{};
+  EXPECT_EQ(TypeParam::ellipse_from_radius_vector(1, 2, 3, 4, third, &out), 0);
+  this->expect(out, {1, 2, 3, 4, 1, third});
+  EXPECT_EQ(TypeParam::ellipse_from_radius_vector(1, 2, tiny, -max, max, &out), 0);
+  this->expect(out, {1, 2, tiny, -max, 1, max});
+  EXPECT_EQ(TypeParam::ellipse_from_radius_vector(1, 2, 0, 0, 5, &out), 0);
+  this->expect(out, {1, 2, 1, 0, 0, 0});
+}
+
+TYPED_TEST(Construct, RectFromAxisParallelCorners) {
+  this->expect(this->rect_from_corners({1, 2, 7, 2, 7, 4, 1, 4}), {4, 3, 1, 0, 3, 1});
+  this->expect(this->rect_from_corners({7, 2, 1, 2, 1, 4, 7, 4}), {4, 3, -1, 0, 3, 1});
+  this->expect(this->rect_from_corners({1, 2, 1, 4, 7, 4, 7, 2}), {4, 3, 0, 1, 1, 3});   // shorter edge first
+  this->expect(this->rect_from_corners({1, 4, 1, 2, 7, 2, 7, 4}), {4, 3, 0, -1, 1, 3});  // and downward
+  this->expect(this->rect_from_corners({0, 0, 1, 0, 1, 1, 0, 1}), {0.5, 0.5, 1, 0, 0.5, 0.5});
+}
+
+TYPED_TEST(Construct, RectFromObliqueCorners) {
+  using T = typename TypeParam::Scalar;
+  // Edges (3, 4) and (-8, 6): half extents 5/2 and 5.
+  this->expect(this->rect_from_corners({0, 0, 3, 4, -5, 10, -8, 6}), {-2.5, 5, T{3} / 5, T{4} / 5, 2.5, 5}, 1);
+}
+
+TYPED_TEST(Construct, RectFromCornersOfNoRectangle) {
+  // A parallelogram with edges (4, 0) and (1, 1): the longer edge stays, the other counts by its part across.
+  this->expect(this->rect_from_corners({0, 0, 4, 0, 5, 1, 1, 1}), {2.5, 0.5, 1, 0, 2, 0.5});
+  // A trapezoid with parallel edges 6 and 2 has the mean edge 4.
+  this->expect(this->rect_from_corners({0, 0, 6, 0, 4, 2, 2, 2}), {3, 1, 1, 0, 2, 1});
+}
+
+TYPED_TEST(Construct, RectFromEqualCorners) {
+  this->expect(this->rect_from_corners({3, 4, 3, 4, 3, 4, 3, 4}), {3, 4, 1, 0, 0, 0});
+  this->expect(this->rect_from_corners({1, 1, 5, 1, 5, 1, 1, 1}), {3, 1, 1, 0, 2, 0});
+  this->expect(this->rect_from_corners({1, 1, 1, 1, 1, 5, 1, 5}), {1, 3, 1, 0, 0, 2});
+}
+
+TYPED_TEST(Construct, RectFromCornersAtTheEndsOfTheRange) {
+  using T = typename TypeParam::Scalar;
+  const T max = std::numeric_limits<T>::max(), tiny = std::numeric_limits<T>::denorm_min();
+  this->expect(this->rect_from_corners({-max, -max, max, -max, max, max, -max, max}), {0, 0, 1, 0, max, max});
+  this->expect(this->rect_from_corners({0, 0, 8 * tiny, 0, 8 * tiny, 2 * tiny, 0, 2 * tiny}),
+               {4 * tiny, tiny, 1, 0, 4 * tiny, tiny});
+  // A square on its corner with diagonal 2 max: half extents max / sqrt(2) fit. With edges 2 max each way they do not.
+  EXPECT_EQ(this->rect_from_corners({max, 0, 0, max, -max, 0, 0, -max}).cx, 0);
+  this->expect(this->rect_from_corners({-max, -max, max, max, max, max, -max, -max}, VESICA_E_RANGE),
+               {1, 2, 3, 4, 5, 6});
+}
+
+TYPED_TEST(Construct, EllipseFromCovariance) {
+  using T = typename TypeParam::Scalar;
+  this->expect(this->covariance(4, 0, 1, 1), {7, 8, 1, 0, 2, 1});
+  this->expect(this->covariance(1, 0, 4, 3), {7, 8, 0, 1, 6, 3});
+  this->expect(this->covariance(9, 0, 9, 2), {7, 8, 1, 0, 6, 6});  // a circle
+  // Eigenvalues 100 and 25, along (4, 3) / 5 and across it.
+  this->expect(this->covariance(73, 36, 52, 1), {7, 8, T{4} / 5, T{3} / 5, 10, 5}, 1);
+  this->expect(this->covariance(73, -36, 52, 1), {7, 8, T{4} / 5, -T{3} / 5, 10, 5}, 1);
+  this->expect(this->covariance(52, 36, 73, 1), {7, 8, T{3} / 5, T{4} / 5, 10, 5}, 1);
+  this->expect(this->covariance(52, -36, 73, 1), {7, 8, T{3} / 5, -T{4} / 5, 10, 5}, 1);
+}
+
+TYPED_TEST(Construct, EllipseFromSingularCovariance) {
+  using T = typename TypeParam::Scalar;
+  this->expect(this->covariance(0, 0, 0, 3), {7, 8, 1, 0, 0, 0});
+  this->expect(this->covariance(4, 0, 0, 1), {7, 8, 1, 0, 2, 0});
+  this->expect(this->covariance(0, 0, 4, 1), {7, 8, 0, 1, 2, 0});
+  this->expect(this->covariance(9, 12, 16, 2), {7, 8, T{3} / 5, T{4} / 5, 10, 0}, 1);
+  EXPECT_EQ(this->covariance(9, 12, 16, 2).b, 0);
+  EXPECT_EQ(this->covariance(73, 36, 52, 0).a, 0);
+  EXPECT_EQ(this->covariance(73, 36, 52, 0).b, 0);
+}
+
+// One place away from singular: valid below, no covariance above. A rounded determinant cannot tell.
+TYPED_TEST(Construct, CovarianceNextToSingular) {
+  using T = typename TypeParam::Scalar;
+  const T eps = std::numeric_limits<T>::epsilon();
+  const T x = 1 + eps;  // x^2 = 1 + 2 eps + eps^2 is above 1 * (1 + 2 eps)
+  this->covariance(1, x, 1 + 2 * eps, 1, VESICA_E_ARGUMENT);
+  EXPECT_EQ(this->covariance(1 + 2 * eps, x, 1, 1, VESICA_E_ARGUMENT).a, 5);
+  // (1 + 3 eps)(1 - eps) - 1 = 2 eps - 3 eps^2 > 0 and (1 + eps)(1 - eps) - 1 = -eps^2 < 0.
+  EXPECT_GT(this->covariance(1 + 3 * eps, 1, 1 - eps, 1).b, 0);
+  this->covariance(1 + eps, 1, 1 - eps, 1, VESICA_E_ARGUMENT);
+}
+
+TYPED_TEST(Construct, CovarianceAtTheEndsOfTheRange) {
+  using T = typename TypeParam::Scalar;
+  const T max = std::numeric_limits<T>::max(), tiny = std::numeric_limits<T>::denorm_min();
+  constexpr int top = std::numeric_limits<T>::max_exponent;  // even
+  const T large = std::ldexp(T{1}, top - 2), root = std::ldexp(T{1}, top / 2 - 1);
+  this->expect(this->covariance(large, 0, large, 1), {7, 8, 1, 0, root, root});
+  this->expect(this->covariance(tiny, 0, tiny, 1), {7, 8, 1, 0, std::sqrt(tiny), std::sqrt(tiny)}, 1);
+  this->expect(this->covariance(4 * tiny, 4 * tiny, 4 * tiny, 0), {7, 8, std::sqrt(T{0.5}), std::sqrt(T{0.5}), 0, 0},
+               1);
+  this->expect(this->covariance(large, 0, tiny, 1), {7, 8, 1, 0, root, std::sqrt(tiny)}, 1);
+  // The least rotation tells the direction of what would else be a circle.
+  this->expect(this->covariance(large, tiny, large, 1), {7, 8, std::sqrt(T{0.5}), std::sqrt(T{0.5}), root, root}, 1);
+  this->expect(this->covariance(large, -tiny, large, 1), {7, 8, std::sqrt(T{0.5}), -std::sqrt(T{0.5}), root, root}, 1);
+  this->covariance(tiny, max, tiny, 1, VESICA_E_ARGUMENT);
+  this->covariance(0, tiny, max, 1, VESICA_E_ARGUMENT);
+  this->expect(this->covariance(4, 0, 1, max, VESICA_E_RANGE), {1, 2, 3, 4, 5, 6});
+  this->expect(this->covariance(1, 0, 1, max), {7, 8, 1, 0, max, max});
+  this->expect(this->covariance(T{1} / 4, 0, T{1} / 4, tiny * 2), {7, 8, 1, 0, tiny, tiny});
+}
+
+TYPED_TEST(Construct, EllipseFromMatrix) {
+  using T = typename TypeParam::Scalar;
+  const T quarter = T{1} / 4, max = std::numeric_limits<T>::max(), tiny = std::numeric_limits<T>::denorm_min();
+  this->expect(this->matrix(quarter, 0, 1), {7, 8, 1, 0, 2, 1});
+  this->expect(this->matrix(1, 0, quarter), {7, 8, 0, 1, 2, 1});
+  this->expect(this->matrix(quarter, 0, quarter), {7, 8, 1, 0, 2, 2});
+  // Eigenvalues 100 across and 25 along (4, 3) / 5.
+  this->expect(this->matrix(52, -36, 73), {7, 8, T{4} / 5, T{3} / 5, T{1} / 5, T{1} / 10}, 1);
+  this->expect(this->matrix(52, 36, 73), {7, 8, T{4} / 5, -T{3} / 5, T{1} / 5, T{1} / 10}, 1);
+  this->expect(this->matrix(tiny, 0, max), {7, 8, 1, 0, 1 / std::sqrt(tiny), 1 / std::sqrt(max)}, 1);
+}
+
+TYPED_TEST(Construct, MatrixNotPositiveDefinite) {
+  using T = typename TypeParam::Scalar;
+  const T eps = std::numeric_limits<T>::epsilon();
+  this->expect(this->matrix(9, 12, 16, VESICA_E_ARGUMENT), {1, 2, 3, 4, 5, 6});
+  this->matrix(0, 0, 0, VESICA_E_ARGUMENT);
+  this->matrix(1, 0, 0, VESICA_E_ARGUMENT);
+  this->matrix(-1, 0, 1, VESICA_E_ARGUMENT);
+  this->matrix(-2, 1, -2, VESICA_E_ARGUMENT);
+  this->matrix(1, 2, 1, VESICA_E_ARGUMENT);
+  this->matrix(1 + eps, 1, 1 - eps, VESICA_E_ARGUMENT);
+}
+
+}  // namespace

@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# consumer_cmake_test.sh MOVED WORK: programs in C and C++ built by find_package against the moved install.
+. "$(dirname "${BASH_SOURCE[0]}")/prefix.sh"
+# CMake must find the package by its own means, and the programs the library by theirs.
+unset PKG_CONFIG_PATH LD_LIBRARY_PATH
+
+cmake -S "$here/consumer" -B "$work" -G Ninja -DCMAKE_PREFIX_PATH="$moved" -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF \
+  -DCMAKE_CXX_FLAGS=-Werror -DCMAKE_C_FLAGS=-Werror
+grep -F "vesica_DIR:PATH=$moved/" "$work/CMakeCache.txt"
+cmake --build "$work"
+for program in c_user cpp_user core_user; do "$work/$program"; done
+# The core is complete without the library; the others do use the shared one.
+if readelf -d "$work/core_user" | grep -F libvesica; then exit 1; fi
+readelf -d "$work/c_user" | grep -F 'libvesica.so.0'

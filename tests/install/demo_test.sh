@@ -1,0 +1,163 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# demo_test.sh MOVED WORK: the demo's answers, complaints, exit statuses and pictures on scenes good and bad.
+. "$(dirname "${BASH_SOURCE[0]}")/prefix.sh"
+
+warnings=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Werror)
+"$CC" -std=c99 -O1 "${warnings[@]}" -o "$work/demo" "$here"/demo/*.c "${flags[@]}"
+cd "$work"
+failures=0
+
+complain() {
+  echo "$1"
+  failures=$((failures + 1))
+}
+
+# check WHAT EXPECTED ACTUAL
+check() {
+  [ "$2" = "$3" ] || complain "$name: $1 is
+$3
+and should be
+$2"
+}
+
+# scene NAME STATUS COMPLAINTS SUMMARY, the scene itself on standard input. The file is always called `scene`.
+scene() {
+  local status=0
+  name=$1
+  cat >scene
+  rm -f picture.svg
+  ./demo -o picture.svg scene >answers 2>complaints || status=$?
+  check status "$2" $status
+  check complaints "$3" "$(cat complaints)"
+  check summary "$4" "$(tail -n 1 answers)"
+  xmllint --noout picture.svg || complain "$name: the picture is not XML"
+  if sed 's/<title>[^<]*//' picture.svg | grep -Eiq '[^a-z](nan|inf)[^a-z]'; then complain "$name: a picture of no numbers"; fi
+}
+
+# broken NAME REASON: one line, on standard input, that is refused for that reason, between two good ones.
+broken() {
+  local good='point 0 0 point 0 0 = 1'
+  scene "$1" 1 "scene:2: $2" \
+    'pairs 2, answered 2 (right 2, wrong 0, not known 0), other queries skipped 0, lines with errors 1' \
+    < <(echo "$good" && cat && echo "$good")
+}
+
+row_start='id,source,rect,0,0,1,0,2,1,circle,5,0,3,,,'
+
+# ---- Good scenes ----------------------------------------------------------------------------------------------------
+scene 'both forms, comments, blank lines' 0 '' \
+  'pairs 4, answered 3 (right 2, wrong 0, not known 1), other queries skipped 1, lines with errors 0' <<EOF1
+# a comment
+id,source,kind_a,a0,a1,a2,a3,a4,a5,kind_b,b0,b1,b2,b3,b4,b5,query,expected,tolerance,note
+
+${row_start},overlap,1,0,touching
+${row_start},distance,0,1e-15,touching
+   rect 0 0 1 0 2 1  ellipse 3,0,1,0, 0x1p-1 0.5 = 0  # a comment
+ellipse 0 0 .6 .8 2 1 segment -1 0 1 0
+EOF1
+check answers '  line  shapes            query         answer     known  id
+     4  rect-circle       overlap            1         1  id
+     6  rect-ellipse      overlap            0         0  line 6
+     7  ellipse-segment   overlap            1         ?  line 7' "$(head -n -1 answers)"
+check panels 3 "$(grep -c '<g>' picture.svg)"
+
+printf '\xef\xbb\xbfpoint 0 0 point 0 0=1\r\npoint 0 0 point 1 0=0' >text
+scene 'byte order mark, CR LF, no final line end' 0 '' \
+  'pairs 2, answered 2 (right 2, wrong 0, not known 0), other queries skipped 0, lines with errors 0' <text
+
+scene 'degenerate, tiny, huge' 0 '' \
+  'pairs 8, answered 8 (right 8, wrong 0, not known 0), other queries skipped 0, lines with errors 0' <<EOF1
+point 1 1 point 1 1 = 1
+segment 0 0 0 0 ellipse 0 0 1 0 0 0 = 1
+rect 0 0 1 0 0 3 circle 5e-324 0 0 = 0
+circle 0 0 5e-324 circle 1e-323 0 5e-324 = 1
+aabb -1.7e308 -1.7e308 1.7e308 1.7e308 point 0 0 = 1
+circle 1.7e308 0 1e308 point 0 0 = 0
+ellipse 0 0 1e-200 1e-200 1e200 1e-10 point 0.5 0.5 = 1
+rect 1e18 0 1 0 1e-7 1e-7 ellipse -1e18 0 1 0 1 1 = 0
+EOF1
+check 'panels without a drawing' 1 "$(grep -c 'too large to draw' picture.svg)"
+
+# ---- Wrong answers --------------------------------------------------------------------------------------------------
+scene 'a known answer that is not met' 1 '' \
+  'pairs 2, answered 2 (right 1, wrong 1, not known 0), other queries skipped 0, lines with errors 0' <<EOF1
+point 0 0 point 0 0 = 0
+point 0 0 point 0 0 = 1
+EOF1
+check 'lines marked' '     1  point-point       overlap            1         0  line 1  WRONG' "$(grep WRONG answers)"
+check 'panels marked' 1 "$(grep -c 'overlap (WRONG)' picture.svg)"
+
+# ---- Lines that are refused -----------------------------------------------------------------------------------------
+broken 'no kind' "unknown kind 'square'" <<<'square 0 0 1'
+broken 'no kind, commas' "'sqare' is not a kind, and a row has 20 fields, not 4" <<<'sqare,0,0,1'
+broken 'second kind' "shape B: unknown kind 'disk'" <<<'point 0 0 disk 0 0 1'
+broken 'one shape' 'shape B is missing' <<<'circle 0 0 1'
+broken 'too few numbers' 'shape B, number 3 of 3 is missing' <<<'point 0 0 circle 0 0 = 1'
+broken 'a kind for a number' "shape A, number 3 of 4: 'point' is not a number" <<<'segment 0 0 point 0 0'
+broken 'half a number' "shape A, number 2 of 2: '1.5x' is not a number" <<<'point 0 1.5x point 0 0'
+broken 'too many numbers' "'7' after the two shapes" <<<'point 0 0 point 0 0 7'
+broken 'known answer' "known answer 'yes' is not 0 or 1" <<<'point 0 0 point 0 0 = yes'
+broken 'known answer missing' "known answer '' is not 0 or 1" <<<'point 0 0 point 0 0 ='
+broken 'after the known answer' "known answer '1 1' is not 0 or 1" <<<'point 0 0 point 0 0 = 1 1'
+broken 'unprintable' "unknown kind '?[31m??'" < <(printf '\e[31m\xc3\xa9\n')
+
+broken 'negative size' 'shape A (circle) is invalid: a size is negative' \
+  <<<'circle 0 0 -1 point 0 0'
+broken 'no axis' 'shape B (rect) is invalid: the axis is (0, 0)' <<<'point 0 0 rect 0 0 0 0 1 1'
+broken 'inverted' "shape A (aabb) is invalid: min exceeds max" <<<'aabb 1 0 0 1 point 0 0'
+broken 'not a number' 'shape A (point) is invalid: a number is NaN or infinite' <<<'point nan 0 point 0 0'
+broken 'too large' 'shape A (point) is invalid: a number is NaN or infinite' <<<'point 1e999 0 point 0 0'
+
+broken 'fields' "'id' is not a kind, and a row has 20 fields, not 19" <<<"${row_start},overlap,1,0"
+broken 'row kind' "kind_a: unknown kind 'box'" <<<'i,s,box,0,0,1,,,,point,0,0,,,,,overlap,1,0,'
+broken 'row number' "a1: 'z' is not a number" <<<'i,s,point,0,z,,,,,point,0,0,,,,,overlap,1,0,'
+broken 'row number missing' 'b1 is missing' <<<'i,s,point,0,0,,,,,point,0,,,,,,overlap,1,0,'
+broken 'row number too many' "b3: '9', but circle has only 3 numbers" <<<'i,s,point,0,0,,,,,circle,0,0,1,9,,,overlap,1,0,'
+broken 'row shape' 'shape A (circle) is invalid: a size is negative' \
+  <<<'i,s,circle,0,0,-1,,,,circle,0,0,1,,,,distance,1,0,'
+broken 'row query' "unknown query 'touches'" <<<"${row_start},touches,1,0,"
+broken 'row known' "known answer '2' is not 0 or 1" <<<"${row_start},overlap,2,0,"
+broken 'row known, number' "known answer: 'far' is not a number" <<<"${row_start},distance,far,0,"
+broken 'row tolerance' "tolerance '-1' is not 0 or more" <<<"${row_start},distance,1,-1,"
+
+broken 'NUL byte' 'a NUL byte: this is not a text file' < <(printf 'point 0 0 point 0 0\0 = 1\n')
+broken 'long line' 'line longer than 4095 bytes' < <(printf 'point 0 0 point 0 0 %05000d\n' 1)
+scene 'longest line' 0 '' \
+  'pairs 1, answered 1 (right 0, wrong 0, not known 1), other queries skipped 0, lines with errors 0' \
+  < <(printf 'point 0 0 %4075s point 0 0\r\n' ' ')
+
+# ---- Files ----------------------------------------------------------------------------------------------------------
+none='pairs 0, answered 0 (right 0, wrong 0, not known 0), other queries skipped 0, lines with errors 1'
+scene 'empty file' 1 'scene:1: no pair in this file' "$none" </dev/null
+scene 'comments only' 1 'scene:2: no pair in this file' "$none" <<<'# nothing'
+
+# unusable NAME COMPLAINT ARGUMENT...
+unusable() {
+  local status=0 complaint=$2
+  name=$1
+  shift 2
+  ./demo "$@" >answers 2>complaints || status=$?
+  check status 2 $status
+  check complaint "$complaint" "$(cat complaints)"
+}
+echo 'point 0 0 point 0 0' >scene
+unusable 'missing file' 'nowhere: cannot read: No such file or directory' -o picture.svg nowhere
+unusable 'directory' '.: cannot read: Is a directory' -o picture.svg .
+unusable 'picture' 'nowhere/picture.svg: cannot write: No such file or directory' -o nowhere/picture.svg scene
+unusable 'no argument' 'usage: demo [-o PICTURE] SCENE'
+unusable 'two scenes' 'usage: demo [-o PICTURE] SCENE' scene scene
+unusable 'unknown option' 'usage: demo [-o PICTURE] SCENE' -x scene
+
+# ---- Markup in an id, and more pairs than a picture holds -------------------------------------------------------------
+scene 'markup' 0 '' \
+  'pairs 1, answered 1 (right 1, wrong 0, not known 0), other queries skipped 0, lines with errors 0' \
+  <<<'<b>&amp;]]>",s,point,0,0,,,,,point,0,0,,,,,overlap,1,0,'
+check 'ids in the picture' 2 "$(grep -c '&lt;b&gt;&amp;amp;]]&gt;"' picture.svg)"
+scene 'many pairs' 0 '' \
+  'pairs 500, answered 500 (right 500, wrong 0, not known 0), other queries skipped 0, lines with errors 0' \
+  < <(for ((i = 0; i < 500; i++)); do echo "circle 0 0 1 circle $i 0 1 = $((i <= 2))"; done)
+check panels 400 "$(grep -c '<g>' picture.svg)"
+
+[ $failures = 0 ] || exit 1
+echo "all scenes as expected"

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "properties/pair.hpp"
+
+#include <vesica.h>
+
+#include <algorithm>
+#include <bit>
+#include <cfloat>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+namespace properties {
+namespace {
+
+// Through memory: one compiler was seen to drop the rounding of a double to a float and back when it vectorised.
+float to_float(double x) {
+  const volatile float stored = static_cast<float>(std::clamp<double>(x, -FLT_MAX, FLT_MAX));
+  return stored;
+}
+
+template <class Bits>
+std::int64_t signed_magnitude(Bits bits) {
+  constexpr Bits sign = Bits{1} << (8 * sizeof(Bits) - 1);
+  const auto magnitude = static_cast<std::int64_t>(bits & ~sign);
+  return (bits & sign) != 0 ? -magnitude : magnitude;
+}
+
+}  // namespace
+
+const char* name(Scalar scalar) { return scalar == Scalar::f32 ? "f32" : "f64"; }
+
+int field_count(int kind) {
+  constexpr std::array<int, 6> counts{2, 4, 3, 4, 6, 6};
+  return counts.at(static_cast<std::size_t>(kind));
+}
+
+const char* kind_name(int kind) {
+  constexpr std::array<const char*, 6> names{"point", "segment", "circle", "aabb", "rect", "ellipse"};
+  return names.at(static_cast<std::size_t>(kind));
+}
+
+Role role(int kind, int field) {
+  if (field >= field_count(kind)) return Role::unused;
+  if (field < 2) return field == 0 ? Role::x : Role::y;
+  if (kind == VESICA_CIRCLE) return Role::size;
+  if (kind == VESICA_SEGMENT || kind == VESICA_AABB) return field == 2 ? Role::x : Role::y;
+  return field < 4 ? Role::axis : Role::size;
+}
+
+bool valid(int kind, const Numbers& n) {
+  for (int i = 0; i < field_count(kind); ++i) {
+    const double x = n[static_cast<std::size_t>(i)];
+    if (!std::isfinite(x) || (role(kind, i) == Role::size && x < 0)) return false;
+  }
+  if (kind == VESICA_AABB) return n[0] <= n[2] && n[1] <= n[3];
+  return role(kind, 2) != Role::axis || n[2] != 0 || n[3] != 0;
+}
+
+double nearest(Scalar scalar, double x) {
+  return scalar == Scalar::f32 ? static_cast<double>(to_float(x)) : std::clamp(x, -DBL_MAX, DBL_MAX);
+}
+
+bool representable(Scalar scalar, double x) { return std::isfinite(x) && nearest(scalar, x) == x; }
+
+std::int64_t ordinal(Scalar scalar, double x) {
+  return scalar == Scalar::f32 ? signed_magnitude(std::bit_cast<std::uint32_t>(to_float(x)))
+                               : signed_magnitude(std::bit_cast<std::uint64_t>(x));
+}
+
+double at_ordinal(Scalar scalar, std::int64_t place) {
+  const std::int64_t last = ordinal(scalar, scalar == Scalar::f32 ? static_cast<double>(FLT_MAX) : DBL_MAX);
+  const std::int64_t magnitude = std::min(place < 0 ? -place : place, last);
+  const double x = scalar == Scalar::f32
+                       ? static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(magnitude)))
+                       : std::bit_cast<double>(magnitude);
+  return place < 0 ? -x : x;
+}
+
+Numbers nearest_shape(Scalar scalar, int kind, Numbers n) {
+  for (int i = 0; i < field_count(kind); ++i) {
+    double& x = n[static_cast<std::size_t>(i)];
+    x = nearest(scalar, role(kind, i) == Role::size ? std::fabs(x) : x);
+  }
+  if (kind == VESICA_AABB) {
+    if (n[0] > n[2]) std::swap(n[0], n[2]);
+    if (n[1] > n[3]) std::swap(n[1], n[3]);
+  }
+  if (role(kind, 2) == Role::axis && n[2] == 0 && n[3] == 0) n[2] = at_ordinal(scalar, 1);
+  return n;
+}
+
+std::array<float, 6> narrow(const Numbers& numbers) {
+  std::array<float, 6> result{};
+  for (std::size_t i = 0; i < 6; ++i) result[i] = to_float(numbers[i]);
+  return result;
+}
+
+std::string describe(const Pair& pair) {
+  std::string text;
+  for (const auto& [kind, numbers] : {std::pair{pair.kind_a, pair.a}, std::pair{pair.kind_b, pair.b}}) {
+    text += text.empty() ? "" : " | ";
+    text += kind_name(kind);
+    for (int i = 0; i < field_count(kind); ++i) {
+      std::array<char, 40> number{};
+      std::snprintf(number.data(), number.size(), " %a", numbers[static_cast<std::size_t>(i)]);
+      text += number.data();
+    }
+  }
+  return text;
+}
+
+}  // namespace properties

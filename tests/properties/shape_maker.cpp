@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "properties/shape_maker.hpp"
+
+#include <vesica.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace properties {
+namespace {
+
+constexpr double pi = 3.141592653589793;
+
+/// Mostly any direction, sometimes along an axis or a diagonal.
+Vector random_direction(Random& random) {
+  if (random.chance(0.125)) return random.chance(0.5) ? Vector{random.sign(), 0} : Vector{0, random.sign()};
+  if (random.chance(0.0625)) return {random.sign() * std::sqrt(0.5), random.sign() * std::sqrt(0.5)};
+  const double angle = random.between(-pi, pi);
+  return {std::cos(angle), std::sin(angle)};
+}
+
+/// Half axes p and q about the centre c, for every kind: all that placing needs.
+struct Frame {
+  Vector c, p, q;
+};
+
+Frame frame(int kind, const Numbers& n) {
+  switch (kind) {
+    case VESICA_POINT:
+      return {{n[0], n[1]}, {0, 0}, {0, 0}};
+    case VESICA_CIRCLE:
+      return {{n[0], n[1]}, {n[2], 0}, {0, n[2]}};
+    case VESICA_SEGMENT:
+      return {{n[0] / 2 + n[2] / 2, n[1] / 2 + n[3] / 2}, {n[2] / 2 - n[0] / 2, n[3] / 2 - n[1] / 2}, {0, 0}};
+    case VESICA_AABB:
+      return {{n[0] / 2 + n[2] / 2, n[1] / 2 + n[3] / 2}, {n[2] / 2 - n[0] / 2, 0}, {0, n[3] / 2 - n[1] / 2}};
+    default:
+      return {{n[0], n[1]}, {n[4] * n[2], n[4] * n[3]}, {-n[5] * n[3], n[5] * n[2]}};
+  }
+}
+
+Vector at(const Frame& f, double s, double t) { return {f.c.x + s * f.p.x + t * f.q.x, f.c.y + s * f.p.y + t * f.q.y}; }
+
+}  // namespace
+
+Numbers shape_at_origin(int kind, Random& random, const Proportions& proportions) {
+  const Vector u = random_direction(random);
+  double first = proportions.longer, second = proportions.shorter;
+  if (random.chance(0.5)) std::swap(first, second);
+  switch (kind) {
+    case VESICA_POINT:
+      return {0, 0};
+    case VESICA_SEGMENT:
+      return {-first * u.x, -first * u.y, first * u.x, first * u.y};
+    case VESICA_CIRCLE:
+      return {0, 0, first};
+    case VESICA_AABB:
+      return {-first, -second, first, second};
+    default: {
+      const double length = proportions.axis_length;
+      return {0, 0, length * u.x, length * u.y, first / length, second / length};
+    }
+  }
+}
+
+Numbers integer_shape(int kind, Random& random) {
+  const auto size = [&] { return random.chance(0.2) ? 0.0 : random.integer(1, 3); };
+  switch (kind) {
+    case VESICA_POINT:
+      return {0, 0};
+    case VESICA_SEGMENT:
+      return {size() * random.sign(), size() * random.sign(), size() * random.sign(), size() * random.sign()};
+    case VESICA_CIRCLE:
+      return {0, 0, size() + size()};
+    case VESICA_AABB:
+      return {-size(), -size(), size(), size()};
+    default: {
+      Numbers n{0, 0, 0, 0, size(), size()};
+      while (n[2] == 0 && n[3] == 0) {
+        n[2] = random.integer(-2, 2);
+        n[3] = random.integer(-2, 2);
+      }
+      return n;
+    }
+  }
+}
+
+Vector random_point(int kind, const Numbers& numbers, Random& random, double reach) {
+  double s = random.between(-reach, reach), t = random.between(-reach, reach);
+  const bool round = kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE;
+  while (round && s * s + t * t > reach * reach) {
+    s = random.between(-reach, reach);
+    t = random.between(-reach, reach);
+  }
+  if (random.chance(0.2)) {
+    // Just inside a tip or a side's middle, where a thin shape's small cross product is all rounding error.
+    s = random.sign() * (1 - std::ldexp(random.unit(), -random.integer(0, 50)));
+    t = 0;
+    if (random.chance(0.5)) std::swap(s, t);
+  }
+  return at(frame(kind, numbers), s, t);
+}
+
+Vector special_point(int kind, const Numbers& numbers, Random& random) {
+  const bool round = kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE;
+  double s = random.sign(), t = random.sign();
+  if (round) (random.chance(0.5) ? s : t) = 0;
+  if (round && random.chance(0.2)) s = t = 0;
+  return at(frame(kind, numbers), s, t);
+}
+
+Numbers moved(int kind, Numbers numbers, Vector by) {
+  for (std::size_t i = 0; i < 6; ++i) {
+    const Role r = role(kind, static_cast<int>(i));
+    if (r == Role::x) numbers[i] += by.x;
+    if (r == Role::y) numbers[i] += by.y;
+  }
+  return numbers;
+}
+
+Numbers collapsed(int kind, Numbers n, Random& random) {
+  const bool first = random.chance(0.5), second = random.chance(0.5);
+  if (kind == VESICA_SEGMENT && first) n = {n[0], n[1], n[0], n[1]};
+  if (kind == VESICA_CIRCLE && first) n[2] = 0;
+  if (kind == VESICA_AABB && first) n[2] = n[0];
+  if (kind == VESICA_AABB && second) n[3] = n[1];
+  if (role(kind, 4) == Role::size && first) n[4] = 0;
+  if (role(kind, 4) == Role::size && second) n[5] = 0;
+  return n;
+}
+
+Numbers scaled(int kind, Numbers numbers, int exponent, bool scale_axis) {
+  const bool has_axis = role(kind, 2) == Role::axis;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const Role r = role(kind, static_cast<int>(i));
+    const bool skip = has_axis && r == (scale_axis ? Role::size : Role::axis);
+    if (!skip) numbers[i] = std::ldexp(numbers[i], exponent);
+  }
+  return numbers;
+}
+
+}  // namespace properties
