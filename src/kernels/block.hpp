@@ -20,30 +20,31 @@ using LanesOf = std::conditional_t<sizeof(T) == 4, Floats, Doubles>;
 /// The filter a kernel runs: the pair's own, or the quicker one for unit axes.
 struct General {
   template <class A, class B>
-  static auto filter(const A& a, const B& b) noexcept {
+  VESICA_INLINE static auto filter(const A& a, const B& b) noexcept {
     return pair::filter(a, b);
   }
 };
 struct UnitAxes {
   template <class V>
-  static auto filter(const Rect<V>& a, const Rect<V>& b) noexcept {
+  VESICA_INLINE static auto filter(const Rect<V>& a, const Rect<V>& b) noexcept {
     return filter::unit_box_box(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
   }
 };
 
 /// A shape of lanes from element i on, or one shape in every lane.
 template <template <class> class Shape, class T, std::size_t... Field>
-Shape<LanesOf<T>> load_lanes(const T* const* field, std::int32_t i, std::index_sequence<Field...>) noexcept {
+VESICA_INLINE Shape<LanesOf<T>> load_lanes(const T* const* field, std::int32_t i,
+                                           std::index_sequence<Field...>) noexcept {
   return {LanesOf<T>::load(field[Field] + i)...};
 }
 template <class T>
-T load_unaligned(const T* p) noexcept {
+VESICA_INLINE T load_unaligned(const T* p) noexcept {
   T x;
   std::memcpy(&x, p, sizeof x);
   return x;
 }
 template <template <class> class Shape, class T, std::size_t... Field>
-Shape<LanesOf<T>> broadcast(const T* const* field, std::index_sequence<Field...>) noexcept {
+VESICA_INLINE Shape<LanesOf<T>> broadcast(const T* const* field, std::index_sequence<Field...>) noexcept {
   return {LanesOf<T>(load_unaligned(field[Field]))...};
 }
 
@@ -51,71 +52,92 @@ Shape<LanesOf<T>> broadcast(const T* const* field, std::index_sequence<Field...>
 template <template <class> class Shape, class T, bool Repeated>
 struct Operand {
   static constexpr int fields = ShapeTraits<Shape<T>>::fields;
-  using Fields = std::make_index_sequence<fields>;
   const T* field[fields];
 
-  explicit Operand(const T* const* from) noexcept {
+  VESICA_INLINE explicit Operand(const T* const* from) noexcept {
     for (int k = 0; k < fields; ++k) field[k] = from[k];
   }
-  Shape<LanesOf<T>> at(std::int32_t i) const noexcept { return load_lanes<Shape>(field, i, Fields{}); }
-  /// The last, partial vector: copied out, so that nothing beyond the arrays is read; lanes without an element repeat
-  /// one.
-  Shape<LanesOf<T>> tail(std::int32_t i, std::int32_t rest) const noexcept {
-    constexpr int width = LanesOf<T>::width;
-    T copy[fields][width];
-    const T* copied[fields];
-    for (int k = 0; k < fields; ++k) {
-      for (int j = 0; j < width; ++j) std::memcpy(&copy[k][j], field[k] + i + (j < rest ? j : 0), sizeof(T));
-      copied[k] = copy[k];
-    }
-    return load_lanes<Shape>(copied, 0, Fields{});
+  VESICA_INLINE Shape<LanesOf<T>> at(std::int32_t i) const noexcept {
+    return load_lanes<Shape>(field, i, std::make_index_sequence<fields>{});
   }
 };
 
 template <template <class> class Shape, class T>
 struct Operand<Shape, T, true> {
-  static constexpr int fields = ShapeTraits<Shape<T>>::fields;
   Shape<LanesOf<T>> shape;
 
-  explicit Operand(const T* const* from) noexcept : shape(broadcast<Shape>(from, std::make_index_sequence<fields>{})) {}
-  const Shape<LanesOf<T>>& at(std::int32_t) const noexcept { return shape; }
-  const Shape<LanesOf<T>>& tail(std::int32_t, std::int32_t) const noexcept { return shape; }
+  VESICA_INLINE explicit Operand(const T* const* from) noexcept
+      : shape(broadcast<Shape>(from, std::make_index_sequence<ShapeTraits<Shape<T>>::fields>{})) {}
+  VESICA_INLINE const Shape<LanesOf<T>>& at(std::int32_t) const noexcept { return shape; }
 };
 
 /// Appends the indices of the lanes set in `open`.
-inline std::int32_t* append(std::uint32_t open, std::int32_t i, std::int32_t* list) noexcept {
+VESICA_INLINE std::int32_t* append(std::uint32_t open, std::int32_t i, std::int32_t* list) noexcept {
   for (; open != 0; open &= open - 1) *list++ = i + __builtin_ctz(open);
   return list;
 }
 
+/// Answers a whole number of vectors.
 template <class Filter, template <class> class A, template <class> class B, class T, Repeat repeat>
-BlockResult answer_block(const Block<T>& block) noexcept {
+[[gnu::noinline]] BlockResult answer_vectors(const Block<T>& block) noexcept {
   constexpr std::int32_t width = LanesOf<T>::width;
-  constexpr std::uint32_t all = width == 32 ? ~0u : (1u << width) - 1;
+  constexpr std::uint32_t all = (1u << width) - 1;
   const Operand<A, T, repeat == Repeat::first> first(block.first);
   const Operand<B, T, repeat == Repeat::second> second(block.second);
-  const std::int32_t n = block.count, whole = n - n % width;
+  const std::int32_t n = block.count;
   std::uint8_t* const out = block.out;
   std::int32_t* list = block.undecided;
-  std::int32_t overlaps = 0, i = 0;
-  for (; i < whole; i += width) {
+  std::int32_t overlaps = 0;
+  for (std::int32_t i = 0; i < n; i += width) {
     const auto verdict = Filter::filter(first.at(i), second.at(i));
     store_bytes(verdict.overlap, out + i);
     overlaps += count(verdict.overlap);
-    const std::uint32_t open = ~bits(either(verdict.overlap, verdict.disjoint)) & all;
+    const std::uint32_t open = bits(either(verdict.overlap, verdict.disjoint)) ^ all;
     if (open != 0) [[unlikely]]
       list = append(open, i, list);
   }
-  if (i < n) {
-    const std::uint32_t present = (1u << (n - i)) - 1;
-    const auto verdict = Filter::filter(first.tail(i, n - i), second.tail(i, n - i));
-    std::uint8_t bytes[width];
-    store_bytes(verdict.overlap, bytes);
-    std::memcpy(out + i, bytes, static_cast<std::size_t>(n - i));
-    overlaps += __builtin_popcount(bits(verdict.overlap) & present);
-    list = append(~bits(either(verdict.overlap, verdict.disjoint)) & present, i, list);
-  }
   return {overlaps, static_cast<std::int32_t>(list - block.undecided)};
+}
+
+/// Copies `rest` elements, fewer than a vector, so that nothing beyond the arrays is read; lanes without one repeat the first.
+template <template <class> class Shape, class T>
+void copy_rest(const T* const* field, std::int32_t begin, std::int32_t rest, T (*copy)[LanesOf<T>::width],
+               const T** copied) noexcept {
+  for (int k = 0; k < ShapeTraits<Shape<T>>::fields; ++k) {
+    for (int j = 0; j < LanesOf<T>::width; ++j) {
+      std::memcpy(&copy[k][j], field[k] + begin + (j < rest ? j : 0), sizeof(T));
+    }
+    copied[k] = copy[k];
+  }
+}
+
+/// Answers a block: the whole vectors in place, the rest in a vector of its own.
+template <class Filter, template <class> class A, template <class> class B, class T, Repeat repeat>
+BlockResult answer_block(const Block<T>& block) noexcept {
+  constexpr std::int32_t width = LanesOf<T>::width;
+  const std::int32_t rest = block.count % width, whole = block.count - rest;
+  Block<T> part = block;
+  part.count = whole;
+  BlockResult result = answer_vectors<Filter, A, B, T, repeat>(part);
+  if (rest == 0) return result;
+
+  T copy_first[max_fields][width], copy_second[max_fields][width];
+  std::uint8_t bytes[width];
+  std::int32_t undecided[width];
+  if constexpr (repeat != Repeat::first) copy_rest<A, T>(block.first, whole, rest, copy_first, part.first);
+  if constexpr (repeat != Repeat::second) copy_rest<B, T>(block.second, whole, rest, copy_second, part.second);
+  part.count = width;
+  part.out = bytes;
+  part.undecided = undecided;
+  const BlockResult last = answer_vectors<Filter, A, B, T, repeat>(part);
+  for (std::int32_t i = 0; i < rest; ++i) {
+    block.out[whole + i] = bytes[i];
+    result.overlaps += bytes[i];
+  }
+  for (std::int32_t i = 0; i < last.undecided && undecided[i] < rest; ++i) {
+    block.undecided[result.undecided++] = whole + undecided[i];
+  }
+  return result;
 }
 
 template <class Filter, template <class> class A, template <class> class B, class T>

@@ -70,9 +70,9 @@ VESICA_INLINE ContactCubic<V> contact_cubic(const Ellipse<V>& e, const Ellipse<V
   const V mu = (c * c) * (a0 * b1 + a1 * b0) + (s * s) * (a0 * b0 + a1 * b1);
   const V m0 = e.b * x0, m1 = e.a * x1, n0 = f.b * y0, n1 = f.a * y1;
   const V al = m0 * m0 + m1 * m1, be = n0 * n0 + n1 * n1;
-  const V sa = a0 + a1, sb = b0 + b1, u = roundoffs<V>(1), two_u = roundoffs<V>(2);
+  const V sa = a0 + a1, sb = b0 + b1, u = roundoffs<V>(1), dd = roundoffs<V>(2) * (d.x * d.x + d.y * d.y);
   const V turned = (sa * sb) * (abs(c * s) + u * (c * c + s * s));
-  const V across_e = abs(x0 * x1) + two_u * (x0 * x0 + x1 * x1), across_f = abs(y0 * y1) + two_u * (y0 * y0 + y1 * y1);
+  const V across_e = abs(x0 * x1) + vv * dd, across_f = abs(y0 * y1) + ww * dd;  // V |D|^2 = x0^2 + x1^2
   return {d1,
           (d1 + mu) - al,
           (d2 + mu) - be,
@@ -104,7 +104,7 @@ VESICA_INLINE ContactCubic<V> contact_cubic(const Circle<V>& disc, const Ellipse
   const V m0 = e.b * x0, m1 = e.a * x1;
   const V al = m0 * m0 + m1 * m1, dd = d.x * d.x + d.y * d.y;
   const V c1 = pq + rr * sum, c2 = rr + sum;
-  const V across = abs(x0 * x1) + roundoffs<V>(2) * (x0 * x0 + x1 * x1);
+  const V across = abs(x0 * x1) + roundoffs<V>(2) * (vv * dd);
   return {rr * pq, c1 - al, c2 - dd, V(1.0f), (c1 + al) + (aa + bb) * across, c2 + dd};
 }
 
