@@ -101,7 +101,7 @@ template <class Filter, template <class> class A, template <class> class B, clas
 
 /// Copies `rest` elements, fewer than a vector, so that nothing beyond the arrays is read; lanes without one repeat the first.
 template <template <class> class Shape, class T>
-void copy_rest(const T* const* field, std::int32_t begin, std::int32_t rest, T (*copy)[LanesOf<T>::width],
+[[gnu::noinline]] void copy_rest(const T* const* field, std::int32_t begin, std::int32_t rest, T (*copy)[LanesOf<T>::width],
                const T** copied) noexcept {
   for (int k = 0; k < ShapeTraits<Shape<T>>::fields; ++k) {
     for (int j = 0; j < LanesOf<T>::width; ++j) {
