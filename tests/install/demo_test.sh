@@ -62,6 +62,10 @@ check answers '  line  shapes            query         answer     known  id
      7  ellipse-segment   overlap            1         ?  line 7' "$(head -n -1 answers)"
 check panels 3 "$(grep -c '<g>' picture.svg)"
 
+scene 'the example' 0 '' \
+  'pairs 6, answered 6 (right 5, wrong 0, not known 1), other queries skipped 0, lines with errors 0' \
+  <"$here/demo/example.scene"
+
 printf '\xef\xbb\xbfpoint 0 0 point 0 0=1\r\npoint 0 0 point 1 0=0' >text
 scene 'byte order mark, CR LF, no final line end' 0 '' \
   'pairs 2, answered 2 (right 2, wrong 0, not known 0), other queries skipped 0, lines with errors 0' <text
