@@ -6,16 +6,17 @@
 
 namespace vesica::filter {
 
-/// Whether two segments, one along each axis of the box's frame, miss the ellipse: positive where they do. The shapes
-/// are disjoint iff both do. exact/box_ellipse.hpp says which segments, and why two suffice.
+/// How far two segments, one along each axis of the box's frame, miss the ellipse: positive where they do. The shapes
+/// are disjoint iff both do, that is iff the lesser value is positive. exact/box_ellipse.hpp says which segments, and why
+/// two suffice. One error bounds both.
 template <class V>
 struct BoxEllipse {
-  Estimate<V> misses_x, misses_y;
+  V misses_x, misses_y, error;
   V uu, vv;
 };
 
-/// How far the segment at distance x from the centre, centred at y with half length e, misses the ellipse:
-/// m^2 - det (p00 - x^2), m = max(|p00 y - p01 x| - p00 e, 0).
+/// A segment at distance x from the centre, centred at y and of half length e, misses the ellipse by
+/// m^2 - det (p00 - x^2), m = max(|p00 y - p01 x| - p00 e, 0) being this gap.
 ///
 /// With U = u.u, V = v.v, Q = p00 + p11 = (a^2 + b^2) U V, T = |kx| + |ky| + (hx + hy) U, and components of u off by u
 /// (a segment's direction), to first order:
@@ -24,12 +25,10 @@ struct BoxEllipse {
 ///   m: 12u Q y + 6u Q T + 10u Q x + 5u Q T + 18u Q e + 3u (Q y + Q x / 2 + Q e) <= 32u Q T =: error_m
 ///   det = (a b U V)^2: 19u; p00 - x^2: 13u Q + 22u x T
 /// so m^2 is off by error_m (2m + error_m) + u m^2, the product by det (33u Q + 42u x T) and the difference by u of
-/// each.
+/// each. Summed over both segments this bounds either.
 template <class V>
-VESICA_INLINE Estimate<V> segment_misses(V p00, V p01, V det, V q, V t, V x, V y, V e) noexcept {
-  const V m = positive_part(abs(p00 * y - p01 * x) - p00 * e);
-  const V error_m = roundoffs<V>(34) * (q * t);
-  return {m * m - det * (p00 - x * x), error_m * ((m + m) + error_m) + roundoffs<V>(48) * (det * (q + x * t))};
+VESICA_INLINE V gap_along_segment(V p00, V p01, V x, V y, V e) noexcept {
+  return positive_part(abs(p00 * y - p01 * x) - p00 * e);
 }
 
 /// d: from the box's centre to the ellipse's.
@@ -46,8 +45,10 @@ VESICA_INLINE BoxEllipse<V> visible_edges(const Box<V>& box, const Ellipse<V>& e
   const V ex = box.hx * uu, ey = box.hy * uu;
   const V x = positive_part(abs(kx) - ex), y = positive_part(abs(ky) - ey);
   const V q = p00 + p11, t = (abs(kx) + abs(ky)) + (ex + ey);
-  return {segment_misses(p00, p01, det, q, t, x, abs(ky), ey), segment_misses(p11, p01, det, q, t, y, abs(kx), ex), uu,
-          vv};
+  const V m = gap_along_segment(p00, p01, x, abs(ky), ey), n = gap_along_segment(p11, p01, y, abs(kx), ex);
+  const V error_m = roundoffs<V>(34) * (q * t), gaps = m + n;
+  return {m * m - det * (p00 - x * x), n * n - det * (p11 - y * y),
+          error_m * ((gaps + gaps) + error_m) + roundoffs<V>(48) * (det * (q + (x + y) * t)), uu, vv};
 }
 
 /// Guard: half lengths at least 2^-10, squared axes 2^-5 to 2^15 (double: the 8th powers), sizes not negative, errors
@@ -59,10 +60,8 @@ VESICA_INLINE auto box_ellipse(const Box<V>& box, const Ellipse<V>& ellipse, con
   const V low = guard_power<V, -5>(), high = guard_power<V, 15>();
   const auto axes = both(in_range(edges.uu, low, high), in_range(edges.vv, low, high));
   const auto sizes = both(at_least(guard_power<V, -10>(), ellipse.a, ellipse.b), at_least(V(0.0f), box.hx, box.hy));
-  const auto bounded = edges.misses_x.error + edges.misses_y.error <= guard_power<V, 100>();
-  return guarded(both(both(axes, sizes), bounded),
-                 either(certainly_negative(edges.misses_x), certainly_negative(edges.misses_y)),
-                 both(certainly_positive(edges.misses_x), certainly_positive(edges.misses_y)));
+  const Estimate<V> least{min(edges.misses_x, edges.misses_y), edges.error};
+  return guarded(both(both(axes, sizes), least.error <= guard_power<V, 100>()), least);
 }
 
 }  // namespace vesica::filter
