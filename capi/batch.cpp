@@ -19,10 +19,10 @@ struct CShapes<float> {
 template <class T>
 using CShapesOf = typename CShapes<T>::Type;
 
-/// count elements `stride` bytes apart, within the address space.
+/// count elements of `stride` bytes each, within the address space. The stride of a single one is not looked at.
 bool addressable(int64_t count, ptrdiff_t stride) noexcept {
   ptrdiff_t extent;
-  return count <= 1 || !__builtin_mul_overflow(count - 1, stride, &extent);
+  return count <= 1 || !__builtin_mul_overflow(count, stride, &extent);
 }
 
 /// What is wrong with an array, but for its pointers: 0, VESICA_E_KIND or VESICA_E_ARGUMENT.
@@ -89,7 +89,9 @@ int64_t overlap_select(const CShapesOf<T>* one, const CShapesOf<T>* many, int64_
   const int32_t error = check_call(one, many, capacity > 0 ? out : static_cast<const void*>(one), anything(one, many));
   if (error != 0) return error;
   if (one->count != 1 || capacity < 0) return VESICA_E_ARGUMENT;
-  return result(vesica::batch::select<T>(vesica::kernels(), view<T>(*one), view<T>(*many), out, capacity));
+  const auto tally = vesica::batch::select<T>(vesica::kernels(), view<T>(*one), view<T>(*many), out, capacity);
+  if (tally.overlaps < capacity && out != nullptr) out[tally.overlaps] = -1;
+  return result(tally);
 }
 
 template <class T>

@@ -14,10 +14,18 @@ template <class T>
 struct Question {
   const KernelTable& kernels;
   std::int32_t kind_first, kind_second;
+  int fields_first, fields_second;
   const PairKernels<T>& pair;
 
   Question(const KernelTable& table, std::int32_t first, std::int32_t second) noexcept
-      : kernels(table), kind_first(first), kind_second(second), pair(table.of(T{})[first][second]) {}
+      : kernels(table),
+        kind_first(first),
+        kind_second(second),
+        fields_first(field_count(first)),
+        fields_second(field_count(second)),
+        pair(table.of(T{})[first][second]) {}
+
+  const PairKernels<double>& double_pair() const noexcept { return kernels.f64[kind_first][kind_second]; }
 };
 
 /// Exact answer for flat numbers that no filter decided.
@@ -29,6 +37,31 @@ std::int32_t decide_exactly(std::int32_t kind_a, const double* a, std::int32_t k
     });
   });
 }
+
+/// Elements asked again in double lanes at a time, and room for them.
+inline constexpr std::int32_t retry_chunk = 128;
+
+struct RetryBlock {
+  double first[max_fields][retry_chunk], second[max_fields][retry_chunk];
+  std::uint8_t answers[retry_chunk];
+  std::int32_t open[retry_chunk];
+  std::int32_t count;
+
+  explicit RetryBlock(std::int32_t n) noexcept : count(n) {}
+
+  BlockResult answer(BlockKernel<double> kernel) noexcept {
+    Block<double> block{};
+    for (int k = 0; k < max_fields; ++k) {
+      block.first[k] = first[k];
+      block.second[k] = second[k];
+    }
+    block.count = count;
+    block.out = answers;
+    block.undecided = open;
+    block.give_up = count;
+    return kernel(block);
+  }
+};
 
 template <class T>
 struct Answerer {
@@ -57,51 +90,84 @@ struct Answerer {
   /// One element by the exact stage.
   void resolve(const Block<T>& block, Repeat repeat, std::int32_t i) noexcept {
     double a[max_fields][1], b[max_fields][1];
-    gather(block.first, field_count(question.kind_first), repeat == Repeat::first, &i, 1, a);
-    gather(block.second, field_count(question.kind_second), repeat == Repeat::second, &i, 1, b);
+    gather(block.first, question.fields_first, repeat == Repeat::first, &i, 1, a);
+    gather(block.second, question.fields_second, repeat == Repeat::second, &i, 1, b);
     settle(decide_exactly(question.kind_first, a[0], question.kind_second, b[0]), block.out + i);
   }
 
   /// Elements that float lanes left open, a chunk at a time in double lanes; what those leave open, exactly.
   void retry_in_double(const Block<T>& block, Repeat repeat, std::int32_t undecided) noexcept {
-    constexpr std::int32_t chunk = 64;
-    const auto& pair = question.kernels.f64[question.kind_first][question.kind_second];
-    const int fields_a = field_count(question.kind_first), fields_b = field_count(question.kind_second);
-    double a[max_fields][chunk], b[max_fields][chunk];
-    std::uint8_t answers[chunk];
-    std::int32_t open[chunk];
-    Block<double> retry{};
-    for (int k = 0; k < max_fields; ++k) {
-      retry.first[k] = a[k];
-      retry.second[k] = b[k];
-    }
-    retry.out = answers;
-    retry.undecided = open;
-    for (std::int32_t begin = 0; begin < undecided; begin += chunk) {
+    for (std::int32_t begin = 0; begin < undecided; begin += retry_chunk) {
       const std::int32_t* index = block.undecided + begin;
-      retry.count = undecided - begin < chunk ? undecided - begin : chunk;
-      gather(block.first, fields_a, repeat == Repeat::first, index, retry.count, a);
-      gather(block.second, fields_b, repeat == Repeat::second, index, retry.count, b);
-      const BlockResult result = pair.general[static_cast<int>(Repeat::none)](retry);
+      const std::int32_t n = undecided - begin < retry_chunk ? undecided - begin : retry_chunk;
+      RetryBlock retry(n);
+      gather(block.first, question.fields_first, repeat == Repeat::first, index, n, retry.first);
+      gather(block.second, question.fields_second, repeat == Repeat::second, index, n, retry.second);
+      const BlockResult result = retry.answer(question.double_pair().general[static_cast<int>(Repeat::none)]);
       tally.overlaps += result.overlaps;
-      for (std::int32_t i = 0; i < retry.count; ++i) block.out[index[i]] = answers[i];
-      for (std::int32_t i = 0; i < result.undecided; ++i) resolve(block, repeat, index[open[i]]);
+      for (std::int32_t i = 0; i < n; ++i) block.out[index[i]] = retry.answers[i];
+      for (std::int32_t i = 0; i < result.undecided; ++i) resolve(block, repeat, index[retry.open[i]]);
     }
   }
 
-  /// Answers a block: the kernel for unit axes first, the general one where that left much open, then what remains.
-  void answer(const Block<T>& block, Repeat repeat) noexcept {
-    const int way = static_cast<int>(repeat);
-    BlockResult result = question.pair.unit[way](block);
-    if (question.pair.unit[way] != question.pair.general[way] && result.undecided > block.count / 4) {
-      result = question.pair.general[way](block);
+  /// All elements of a block in double lanes: for blocks of which float lanes left much open, as near contact.
+  void redo_in_double(const Block<T>& block, Repeat repeat) noexcept {
+    for (std::int32_t begin = 0; begin < block.count; begin += retry_chunk) {
+      const std::int32_t n = block.count - begin < retry_chunk ? block.count - begin : retry_chunk;
+      RetryBlock retry(n);
+      widen_stretch(block.first, question.fields_first, repeat == Repeat::first, begin, n, retry.first);
+      widen_stretch(block.second, question.fields_second, repeat == Repeat::second, begin, n, retry.second);
+      const BlockResult result = retry.answer(question.double_pair().general[static_cast<int>(repeat)]);
+      tally.overlaps += result.overlaps;
+      std::memcpy(block.out + begin, retry.answers, static_cast<std::size_t>(n));
+      for (std::int32_t i = 0; i < result.undecided; ++i) resolve(block, repeat, begin + retry.open[i]);
     }
-    tally.overlaps += result.overlaps;
+  }
+
+  void widen_stretch(const T* const* field, int fields, bool repeated, std::int32_t begin, std::int32_t n,
+                     double (&out)[max_fields][retry_chunk]) noexcept {
+    for (int k = 0; k < fields; ++k) {
+      question.kernels.widen_column(field[k] + (repeated ? 0 : begin), repeated ? 1 : n, out[k]);
+    }
+  }
+
+  /// Answers a block: the kernel for unit axes first; where that leaves much open, the general one if it can do better.
+  void answer(Block<T>& block, Repeat repeat) noexcept {
+    const int way = static_cast<int>(repeat);
+    const bool has_unit = question.pair.unit[way] != question.pair.general[way], is_float = sizeof(T) == sizeof(float);
+    const std::int32_t much = block.count / 4;
+    block.give_up = has_unit || is_float ? much : block.count;
+    BlockResult result = question.pair.unit[way](block);
+    if (has_unit && result.undecided > much) {
+      if (!is_float) block.give_up = block.count;
+      if (!is_float || general_decides(block, repeat)) result = question.pair.general[way](block);
+    }
     if constexpr (sizeof(T) == sizeof(float)) {
+      if (result.undecided > much) return redo_in_double(block, repeat);
+      tally.overlaps += result.overlaps;
       retry_in_double(block, repeat, result.undecided);
     } else {
+      tally.overlaps += result.overlaps;
       for (std::int32_t i = 0; i < result.undecided; ++i) resolve(block, repeat, block.undecided[i]);
     }
+  }
+
+  /// Whether the general kernel decides the first element that the one for unit axes left open: it does where an axis
+  /// is to blame, and does not near contact.
+  bool general_decides(const Block<T>& block, Repeat repeat) noexcept {
+    const std::int32_t i = block.undecided[0];
+    std::uint8_t answer;
+    std::int32_t open;
+    Block<T> one = block;
+    for (int k = 0; k < max_fields; ++k) {
+      if (repeat != Repeat::first && k < question.fields_first) one.first[k] += i;
+      if (repeat != Repeat::second && k < question.fields_second) one.second[k] += i;
+    }
+    one.count = 1;
+    one.give_up = 1;
+    one.out = &answer;
+    one.undecided = &open;
+    return question.pair.general[static_cast<int>(repeat)](one).undecided == 0;
   }
 };
 
@@ -141,7 +207,8 @@ Tally in_step(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b
     columns_first.set(first, begin, repeat == Repeat::first ? 1 : length);
     columns_second.set(second, begin, repeat == Repeat::second ? 1 : length);
     std::uint8_t* out = place(begin);
-    answerer.answer(make_block(columns_first, columns_second, length, out, undecided), repeat);
+    Block<T> block = make_block(columns_first, columns_second, length, out, undecided);
+    answerer.answer(block, repeat);
     done(begin, length, out);
   }
   return answerer.tally;
@@ -189,9 +256,9 @@ Tally matrix(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b,
     columns.set(b, begin, length);
     for (std::int64_t i = 0; i < a.count; ++i) {
       row.set(a, i, 1);
-      answerer.answer(make_block(in_order ? row : columns, in_order ? columns : row, length,
-                                 out + i * row_stride + begin, undecided),
-                      repeat);
+      Block<T> block = make_block(in_order ? row : columns, in_order ? columns : row, length,
+                                  out + i * row_stride + begin, undecided);
+      answerer.answer(block, repeat);
     }
   }
   return answerer.tally;

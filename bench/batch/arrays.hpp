@@ -28,6 +28,7 @@ using Memory = std::unique_ptr<T[], Free>;
 /// `count` numbers on a cache line of their own.
 template <class T>
 Memory<T> allocate(std::size_t count) {
+  if (count > PTRDIFF_MAX / sizeof(T) - cache_line) throw std::bad_array_new_length();
   const std::size_t bytes = (count * sizeof(T) + cache_line - 1) / cache_line * cache_line;
   Memory<T> memory(static_cast<T*>(std::aligned_alloc(cache_line, bytes)));
   if (!memory) throw std::bad_alloc();

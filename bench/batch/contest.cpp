@@ -42,8 +42,8 @@ std::vector<Times> contest(const std::function<void(std::uint64_t round)>& prepa
   std::vector<Times> times(count);
   const Clock::time_point start = Clock::now();
   const auto warming = static_cast<std::uint64_t>(budget.rounds / 8 + 1);
-  for (std::uint64_t round = 0; round < warming + static_cast<std::uint64_t>(budget.rounds) ||
-                                nanoseconds_since(start) < budget.seconds * 1e9;
+  for (std::uint64_t round = 0;
+       round < warming + static_cast<std::uint64_t>(budget.rounds) || nanoseconds_since(start) < budget.seconds * 1e9;
        ++round) {
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t entrant = (i + round) % count;

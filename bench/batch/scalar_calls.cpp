@@ -38,51 +38,23 @@ std::vector<ScalarCall> list_of() {
 }
 
 std::vector<ScalarCall> calls_f64() {
-  return list_of<vesica_overlap_point_point_f64,
-              vesica_overlap_point_segment_f64,
-              vesica_overlap_point_circle_f64,
-              vesica_overlap_point_aabb_f64,
-              vesica_overlap_point_rect_f64,
-              vesica_overlap_point_ellipse_f64,
-              vesica_overlap_segment_segment_f64,
-              vesica_overlap_segment_circle_f64,
-              vesica_overlap_segment_aabb_f64,
-              vesica_overlap_segment_rect_f64,
-              vesica_overlap_segment_ellipse_f64,
-              vesica_overlap_circle_circle_f64,
-              vesica_overlap_circle_aabb_f64,
-              vesica_overlap_circle_rect_f64,
-              vesica_overlap_circle_ellipse_f64,
-              vesica_overlap_aabb_aabb_f64,
-              vesica_overlap_aabb_rect_f64,
-              vesica_overlap_aabb_ellipse_f64,
-              vesica_overlap_rect_rect_f64,
-              vesica_overlap_rect_ellipse_f64,
-              vesica_overlap_ellipse_ellipse_f64>();
+  return list_of<vesica_overlap_point_point_f64, vesica_overlap_point_segment_f64, vesica_overlap_point_circle_f64,
+                 vesica_overlap_point_aabb_f64, vesica_overlap_point_rect_f64, vesica_overlap_point_ellipse_f64,
+                 vesica_overlap_segment_segment_f64, vesica_overlap_segment_circle_f64, vesica_overlap_segment_aabb_f64,
+                 vesica_overlap_segment_rect_f64, vesica_overlap_segment_ellipse_f64, vesica_overlap_circle_circle_f64,
+                 vesica_overlap_circle_aabb_f64, vesica_overlap_circle_rect_f64, vesica_overlap_circle_ellipse_f64,
+                 vesica_overlap_aabb_aabb_f64, vesica_overlap_aabb_rect_f64, vesica_overlap_aabb_ellipse_f64,
+                 vesica_overlap_rect_rect_f64, vesica_overlap_rect_ellipse_f64, vesica_overlap_ellipse_ellipse_f64>();
 }
 
 std::vector<ScalarCall> calls_f32() {
-  return list_of<vesica_overlap_point_point_f32,
-              vesica_overlap_point_segment_f32,
-              vesica_overlap_point_circle_f32,
-              vesica_overlap_point_aabb_f32,
-              vesica_overlap_point_rect_f32,
-              vesica_overlap_point_ellipse_f32,
-              vesica_overlap_segment_segment_f32,
-              vesica_overlap_segment_circle_f32,
-              vesica_overlap_segment_aabb_f32,
-              vesica_overlap_segment_rect_f32,
-              vesica_overlap_segment_ellipse_f32,
-              vesica_overlap_circle_circle_f32,
-              vesica_overlap_circle_aabb_f32,
-              vesica_overlap_circle_rect_f32,
-              vesica_overlap_circle_ellipse_f32,
-              vesica_overlap_aabb_aabb_f32,
-              vesica_overlap_aabb_rect_f32,
-              vesica_overlap_aabb_ellipse_f32,
-              vesica_overlap_rect_rect_f32,
-              vesica_overlap_rect_ellipse_f32,
-              vesica_overlap_ellipse_ellipse_f32>();
+  return list_of<vesica_overlap_point_point_f32, vesica_overlap_point_segment_f32, vesica_overlap_point_circle_f32,
+                 vesica_overlap_point_aabb_f32, vesica_overlap_point_rect_f32, vesica_overlap_point_ellipse_f32,
+                 vesica_overlap_segment_segment_f32, vesica_overlap_segment_circle_f32, vesica_overlap_segment_aabb_f32,
+                 vesica_overlap_segment_rect_f32, vesica_overlap_segment_ellipse_f32, vesica_overlap_circle_circle_f32,
+                 vesica_overlap_circle_aabb_f32, vesica_overlap_circle_rect_f32, vesica_overlap_circle_ellipse_f32,
+                 vesica_overlap_aabb_aabb_f32, vesica_overlap_aabb_rect_f32, vesica_overlap_aabb_ellipse_f32,
+                 vesica_overlap_rect_rect_f32, vesica_overlap_rect_ellipse_f32, vesica_overlap_ellipse_ellipse_f32>();
 }
 
 double measured(const Spec& spec) {

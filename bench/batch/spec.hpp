@@ -27,7 +27,7 @@ enum class Layout {
 const char* name_of(Layout layout);
 
 /// What a row should reach. A missed target is printed, never a failure: timings are no test.
-struct Target {
+struct BatchTarget {
   enum class Of { nothing, ratio, bandwidth, tests_a_second };
   Of of = Of::nothing;
   double at_least = 0;
@@ -43,7 +43,7 @@ struct Spec {
   std::string pair() const;
   /// pair/scalar/instruction set/layout/workload.
   std::string name() const;
-  Target target() const;
+  BatchTarget target() const;
 };
 
 /// Every row there is, in the order of the table.

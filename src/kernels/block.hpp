@@ -81,7 +81,7 @@ VESICA_INLINE std::int32_t* append(std::uint32_t open, std::int32_t i, std::int3
 template <class Filter, template <class> class A, template <class> class B, class T, Repeat repeat>
 [[gnu::noinline]] BlockResult answer_vectors(const Block<T>& block) noexcept {
   constexpr std::int32_t width = LanesOf<T>::width;
-  constexpr std::uint32_t all = (1u << width) - 1;
+  constexpr std::uint32_t lanes = (1u << width) - 1;
   const Operand<A, T, repeat == Repeat::first> first(block.first);
   const Operand<B, T, repeat == Repeat::second> second(block.second);
   const std::int32_t n = block.count;
@@ -92,17 +92,19 @@ template <class Filter, template <class> class A, template <class> class B, clas
     const auto verdict = Filter::filter(first.at(i), second.at(i));
     store_bytes(verdict.overlap, out + i);
     overlaps += count(verdict.overlap);
-    const std::uint32_t open = bits(either(verdict.overlap, verdict.disjoint)) ^ all;
-    if (open != 0) [[unlikely]]
-      list = append(open, i, list);
+    const auto decided = either(verdict.overlap, verdict.disjoint);
+    if (!all(decided)) [[unlikely]] {
+      list = append(~bits(decided) & lanes, i, list);
+      if (list - block.undecided > block.give_up) break;
+    }
   }
   return {overlaps, static_cast<std::int32_t>(list - block.undecided)};
 }
 
 /// Copies `rest` elements, fewer than a vector, so that nothing beyond the arrays is read; lanes without one repeat the first.
 template <template <class> class Shape, class T>
-[[gnu::noinline]] void copy_rest(const T* const* field, std::int32_t begin, std::int32_t rest, T (*copy)[LanesOf<T>::width],
-               const T** copied) noexcept {
+[[gnu::noinline]] void copy_rest(const T* const* field, std::int32_t begin, std::int32_t rest,
+                                 T (*copy)[LanesOf<T>::width], const T** copied) noexcept {
   for (int k = 0; k < ShapeTraits<Shape<T>>::fields; ++k) {
     for (int j = 0; j < LanesOf<T>::width; ++j) {
       std::memcpy(&copy[k][j], field[k] + begin + (j < rest ? j : 0), sizeof(T));
@@ -119,7 +121,7 @@ BlockResult answer_block(const Block<T>& block) noexcept {
   Block<T> part = block;
   part.count = whole;
   BlockResult result = answer_vectors<Filter, A, B, T, repeat>(part);
-  if (rest == 0) return result;
+  if (rest == 0 || result.undecided > block.give_up) return result;
 
   T copy_first[max_fields][width], copy_second[max_fields][width];
   std::uint8_t bytes[width];
@@ -181,10 +183,18 @@ constexpr void fill_pairs(ScalarKernels<T>& kernels) noexcept {
   fill<UnitAxes, Rect, Rect, T>(kernels[rect][rect].unit);
 }
 
+/// Floats as doubles, exactly.
+void widen_column(const float* from, std::int32_t n, double* to) noexcept {
+  std::int32_t i = 0;
+  for (; i + Doubles::width <= n; i += Doubles::width) Doubles::load(from + i).store(to + i);
+  for (; i < n; ++i) to[i] = load_unaligned(from + i);
+}
+
 /// Everything this instruction set offers, laid down at compile time.
 consteval KernelTable make_table(const char* name) noexcept {
   KernelTable table{};
   table.name = name;
+  table.widen_column = widen_column;
   fill_pairs<float>(table.f32);
   fill_pairs<double>(table.f64);
   return table;

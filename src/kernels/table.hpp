@@ -18,6 +18,7 @@ struct Block {
   std::int32_t count;
   std::uint8_t* out;        // count bytes: 1 where the filter is sure of overlap, else 0
   std::int32_t* undecided;  // room for count indices, ascending
+  std::int32_t give_up;     // more undecided than this, and the kernel stops: the caller then asks another way
 };
 
 struct BlockResult {
@@ -46,6 +47,7 @@ using ScalarKernels = PairKernels<T>[kind_count][kind_count];
 
 struct KernelTable {
   const char* name;
+  void (*widen_column)(const float* from, std::int32_t n, double* to) noexcept;
   ScalarKernels<float> f32;
   ScalarKernels<double> f64;
 

@@ -17,6 +17,7 @@ inline FloatMask both(FloatMask a, FloatMask b) { return {_mm256_and_ps(a.v, b.v
 inline FloatMask either(FloatMask a, FloatMask b) { return {_mm256_or_ps(a.v, b.v)}; }
 inline FloatMask and_not(FloatMask a, FloatMask b) { return {_mm256_andnot_ps(b.v, a.v)}; }
 inline std::uint32_t bits(FloatMask m) { return static_cast<std::uint32_t>(_mm256_movemask_ps(m.v)); }
+inline bool all(FloatMask m) { return bits(m) == 0xffu; }
 inline int count(FloatMask m) { return __builtin_popcount(bits(m)); }
 // One byte a lane, 1 or 0.
 inline void store_bytes(FloatMask m, std::uint8_t* out) {
@@ -58,6 +59,7 @@ inline DoubleMask both(DoubleMask a, DoubleMask b) { return {_mm256_and_pd(a.v, 
 inline DoubleMask either(DoubleMask a, DoubleMask b) { return {_mm256_or_pd(a.v, b.v)}; }
 inline DoubleMask and_not(DoubleMask a, DoubleMask b) { return {_mm256_andnot_pd(b.v, a.v)}; }
 inline std::uint32_t bits(DoubleMask m) { return static_cast<std::uint32_t>(_mm256_movemask_pd(m.v)); }
+inline bool all(DoubleMask m) { return bits(m) == 0xfu; }
 inline int count(DoubleMask m) { return __builtin_popcount(bits(m)); }
 inline void store_bytes(DoubleMask m, std::uint8_t* out) {
   const std::uint32_t bytes = _pdep_u32(bits(m), 0x01010101u);
@@ -72,6 +74,8 @@ struct Doubles {
   Doubles(__m256d x) : v(x) {}
   explicit Doubles(double x) : v(_mm256_set1_pd(x)) {}
   static Doubles load(const double* p) { return _mm256_loadu_pd(p); }
+  static Doubles load(const float* p) { return _mm256_cvtps_pd(_mm_loadu_ps(p)); }
+  void store(double* p) const { _mm256_storeu_pd(p, v); }
 };
 inline Doubles operator+(Doubles a, Doubles b) { return _mm256_add_pd(a.v, b.v); }
 inline Doubles operator-(Doubles a, Doubles b) { return _mm256_sub_pd(a.v, b.v); }

@@ -38,6 +38,8 @@ template <int W>
 std::uint32_t bits(Mask<W> m) {
   return m.bits;
 }
+inline bool all(Mask<16> m) { return _kortestc_mask16_u8(m.bits, m.bits) != 0; }
+inline bool all(Mask<8> m) { return _kortestc_mask8_u8(m.bits, m.bits) != 0; }
 template <int W>
 int count(Mask<W> m) {
   return __builtin_popcount(m.bits);
@@ -87,6 +89,8 @@ struct Doubles {
   Doubles(__m512d x) : v(x) {}
   explicit Doubles(double x) : v(_mm512_set1_pd(x)) {}
   static Doubles load(const double* p) { return _mm512_loadu_pd(p); }
+  static Doubles load(const float* p) { return _mm512_cvtps_pd(_mm256_loadu_ps(p)); }
+  void store(double* p) const { _mm512_storeu_pd(p, v); }
 };
 inline Doubles operator+(Doubles a, Doubles b) { return _mm512_add_pd(a.v, b.v); }
 inline Doubles operator-(Doubles a, Doubles b) { return _mm512_sub_pd(a.v, b.v); }

@@ -20,6 +20,7 @@ inline std::uint32_t bits(FloatMask m) {
   const uint32x4_t weights = {1, 2, 4, 8};
   return vaddvq_u32(vandq_u32(m.v, weights));
 }
+inline bool all(FloatMask m) { return bits(m) == 0xfu; }
 inline int count(FloatMask m) { return static_cast<int>(vaddvq_u32(vshrq_n_u32(m.v, 31))); }
 // One byte a lane, 1 or 0.
 inline void store_bytes(FloatMask m, std::uint8_t* out) {
@@ -67,6 +68,7 @@ inline DoubleMask and_not(DoubleMask a, DoubleMask b) { return {vbicq_u64(a.v, b
 inline std::uint32_t bits(DoubleMask m) {
   return static_cast<std::uint32_t>((vgetq_lane_u64(m.v, 0) & 1u) | (vgetq_lane_u64(m.v, 1) & 2u));
 }
+inline bool all(DoubleMask m) { return bits(m) == 3u; }
 inline int count(DoubleMask m) { return static_cast<int>(vaddvq_u64(vshrq_n_u64(m.v, 63))); }
 inline void store_bytes(DoubleMask m, std::uint8_t* out) {
   out[0] = static_cast<std::uint8_t>(vgetq_lane_u64(m.v, 0) & 1u);
@@ -81,6 +83,8 @@ struct Doubles {
   Doubles(float64x2_t x) : v(x) {}
   explicit Doubles(double x) : v(vdupq_n_f64(x)) {}
   static Doubles load(const double* p) { return vld1q_f64(p); }
+  static Doubles load(const float* p) { return vcvt_f64_f32(vld1_f32(p)); }
+  void store(double* p) const { vst1q_f64(p, v); }
 };
 inline Doubles operator+(Doubles a, Doubles b) { return vaddq_f64(a.v, b.v); }
 inline Doubles operator-(Doubles a, Doubles b) { return vsubq_f64(a.v, b.v); }

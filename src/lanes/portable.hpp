@@ -15,6 +15,7 @@ inline LaneMask both(LaneMask a, LaneMask b) { return {lane::both(a.v, b.v)}; }
 inline LaneMask either(LaneMask a, LaneMask b) { return {lane::either(a.v, b.v)}; }
 inline LaneMask and_not(LaneMask a, LaneMask b) { return {lane::and_not(a.v, b.v)}; }
 inline std::uint32_t bits(LaneMask m) { return m.v; }
+inline bool all(LaneMask m) { return m.v; }
 inline int count(LaneMask m) { return m.v; }
 inline void store_bytes(LaneMask m, std::uint8_t* out) { *out = m.v; }
 
@@ -25,11 +26,14 @@ struct One {
   T v;
   One() = default;
   explicit One(T x) : v(x) {}
-  static One load(const T* p) {
-    T x;
+  /// From T, or from float for lanes of double.
+  template <class From>
+  static One load(const From* p) {
+    From x;
     __builtin_memcpy(&x, p, sizeof x);
-    return One(x);
+    return One(T{x});
   }
+  void store(T* p) const { __builtin_memcpy(p, &v, sizeof v); }
   friend One operator+(One a, One b) { return One(a.v + b.v); }
   friend One operator-(One a, One b) { return One(a.v - b.v); }
   friend One operator*(One a, One b) { return One(a.v * b.v); }

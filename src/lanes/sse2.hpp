@@ -17,6 +17,7 @@ inline FloatMask both(FloatMask a, FloatMask b) { return {_mm_and_ps(a.v, b.v)};
 inline FloatMask either(FloatMask a, FloatMask b) { return {_mm_or_ps(a.v, b.v)}; }
 inline FloatMask and_not(FloatMask a, FloatMask b) { return {_mm_andnot_ps(b.v, a.v)}; }
 inline std::uint32_t bits(FloatMask m) { return static_cast<std::uint32_t>(_mm_movemask_ps(m.v)); }
+inline bool all(FloatMask m) { return bits(m) == 0xfu; }
 inline int count(FloatMask m) {  // no popcnt in the baseline; sixteen cases in one constant, four bits each
   return static_cast<int>(0x4332322132212110u >> (4 * bits(m)) & 7u);
 }
@@ -62,6 +63,7 @@ inline DoubleMask both(DoubleMask a, DoubleMask b) { return {_mm_and_pd(a.v, b.v
 inline DoubleMask either(DoubleMask a, DoubleMask b) { return {_mm_or_pd(a.v, b.v)}; }
 inline DoubleMask and_not(DoubleMask a, DoubleMask b) { return {_mm_andnot_pd(b.v, a.v)}; }
 inline std::uint32_t bits(DoubleMask m) { return static_cast<std::uint32_t>(_mm_movemask_pd(m.v)); }
+inline bool all(DoubleMask m) { return bits(m) == 3u; }
 inline int count(DoubleMask m) { return static_cast<int>((bits(m) & 1u) + (bits(m) >> 1)); }
 inline void store_bytes(DoubleMask m, std::uint8_t* out) {
   out[0] = static_cast<std::uint8_t>(bits(m) & 1u);
@@ -76,6 +78,10 @@ struct Doubles {
   Doubles(__m128d x) : v(x) {}
   explicit Doubles(double x) : v(_mm_set1_pd(x)) {}
   static Doubles load(const double* p) { return _mm_loadu_pd(p); }
+  static Doubles load(const float* p) {
+    return _mm_cvtps_pd(_mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(p))));
+  }
+  void store(double* p) const { _mm_storeu_pd(p, v); }
 };
 inline Doubles operator+(Doubles a, Doubles b) { return _mm_add_pd(a.v, b.v); }
 inline Doubles operator-(Doubles a, Doubles b) { return _mm_sub_pd(a.v, b.v); }

@@ -9,7 +9,7 @@ namespace vesica::unfiltered {
 /// Whether d1 + c1 t + c2 t^2 + d2 t^3 >= 0 for all t > 0, d1 and d2 positive: its value at the greater root of its
 /// derivative, in the form that adds like signs; one square root and one division.
 template <class V>
-auto stays_positive(V d1, V c1, V c2, V d2) noexcept {
+VESICA_INLINE auto stays_positive(V d1, V c1, V c2, V d2) noexcept {
   const V zero(0.0f), three_d2 = V(3.0f) * d2;
   const V sum = abs(c2) + rough_sqrt(max(c2 * c2 - three_d2 * c1, zero));
   const auto rising = c2 > zero;
@@ -18,7 +18,7 @@ auto stays_positive(V d1, V c1, V c2, V d2) noexcept {
 }
 
 template <class V>
-auto overlap(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
+VESICA_INLINE auto overlap(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
   const V dx = f.cx - e.cx, dy = f.cy - e.cy;
   const V c = e.ux * f.ux + e.uy * f.uy, s = e.ux * f.uy - e.uy * f.ux;
   const V a0 = e.a * e.a, a1 = e.b * e.b, b0 = f.a * f.a, b1 = f.b * f.b;
@@ -33,7 +33,7 @@ auto overlap(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
 
 /// With x = t / r^2, times r^2, the cubic is (r^2 + t)(P + t)(Q + t) - t (al + |D|^2 t).
 template <class V>
-auto overlap(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
+VESICA_INLINE auto overlap(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
   const V dx = e.cx - disc.cx, dy = e.cy - disc.cy;
   const V x0 = e.ux * dx + e.uy * dy, x1 = e.ux * dy - e.uy * dx;
   const V p = e.a * e.a, q = e.b * e.b, rr = disc.r * disc.r;

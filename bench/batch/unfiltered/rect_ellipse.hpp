@@ -11,7 +11,7 @@ namespace vesica::unfiltered {
 /// are disjoint iff both segments are missed. x and y keep the signs of kx and ky, which folding into one quadrant
 /// would have to move into p01.
 template <class V>
-auto overlap(const Rect<V>& rect, const Ellipse<V>& ellipse) noexcept {
+VESICA_INLINE auto overlap(const Rect<V>& rect, const Ellipse<V>& ellipse) noexcept {
   const V zero(0.0f);
   const V dx = ellipse.cx - rect.cx, dy = ellipse.cy - rect.cy;
   const V kx = rect.ux * dx + rect.uy * dy, ky = rect.ux * dy - rect.uy * dx;

@@ -9,7 +9,7 @@ namespace vesica::unfiltered {
 /// The centre difference comes first: projecting the centres and subtracting would lose the answer far from the
 /// origin. The two axes' |cosine| and |sine| serve all four tests.
 template <class V>
-auto overlap(const Rect<V>& a, const Rect<V>& b) noexcept {
+VESICA_INLINE auto overlap(const Rect<V>& a, const Rect<V>& b) noexcept {
   const V dx = b.cx - a.cx, dy = b.cy - a.cy;
   const V c = abs(a.ux * b.ux + a.uy * b.uy), s = abs(a.ux * b.uy - a.uy * b.ux);
   const auto along_a = both(abs(a.ux * dx + a.uy * dy) <= a.hx + b.hx * c + b.hy * s,

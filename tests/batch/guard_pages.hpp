@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Memory between two pages that may not be touched: an access one byte outside ends the program.
+#pragma once
+
+#include <cstddef>
+
+namespace batch_tests {
+
+/// Which guard page the bytes are to lie against.
+enum class Edge { before, after };
+
+class GuardedMemory {
+ public:
+  static constexpr std::size_t capacity = 64 * 1024;
+
+  GuardedMemory();
+  ~GuardedMemory();
+  GuardedMemory(const GuardedMemory&) = delete;
+  GuardedMemory& operator=(const GuardedMemory&) = delete;
+
+  /// `size` bytes, at most capacity, right behind the one guard page or right in front of the other. Their content is
+  /// whatever the last use left.
+  std::byte* place(std::size_t size, Edge edge);
+
+ private:
+  std::byte* mapping_;
+  std::size_t page_;
+};
+
+}  // namespace batch_tests

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// The header promises that a batch needs at most 256 KiB of stack. Measured on a thread whose stack was painted first,
+// with numbers so far apart in magnitude that the exact stage is deepest.
+#include <gtest/gtest.h>
+#include <pthread.h>
+#include <vesica.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "batch/c_face.hpp"
+#include "batch/data.hpp"
+
+namespace {
+
+using namespace batch_tests;
+
+constexpr std::size_t promised = 256 * 1024;
+constexpr std::size_t page = 4096;
+constexpr std::byte paint{0xA5};
+
+/// Bytes of stack that work(argument) used, with all that a thread needs for itself.
+std::size_t stack_used(void* (*work)(void*), void* argument) {
+  constexpr std::size_t size = 4 * promised;
+  std::vector<std::byte> memory(size + page, paint);
+  void* start = memory.data();
+  std::size_t space = memory.size();
+  auto* stack = static_cast<std::byte*>(std::align(page, size, start, space));
+  pthread_attr_t attributes;
+  pthread_attr_init(&attributes);
+  pthread_attr_setstack(&attributes, stack, size);
+  pthread_t thread;
+  if (pthread_create(&thread, &attributes, work, argument) != 0) throw std::runtime_error("no thread");
+  pthread_join(thread, nullptr);
+  pthread_attr_destroy(&attributes);
+  const auto* deepest = std::find_if(stack, stack + size, [](std::byte b) { return b != paint; });
+  return static_cast<std::size_t>(stack + size - deepest);
+}
+
+template <class T>
+struct Call {
+  typename CFace<T>::Shapes a, b, one;
+  std::vector<std::uint8_t> out;
+  std::vector<std::int64_t> indices;
+};
+
+template <class T>
+void* call_all(void* argument) {
+  auto& call = *static_cast<Call<T>*>(argument);
+  CFace<T>::many(&call.a, &call.b, call.out.data());
+  CFace<T>::matrix(&call.one, &call.b, call.out.data(), 0);
+  CFace<T>::select(&call.one, &call.b, call.indices.data(), static_cast<std::int64_t>(call.indices.size()));
+  return nullptr;
+}
+
+std::size_t deepest_yet = 0;
+
+template <class T>
+void expect_kept(int kind_a, int kind_b) {
+  const Pairs<T> pairs = pairs_of<T>(properties::Workload::mixed_scale, kind_a, kind_b, 600);
+  const auto count = static_cast<std::int64_t>(pairs.size());
+  Call<T> call{{}, {}, {}, std::vector<std::uint8_t>(pairs.size()), std::vector<std::int64_t>(pairs.size())};
+  CFace<T>::from_records(kind_a, count, pairs.a.data(), sizeof(Numbers<T>), &call.a);
+  CFace<T>::from_records(kind_b, count, pairs.b.data(), sizeof(Numbers<T>), &call.b);
+  CFace<T>::from_records(kind_a, 1, pairs.a.data(), 0, &call.one);
+  call_all<T>(&call);  // the dynamic linker's own work comes first
+  const std::size_t used = stack_used(call_all<T>, &call);
+  const std::size_t idle = stack_used([](void*) -> void* { return nullptr; }, nullptr);
+  EXPECT_GT(used, idle);
+  EXPECT_LE(used - idle, promised) << properties::kind_name(kind_a) << ", " << properties::kind_name(kind_b);
+  deepest_yet = std::max(deepest_yet, used - idle);
+}
+
+TEST(Stack, HoldsTheDeepestExactStage) {
+  for (int a = 0; a < 6; ++a) {
+    for (int b = a; b < 6; ++b) {
+      expect_kept<float>(a, b);
+      expect_kept<double>(a, b);
+    }
+  }
+  RecordProperty("deepest_bytes", static_cast<int>(deepest_yet));
+}
+
+}  // namespace

@@ -1,0 +1,97 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# The near-tie hash (tests/batch/near_tie_hash) beyond the default build: on a processor with other vectors (aarch64)
+# and one of the other byte order (s390x) under qemu, and natively without optimisation and by clang. Each must print
+# the hash that is written there. Installs the cross compilers and qemu where they are missing; builds under
+# build/cross-<name>. Exit status 0 when all agree.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+packages=(g++ cmake ninja-build g++-aarch64-linux-gnu g++-s390x-linux-gnu qemu-user)
+export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
+failures=0
+
+as_root() {
+  if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+need() {
+  local package missing=()
+  if ! command -v dpkg-query >/dev/null; then
+    echo "cross: not a Debian system; this takes for granted: $*" >&2
+    return
+  fi
+  for package in "$@"; do
+    dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -x installed >/dev/null || missing+=("$package")
+  done
+  [ ${#missing[@]} -gt 0 ] || return 0
+  as_root apt-get update
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"
+}
+
+failed() {
+  echo "cross: FAILED: $1" >&2
+  failures=$((failures + 1))
+}
+
+# build NAME CMAKE_ARGUMENT...
+build() {
+  local directory=$root/build/cross-$1 log=$root/build/cross-$1.log
+  mkdir -p "$root/build"
+  if ! { cmake -S "$root/tests/cross" -B "$directory" -G Ninja "${@:2}" &&
+    cmake --build "$directory"; } >"$log" 2>&1; then
+    tail -n 40 "$log" >&2
+    return 1
+  fi
+}
+
+# hash NAME ISA COMMAND...: COMMAND runs the program of a build, or is empty for this machine's own.
+hash() {
+  local status=0 output
+  output=$(VESICA_ISA=$2 "${@:3}" "$root/build/cross-$1/near_tie_hash") || status=$?
+  sed "s/^/$1: /" <<<"$output"
+  return $status
+}
+
+# symbols NAME [--unoptimised]
+symbols() {
+  local nm
+  nm=$(sed -n 's/^CMAKE_NM:FILEPATH=//p' "$root/build/cross-$1/CMakeCache.txt")
+  find "$root/build/cross-$1" -path '*/isa/*.o' -print0 | xargs -0 "$root/tests/batch/isa_symbols.sh" "${@:2}" "$nm"
+}
+
+# foreign NAME PROCESSOR ISA...: under qemu every named set must be there. Nothing else compiles neon, so warnings count.
+foreign() {
+  local isa
+  build "$1" -DVESICA_DEVELOPER=ON -DCMAKE_BUILD_TYPE=Release "-DCMAKE_TOOLCHAIN_FILE=$root/tests/cross/$2.cmake" || return 1
+  symbols "$1" || return 1
+  for isa in "${@:3}"; do hash "$1" "$isa" "qemu-$2" -L "/usr/$2-linux-gnu" || return 1; done
+}
+
+# native NAME BUILD_TYPE COMPILER_C COMPILER_CXX: a set that this processor lacks is passed over, and says so.
+native() {
+  local isa status unoptimised=()
+  [ "$2" != Debug ] || unoptimised=(--unoptimised)
+  build "$1" -DVESICA_DEVELOPER=OFF "-DCMAKE_BUILD_TYPE=$2" "-DCMAKE_C_COMPILER=$3" "-DCMAKE_CXX_COMPILER=$4" || return 1
+  symbols "$1" "${unoptimised[@]}" || return 1
+  for isa in portable sse2 avx2 avx512; do
+    status=0
+    hash "$1" "$isa" || status=$?
+    [ $status = 0 ] || [ $status = 77 ] || return 1
+  done
+}
+
+need "${packages[@]}"
+foreign aarch64 aarch64 portable neon || failed aarch64
+foreign s390x s390x portable || failed s390x
+if [ "$(uname -m)" = x86_64 ]; then
+  native gcc-debug Debug gcc g++ || failed gcc-debug
+  if command -v clang++ >/dev/null; then
+    native clang-release Release clang clang++ || failed clang-release
+    native clang-debug Debug clang clang++ || failed clang-debug
+  else
+    echo "cross: clang++ is not installed: its builds are skipped"
+  fi
+fi
+[ $failures = 0 ] || exit 1
+echo "cross: every hash agrees"

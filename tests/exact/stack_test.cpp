@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// vesica.h promises that a call uses at most 128 KiB of stack. Measured on a stack painted beforehand: where the paint
+// is gone, it was used. For every pair of kinds, at exponents that make the exact stage's numbers their widest.
+#include <gtest/gtest.h>
+#include <pthread.h>
+#include <vesica.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "properties/random.hpp"
+
+namespace {
+
+constexpr std::size_t promised = 128 * 1024;
+constexpr std::size_t stack_size = 1024 * 1024;
+constexpr unsigned char paint = 0xa5;
+
+/// A stack of our own, and how far below its caller's frame a call reached.
+class PaintedStack {
+ public:
+  std::size_t used_by(std::function<void()> call) {
+    std::fill(memory_.begin(), memory_.end(), paint);
+    call_ = std::move(call);
+    pthread_attr_t attributes;
+    pthread_t thread;
+    EXPECT_EQ(pthread_attr_init(&attributes), 0);
+    EXPECT_EQ(pthread_attr_setstack(&attributes, aligned(), stack_size), 0);
+    EXPECT_EQ(pthread_create(&thread, &attributes, run, this), 0);
+    EXPECT_EQ(pthread_join(thread, nullptr), 0);
+    pthread_attr_destroy(&attributes);
+    return static_cast<std::size_t>(caller_ -
+                                    std::find_if(aligned(), caller_, [](unsigned char c) { return c != paint; }));
+  }
+
+ private:
+  [[gnu::noinline]] static void* run(void* stack) {
+    auto* const self = static_cast<PaintedStack*>(stack);
+    self->caller_ = static_cast<unsigned char*>(__builtin_frame_address(0));
+    self->call_();
+    return nullptr;
+  }
+  unsigned char* aligned() {
+    const auto address = reinterpret_cast<std::uintptr_t>(memory_.data());
+    return memory_.data() + (alignment - address % alignment) % alignment;
+  }
+
+  static constexpr std::size_t alignment = 64 * 1024;
+  std::vector<unsigned char> memory_ = std::vector<unsigned char>(stack_size + alignment);
+  std::function<void()> call_;
+  unsigned char* caller_ = nullptr;
+};
+
+[[gnu::noinline]] void use(std::size_t bytes) {
+  auto* const memory = static_cast<volatile unsigned char*>(__builtin_alloca(bytes));
+  for (std::size_t i = 0; i < bytes; ++i) memory[i] = 1;
+}
+
+TEST(Stack, MeasureSeesWhatIsUsed) {
+  PaintedStack stack;
+  const std::size_t used = stack.used_by([] { use(100'000); });
+  EXPECT_GE(used, 100'000U);
+  EXPECT_LT(used, 101'000U);
+  // What a thread does on its way out reaches a few kilobytes deep: calls that use less all measure as that.
+  EXPECT_LT(stack.used_by([] { use(10); }), 16'384U);
+}
+
+/// Two shapes of any kinds, in vesica.h's order.
+struct Shapes {
+  int kind_a, kind_b;
+  double a[6], b[6];
+};
+
+/// Numbers at both ends of the range: differences and products have as many bits as they can.
+Shapes at_the_ends(int kind_a, int kind_b, properties::Random& random) {
+  constexpr double ends[] = {DBL_MAX, 0x1.5555555555555p1023, 0x1.fffffffffffffp-1022, 0x1p-1074,
+                             0x0.aaaaaaaaaaaaap-1022};
+  Shapes shapes{kind_a, kind_b, {}, {}};
+  const auto draw = [&](int kind, double* n) {
+    for (int i = 0; i < 6; ++i) n[i] = ends[random.below(5)] * random.sign();
+    for (int i = kind == VESICA_CIRCLE ? 2 : 4; i < 6; ++i) n[i] = n[i] < 0 ? -n[i] : n[i];
+    if (kind != VESICA_AABB) return;
+    if (n[0] > n[2]) std::swap(n[0], n[2]);
+    if (n[1] > n[3]) std::swap(n[1], n[3]);
+  };
+  draw(kind_a, shapes.a);
+  draw(kind_b, shapes.b);
+  return shapes;
+}
+
+/// Ellipses with one axis v and half length 1 along it, at -v and v: they touch at the origin, so that both products of
+/// the discriminant are needed in full. v spans the range, and so do the other half lengths.
+Shapes touching_ellipses() {
+  return {
+      VESICA_ELLIPSE,
+      VESICA_ELLIPSE,
+      {-0x1.5555555555555p1022, -0x1.2345678p-1050, 0x1.5555555555555p1022, 0x1.2345678p-1050, 1, 0x1.89abcdefp-1050},
+      {0x1.5555555555555p1022, 0x1.2345678p-1050, 0x1.5555555555555p1022, 0x1.2345678p-1050, 1,
+       0x1.fffffffffffffp1023}};
+}
+
+std::size_t used_by(PaintedStack& stack, const Shapes& s) {
+  std::int32_t answer = VESICA_E_NULL;
+  const std::size_t used = stack.used_by([&] { answer = vesica_overlap_f64(s.kind_a, s.a, s.kind_b, s.b); });
+  EXPECT_GE(answer, 0) << vesica_strerror(answer);
+  return used;
+}
+
+TEST(Stack, AtMostAsPromised) {
+  PaintedStack stack;
+  properties::Random random(properties::seed());
+  std::size_t most_of_all = 0;
+  for (int a = VESICA_POINT; a <= VESICA_ELLIPSE; ++a) {
+    for (int b = a; b <= VESICA_ELLIPSE; ++b) {
+      std::size_t most = 0;
+      for (int i = 0; i < 40 * properties::repeat(); ++i) {
+        most = std::max(most, used_by(stack, at_the_ends(a, b, random)));
+      }
+      if (a == VESICA_ELLIPSE) {
+        EXPECT_EQ(vesica_overlap_f64(a, touching_ellipses().a, b, touching_ellipses().b), 1);
+        most = std::max(most, used_by(stack, touching_ellipses()));
+        // Five numbers of degree 16 or more: else the exact stage was not reached, and there was nothing to measure.
+        EXPECT_GT(most, 30'000U);
+      }
+      EXPECT_LE(most, promised) << vesica_kind_name(a) << " " << vesica_kind_name(b);
+      std::printf("  %-8s %-8s %6zu bytes\n", vesica_kind_name(a), vesica_kind_name(b), most);
+      most_of_all = std::max(most_of_all, most);
+    }
+  }
+  RecordProperty("most_bytes_of_stack", std::to_string(most_of_all));
+}
+
+}  // namespace
