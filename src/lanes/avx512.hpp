@@ -38,18 +38,18 @@ template <int W>
 std::uint32_t bits(Mask<W> m) {
   return m.bits;
 }
-inline bool all(Mask<16> m) { return _kortestc_mask16_u8(m.bits, m.bits) != 0; }
-inline bool all(Mask<8> m) { return _kortestc_mask8_u8(m.bits, m.bits) != 0; }
+inline bool all(Mask<16> m) { return m.bits == 0xffffu; }
+inline bool all(Mask<8> m) { return m.bits == 0xffu; }
 template <int W>
 int count(Mask<W> m) {
   return __builtin_popcount(m.bits);
 }
 // One byte a lane, 1 or 0.
 inline void store_bytes(Mask<16> m, std::uint8_t* out) {
-  _mm_storeu_si128(reinterpret_cast<__m128i*>(out), _mm_maskz_set1_epi8(m.bits, 1));
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(out), _mm_maskz_mov_epi8(m.bits, _mm_set1_epi8(1)));
 }
 inline void store_bytes(Mask<8> m, std::uint8_t* out) {
-  _mm_storel_epi64(reinterpret_cast<__m128i*>(out), _mm_maskz_set1_epi8(m.bits, 1));
+  _mm_storel_epi64(reinterpret_cast<__m128i*>(out), _mm_maskz_mov_epi8(m.bits, _mm_set1_epi8(1)));
 }
 
 struct Floats {
