@@ -111,11 +111,19 @@ template <template <class> class Shape>
 constexpr const Shape<double>& widen(const Shape<double>& s) noexcept {
   return s;
 }
-constexpr Point<double> widen(const Point<float>& s) noexcept { return {s.x, s.y}; }
-constexpr Segment<double> widen(const Segment<float>& s) noexcept { return {s.x0, s.y0, s.x1, s.y1}; }
-constexpr Circle<double> widen(const Circle<float>& s) noexcept { return {s.cx, s.cy, s.r}; }
-constexpr Aabb<double> widen(const Aabb<float>& s) noexcept { return {s.min_x, s.min_y, s.max_x, s.max_y}; }
-constexpr Rect<double> widen(const Rect<float>& s) noexcept { return {s.cx, s.cy, s.ux, s.uy, s.hx, s.hy}; }
-constexpr Ellipse<double> widen(const Ellipse<float>& s) noexcept { return {s.cx, s.cy, s.ux, s.uy, s.a, s.b}; }
+constexpr Point<double> widen(const Point<float>& s) noexcept { return {double{s.x}, double{s.y}}; }
+constexpr Segment<double> widen(const Segment<float>& s) noexcept {
+  return {double{s.x0}, double{s.y0}, double{s.x1}, double{s.y1}};
+}
+constexpr Circle<double> widen(const Circle<float>& s) noexcept { return {double{s.cx}, double{s.cy}, double{s.r}}; }
+constexpr Aabb<double> widen(const Aabb<float>& s) noexcept {
+  return {double{s.min_x}, double{s.min_y}, double{s.max_x}, double{s.max_y}};
+}
+constexpr Rect<double> widen(const Rect<float>& s) noexcept {
+  return {double{s.cx}, double{s.cy}, double{s.ux}, double{s.uy}, double{s.hx}, double{s.hy}};
+}
+constexpr Ellipse<double> widen(const Ellipse<float>& s) noexcept {
+  return {double{s.cx}, double{s.cy}, double{s.ux}, double{s.uy}, double{s.a}, double{s.b}};
+}
 
 }  // namespace vesica

@@ -6,28 +6,10 @@
 # build/cross-<name>. Exit status 0 when all agree.
 set -euo pipefail
 
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+# shellcheck source=/dev/null
+. "$(dirname "${BASH_SOURCE[0]}")/../../run"  # root, need, CMAKE_BUILD_PARALLEL_LEVEL
 packages=(g++ cmake ninja-build g++-aarch64-linux-gnu g++-s390x-linux-gnu qemu-user)
-export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 failures=0
-
-as_root() {
-  if [ "$(id -u)" = 0 ]; then "$@"; else sudo "$@"; fi
-}
-
-need() {
-  local package missing=()
-  if ! command -v dpkg-query >/dev/null; then
-    echo "cross: not a Debian system; this takes for granted: $*" >&2
-    return
-  fi
-  for package in "$@"; do
-    dpkg-query -W -f='${db:Status-Status}\n' "$package" 2>/dev/null | grep -x installed >/dev/null || missing+=("$package")
-  done
-  [ ${#missing[@]} -gt 0 ] || return 0
-  as_root apt-get update
-  as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"
-}
 
 failed() {
   echo "cross: FAILED: $1" >&2
@@ -47,9 +29,9 @@ build() {
 
 # hash NAME ISA COMMAND...: COMMAND runs the program of a build, or is empty for this machine's own.
 hash() {
-  local status=0 output
+  local status=0 output line
   output=$(VESICA_ISA=$2 "${@:3}" "$root/build/cross-$1/near_tie_hash") || status=$?
-  sed "s/^/$1: /" <<<"$output"
+  while read -r line; do echo "$1: $line"; done <<<"$output"
   return $status
 }
 
