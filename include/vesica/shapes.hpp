@@ -107,23 +107,24 @@ struct ShapeTraits<Ellipse<T>> {
 };
 
 // A float is a double exactly, so scalar queries on float shapes are answered on these.
+constexpr double widen(float x) noexcept { return static_cast<double>(x); }
 template <template <class> class Shape>
 constexpr const Shape<double>& widen(const Shape<double>& s) noexcept {
   return s;
 }
-constexpr Point<double> widen(const Point<float>& s) noexcept { return {double{s.x}, double{s.y}}; }
+constexpr Point<double> widen(const Point<float>& s) noexcept { return {widen(s.x), widen(s.y)}; }
 constexpr Segment<double> widen(const Segment<float>& s) noexcept {
-  return {double{s.x0}, double{s.y0}, double{s.x1}, double{s.y1}};
+  return {widen(s.x0), widen(s.y0), widen(s.x1), widen(s.y1)};
 }
-constexpr Circle<double> widen(const Circle<float>& s) noexcept { return {double{s.cx}, double{s.cy}, double{s.r}}; }
+constexpr Circle<double> widen(const Circle<float>& s) noexcept { return {widen(s.cx), widen(s.cy), widen(s.r)}; }
 constexpr Aabb<double> widen(const Aabb<float>& s) noexcept {
-  return {double{s.min_x}, double{s.min_y}, double{s.max_x}, double{s.max_y}};
+  return {widen(s.min_x), widen(s.min_y), widen(s.max_x), widen(s.max_y)};
 }
 constexpr Rect<double> widen(const Rect<float>& s) noexcept {
-  return {double{s.cx}, double{s.cy}, double{s.ux}, double{s.uy}, double{s.hx}, double{s.hy}};
+  return {widen(s.cx), widen(s.cy), widen(s.ux), widen(s.uy), widen(s.hx), widen(s.hy)};
 }
 constexpr Ellipse<double> widen(const Ellipse<float>& s) noexcept {
-  return {double{s.cx}, double{s.cy}, double{s.ux}, double{s.uy}, double{s.a}, double{s.b}};
+  return {widen(s.cx), widen(s.cy), widen(s.ux), widen(s.uy), widen(s.a), widen(s.b)};
 }
 
 }  // namespace vesica
