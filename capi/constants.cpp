@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every constant of vesica.h as a function, and the names of things.
+// Every constant of vesica.h and vesica_methods.h as a function, and the names of things.
 #include "by_kind.hpp"
 #include "vesica.h"
+#include "vesica_methods.h"
 
 int32_t vesica_version(void) { return VESICA_VERSION; }
 int32_t vesica_version_major(void) { return VESICA_VERSION_MAJOR; }
@@ -24,6 +25,11 @@ int32_t vesica_e_negative_size(void) { return VESICA_E_NEGATIVE_SIZE; }
 int32_t vesica_e_zero_axis(void) { return VESICA_E_ZERO_AXIS; }
 int32_t vesica_e_inverted(void) { return VESICA_E_INVERTED; }
 int32_t vesica_e_range(void) { return VESICA_E_RANGE; }
+
+int32_t vesica_no(void) { return VESICA_NO; }
+int32_t vesica_yes(void) { return VESICA_YES; }
+int32_t vesica_uncertain(void) { return VESICA_UNCERTAIN; }
+int32_t vesica_most_sample_points(void) { return VESICA_MOST_SAMPLE_POINTS; }
 
 // The core's error codes are the C face's.
 static_assert(vesica::error_null == VESICA_E_NULL && vesica::error_shape == VESICA_E_SHAPE);

@@ -19,6 +19,9 @@ using Times = std::vector<double>;
 struct Budget {
   double seconds = 0.2;
   int rounds = 9;
+  /// Passes of milliseconds, which a busy machine interrupts: timed by the processor time of the thread, whose clock is
+  /// too slow to read for shorter ones.
+  bool long_passes = false;
 };
 
 /// In every round each entrant makes one pass, right after prepare(round), which must lay out the same data whenever

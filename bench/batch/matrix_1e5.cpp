@@ -52,7 +52,7 @@ Result run_matrix_1e5(const Spec& spec) {
     fill(a, pool.a, stretch_of_round(round, pool.a.capacity(), 1).a);
     hot.draw(pool, round, rows_in_cache, batch_length<T>);
   };
-  const auto times = contest(draw, {in_slices, in_cache}, {.seconds = 0.5, .rounds = 15});
+  const auto times = contest(draw, {in_slices, in_cache}, {.seconds = 0.5, .rounds = 15, .long_passes = true});
 
   constexpr double tests = rows_of_slice * columns_of_matrix;
   Result result = summary(times[0], tests);

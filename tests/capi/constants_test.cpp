@@ -2,9 +2,11 @@
 // Each constant is also a function, and no number of this file may ever change: they are the ABI.
 #include <gtest/gtest.h>
 #include <vesica.h>
+#include <vesica_methods.h>
 
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <set>
 #include <string>
@@ -47,6 +49,30 @@ TEST(CapiConstants, StructSizes) {
   EXPECT_EQ(sizeof(vesica_aabb_f32), 16u);
   EXPECT_EQ(sizeof(vesica_rect_f32), 24u);
   EXPECT_EQ(sizeof(vesica_ellipse_f32), 24u);
+}
+
+// Holds pointers and a ptrdiff_t: these are the numbers of 64-bit machines.
+template <class Shapes>
+void expect_layout_of_shapes() {
+  EXPECT_EQ(offsetof(Shapes, kind), 0u);
+  EXPECT_EQ(offsetof(Shapes, reserved), 4u);
+  EXPECT_EQ(offsetof(Shapes, count), 8u);
+  EXPECT_EQ(offsetof(Shapes, stride), 16u);
+  EXPECT_EQ(offsetof(Shapes, field), 24u);
+}
+
+TEST(CapiConstants, LayoutOfShapes) {
+  EXPECT_EQ(sizeof(vesica_shapes_f64), 72u);
+  EXPECT_EQ(sizeof(vesica_shapes_f32), 72u);
+  expect_layout_of_shapes<vesica_shapes_f64>();
+  expect_layout_of_shapes<vesica_shapes_f32>();
+}
+
+TEST(CapiConstants, LayoutOfMethods) {
+  EXPECT_EQ(sizeof(vesica_metric_closest_f64), 24u);
+  EXPECT_EQ(sizeof(vesica_metric_closest_f32), 12u);
+  EXPECT_EQ(sizeof(vesica_turned_rect_f64), 40u);
+  EXPECT_EQ(sizeof(vesica_turned_rect_f32), 20u);
 }
 
 struct Constant {

@@ -22,8 +22,9 @@ struct ContactCubic {
 /// h = d1 + total1 t + total2 t^2 + d2 t^3,
 ///   disjoint: p(t) < 0 at any t > 0 proves it. Coefficients err by 14u h, Horner's rule by 6u h: 20u h in all.
 ///   overlap: the lower estimate at t is 16u h and 6u h below the computed value; d1 and d2 err by 11u h. An error of t
-///     enters squared: even where the quadratic's root is nearly double, t errs by less than 3 sqrt(u) t, and p by less
-///     than u^1.5 h. A rough root and quotient, 2^-13 each of t, cost 2u h. 35u h in all.
+///     enters squared: even where the quadratic's root is nearly double, t errs by less than 4 sqrt(u) t, and p by less
+///     than 110 u^1.5 h. A rough root and quotient, each off by e, cost 3 e^2 h: less than u h for float's 2^-13, 6u h
+///     for double's 2^-26. 39u h in all.
 /// 40u h serves both.
 template <class V>
 VESICA_INLINE Estimate<V> least_value(const ContactCubic<V>& p) noexcept {
@@ -108,8 +109,8 @@ VESICA_INLINE ContactCubic<V> contact_cubic(const Circle<V>& disc, const Ellipse
   return {rr * pq, c1 - al, c2 - dd, V(1.0f), (c1 + al) + (aa + bb) * across, c2 + dd};
 }
 
-/// Guard: r^2, a^2, b^2 at least 2^-17 and the squared axis 2^-17 (double: the 8th powers), so that r^2 P Q stays
-/// normal.
+/// Guard: radius and half lengths at least 2^-8 and the squared axis 2^-16 (double: the 8th powers), so that
+/// r^2 P Q >= 2^-80 stays normal.
 template <class V>
 VESICA_INLINE auto circle_ellipse(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy;

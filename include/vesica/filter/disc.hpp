@@ -55,7 +55,7 @@ VESICA_INLINE Estimate<V> disc_beyond_box(const Box<V>& b, const Centre<V>& d, V
   return {(x * x + y * y) - reached, (e + e) * ((x + y) + e) + (roundoffs<V>(8) * reached + guard_power<V, -60>())};
 }
 
-/// Axes between 2^-10 and 2^10 (double: 2^-80 and 2^80) long. What underflows then errs by less than 2^-140 in k,
+/// Axes between 2^-10 and 2^10 (double: 2^-80 and 2^80) long. What underflows then errs by less than 2^-139 in k,
 /// that is by a hair of e or by less than 2^-90 in x, and by less than 2^-128 in r^2 U: beneath the 2^-60 above.
 template <class V>
 VESICA_INLINE auto disc_box(const Box<V>& b, const Centre<V>& d, V radius) noexcept {

@@ -28,55 +28,61 @@ struct MetricClosest {
 
 namespace detail {
 
-/// A point s along and t across the rectangle's axis, and where it lies in the plane of a Metric.
-template <class T>
-struct Candidate {
-  T s, t;
-  Vector<T> at;
-};
-
 template <class T>
 T clamp(T x, T h) noexcept {
   return x < -h ? -h : x > h ? h : x;
 }
 
-/// The better of what `nearest(middle, direction, half length)` finds on the one or two edges on the sides sx and sy.
+/// The better of what `nearest(middle, direction, half length)` finds on the edges that the sides sx and sy name. It
+/// gives the place along the edge as t; s and t then are those of the rectangle's frame.
 template <class T, class Nearest, class Better>
-Candidate<T> best_on_visible_edges(const Metric<T>& m, int sx, int sy, Nearest nearest, Better better) noexcept {
-  Candidate<T> side_edge{}, long_edge{};
-  if (sx != 0) {
-    side_edge = nearest(vertex(m, sx, 0), m.f1, m.hy);
-    side_edge = {static_cast<T>(sx) * m.hx, side_edge.t, side_edge.at};
-  }
-  if (sy != 0) {
-    long_edge = nearest(vertex(m, 0, sy), m.f0, m.hx);
-    long_edge = {long_edge.t, static_cast<T>(sy) * m.hy, long_edge.at};
-  }
-  return sy == 0 || (sx != 0 && better(side_edge.at, long_edge.at)) ? side_edge : long_edge;
+auto best_on_visible_edges(const Metric<T>& m, int sx, int sy, Nearest nearest, Better better) noexcept {
+  auto side_edge = nearest(vertex(m, sx, 0), m.f1, m.hy), long_edge = nearest(vertex(m, 0, sy), m.f0, m.hx);
+  side_edge.s = static_cast<T>(sx) * m.hx;
+  long_edge.s = long_edge.t;
+  long_edge.t = static_cast<T>(sy) * m.hy;
+  return sy == 0 || (sx != 0 && better(side_edge, long_edge)) ? side_edge : long_edge;
 }
 
-/// The point p + t f nearest to the origin, |t| <= h. The foot is perp(f) times (f x p) / f.f: across f it keeps the
-/// digits that p + t f would lose.
+/// A point s along and t across the rectangle's axis, at a squared distance square / per from the disc's centre.
 template <class T>
-Candidate<T> nearest_to_origin(const Vector<T>& p, const Vector<T>& f, T h) noexcept {
-  const T ff = dot(f, f), foot = -dot(f, p) / ff, t = clamp(foot, h);
-  if (t != foot) return {0, t, along(p, t, f)};
-  const T across = cross(f, p) / ff;
-  return {0, t, {-across * f.y, across * f.x}};
+struct Foot {
+  T s, t, square, per;
+};
+
+/// The point p + t f nearest to the origin, |t| <= h.
+template <class T>
+Foot<T> nearest_to_origin(const Vector<T>& p, const Vector<T>& f, T h) noexcept {
+  const T ff = dot(f, f), foot = -dot(f, p) / ff, t = clamp(foot, h), distance = cross(f, p);
+  if (t == foot) return {0, t, distance * distance, ff};
+  const Vector<T> end = along(p, t, f);
+  return {0, t, dot(end, end), 1};
 }
 
 template <class T>
-Candidate<T> nearest_of_disc(const Metric<T>& m, int sx, int sy, T& level) noexcept {
-  const auto nearer = [](const Vector<T>& p, const Vector<T>& q) { return dot(p, p) <= dot(q, q); };
-  const Candidate<T> best = best_on_visible_edges(m, sx, sy, nearest_to_origin<T>, nearer);
-  const T d = std::sqrt(dot(best.at, best.at));
-  level = d == 0 ? T{-1} : (d - m.r) / m.r * ((d + m.r) / m.r);
+Foot<T> nearest_of_disc(const Metric<T>& m, int sx, int sy, T& level) noexcept {
+  const auto nearer = [](const Foot<T>& p, const Foot<T>& q) { return p.square / p.per <= q.square / q.per; };
+  const Foot<T> best = best_on_visible_edges(m, sx, sy, nearest_to_origin<T>, nearer);
+  if (m.usable) {
+    const T outline = m.r * m.r * best.per;
+    level = (best.square - outline) / outline;
+  } else {
+    const T d = best.square == 0 ? T{0} : std::sqrt(best.square / best.per) / m.r;
+    level = (d - 1) * (d + 1);
+  }
   return best;
 }
 
+/// A point s along and t across the rectangle's axis, and where it lies from the ellipse's centre, its longer axis on x.
+template <class T>
+struct Place {
+  T s, t;
+  Vector<T> at;
+};
+
 /// The point p + t f of least |y|, and of least |x| where that leaves a choice.
 template <class T>
-Candidate<T> nearest_to_x_axis(const Vector<T>& p, const Vector<T>& f, T h) noexcept {
+Place<T> nearest_to_x_axis(const Vector<T>& p, const Vector<T>& f, T h) noexcept {
   const T wanted = f.y != 0 ? -p.y / f.y : -p.x / f.x, t = clamp(wanted, h);
   Vector<T> at = along(p, t, f);
   if (f.y != 0 && t == wanted) at.y = 0;
@@ -91,7 +97,7 @@ T ratio(T x, T length) noexcept {
 /// Of a segment, and of an ellipse so thin that it may as well be one: distance to the longer axis decides before
 /// distance along it, the limit of ever thinner ellipses. What is beside a segment's line has an infinite level.
 template <class T>
-Candidate<T> nearest_of_needle(const RescaledPair<T>& p, int sx, int sy, T& level) noexcept {
+Place<T> nearest_of_needle(const RescaledPair<T>& p, int sx, int sy, T& level) noexcept {
   Metric<T> m = metric(p, Stretch<T>{1, 1, 1});
   T longer = p.g0, shorter = p.g1;
   if (longer < shorter) {
@@ -101,11 +107,11 @@ Candidate<T> nearest_of_needle(const RescaledPair<T>& p, int sx, int sy, T& leve
     longer = p.g1;
     shorter = p.g0;
   }
-  const auto nearer = [](const Vector<T>& q, const Vector<T>& r) {
-    const T qy = std::fabs(q.y), ry = std::fabs(r.y);
-    return qy < ry || (qy == ry && std::fabs(q.x) <= std::fabs(r.x));
+  const auto nearer = [](const Place<T>& p0, const Place<T>& p1) {
+    const T y0 = std::fabs(p0.at.y), y1 = std::fabs(p1.at.y);
+    return y0 < y1 || (y0 == y1 && std::fabs(p0.at.x) <= std::fabs(p1.at.x));
   };
-  const Candidate<T> best = best_on_visible_edges(m, sx, sy, nearest_to_x_axis<T>, nearer);
+  const Place<T> best = best_on_visible_edges(m, sx, sy, nearest_to_x_axis<T>, nearer);
   const T ww = p.wx * p.wx + p.wy * p.wy;
   const T x = ratio(best.at.x, longer * ww), y = ratio(best.at.y, shorter * ww);
   level = (x - 1) * (x + 1) + y * y;
@@ -151,10 +157,12 @@ std::int32_t point_parallelogram_distance(const Rect<T>& rect, const Ellipse<T>&
   Point<T> p{ellipse.cx, ellipse.cy};
   T level = -1;
   if (sx != 0 || sy != 0) {
-    const auto best = detail::is_needle(by) ? detail::nearest_of_needle(pair, sx, sy, level)
-                                            : detail::nearest_of_disc(m, sx, sy, level);
-    p = detail::point_of(rect, detail::stored(best.s, pair.exponent, rect.hx),
-                         detail::stored(best.t, pair.exponent, rect.hy));
+    const auto at = [&](const auto& best) {
+      return detail::point_of(rect, detail::stored(best.s, pair.exponent, rect.hx),
+                              detail::stored(best.t, pair.exponent, rect.hy));
+    };
+    p = detail::is_needle(by) ? at(detail::nearest_of_needle(pair, sx, sy, level))
+                              : at(detail::nearest_of_disc(m, sx, sy, level));
     if (check(p) != 0) return error_range;
   }
   if (!m.usable) level = detail::agreeing(level, overlap_or_error(rect, ellipse));

@@ -5,8 +5,8 @@
 /// proves that they overlap. Source: "Rectangle intersection at 60fps" (blitcurve).
 /// Wrong in print: that one rectangle's samples make the answer exact once its width w > l / (k + 1). They do not, for any
 /// k: the other's corner may stand between them (a quarter of such overlaps is missed one way round).
-/// Differs: both ways round are tried, which missed none of 4 million random overlaps whose widths both keep that
-/// condition; but this is measured, not proved, so no point inside is `uncertain`, never a no. A point counts as inside
+/// Differs: both ways round are tried. That missed none of 4 million random overlaps whose widths both keep the condition,
+/// contacts apart; but it is measured, not proved, so no point inside is `uncertain`, never a no. A point counts as inside
 /// only by more than the rounding of its place, so a `yes` is true of the stored numbers. Touching is uncertain.
 /// Cost: 2 (4 + k) points at worst, about 1 ns each. Never errs. Bound: with k >= 1, uncertain means that of neither
 /// rectangle's middle line (the longer one, of length l) a stretch of l / (k + 1) lies in the other rectangle made smaller

@@ -1,0 +1,198 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Describes the C face for other languages, from the headers alone:
+capi/vesica.json (everything, comments included) and capi/vesica.cdef (declarations for cffi and LuaJIT).
+
+describe.py          writes both
+describe.py --check  exits with 1 where a file is not what the headers say
+
+The headers are read strictly: what is not one of the few forms they use is an error, so that nothing is left out.
+"""
+import difflib
+import json
+import pathlib
+import re
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+HEADERS = ("vesica.h", "vesica_methods.h")
+# Bytes of each type a struct may hold, each aligned to its size; those of 64-bit machines.
+POINTER_SIZE = 8
+SIZES = {"uint8_t": 1, "int32_t": 4, "float": 4, "int64_t": 8, "double": 8, "ptrdiff_t": 8}
+# Macros without a value that are not constants: the include guards, and what marks an exported function.
+NOT_CONSTANTS = {"VESICA_H", "VESICA_METHODS_H", "VESICA_API"}
+
+CONSTANT = re.compile(r"#define (?P<name>[A-Z]\w*) +\(?(?P<value>-?\d+)\)?(?: */\*\*<(?P<comment>.*?)\*/)?\n", re.S)
+STRUCT = re.compile(r"typedef struct \{(?P<body>[^{}]*)\} (?P<name>\w+);")
+FUNCTION = re.compile(r"VESICA_API (?P<returns>[\w ]+?)(?P<stars>[ *]*)\b(?P<name>\w+)\((?P<parameters>[^()]*)\);")
+DECLARATION = re.compile(r"(?P<base>(?:const )?\w+) (?P<stars>\**)(?P<name>\w+)(?:\[(?P<count>\d+)\])?")
+
+
+class HeaderError(Exception):
+    pass
+
+
+def words(comment):
+    """The text of a comment: paragraphs and line breaks stay, the frame of stars goes."""
+    lines = [re.sub(r"^\s*\* ?", "", line).rstrip() for line in (comment or "").split("\n")]
+    return "\n".join(lines).strip()
+
+
+def declaration(text):
+    """{name, type, count?} of a field or a parameter; count is that of an array."""
+    match = DECLARATION.fullmatch(" ".join(text.split()))
+    if match is None:
+        raise HeaderError(f"not a plain declaration: {text!r}")
+    entry = {"name": match["name"], "type": match["base"] + (" " + match["stars"] if match["stars"] else "")}
+    if match["count"]:
+        entry["count"] = int(match["count"])
+    return entry
+
+
+def fields(body):
+    """Fields of a struct, with their places by natural alignment, and the struct's size and alignment."""
+    result, end, largest = [], 0, 1
+    for line in filter(None, (part.strip() for part in body.split(";"))):
+        first, *others = line.split(",")
+        base = first.rsplit(" ", 1)[0]
+        for text in [first] + [base + other for other in others]:
+            field = declaration(text)
+            size = POINTER_SIZE if "*" in field["type"] else SIZES.get(field["type"])
+            if size is None:
+                raise HeaderError(f"a field of a type whose size is not known: {text!r}")
+            field["offset"] = -(-end // size) * size
+            end = field["offset"] + size * field.get("count", 1)
+            largest = max(largest, size)
+            result.append(field)
+    return {"size": -(-end // largest) * largest, "alignment": largest, "fields": result}
+
+
+def struct(match, comment, header):
+    if not comment:
+        raise HeaderError(f"{match['name']} has no comment")
+    return {"name": match["name"], "header": header, "comment": comment, **fields(match["body"])}
+
+
+def function(match, comment, header):
+    since = re.search(r"\bSince (\d+\.\d+)\.$", comment)
+    if since is None:
+        raise HeaderError(f"the comment of {match['name']} does not end with the version it is there since")
+    text = match["parameters"]
+    return {"name": match["name"], "header": header, "since": since[1],
+            "returns": (match["returns"] + " " + match["stars"].replace(" ", "")).strip(),
+            "parameters": [] if text == "void" else [declaration(part) for part in text.split(",")],
+            "comment": comment}
+
+
+def constant(match, comment, header):
+    return {"name": match["name"], "header": header, "value": int(match["value"]), "function": match["name"].lower(),
+            "comment": words(match["comment"]) or comment}
+
+
+def constants_and_rest(text):
+    """What the preprocessor would take away: constants are kept, other directives and what is for C++ or C11 go."""
+    text = text.replace("\\\n", " ")
+    text = re.sub(r"#(?:ifdef __cplusplus|if !defined\(__cplusplus\) &&[^\n]*)\n.*?#endif\n", "", text, flags=re.S)
+    lines = []
+    for line in text.split("\n"):
+        macro = re.match(r"#define (\w+)(\(?)", line)
+        if macro and not macro[2] and macro[1] not in NOT_CONSTANTS:
+            lines.append(line)
+        elif not line.startswith("#"):
+            lines.append(line)
+    return "\n".join(lines) + "\n"
+
+
+def read(path):
+    """All constants, structs and functions of a header, in its order."""
+    found = {"constants": [], "structs": [], "functions": []}
+    forms = ((CONSTANT, constant, "constants"), (STRUCT, struct, "structs"), (FUNCTION, function, "functions"))
+    text = constants_and_rest(path.read_text(encoding="utf-8"))
+    at, comment = 0, ""
+    while at < len(text):
+        if text[at].isspace():
+            at += 1
+        elif text.startswith("/*", at):
+            end = text.index("*/", at)
+            comment = words(text[at + 3:end]) if text.startswith("/**", at) else ""
+            at = end + 2
+        else:
+            for form, build, where in forms:
+                match = form.match(text, at)
+                if match:
+                    break
+            else:
+                line = text[at:].split("\n", 1)[0]
+                raise HeaderError(f"{path.name}: neither a constant, a struct nor a function: {line!r}")
+            found[where].append(build(match, comment, path.name))
+            at, comment = match.end(), ""
+    return found
+
+
+def describe(directory=HERE):
+    """The description of all headers as one dictionary; its form is that of vesica.json."""
+    found = {"constants": [], "structs": [], "functions": []}
+    for header in HEADERS:
+        for kind, entries in read(directory / header).items():
+            found[kind] += entries
+    values = {entry["name"]: entry["value"] for entry in found["constants"]}
+    version = [values["VESICA_VERSION_" + part] for part in ("MAJOR", "MINOR", "PATCH")]
+    return {"library": f"libvesica.so.{version[0]}", "version": ".".join(map(str, version)),
+            "pointer_size": POINTER_SIZE, **found}
+
+
+def declared(entry):
+    gap = "" if entry["type"].endswith("*") else " "
+    return entry["type"] + gap + entry["name"] + (f"[{entry['count']}]" if "count" in entry else "")
+
+
+def cdef(description):
+    """Declarations without a macro: structs, one enum of all constants, prototypes."""
+    lines = ["/* SPDX-License-Identifier: Apache-2.0 */",
+             f"/* Vesica {description['version']} for cffi and LuaJIT. Written by capi/describe.py;",
+             f" * what each means is said in {' and '.join(HEADERS)}. */", "", "enum {"]
+    lines += [f"    {entry['name']} = {entry['value']}," for entry in description["constants"]]
+    lines += ["};", ""]
+    for entry in description["structs"]:
+        lines += ["typedef struct {", *(f"    {declared(field)};" for field in entry["fields"]),
+                  f"}} {entry['name']};", ""]
+    for entry in description["functions"]:
+        gap = "" if entry["returns"].endswith("*") else " "
+        parameters = ", ".join(map(declared, entry["parameters"])) or "void"
+        lines.append(f"{entry['returns']}{gap}{entry['name']}({parameters});")
+    return "\n".join(lines) + "\n"
+
+
+def texts():
+    description = describe()
+    return {HERE / "vesica.json": json.dumps(description, indent=1, ensure_ascii=False) + "\n",
+            HERE / "vesica.cdef": cdef(description)}
+
+
+def check():
+    fresh = True
+    for path, text in texts().items():
+        old = path.read_text(encoding="utf-8") if path.exists() else ""
+        if old != text:
+            fresh = False
+            difference = difflib.unified_diff(old.split("\n"), text.split("\n"), path.name, "headers", n=1, lineterm="")
+            print("\n".join(list(difference)[:40]))
+    if not fresh:
+        print("describe: not what the headers say; to write it anew: capi/refresh.sh")
+    return fresh
+
+
+def main(arguments):
+    if arguments not in ([], ["--check"]):
+        sys.exit(__doc__)
+    try:
+        if arguments:
+            sys.exit(0 if check() else 1)
+        for path, text in texts().items():
+            path.write_text(text, encoding="utf-8")
+    except HeaderError as error:
+        sys.exit(f"describe: {error}")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

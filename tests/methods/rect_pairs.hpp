@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Pairs for the methods on a rectangle with an ellipse or another rectangle, and counts of what a method answers.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "properties/generators.hpp"
+
+namespace rect_pairs {
+
+using properties::Pair;
+using properties::Random;
+using properties::Scalar;
+
+/// A method as a function of the pair's flat numbers.
+using Method = std::function<std::int32_t(const Pair&)>;
+
+/// What the exact default answers.
+std::int32_t truth(Scalar scalar, const Pair& pair);
+
+/// A random pair, the second shape moved along the line of centres until they touch, then apart or together by
+/// `relative_gap` of the distance.
+Pair near_tangent(int kind_a, int kind_b, Scalar scalar, double relative_gap, Random& random);
+
+/// Whether the pair's answer changes between sizes times 1 - gap and 1 + gap: a method may err here, nowhere else.
+bool within_gap(const Pair& pair, double gap);
+
+/// The gap from which on a method's rounding must not matter: 1e-9, and for floats as many roundings.
+double decided_gap(Scalar scalar);
+
+struct Counts {
+  std::int64_t cases = 0, overlapping = 0, wrong = 0, uncertain = 0, wrong_beyond_gap = 0;
+  std::string first_wrong;  ///< the first one beyond the gap, to be pasted into a test
+};
+
+/// Runs the method on every pair.
+Counts count(const Method& method, Scalar scalar, std::int64_t cases, const std::function<Pair()>& next);
+
+/// Cases of one workload, times VESICA_REPEAT.
+Counts count(const Method& method, properties::Workload workload, int kind_a, int kind_b, Scalar scalar, int cases);
+
+/// Near-tangent cases, times VESICA_REPEAT.
+Counts count_near_tangent(const Method& method, double relative_gap, int kind_a, int kind_b, Scalar scalar, int cases);
+
+/// One line on the test's output: method, workload, cases, wrong, uncertain, missed overlaps.
+void print(const std::string& method, Scalar scalar, const std::string& workload, const Counts& counts);
+
+/// The gaps that near-tangent counts are printed for.
+inline constexpr std::array gaps{1e-6, 1e-9, 1e-12};
+
+}  // namespace rect_pairs
