@@ -48,7 +48,7 @@ typedef struct {
  *
  * Returns 1 when they overlap (touching counts), 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May err within a
  * few roundings of contact; an ellipse of half length 0, or at most about 2^-176 of the largest length, is answered
- * exactly. Cost: about 20 ns. Since 0.1.
+ * exactly. Cost: about 25 ns. Since 0.1.
  */
 VESICA_API int32_t vesica_method_rect_ellipse_all_features_f64(const vesica_rect_f64 *rect,
                                                                const vesica_ellipse_f64 *ellipse);
@@ -59,7 +59,7 @@ VESICA_API int32_t vesica_method_rect_ellipse_all_features_f64(const vesica_rect
  *
  * Returns 1 when they overlap (touching counts), 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May err within a
  * few roundings of contact; an ellipse of half length 0, or at most about 2^-176 of the largest length, is answered
- * exactly. Cost: about 20 ns. Since 0.1.
+ * exactly. Cost: about 25 ns. Since 0.1.
  */
 VESICA_API int32_t vesica_method_rect_ellipse_closest_features_f64(const vesica_rect_f64 *rect,
                                                                    const vesica_ellipse_f64 *ellipse);
@@ -85,7 +85,7 @@ VESICA_API int32_t vesica_method_rect_ellipse_minkowski_sum_f64(const vesica_rec
  * then the limit of ever thinner ellipses. out may not overlap the shapes.
  * Returns 1 when they overlap, which is c_min <= 0, else 0. Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a
  * coordinate of the point is beyond the finite numbers). May err within a few roundings of contact, but not for the
- * ellipses that the methods before answer exactly. Cost: about 25 ns. Since 0.1.
+ * ellipses that the methods before answer exactly. Cost: about 50 ns. Since 0.1.
  */
 VESICA_API int32_t vesica_method_rect_ellipse_point_parallelogram_distance_f64(const vesica_rect_f64 *rect,
                                                                                const vesica_ellipse_f64 *ellipse,
@@ -105,7 +105,7 @@ typedef struct {
  *
  * Returns 1 when they overlap (touching counts), 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May err within a
  * few roundings of contact; an ellipse of half length 0, or at most about 2^-22 of the largest length, is answered
- * exactly. Cost: about 20 ns. Since 0.1.
+ * exactly. Cost: about 25 ns. Since 0.1.
  */
 VESICA_API int32_t vesica_method_rect_ellipse_all_features_f32(const vesica_rect_f32 *rect,
                                                                const vesica_ellipse_f32 *ellipse);
@@ -116,7 +116,7 @@ VESICA_API int32_t vesica_method_rect_ellipse_all_features_f32(const vesica_rect
  *
  * Returns 1 when they overlap (touching counts), 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May err within a
  * few roundings of contact; an ellipse of half length 0, or at most about 2^-22 of the largest length, is answered
- * exactly. Cost: about 20 ns. Since 0.1.
+ * exactly. Cost: about 25 ns. Since 0.1.
  */
 VESICA_API int32_t vesica_method_rect_ellipse_closest_features_f32(const vesica_rect_f32 *rect,
                                                                    const vesica_ellipse_f32 *ellipse);
@@ -142,7 +142,7 @@ VESICA_API int32_t vesica_method_rect_ellipse_minkowski_sum_f32(const vesica_rec
  * then the limit of ever thinner ellipses. out may not overlap the shapes.
  * Returns 1 when they overlap, which is c_min <= 0, else 0. Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a
  * coordinate of the point is beyond the finite numbers). May err within a few roundings of contact, but not for the
- * ellipses that the methods before answer exactly. Cost: about 25 ns. Since 0.1.
+ * ellipses that the methods before answer exactly. Cost: about 50 ns. Since 0.1.
  */
 VESICA_API int32_t vesica_method_rect_ellipse_point_parallelogram_distance_f32(const vesica_rect_f32 *rect,
                                                                                const vesica_ellipse_f32 *ellipse,
@@ -167,7 +167,7 @@ typedef struct {
  * First pass for two rectangles: are their boxes along the coordinate axes apart? ("Rectangle intersection at 60fps")
  *
  * Returns VESICA_NO, which is certain, or VESICA_UNCERTAIN: the boxes meet, or are apart by less than 22 roundoffs of
- * their half widths. Errors: VESICA_E_NULL, VESICA_E_SHAPE. Cost: about 5 ns. Since 0.1.
+ * their half widths. Errors: VESICA_E_NULL, VESICA_E_SHAPE. Cost: about 6 ns. Since 0.1.
  */
 VESICA_API int32_t vesica_method_rect_rect_bounds_f64(const vesica_rect_f64 *a, const vesica_rect_f64 *b);
 
@@ -178,7 +178,7 @@ VESICA_API int32_t vesica_method_rect_rect_bounds_f64(const vesica_rect_f64 *a, 
  * k: 0 to VESICA_MOST_SAMPLE_POINTS. Returns VESICA_YES, which is certain, or VESICA_UNCERTAIN: no k makes the method
  * exact. With k >= 1 uncertain means that of neither one's middle line, of length l, a stretch of l / (k + 1) lies in
  * the other rectangle, once that is made smaller by 50 roundoffs of the pair's size. Errors: VESICA_E_NULL,
- * VESICA_E_SHAPE, VESICA_E_ARGUMENT (k). Cost: about 15 ns, and 2 (4 + k) points of 1 ns at worst. Since 0.1.
+ * VESICA_E_SHAPE, VESICA_E_ARGUMENT (k). Cost: about 30 ns, and at worst 2 ns more for each k. Since 0.1.
  */
 VESICA_API int32_t vesica_method_rect_rect_sample_points_f64(const vesica_rect_f64 *a, const vesica_rect_f64 *b,
                                                              int32_t k);
@@ -188,14 +188,14 @@ VESICA_API int32_t vesica_method_rect_rect_sample_points_f64(const vesica_rect_f
  * beyond one of its four edges' lines? Then the other way round. ("Rectangle intersection at 60fps")
  *
  * Returns 1 when they overlap (touching counts), 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May err within a
- * few roundings of contact. Cost: about 15 ns. Since 0.1.
+ * few roundings of contact. Cost: about 20 ns. Since 0.1.
  */
 VESICA_API int32_t vesica_method_rect_rect_separating_lines_f64(const vesica_rect_f64 *a, const vesica_rect_f64 *b);
 
 /**
  * The same from centre, angle and size: the rectangles that vesica_rect_from_angle makes of the numbers.
  *
- * Returns and errors as vesica_method_rect_rect_separating_lines. Cost: about 100 ns. Since 0.1.
+ * Returns and errors as vesica_method_rect_rect_separating_lines. Cost: about 60 ns. Since 0.1.
  */
 VESICA_API int32_t vesica_method_turned_rects_separating_lines_f64(const vesica_turned_rect_f64 *a,
                                                                    const vesica_turned_rect_f64 *b);
@@ -206,7 +206,7 @@ VESICA_API int32_t vesica_method_turned_rects_separating_lines_f64(const vesica_
  *
  * Each coordinate is right to 3 roundoffs of |c| + |hx u| + |hy u|, and 2 of the smallest numbers. out: untouched on
  * error; may not overlap rect. Returns 0. Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a corner is beyond
- * the finite numbers). Cost: about 5 ns. Since 0.1.
+ * the finite numbers). Cost: about 10 ns. Since 0.1.
  */
 VESICA_API int32_t vesica_method_rect_corners_f64(const vesica_rect_f64 *rect, double out[8]);
 
@@ -214,7 +214,7 @@ VESICA_API int32_t vesica_method_rect_corners_f64(const vesica_rect_f64 *rect, d
  * Point in rectangle: the point in the rectangle's frame against its half extents.
  *
  * Returns 1 when it lies in the rectangle or on its outline, 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May
- * err within a few roundings of the outline. Cost: about 5 ns. Since 0.1.
+ * err within a few roundings of the outline. Cost: about 10 ns. Since 0.1.
  */
 VESICA_API int32_t vesica_method_point_rect_frame_f64(const vesica_point_f64 *point, const vesica_rect_f64 *rect);
 
@@ -242,7 +242,7 @@ typedef struct {
  * First pass for two rectangles: are their boxes along the coordinate axes apart? ("Rectangle intersection at 60fps")
  *
  * Returns VESICA_NO, which is certain, or VESICA_UNCERTAIN: the boxes meet, or are apart by less than 22 roundoffs of
- * their half widths. Errors: VESICA_E_NULL, VESICA_E_SHAPE. Cost: about 5 ns. Since 0.1.
+ * their half widths. Errors: VESICA_E_NULL, VESICA_E_SHAPE. Cost: about 6 ns. Since 0.1.
  */
 VESICA_API int32_t vesica_method_rect_rect_bounds_f32(const vesica_rect_f32 *a, const vesica_rect_f32 *b);
 
@@ -253,7 +253,7 @@ VESICA_API int32_t vesica_method_rect_rect_bounds_f32(const vesica_rect_f32 *a, 
  * k: 0 to VESICA_MOST_SAMPLE_POINTS. Returns VESICA_YES, which is certain, or VESICA_UNCERTAIN: no k makes the method
  * exact. With k >= 1 uncertain means that of neither one's middle line, of length l, a stretch of l / (k + 1) lies in
  * the other rectangle, once that is made smaller by 50 roundoffs of the pair's size. Errors: VESICA_E_NULL,
- * VESICA_E_SHAPE, VESICA_E_ARGUMENT (k). Cost: about 15 ns, and 2 (4 + k) points of 1 ns at worst. Since 0.1.
+ * VESICA_E_SHAPE, VESICA_E_ARGUMENT (k). Cost: about 30 ns, and at worst 2 ns more for each k. Since 0.1.
  */
 VESICA_API int32_t vesica_method_rect_rect_sample_points_f32(const vesica_rect_f32 *a, const vesica_rect_f32 *b,
                                                              int32_t k);
@@ -263,14 +263,14 @@ VESICA_API int32_t vesica_method_rect_rect_sample_points_f32(const vesica_rect_f
  * beyond one of its four edges' lines? Then the other way round. ("Rectangle intersection at 60fps")
  *
  * Returns 1 when they overlap (touching counts), 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May err within a
- * few roundings of contact. Cost: about 15 ns. Since 0.1.
+ * few roundings of contact. Cost: about 20 ns. Since 0.1.
  */
 VESICA_API int32_t vesica_method_rect_rect_separating_lines_f32(const vesica_rect_f32 *a, const vesica_rect_f32 *b);
 
 /**
  * The same from centre, angle and size: the rectangles that vesica_rect_from_angle makes of the numbers.
  *
- * Returns and errors as vesica_method_rect_rect_separating_lines. Cost: about 100 ns. Since 0.1.
+ * Returns and errors as vesica_method_rect_rect_separating_lines. Cost: about 60 ns. Since 0.1.
  */
 VESICA_API int32_t vesica_method_turned_rects_separating_lines_f32(const vesica_turned_rect_f32 *a,
                                                                    const vesica_turned_rect_f32 *b);
@@ -281,7 +281,7 @@ VESICA_API int32_t vesica_method_turned_rects_separating_lines_f32(const vesica_
  *
  * Each coordinate is right to 3 roundoffs of |c| + |hx u| + |hy u|, and 2 of the smallest numbers. out: untouched on
  * error; may not overlap rect. Returns 0. Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a corner is beyond
- * the finite numbers). Cost: about 5 ns. Since 0.1.
+ * the finite numbers). Cost: about 10 ns. Since 0.1.
  */
 VESICA_API int32_t vesica_method_rect_corners_f32(const vesica_rect_f32 *rect, float out[8]);
 
@@ -289,7 +289,7 @@ VESICA_API int32_t vesica_method_rect_corners_f32(const vesica_rect_f32 *rect, f
  * Point in rectangle: the point in the rectangle's frame against its half extents.
  *
  * Returns 1 when it lies in the rectangle or on its outline, 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May
- * err within a few roundings of the outline. Cost: about 5 ns. Since 0.1.
+ * err within a few roundings of the outline. Cost: about 10 ns. Since 0.1.
  */
 VESICA_API int32_t vesica_method_point_rect_frame_f32(const vesica_point_f32 *point, const vesica_rect_f32 *rect);
 

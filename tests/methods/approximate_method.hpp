@@ -14,6 +14,7 @@ inline void expect_never_wrong(const std::string& name, const Method& method, Sc
     const Counts counts = count(method, workload, VESICA_RECT, VESICA_RECT, scalar, cases);
     print(name, scalar, properties::name(workload), counts);
     EXPECT_EQ(counts.wrong, 0) << properties::name(workload) << ", VESICA_SEED=" << properties::seed();
+    EXPECT_EQ(counts.refused, 0) << properties::name(workload);
     EXPECT_LT(counts.uncertain, counts.cases) << properties::name(workload);
   }
   for (const double gap : gaps) {

@@ -26,6 +26,7 @@ inline void expect_exact_beyond_gap(const std::string& name, const Method& metho
     print(name, scalar, properties::name(workload), counts);
     EXPECT_GT(counts.overlapping, counts.cases / 20);
     EXPECT_EQ(counts.uncertain, 0);
+    EXPECT_EQ(counts.refused, 0);
     EXPECT_EQ(counts.wrong_beyond_gap, 0) << name << ", VESICA_SEED=" << properties::seed() << "\n"
                                           << counts.first_wrong;
   }
@@ -42,6 +43,7 @@ inline void expect_counts_near_tangent(const std::string& name, const Method& me
     const Counts counts = count_near_tangent(method, gap, VESICA_RECT, kind_b, scalar, 20000);
     print(name, scalar, "near tangent " + std::to_string(static_cast<int>(std::log10(gap) - 0.5)), counts);
     EXPECT_EQ(counts.uncertain, 0);
+    EXPECT_EQ(counts.refused, 0);
     EXPECT_EQ(counts.wrong_beyond_gap, 0) << name << ", VESICA_SEED=" << properties::seed() << "\n"
                                           << counts.first_wrong;
     if (scalar == Scalar::f64 && gap >= 1e-6) {

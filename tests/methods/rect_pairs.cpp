@@ -62,7 +62,8 @@ Counts count(const Method& method, Scalar scalar, std::int64_t cases, const std:
     const std::int32_t expected = truth(scalar, pair), answer = method(pair);
     counts.overlapping += expected;
     if (answer == 2) ++counts.uncertain;
-    if (answer == expected || answer == 2) continue;
+    if (answer < 0) ++counts.refused;
+    if (answer == expected || answer == 2 || answer < 0) continue;
     ++counts.wrong;
     if (within_gap(pair, decided_gap(scalar))) continue;
     if (++counts.wrong_beyond_gap == 1) counts.first_wrong = properties::describe(pair);
@@ -82,10 +83,10 @@ Counts count_near_tangent(const Method& method, double relative_gap, int kind_a,
 }
 
 void print(const std::string& method, Scalar scalar, const std::string& workload, const Counts& counts) {
-  std::printf("%-32s %s %-20s %8lld cases %8lld overlapping %7lld wrong %8lld uncertain\n", method.c_str(),
-              properties::name(scalar), workload.c_str(), static_cast<long long>(counts.cases),
+  std::printf("%-32s %s %-20s %8lld cases %8lld overlapping %7lld wrong %8lld uncertain %5lld refused\n",
+              method.c_str(), properties::name(scalar), workload.c_str(), static_cast<long long>(counts.cases),
               static_cast<long long>(counts.overlapping), static_cast<long long>(counts.wrong),
-              static_cast<long long>(counts.uncertain));
+              static_cast<long long>(counts.uncertain), static_cast<long long>(counts.refused));
 }
 
 }  // namespace rect_pairs

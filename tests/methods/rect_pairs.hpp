@@ -33,7 +33,8 @@ double decided_gap(Scalar scalar);
 
 struct Counts {
   std::int64_t cases = 0, overlapping = 0, wrong = 0, uncertain = 0, wrong_beyond_gap = 0;
-  std::string first_wrong;  ///< the first one beyond the gap, to be pasted into a test
+  std::int64_t refused = 0;  ///< answered by an error: a result beyond the range of numbers
+  std::string first_wrong;   ///< the first one beyond the gap, to be pasted into a test
 };
 
 /// Runs the method on every pair.

@@ -3,7 +3,7 @@
 ///
 /// Idea: plus and minus the half extents, turned and moved to the centre. Source: "Rectangle intersection at 60fps"
 /// (blitcurve), which derives them from centre, angle and size; vesica::rect_from_angle() makes a Rect of those.
-/// Cost: about 5 ns.
+/// Cost: about 10 ns.
 #pragma once
 
 #include <cmath>

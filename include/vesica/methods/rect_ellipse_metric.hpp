@@ -18,16 +18,16 @@ struct Vector {
 };
 
 template <class T>
-T dot(const Vector<T>& p, const Vector<T>& q) noexcept {
+VESICA_INLINE T dot(const Vector<T>& p, const Vector<T>& q) noexcept {
   return p.x * q.x + p.y * q.y;
 }
 template <class T>
-T cross(const Vector<T>& p, const Vector<T>& q) noexcept {
+VESICA_INLINE T cross(const Vector<T>& p, const Vector<T>& q) noexcept {
   return p.x * q.y - p.y * q.x;
 }
 /// p + s f.
 template <class T>
-Vector<T> along(const Vector<T>& p, T s, const Vector<T>& f) noexcept {
+VESICA_INLINE Vector<T> along(const Vector<T>& p, T s, const Vector<T>& f) noexcept {
   return {p.x + s * f.x, p.y + s * f.y};
 }
 
@@ -51,7 +51,7 @@ struct Stretch {
 };
 
 template <class T>
-Stretch<T> stretch(const RescaledPair<T>& p, const Ellipse<T>& ellipse) noexcept {
+VESICA_INLINE Stretch<T> stretch(const RescaledPair<T>& p, const Ellipse<T>& ellipse) noexcept {
   const T longer = larger(p.g0, p.g1);
   if (longer >= ScalarTraits<T>::power(-10 * ScalarTraits<T>::range)) return {p.g0, p.g1, 1};
   // From the stored numbers: rescaling may have lost those of a tiny ellipse.
@@ -62,7 +62,7 @@ Stretch<T> stretch(const RescaledPair<T>& p, const Ellipse<T>& ellipse) noexcept
 }
 
 template <class T>
-Metric<T> metric(const RescaledPair<T>& p, const Stretch<T>& by) noexcept {
+VESICA_INLINE Metric<T> metric(const RescaledPair<T>& p, const Stretch<T>& by) noexcept {
   using Traits = ScalarTraits<T>;
   const T c = p.wx * p.ux + p.wy * p.uy, s = p.wx * p.uy - p.wy * p.ux;
   const T uu = p.ux * p.ux + p.uy * p.uy, ww = p.wx * p.wx + p.wy * p.wy;
@@ -85,25 +85,25 @@ Metric<T> metric(const RescaledPair<T>& p, const Stretch<T>& by) noexcept {
 
 /// An ellipse's numbers as a rectangle's.
 template <class T>
-Rect<T> box_of(const Ellipse<T>& e) noexcept {
+VESICA_INLINE Rect<T> box_of(const Ellipse<T>& e) noexcept {
   return {e.cx, e.cy, e.ux, e.uy, e.a, e.b};
 }
 
 /// Of valid shapes.
 template <class T>
-Metric<T> metric(const Rect<T>& rect, const Ellipse<T>& ellipse) noexcept {
+VESICA_INLINE Metric<T> metric(const Rect<T>& rect, const Ellipse<T>& ellipse) noexcept {
   const auto pair = rescaled_pair(rect, box_of(ellipse));
   return metric(pair, stretch(pair, ellipse));
 }
 
-/// The image of a vertex, sx and sy its signs; with one of them 0, the middle of an edge.
+/// The image of a vertex, sx and sy (1 or -1) its signs; with one of them 0, the middle of an edge.
 template <class T>
-Vector<T> vertex(const Metric<T>& m, int sx, int sy) noexcept {
-  return along(along(m.centre, static_cast<T>(sx) * m.hx, m.f0), static_cast<T>(sy) * m.hy, m.f1);
+VESICA_INLINE Vector<T> vertex(const Metric<T>& m, T sx, T sy) noexcept {
+  return along(along(m.centre, sx * m.hx, m.f0), sy * m.hy, m.f1);
 }
 
 template <class T>
-bool vertex_in_disc(const Metric<T>& m, int sx, int sy) noexcept {
+VESICA_INLINE bool vertex_in_disc(const Metric<T>& m, T sx, T sy) noexcept {
   const Vector<T> p = vertex(m, sx, sy);
   return dot(p, p) <= m.r * m.r;
 }
@@ -111,26 +111,20 @@ bool vertex_in_disc(const Metric<T>& m, int sx, int sy) noexcept {
 /// Whether the disc reaches an edge { p + t f : |t| <= h } at the foot of its centre. With both end points outside,
 /// there is no other way to reach it.
 template <class T>
-bool foot_in_disc(const Vector<T>& p, const Vector<T>& f, T h, T r) noexcept {
+VESICA_INLINE bool foot_in_disc(const Vector<T>& p, const Vector<T>& f, T h, T r) noexcept {
   const T ff = dot(f, f), distance = cross(f, p);
-  return std::fabs(dot(f, p)) <= h * ff && distance * distance <= (r * r) * ff;
+  return lane::both(std::fabs(dot(f, p)) <= h * ff, distance * distance <= (r * r) * ff);
 }
 
 /// The edge across the rectangle's first axis, on its side s.
 template <class T>
-bool side_edge_meets(const Metric<T>& m, int s) noexcept {
-  return foot_in_disc(vertex(m, s, 0), m.f1, m.hy, m.r);
+VESICA_INLINE bool side_edge_meets(const Metric<T>& m, T s) noexcept {
+  return foot_in_disc(vertex(m, s, T{0}), m.f1, m.hy, m.r);
 }
 /// The edge along the rectangle's first axis, on side s of it.
 template <class T>
-bool long_edge_meets(const Metric<T>& m, int s) noexcept {
-  return foot_in_disc(vertex(m, 0, s), m.f0, m.hx, m.r);
-}
-
-/// -1, 0 or 1: is k below, within or above [-e, e]?
-template <class T>
-int side(T k, T e) noexcept {
-  return k < -e ? -1 : k > e ? 1 : 0;
+VESICA_INLINE bool long_edge_meets(const Metric<T>& m, T s) noexcept {
+  return foot_in_disc(vertex(m, T{0}, s), m.f0, m.hx, m.r);
 }
 
 }  // namespace vesica::methods::detail

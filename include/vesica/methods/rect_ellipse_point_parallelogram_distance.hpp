@@ -8,7 +8,7 @@
 /// point P that has it is then common to both.
 /// Wrong in print: nothing, but the minimum within an edge, (q0 q2 - q1^2) / q2, cancels; here it is a squared cross product
 /// (rect_ellipse_metric.hpp).
-/// Cost: at most two edges, 4 divisions; about 25 ns. c_min may err by a few roundings of its terms, and so the answer
+/// Cost: at most two edges, 5 divisions; about 50 ns. c_min may err by a few roundings of its terms, and so the answer
 /// within that of contact. For an ellipse of half length 0, or so small (about 2^-176 of the largest length, float 2^-22)
 /// that squares underflow, the answer is that of the exact overlap(), and c_min is put on its side of 0.
 #pragma once
@@ -28,19 +28,25 @@ struct MetricClosest {
 
 namespace detail {
 
+/// -1, 0 or 1: is k below, within or above [-e, e]?
 template <class T>
-T clamp(T x, T h) noexcept {
+VESICA_INLINE T side(T k, T e) noexcept {
+  return k < -e ? T{-1} : k > e ? T{1} : T{0};
+}
+
+template <class T>
+VESICA_INLINE T clamp(T x, T h) noexcept {
   return x < -h ? -h : x > h ? h : x;
 }
 
 /// The better of what `nearest(middle, direction, half length)` finds on the edges that the sides sx and sy name. It
 /// gives the place along the edge as t; s and t then are those of the rectangle's frame.
 template <class T, class Nearest, class Better>
-auto best_on_visible_edges(const Metric<T>& m, int sx, int sy, Nearest nearest, Better better) noexcept {
-  auto side_edge = nearest(vertex(m, sx, 0), m.f1, m.hy), long_edge = nearest(vertex(m, 0, sy), m.f0, m.hx);
-  side_edge.s = static_cast<T>(sx) * m.hx;
+VESICA_INLINE auto best_on_visible_edges(const Metric<T>& m, T sx, T sy, Nearest nearest, Better better) noexcept {
+  auto side_edge = nearest(vertex(m, sx, T{0}), m.f1, m.hy), long_edge = nearest(vertex(m, T{0}, sy), m.f0, m.hx);
+  side_edge.s = sx * m.hx;
   long_edge.s = long_edge.t;
-  long_edge.t = static_cast<T>(sy) * m.hy;
+  long_edge.t = sy * m.hy;
   return sy == 0 || (sx != 0 && better(side_edge, long_edge)) ? side_edge : long_edge;
 }
 
@@ -52,7 +58,7 @@ struct Foot {
 
 /// The point p + t f nearest to the origin, |t| <= h.
 template <class T>
-Foot<T> nearest_to_origin(const Vector<T>& p, const Vector<T>& f, T h) noexcept {
+VESICA_INLINE Foot<T> nearest_to_origin(const Vector<T>& p, const Vector<T>& f, T h) noexcept {
   const T ff = dot(f, f), foot = -dot(f, p) / ff, t = clamp(foot, h), distance = cross(f, p);
   if (t == foot) return {0, t, distance * distance, ff};
   const Vector<T> end = along(p, t, f);
@@ -60,7 +66,7 @@ Foot<T> nearest_to_origin(const Vector<T>& p, const Vector<T>& f, T h) noexcept 
 }
 
 template <class T>
-Foot<T> nearest_of_disc(const Metric<T>& m, int sx, int sy, T& level) noexcept {
+VESICA_INLINE Foot<T> nearest_of_disc(const Metric<T>& m, T sx, T sy, T& level) noexcept {
   const auto nearer = [](const Foot<T>& p, const Foot<T>& q) { return p.square / p.per <= q.square / q.per; };
   const Foot<T> best = best_on_visible_edges(m, sx, sy, nearest_to_origin<T>, nearer);
   if (m.usable) {
@@ -97,7 +103,7 @@ T ratio(T x, T length) noexcept {
 /// Of a segment, and of an ellipse so thin that it may as well be one: distance to the longer axis decides before
 /// distance along it, the limit of ever thinner ellipses. What is beside a segment's line has an infinite level.
 template <class T>
-Place<T> nearest_of_needle(const RescaledPair<T>& p, int sx, int sy, T& level) noexcept {
+Place<T> nearest_of_needle(const RescaledPair<T>& p, T sx, T sy, T& level) noexcept {
   Metric<T> m = metric(p, Stretch<T>{1, 1, 1});
   T longer = p.g0, shorter = p.g1;
   if (longer < shorter) {
@@ -153,7 +159,7 @@ std::int32_t point_parallelogram_distance(const Rect<T>& rect, const Ellipse<T>&
   const auto pair = detail::rescaled_pair(rect, detail::box_of(ellipse));
   const auto by = detail::stretch(pair, ellipse);
   const auto m = detail::metric(pair, by);
-  const int sx = detail::side(m.k0, m.e0), sy = detail::side(m.k1, m.e1);
+  const T sx = detail::side(m.k0, m.e0), sy = detail::side(m.k1, m.e1);
   Point<T> p{ellipse.cx, ellipse.cy};
   T level = -1;
   if (sx != 0 || sy != 0) {

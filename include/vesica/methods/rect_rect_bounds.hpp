@@ -40,9 +40,9 @@ template <class T>
 std::int32_t bounds(const Rect<T>& a, const Rect<T>& b) noexcept {
   if (check(a) != 0 || check(b) != 0) return error_shape;
   const T ux = std::fabs(a.ux), uy = std::fabs(a.uy), wx = std::fabs(b.ux), wy = std::fabs(b.uy);
-  const bool apart = detail::apart(a.cx, b.cx, ux, a.hx, uy, a.hy, wx, b.hx, wy, b.hy) ||
-                     detail::apart(a.cy, b.cy, uy, a.hx, ux, a.hy, wy, b.hx, wx, b.hy);
-  return apart ? no : uncertain;
+  const bool along_x = detail::apart(a.cx, b.cx, ux, a.hx, uy, a.hy, wx, b.hx, wy, b.hy);
+  const bool along_y = detail::apart(a.cy, b.cy, uy, a.hx, ux, a.hy, wy, b.hx, wx, b.hy);
+  return lane::either(along_x, along_y) ? no : uncertain;
 }
 
 }  // namespace vesica::methods

@@ -19,14 +19,14 @@ struct RescaledPair {
 };
 
 template <class T>
-T larger(T x, T y) noexcept {
+VESICA_INLINE T larger(T x, T y) noexcept {
   return x > y ? x : y;
 }
 
 /// Whether the numbers are near enough to 1 as they are: axes within 2^+-2 and the largest length within 2^+-10
 /// (double: the 8th powers).
 template <class T>
-bool is_moderate(const RescaledPair<T>& p) noexcept {
+VESICA_INLINE bool is_moderate(const RescaledPair<T>& p) noexcept {
   using Traits = ScalarTraits<T>;
   constexpr T low_axis = Traits::power(-2 * Traits::range), high_axis = Traits::power(2 * Traits::range);
   constexpr T low = Traits::power(-10 * Traits::range), high = Traits::power(10 * Traits::range);
@@ -87,7 +87,7 @@ RescaledPair<T> rescale(const Rect<double>& a, const Rect<double>& b) noexcept {
 
 /// The pair at a fit scale. An ellipse comes as the rectangle that has its numbers. Both must be valid.
 template <class T>
-RescaledPair<T> rescaled_pair(const Rect<T>& a, const Rect<T>& b) noexcept {
+VESICA_INLINE RescaledPair<T> rescaled_pair(const Rect<T>& a, const Rect<T>& b) noexcept {
   const RescaledPair<T> p{b.cx - a.cx, b.cy - a.cy, a.ux, a.uy, a.hx, a.hy, b.ux, b.uy, b.hx, b.hy, 0};
   return is_moderate(p) ? p : rescale<T>(widen(a), widen(b));
 }
