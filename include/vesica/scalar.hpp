@@ -66,6 +66,10 @@ inline float rough_sqrt(float a) noexcept { return std::sqrt(a); }
 constexpr double rough_quotient(double a, double b) noexcept { return a / b; }
 constexpr float rough_quotient(float a, float b) noexcept { return a / b; }
 
+// Correctly rounded, for results rather than filters.
+inline double sqrt(double a) noexcept { return std::sqrt(a); }
+inline float sqrt(float a) noexcept { return std::sqrt(a); }
+
 // Masks without short circuits: on fresh data a branch costs more than the work it saves.
 constexpr bool both(bool a, bool b) noexcept { return static_cast<bool>(static_cast<int>(a) & static_cast<int>(b)); }
 constexpr bool either(bool a, bool b) noexcept { return static_cast<bool>(static_cast<int>(a) | static_cast<int>(b)); }

@@ -89,6 +89,7 @@ struct Doubles {
 inline Doubles operator+(Doubles a, Doubles b) { return vaddq_f64(a.v, b.v); }
 inline Doubles operator-(Doubles a, Doubles b) { return vsubq_f64(a.v, b.v); }
 inline Doubles operator*(Doubles a, Doubles b) { return vmulq_f64(a.v, b.v); }
+inline Doubles operator/(Doubles a, Doubles b) { return vdivq_f64(a.v, b.v); }
 inline Doubles operator-(Doubles a) { return vnegq_f64(a.v); }
 inline Doubles abs(Doubles a) { return vabsq_f64(a.v); }
 inline Doubles max(Doubles a, Doubles b) { return vmaxq_f64(a.v, b.v); }
@@ -104,6 +105,7 @@ inline Doubles flip_sign(Doubles x, Doubles y) {
   const uint64x2_t sign = vandq_u64(vreinterpretq_u64_f64(y.v), vdupq_n_u64(0x8000000000000000u));
   return vreinterpretq_f64_u64(veorq_u64(vreinterpretq_u64_f64(x.v), sign));
 }
+inline Doubles sqrt(Doubles a) { return vsqrtq_f64(a.v); }
 inline Doubles rough_sqrt(Doubles a) { return vsqrtq_f64(a.v); }
 inline Doubles rough_quotient(Doubles a, Doubles b) { return vdivq_f64(a.v, b.v); }
 

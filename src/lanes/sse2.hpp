@@ -86,6 +86,7 @@ struct Doubles {
 inline Doubles operator+(Doubles a, Doubles b) { return _mm_add_pd(a.v, b.v); }
 inline Doubles operator-(Doubles a, Doubles b) { return _mm_sub_pd(a.v, b.v); }
 inline Doubles operator*(Doubles a, Doubles b) { return _mm_mul_pd(a.v, b.v); }
+inline Doubles operator/(Doubles a, Doubles b) { return _mm_div_pd(a.v, b.v); }
 inline Doubles operator-(Doubles a) { return _mm_xor_pd(a.v, _mm_set1_pd(-0.0)); }
 inline Doubles abs(Doubles a) { return _mm_andnot_pd(_mm_set1_pd(-0.0), a.v); }
 inline Doubles max(Doubles a, Doubles b) { return _mm_max_pd(a.v, b.v); }
@@ -100,6 +101,7 @@ inline Doubles select(DoubleMask m, Doubles yes, Doubles no) {
   return _mm_or_pd(_mm_and_pd(m.v, yes.v), _mm_andnot_pd(m.v, no.v));
 }
 inline Doubles flip_sign(Doubles x, Doubles y) { return _mm_xor_pd(x.v, _mm_and_pd(y.v, _mm_set1_pd(-0.0))); }
+inline Doubles sqrt(Doubles a) { return _mm_sqrt_pd(a.v); }
 inline Doubles rough_sqrt(Doubles a) { return _mm_sqrt_pd(a.v); }
 inline Doubles rough_quotient(Doubles a, Doubles b) { return _mm_div_pd(a.v, b.v); }
 
