@@ -173,12 +173,12 @@ struct Answerer {
 
 /// A block of the columns of both operands.
 template <class T>
-Block<T> make_block(const Columns<T>& first, const Columns<T>& second, std::int32_t n, std::uint8_t* out,
+Block<T> make_block(const T* const* first, const T* const* second, std::int32_t n, std::uint8_t* out,
                     std::int32_t* undecided) noexcept {
   Block<T> block{};
   for (int k = 0; k < max_fields; ++k) {
-    block.first[k] = first.field[k];
-    block.second[k] = second.field[k];
+    block.first[k] = first[k];
+    block.second[k] = second[k];
   }
   block.count = n;
   block.out = out;
@@ -207,7 +207,7 @@ Tally in_step(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b
     columns_first.set(first, begin, repeat == Repeat::first ? 1 : length);
     columns_second.set(second, begin, repeat == Repeat::second ? 1 : length);
     std::uint8_t* out = place(begin);
-    Block<T> block = make_block(columns_first, columns_second, length, out, undecided);
+    Block<T> block = make_block(columns_first.field, columns_second.field, length, out, undecided);
     answerer.answer(block, repeat);
     done(begin, length, out);
   }
@@ -256,11 +256,21 @@ Tally matrix(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b,
     columns.set(b, begin, length);
     for (std::int64_t i = 0; i < a.count; ++i) {
       row.set(a, i, 1);
-      Block<T> block = make_block(in_order ? row : columns, in_order ? columns : row, length,
+      Block<T> block = make_block(in_order ? row.field : columns.field, in_order ? columns.field : row.field, length,
                                   out + i * row_stride + begin, undecided);
       answerer.answer(block, repeat);
     }
   }
+  return answerer.tally;
+}
+
+Tally overlap_block(const KernelTable& kernels, std::int32_t kind_first, const double* const* first,
+                    std::int32_t kind_second, const double* const* second, std::int32_t n, std::uint8_t* out) noexcept {
+  std::int32_t undecided[block_size<double>];
+  const Question<double> question(kernels, kind_first, kind_second);
+  Answerer<double> answerer{question, {}};
+  Block<double> block = make_block(first, second, n, out, undecided);
+  answerer.answer(block, Repeat::none);
   return answerer.tally;
 }
 

@@ -2,9 +2,10 @@
 #include "lanes/avx2.hpp"
 
 #include "kernels/block.hpp"
+#include "kernels/query_table.hpp"
 
 namespace vesica {
 
-constinit const KernelTable kernels_avx2 = make_table("avx2");
+constinit const KernelTable kernels_avx2 = make_table("avx2", kernels_avx2_queries);
 
 }  // namespace vesica

@@ -2,9 +2,10 @@
 #include "lanes/avx512.hpp"
 
 #include "kernels/block.hpp"
+#include "kernels/query_table.hpp"
 
 namespace vesica {
 
-constinit const KernelTable kernels_avx512 = make_table("avx512");
+constinit const KernelTable kernels_avx512 = make_table("avx512", kernels_avx512_queries);
 
 }  // namespace vesica

@@ -2,9 +2,10 @@
 #include "lanes/neon.hpp"
 
 #include "kernels/block.hpp"
+#include "kernels/query_table.hpp"
 
 namespace vesica {
 
-constinit const KernelTable kernels_neon = make_table("neon");
+constinit const KernelTable kernels_neon = make_table("neon", kernels_neon_queries);
 
 }  // namespace vesica

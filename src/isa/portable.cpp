@@ -2,9 +2,10 @@
 #include "lanes/portable.hpp"
 
 #include "kernels/block.hpp"
+#include "kernels/query_table.hpp"
 
 namespace vesica {
 
-constinit const KernelTable kernels_portable = make_table("portable");
+constinit const KernelTable kernels_portable = make_table("portable", kernels_portable_queries);
 
 }  // namespace vesica

@@ -2,9 +2,10 @@
 #include "lanes/sse2.hpp"
 
 #include "kernels/block.hpp"
+#include "kernels/query_table.hpp"
 
 namespace vesica {
 
-constinit const KernelTable kernels_sse2 = make_table("sse2");
+constinit const KernelTable kernels_sse2 = make_table("sse2", kernels_sse2_queries);
 
 }  // namespace vesica

@@ -191,9 +191,10 @@ void widen_column(const float* from, std::int32_t n, double* to) noexcept {
 }
 
 /// Everything this instruction set offers, laid down at compile time.
-consteval KernelTable make_table(const char* name) noexcept {
+consteval KernelTable make_table(const char* name, const QueryTable& queries) noexcept {
   KernelTable table{};
   table.name = name;
+  table.queries = &queries;
   table.widen_column = widen_column;
   fill_pairs<float>(table.f32);
   fill_pairs<double>(table.f64);

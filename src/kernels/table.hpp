@@ -45,8 +45,11 @@ struct PairKernels {
 template <class T>
 using ScalarKernels = PairKernels<T>[kind_count][kind_count];
 
+struct QueryTable;
+
 struct KernelTable {
   const char* name;
+  const QueryTable* queries;  // of the same instruction set
   void (*widen_column)(const float* from, std::int32_t n, double* to) noexcept;
   ScalarKernels<float> f32;
   ScalarKernels<double> f64;

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Arrays of shapes as callers pass them: their checks, and the view of them that src/ works on.
+#pragma once
+
+#include "batch.hpp"
+#include "by_kind.hpp"
+#include "vesica.h"
+
+namespace vesica::capi {
+
+template <class T>
+struct CShapes;
+template <>
+struct CShapes<double> {
+  using Type = vesica_shapes_f64;
+};
+template <>
+struct CShapes<float> {
+  using Type = vesica_shapes_f32;
+};
+template <class T>
+using CShapesOf = typename CShapes<T>::Type;
+
+/// count elements of `stride` bytes each, within the address space. The stride of a single one is not looked at.
+inline bool addressable(int64_t count, ptrdiff_t stride) noexcept {
+  ptrdiff_t extent;
+  return count <= 1 || !__builtin_mul_overflow(count, stride, &extent);
+}
+
+/// What is wrong with an array, but for its pointers: 0, VESICA_E_KIND or VESICA_E_ARGUMENT.
+template <class Array>
+int32_t check_array(const Array& shapes) noexcept {
+  if (!is_kind(shapes.kind)) return VESICA_E_KIND;
+  const bool sound = shapes.reserved == 0 && shapes.count >= 0 && addressable(shapes.count, shapes.stride);
+  return sound ? 0 : VESICA_E_ARGUMENT;
+}
+
+template <class Array>
+bool has_null(const Array& shapes) noexcept {
+  for (int k = 0; k < field_count(shapes.kind); ++k) {
+    if (shapes.field[k] == nullptr) return true;
+  }
+  return false;
+}
+
+/// Checks both arrays and the output of a call with something to answer. The order of errors is NULL, kind, argument,
+/// except that fields are looked at only once the kind tells how many there are.
+template <class Array>
+int32_t check_call(const Array* a, const Array* b, const void* out, bool anything) noexcept {
+  if (a == nullptr || b == nullptr || (anything && out == nullptr)) return VESICA_E_NULL;
+  const int32_t error_a = check_array(*a), error_b = check_array(*b);
+  if (error_a == VESICA_E_KIND || error_b == VESICA_E_KIND) return VESICA_E_KIND;
+  if (error_a != 0 || error_b != 0) return VESICA_E_ARGUMENT;
+  return anything && (has_null(*a) || has_null(*b)) ? VESICA_E_NULL : 0;
+}
+
+template <class T>
+batch::Shapes<T> view(const CShapesOf<T>& shapes) noexcept {
+  batch::Shapes<T> v{shapes.kind, shapes.count, shapes.count == 1 ? 0 : shapes.stride, {}};
+  for (int k = 0; k < field_count(shapes.kind); ++k) v.field[k] = shapes.field[k];
+  return v;
+}
+
+inline int64_t result(const batch::Tally& tally) noexcept { return tally.invalid ? VESICA_E_SHAPE : tally.overlaps; }
+
+template <class Array>
+bool anything(const Array* a, const Array* b) noexcept {
+  return a != nullptr && b != nullptr && a->count != 0 && b->count != 0;
+}
+
+/// The pairs that two arrays make in step, a count of 1 repeating, or VESICA_E_ARGUMENT.
+template <class Array>
+int64_t pairs_in_step(const Array& a, const Array& b) noexcept {
+  if (a.count != b.count && a.count != 1 && b.count != 1) return VESICA_E_ARGUMENT;
+  return a.count == 1 ? b.count : a.count;
+}
+
+/// Whether rows of `width` elements, row_stride elements apart, neither overlap nor leave the address space.
+inline bool rows_apart(int64_t rows, int64_t width, ptrdiff_t row_stride, ptrdiff_t element) noexcept {
+  ptrdiff_t bytes;
+  if (rows <= 1) return true;
+  if (row_stride < width && row_stride > -width) return false;
+  return !__builtin_mul_overflow(row_stride, element, &bytes) && addressable(rows, bytes);
+}
+
+}  // namespace vesica::capi

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/queries.hpp"
+#include "lanes/sse2.hpp"
+
+namespace vesica {
+
+constinit const QueryTable kernels_sse2_queries = make_query_table();
+
+}  // namespace vesica

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one loop behind every query kernel. Included once by each src/isa/<set>_queries.cpp, after that set's lanes.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "kernels/query_table.hpp"
+
+namespace vesica {
+namespace {
+
+template <template <class> class Shape, std::size_t... Field>
+VESICA_INLINE Shape<Doubles> load_shape(const double* const* field, std::int32_t i,
+                                        std::index_sequence<Field...>) noexcept {
+  return {Doubles::load(field[Field] + i)...};
+}
+template <template <class> class Shape>
+VESICA_INLINE Shape<Doubles> load_shape(const double* const* field, std::int32_t i) noexcept {
+  return load_shape<Shape>(field, i, std::make_index_sequence<ShapeTraits<Shape<double>>::fields>{});
+}
+
+using PairMask = decltype(Doubles(0.0) < Doubles(0.0));
+
+/// Zero where all numbers are finite, NaN elsewhere.
+template <class... V>
+VESICA_INLINE Doubles zero_if_finite(V... numbers) noexcept {
+  const Doubles zero(0.0);
+  return ((numbers * zero) + ...);
+}
+
+// As check(): finite numbers, no negative size, an axis that is not zero.
+VESICA_INLINE PairMask valid(const Circle<Doubles>& s) noexcept {
+  const Doubles zero(0.0);
+  return both(zero_if_finite(s.cx, s.cy, s.r) == zero, s.r >= zero);
+}
+VESICA_INLINE PairMask valid(const Rect<Doubles>& s) noexcept {
+  const Doubles zero(0.0);
+  const PairMask axis = abs(s.ux) + abs(s.uy) > zero;
+  return both(both(zero_if_finite(s.cx, s.cy, s.ux, s.uy, s.hx, s.hy) == zero, axis), both(s.hx >= zero, s.hy >= zero));
+}
+VESICA_INLINE PairMask valid(const Ellipse<Doubles>& s) noexcept {
+  return valid(Rect<Doubles>{s.cx, s.cy, s.ux, s.uy, s.a, s.b});
+}
+
+/// Core::evaluate(a, b, known, out) writes a vector of each result and returns where they hold.
+template <class Core, template <class> class A, template <class> class B>
+void answer_vectors(const double* const* first, const double* const* second, const double* known, std::int32_t n,
+                    double* const* results) noexcept {
+  const Doubles no_number(std::numeric_limits<double>::quiet_NaN());
+  for (std::int32_t i = 0; i < n; i += Doubles::width) {
+    const auto a = load_shape<A>(first, i);
+    const auto b = load_shape<B>(second, i);
+    Doubles out[Core::results];
+    const PairMask settled = Core::evaluate(a, b, Doubles::load(known + i), out);
+    out[0] = select(both(settled, both(valid(a), valid(b))), out[0], no_number);
+    for (int k = 0; k < Core::results; ++k) out[k].store(results[k] + i);
+  }
+}
+
+template <class Core, template <class> class A, template <class> class B>
+constexpr void fill(QueryKernels& kernels) noexcept {
+  kernels[static_cast<int>(ShapeTraits<A<double>>::kind)][static_cast<int>(ShapeTraits<B<double>>::kind)] =
+      answer_vectors<Core, A, B>;
+}
+
+template <class Core>
+constexpr void fill_hot_pairs(QueryKernels& kernels) noexcept {
+  fill<Core, Rect, Rect>(kernels);
+  fill<Core, Rect, Ellipse>(kernels);
+  fill<Core, Circle, Ellipse>(kernels);
+  fill<Core, Ellipse, Ellipse>(kernels);
+}
+
+/// Everything this instruction set offers, laid down at compile time.
+consteval QueryTable make_query_table() noexcept {
+  QueryTable table{};
+  return table;
+}
+
+}  // namespace
+}  // namespace vesica

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Queries other than overlap, of whole arrays. Every element gets the bits that the scalar function gives.
+#pragma once
+
+#include "batch.hpp"
+#include "kernels/query_table.hpp"
+
+namespace vesica::batch {
+
+/// A query's scalar function: writes its result's numbers for two shapes given by kind and flat numbers. Returns 0 or
+/// a negative error.
+using Answer = std::int32_t (*)(std::int32_t kind_a, const double* a, std::int32_t kind_b, const double* b,
+                                double* results) noexcept;
+
+/// What a query's kernel must be told of each pair, as a number: nothing; 1 or 0 for overlap; its relation's code.
+enum class Known { nothing, overlap, relation };
+
+/// How the results for (b, a) become those for (a, b): not at all; (distance, ax, ay, bx, by) with the points exchanged;
+/// (depth, x, y) with the direction turned round; a relation's code by its converse.
+enum class Reversal { none, points, direction, converse };
+
+struct Query {
+  Answer answer;
+  int results;
+  QueryKernels QueryTable::*kernels;
+  Reversal reversal;
+  Known known;
+  const Query* relation;  // how to learn a relation, where it must be known
+  bool counts_zero;       // the tally counts the pairs whose first number is 0; otherwise those where it is positive
+};
+
+struct QueryTally {
+  std::int64_t count = 0;
+  std::int32_t error = 0;  // error_shape if any shape was invalid, else an error of a valid pair
+};
+
+/// columns[k][i] = number k of the result for a[i] and b[i], i < n; a column may be null. Numbers are rounded to Out
+/// once, and positive ones stay positive. Where there is an error they are NaN, or 0 where Out is an integer.
+template <class T, class Out>
+QueryTally query_many(const Query& query, const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b,
+                      std::int64_t n, Out* const* columns) noexcept;
+
+/// out[i * row_stride + j] = the first number of the result for a[i] and b[j], as above.
+template <class T, class Out>
+QueryTally query_matrix(const Query& query, const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b,
+                        Out* out, std::ptrdiff_t row_stride) noexcept;
+
+}  // namespace vesica::batch
