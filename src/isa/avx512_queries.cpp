@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kernels/queries.hpp"
+#include "kernels/query_loop.hpp"
 #include "lanes/avx512.hpp"
 
 namespace vesica {

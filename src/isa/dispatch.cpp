@@ -7,6 +7,13 @@
 
 namespace vesica {
 
+#if defined(__wasm__)
+
+// Nothing to choose from, no environment to read and nobody to call constructors: a module without imports or start.
+const KernelTable& kernels() noexcept { return kernels_portable; }
+
+#else
+
 namespace {
 
 struct Candidate {
@@ -55,5 +62,7 @@ const KernelTable& kernels() noexcept {
     chosen = choose();  // called from another library's constructor, before ours
   return *chosen;
 }
+
+#endif
 
 }  // namespace vesica
