@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kernels/query_loop.hpp"
+// clang-format off
 #include "lanes/sse2.hpp"
+// clang-format on
+#include "kernels/query_loop.hpp"
 
 namespace vesica {
 
