@@ -186,9 +186,8 @@ Block<T> make_block(const T* const* first, const T* const* second, std::int32_t 
   return block;
 }
 
-template <class T>
-std::int32_t block_length(std::int64_t rest) noexcept {
-  return static_cast<std::int32_t>(rest < block_size<T> ? rest : block_size<T>);
+constexpr std::int32_t block_length(std::int64_t rest, std::int32_t size) noexcept {
+  return static_cast<std::int32_t>(rest < size ? rest : size);
 }
 
 /// Calls done(begin, length, bytes) for each block of n pairs in step, answered into place(begin).
@@ -201,9 +200,12 @@ Tally in_step(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b
   const Repeat repeat = first.stride == 0 ? Repeat::first : second.stride == 0 ? Repeat::second : Repeat::none;
   Answerer<T> answerer{question, {}};
   Columns<T> columns_first, columns_second;
-  std::int32_t undecided[block_size<T>];
-  for (std::int64_t begin = 0; begin < n; begin += block_size<T>) {
-    const std::int32_t length = block_length<T>(n - begin);
+  std::int32_t undecided[long_block_size];
+  const bool in_place = (repeat == Repeat::first || lies_in_columns(first)) &&
+                        (repeat == Repeat::second || lies_in_columns(second));
+  const std::int32_t size = in_place ? long_block_size : block_size<T>;
+  for (std::int64_t begin = 0; begin < n; begin += size) {
+    const std::int32_t length = block_length(n - begin, size);
     columns_first.set(first, begin, repeat == Repeat::first ? 1 : length);
     columns_second.set(second, begin, repeat == Repeat::second ? 1 : length);
     std::uint8_t* out = place(begin);
@@ -227,7 +229,7 @@ Tally many(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b, s
 template <class T>
 Tally select(const KernelTable& kernels, const Shapes<T>& one, const Shapes<T>& many, std::int64_t* out,
              std::int64_t capacity) noexcept {
-  std::uint8_t bytes[block_size<T>];
+  std::uint8_t bytes[long_block_size];
   std::int64_t found = 0;
   const Tally tally = in_step(
       kernels, one, many, many.count, [&](std::int64_t) { return bytes; },
@@ -252,7 +254,7 @@ Tally matrix(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b,
   std::int32_t undecided[block_size<T>];
   // A block of b stays in cache while every row passes over it.
   for (std::int64_t begin = 0; begin < b.count; begin += block_size<T>) {
-    const std::int32_t length = block_length<T>(b.count - begin);
+    const std::int32_t length = block_length(b.count - begin, block_size<T>);
     columns.set(b, begin, length);
     for (std::int64_t i = 0; i < a.count; ++i) {
       row.set(a, i, 1);

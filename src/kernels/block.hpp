@@ -31,6 +31,15 @@ struct UnitAxes {
   }
 };
 
+template <class PairMask>
+VESICA_INLINE PairMask decided(const filter::Verdict<PairMask>& verdict) noexcept {
+  return either(verdict.overlap, verdict.disjoint);
+}
+template <class PairMask>
+VESICA_INLINE PairMask decided(const filter::DecidedVerdict<PairMask>& verdict) noexcept {
+  return verdict.decided;
+}
+
 /// A shape of lanes from element i on, or one shape in every lane.
 template <template <class> class Shape, class T, std::size_t... Field>
 VESICA_INLINE Shape<LanesOf<T>> load_lanes(const T* const* field, std::int32_t i,
@@ -92,9 +101,9 @@ template <class Filter, template <class> class A, template <class> class B, clas
     const auto verdict = Filter::filter(first.at(i), second.at(i));
     store_bytes(verdict.overlap, out + i);
     overlaps += count(verdict.overlap);
-    const auto decided = either(verdict.overlap, verdict.disjoint);
-    if (!all(decided)) [[unlikely]] {
-      list = append(~bits(decided) & lanes, i, list);
+    const auto known = decided(verdict);
+    if (!all(known)) [[unlikely]] {
+      list = append(~bits(known) & lanes, i, list);
       if (list - block.undecided > block.give_up) break;
     }
   }

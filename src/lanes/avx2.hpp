@@ -97,5 +97,32 @@ inline Doubles sqrt(Doubles a) { return _mm256_sqrt_pd(a.v); }
 inline Doubles rough_sqrt(Doubles a) { return _mm256_sqrt_pd(a.v); }
 inline Doubles rough_quotient(Doubles a, Doubles b) { return _mm256_div_pd(a.v, b.v); }
 
+// In bits: of a number in [1/2, 2) the difference to 1/2 leaves the upper part, sign and exponent, clear; a gap too
+// large, infinite or NaN turns the sign of its difference to the bound.
+inline FloatMask near_unit_boxes(Floats uu, Floats ww, Floats a_hx, Floats a_hy, Floats b_hx, Floats b_hy,
+                                 Floats abs_gap) {
+  const __m256i lowest = _mm256_set1_epi32(0x3f000000), upper = _mm256_set1_epi32(~0xffffff);
+  const __m256i beyond = _mm256_or_si256(_mm256_sub_epi32(_mm256_castps_si256(uu.v), lowest),
+                                         _mm256_sub_epi32(_mm256_castps_si256(ww.v), lowest));
+  const __m256i room = _mm256_sub_epi32(_mm256_castps_si256(_mm256_set1_ps(0x1p100f)), _mm256_castps_si256(abs_gap.v));
+  const __m256i sizes = _mm256_castps_si256(_mm256_or_ps(_mm256_or_ps(a_hx.v, a_hy.v), _mm256_or_ps(b_hx.v, b_hy.v)));
+  const __m256i sign = _mm256_castps_si256(_mm256_set1_ps(-0.0f));
+  const __m256i wrong =
+      _mm256_or_si256(_mm256_and_si256(beyond, upper), _mm256_and_si256(_mm256_or_si256(sizes, room), sign));
+  return {_mm256_castsi256_ps(_mm256_cmpeq_epi32(wrong, _mm256_setzero_si256()))};
+}
+inline DoubleMask near_unit_boxes(Doubles uu, Doubles ww, Doubles a_hx, Doubles a_hy, Doubles b_hx, Doubles b_hy,
+                                  Doubles abs_gap) {
+  const __m256i lowest = _mm256_set1_epi64x(0x3fe0000000000000), upper = _mm256_set1_epi64x(~0x1fffffffffffff);
+  const __m256i beyond = _mm256_or_si256(_mm256_sub_epi64(_mm256_castpd_si256(uu.v), lowest),
+                                         _mm256_sub_epi64(_mm256_castpd_si256(ww.v), lowest));
+  const __m256i room = _mm256_sub_epi64(_mm256_castpd_si256(_mm256_set1_pd(0x1p800)), _mm256_castpd_si256(abs_gap.v));
+  const __m256i sizes = _mm256_castpd_si256(_mm256_or_pd(_mm256_or_pd(a_hx.v, a_hy.v), _mm256_or_pd(b_hx.v, b_hy.v)));
+  const __m256i sign = _mm256_castpd_si256(_mm256_set1_pd(-0.0));
+  const __m256i wrong =
+      _mm256_or_si256(_mm256_and_si256(beyond, upper), _mm256_and_si256(_mm256_or_si256(sizes, room), sign));
+  return {_mm256_castsi256_pd(_mm256_cmpeq_epi64(wrong, _mm256_setzero_si256()))};
+}
+
 }  // namespace
 }  // namespace vesica

@@ -121,5 +121,46 @@ inline Doubles rough_quotient(Doubles a, Doubles b) {
   return _mm512_fmadd_pd(_mm512_fnmadd_pd(q, b.v, a.v), r, q);
 }
 
+// In bits: of a number in [1/2, 2) the difference to 1/2 leaves the upper part, sign and exponent, clear; a gap too
+// large, infinite or NaN turns the sign of its difference to the bound.
+inline Mask<16> near_unit_boxes(Floats uu, Floats ww, Floats a_hx, Floats a_hy, Floats b_hx, Floats b_hy,
+                                Floats abs_gap) {
+  const __m512i lowest = _mm512_set1_epi32(0x3f000000), upper = _mm512_set1_epi32(~0xffffff);
+  const __m512i beyond = _mm512_or_si512(_mm512_sub_epi32(_mm512_castps_si512(uu.v), lowest),
+                                         _mm512_sub_epi32(_mm512_castps_si512(ww.v), lowest));
+  const __m512i room = _mm512_sub_epi32(_mm512_castps_si512(_mm512_set1_ps(0x1p100f)), _mm512_castps_si512(abs_gap.v));
+  const __m512i sizes = _mm512_castps_si512(_mm512_or_ps(_mm512_or_ps(a_hx.v, a_hy.v), _mm512_or_ps(b_hx.v, b_hy.v)));
+  const __m512i sign = _mm512_castps_si512(_mm512_set1_ps(-0.0f));
+  const __m512i wrong =
+      _mm512_or_si512(_mm512_and_si512(beyond, upper), _mm512_and_si512(_mm512_or_si512(sizes, room), sign));
+  return {_mm512_testn_epi32_mask(wrong, wrong)};
+}
+inline Mask<8> near_unit_boxes(Doubles uu, Doubles ww, Doubles a_hx, Doubles a_hy, Doubles b_hx, Doubles b_hy,
+                               Doubles abs_gap) {
+  const __m512i lowest = _mm512_set1_epi64(0x3fe0000000000000), upper = _mm512_set1_epi64(~0x1fffffffffffff);
+  const __m512i beyond = _mm512_or_si512(_mm512_sub_epi64(_mm512_castpd_si512(uu.v), lowest),
+                                         _mm512_sub_epi64(_mm512_castpd_si512(ww.v), lowest));
+  const __m512i room = _mm512_sub_epi64(_mm512_castpd_si512(_mm512_set1_pd(0x1p800)), _mm512_castpd_si512(abs_gap.v));
+  const __m512i sizes = _mm512_castpd_si512(_mm512_or_pd(_mm512_or_pd(a_hx.v, a_hy.v), _mm512_or_pd(b_hx.v, b_hy.v)));
+  const __m512i sign = _mm512_castpd_si512(_mm512_set1_pd(-0.0));
+  const __m512i wrong =
+      _mm512_or_si512(_mm512_and_si512(beyond, upper), _mm512_and_si512(_mm512_or_si512(sizes, room), sign));
+  return {_mm512_testn_epi64_mask(wrong, wrong)};
+}
+template <int e>
+Floats divide_by_power(Floats x) {
+  return _mm512_castsi512_ps(_mm512_sub_epi32(_mm512_castps_si512(x.v), _mm512_set1_epi32(e << 23)));
+}
+template <int e>
+Doubles divide_by_power(Doubles x) {
+  return _mm512_castsi512_pd(_mm512_sub_epi64(_mm512_castpd_si512(x.v), _mm512_set1_epi64(std::int64_t{e} << 52)));
+}
+inline Mask<16> greater_where(Mask<16> mask, Floats a, Floats b) {
+  return {_mm512_mask_cmp_ps_mask(mask.bits, a.v, b.v, _CMP_GT_OQ)};
+}
+inline Mask<8> greater_where(Mask<8> mask, Doubles a, Doubles b) {
+  return {_mm512_mask_cmp_pd_mask(mask.bits, a.v, b.v, _CMP_GT_OQ)};
+}
+
 }  // namespace
 }  // namespace vesica

@@ -85,7 +85,8 @@ TEST_P(Many, AgreesAtEveryAlignment) {
 TEST_P(Many, AgreesAboutBlockSizes) {
   in_its_scalar([this]<class T>(T) {
     constexpr std::size_t block = vesica::batch::block_size<T>;
-    for (const std::size_t n : {block - 1, block, block + 1, 2 * block + 1}) {
+    constexpr std::size_t long_block = vesica::batch::long_block_size;
+    for (const std::size_t n : {block - 1, block, block + 1, 2 * block + 1, long_block, long_block + 1}) {
       check<T>(Layout::columns, Layout::columns, n);
       check<T>(Layout::columns, Layout::single, n);
       check<T>(Layout::repeated, Layout::columns, n);
@@ -127,9 +128,10 @@ TEST_P(Many, AgreesAboutContact) {
 INSTANTIATE_TEST_SUITE_P(Sets, Many, testing::ValuesIn(all_cases()), test_name);
 
 /// The sizes the lengths above are chosen about.
-TEST(Blocks, HoldFourKibibytesAColumn) {
+TEST(Blocks, HoldFourKibibytesAColumnOrAreReadInPlace) {
   EXPECT_EQ(vesica::batch::block_size<float>, 1024);
   EXPECT_EQ(vesica::batch::block_size<double>, 512);
+  EXPECT_EQ(vesica::batch::long_block_size, 4096);
 }
 
 }  // namespace

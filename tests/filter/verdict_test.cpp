@@ -35,7 +35,9 @@ struct PairFilter {
 struct UnitAxesFilter {
   template <class V>
   static auto verdict(const Rect<V>& a, const Rect<V>& b) {
-    return filter::unit_box_box(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
+    const auto v =
+        filter::unit_box_box(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
+    return filter::Verdict<bool>{v.overlap, v.decided && !v.overlap};
   }
 };
 
