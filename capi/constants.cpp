@@ -16,6 +16,15 @@ int32_t vesica_aabb(void) { return VESICA_AABB; }
 int32_t vesica_rect(void) { return VESICA_RECT; }
 int32_t vesica_ellipse(void) { return VESICA_ELLIPSE; }
 
+int32_t vesica_disjoint(void) { return VESICA_DISJOINT; }
+int32_t vesica_touch(void) { return VESICA_TOUCH; }
+int32_t vesica_cross(void) { return VESICA_CROSS; }
+int32_t vesica_inside(void) { return VESICA_INSIDE; }
+int32_t vesica_inside_touch(void) { return VESICA_INSIDE_TOUCH; }
+int32_t vesica_contains(void) { return VESICA_CONTAINS; }
+int32_t vesica_contains_touch(void) { return VESICA_CONTAINS_TOUCH; }
+int32_t vesica_equal(void) { return VESICA_EQUAL; }
+
 int32_t vesica_e_null(void) { return VESICA_E_NULL; }
 int32_t vesica_e_shape(void) { return VESICA_E_SHAPE; }
 int32_t vesica_e_kind(void) { return VESICA_E_KIND; }
@@ -30,6 +39,10 @@ int32_t vesica_no(void) { return VESICA_NO; }
 int32_t vesica_yes(void) { return VESICA_YES; }
 int32_t vesica_uncertain(void) { return VESICA_UNCERTAIN; }
 int32_t vesica_most_sample_points(void) { return VESICA_MOST_SAMPLE_POINTS; }
+int32_t vesica_most_sandwich_iterations(void) { return VESICA_MOST_SANDWICH_ITERATIONS; }
+int32_t vesica_schedule_scale_aware(void) { return VESICA_SCHEDULE_SCALE_AWARE; }
+int32_t vesica_schedule_literal(void) { return VESICA_SCHEDULE_LITERAL; }
+int32_t vesica_most_descent_iterations(void) { return VESICA_MOST_DESCENT_ITERATIONS; }
 
 // The core's error codes are the C face's.
 static_assert(vesica::error_null == VESICA_E_NULL && vesica::error_shape == VESICA_E_SHAPE);

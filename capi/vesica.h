@@ -15,7 +15,8 @@
  *  - Input is only read and may be shared, the same shape twice included. Arrays of shapes (vesica_shapes) need no
  *    alignment; other pointers have that of their types, as always in C.
  *  - No function allocates, locks, prints, sets errno or keeps state: all are thread-safe and reentrant, at any
- *    rounding mode of the caller's that is to-nearest. The exact stage uses at most 128 KiB of stack.
+ *    rounding mode of the caller's that is to-nearest. Calls may raise floating-point flags; traps must be masked, as C
+ *    has them. The exact stage uses at most 128 KiB of stack.
  *
  * The order of the shapes, point segment circle aabb rect ellipse, is the order of arguments in typed functions.
  */
@@ -50,6 +51,16 @@ extern "C" {
 #define VESICA_RECT 4    /**< cx cy ux uy hx hy */
 #define VESICA_ELLIPSE 5 /**< cx cy ux uy a b */
 
+/* The relation of a to b, by vesica_relation. */
+#define VESICA_DISJOINT 0       /**< no common point */
+#define VESICA_TOUCH 1          /**< common points, none of them inside both */
+#define VESICA_CROSS 2          /**< the insides meet, and neither contains the other */
+#define VESICA_INSIDE 3         /**< b contains a, and a stays clear of b's outline */
+#define VESICA_INSIDE_TOUCH 4   /**< b contains a, and a reaches b's outline */
+#define VESICA_CONTAINS 5       /**< a contains b, and b stays clear of a's outline */
+#define VESICA_CONTAINS_TOUCH 6 /**< a contains b, and b reaches a's outline */
+#define VESICA_EQUAL 7          /**< the same set of points */
+
 #define VESICA_E_NULL (-1)          /**< a pointer is NULL */
 #define VESICA_E_SHAPE (-2)         /**< a shape is invalid; vesica_check says why */
 #define VESICA_E_KIND (-3)          /**< a kind is not one of the six */
@@ -80,6 +91,22 @@ VESICA_API int32_t vesica_aabb(void);
 VESICA_API int32_t vesica_rect(void);
 /** VESICA_ELLIPSE. Since 0.1. */
 VESICA_API int32_t vesica_ellipse(void);
+/** VESICA_DISJOINT. Since 0.1. */
+VESICA_API int32_t vesica_disjoint(void);
+/** VESICA_TOUCH. Since 0.1. */
+VESICA_API int32_t vesica_touch(void);
+/** VESICA_CROSS. Since 0.1. */
+VESICA_API int32_t vesica_cross(void);
+/** VESICA_INSIDE. Since 0.1. */
+VESICA_API int32_t vesica_inside(void);
+/** VESICA_INSIDE_TOUCH. Since 0.1. */
+VESICA_API int32_t vesica_inside_touch(void);
+/** VESICA_CONTAINS. Since 0.1. */
+VESICA_API int32_t vesica_contains(void);
+/** VESICA_CONTAINS_TOUCH. Since 0.1. */
+VESICA_API int32_t vesica_contains_touch(void);
+/** VESICA_EQUAL. Since 0.1. */
+VESICA_API int32_t vesica_equal(void);
 /** VESICA_E_NULL. Since 0.1. */
 VESICA_API int32_t vesica_e_null(void);
 /** VESICA_E_SHAPE. Since 0.1. */
@@ -155,6 +182,22 @@ typedef struct {
     double cx, cy, ux, uy, a, b;
 } vesica_ellipse_f64;
 
+/** A distance, and the points of two shapes a and b that are that far apart. */
+typedef struct {
+    double distance, ax, ay, bx, by;
+} vesica_closest_points_f64;
+
+/** Where two outlines meet: `count` places (x[i], y[i]), the rest 0; shared: 1 where they have a stretch in common. */
+typedef struct {
+    int32_t count, shared;
+    double x[8], y[8];
+} vesica_crossing_points_f64;
+
+/** How far to move the second of two overlapping shapes: its unit direction, and the distance. */
+typedef struct {
+    double depth, x, y;
+} vesica_penetration_f64;
+
 /* ---- double: functions. Typed pairs return 1 (share a point, touching counts) or 0; errors: VESICA_E_NULL,
         VESICA_E_SHAPE. Cost: a few to 20 ns; on the rare near-ties the filter cannot decide, 0.1 to 3 us. ---- */
 
@@ -219,6 +262,149 @@ VESICA_API int32_t vesica_overlap_rect_rect_f64(const vesica_rect_f64 *a, const 
 VESICA_API int32_t vesica_overlap_rect_ellipse_f64(const vesica_rect_f64 *a, const vesica_ellipse_f64 *b);
 /** 1 when the ellipses share a point; one inside the other does. Returns and errors as all typed pairs. Since 0.1. */
 VESICA_API int32_t vesica_overlap_ellipse_ellipse_f64(const vesica_ellipse_f64 *a, const vesica_ellipse_f64 *b);
+
+/**
+ * How do two shapes of any kinds relate? One of RCC-8's eight: VESICA_DISJOINT ... VESICA_EQUAL, of a to b.
+ *
+ * The outline of a shape with area is the curve around it; that of a segment, or of any shape with one size zero, its
+ * two end points; a point, or a shape with no size, has none. The inside is the rest. The first that holds:
+ * VESICA_EQUAL, the same set of points, whatever kinds and numbers describe it; VESICA_INSIDE, b contains a, and a has
+ * no point of b's outline; VESICA_INSIDE_TOUCH, b contains a, and a has points of b's outline; VESICA_CONTAINS and
+ * VESICA_CONTAINS_TOUCH, the same with a and b exchanged; VESICA_CROSS, the two insides have a common point;
+ * VESICA_TOUCH, the shapes have one; VESICA_DISJOINT. So a segment's end on another's middle is touch, two segments
+ * along one line that overlap in part cross, and a point on a rim is inside with touch.
+ * numbers_a, numbers_b: each shape's numbers in its order; they may be the same memory. Exchanging the shapes gives the
+ * converse, always. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Exact for every valid shape. Cost: up to twice
+ * that of vesica_overlap_f64; where shapes touch or are equal, 0.1 to 5 us. Since 0.1.
+ */
+VESICA_API int32_t vesica_relation_f64(int32_t kind_a, const double *numbers_a,
+                                       int32_t kind_b, const double *numbers_b);
+
+/**
+ * Does shape a contain all of shape b? Either order of kinds; a shape contains itself, and all it touches from inside.
+ *
+ * Returns 1 where vesica_relation_f64 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0. Everything else
+ * as there. Since 0.1.
+ */
+VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const double *numbers_a,
+                                       int32_t kind_b, const double *numbers_b);
+
+/**
+ * The places where the outlines of two shapes of any kinds meet, touching included. Either order of kinds.
+ *
+ * The outline of a shape with area is the curve around it; a segment, a point, and a shape without area are their own
+ * outlines. How many places there are, up to 8, is exact: where outlines touch, to whatever order, is one. A stretch that
+ * straight outlines have in common counts as its two end points and sets out->shared; equal boxes have their corners.
+ * Equal curves have no single places: the count is 0 and out->shared 1.
+ * Places are in order along a's outline: counter-clockwise about its axis from a box's corner C - hx u - hy perp(u),
+ * from an ellipse's end C + a u of its axis (a circle's C + (r, 0)); from a segment's first end.
+ * Accuracy: within 16 u of the greatest coordinate and size met, u = 2^-53; for two ellipses where they cross. Two that
+ * nearly touch, or touch to order k: within 2^(-90/k) of the lesser one's size, along both outlines.
+ * out: untouched on error; may not overlap the numbers. Returns the count. Errors: VESICA_E_NULL, VESICA_E_KIND,
+ * VESICA_E_SHAPE, VESICA_E_RANGE (a place is beyond the finite numbers). Cost: 5 to 20 us; disjoint shapes as
+ * vesica_overlap_f64. Since 0.1.
+ */
+VESICA_API int32_t vesica_crossings_f64(int32_t kind_a, const double *numbers_a,
+                                        int32_t kind_b, const double *numbers_b, vesica_crossing_points_f64 *out);
+
+/**
+ * How far apart are two solid shapes of any kinds, in either order, and which points of them are closest?
+ *
+ * Disjoint shapes (as vesica_overlap_f64 says, exactly): out->distance > 0, the closest point of a (ax, ay), and that of
+ * b (bx, by). Shapes that share a point: distance 0, and both points are one common point. Where several answers are
+ * equally right it is one of them. Exchanging the shapes exchanges the points and changes no bit; moving both by the same
+ * exact amounts changes no bit of the distance.
+ * Accuracy, u = 2^-53 and scale the largest coordinate of the offset of centres or half length: the distance is right to
+ * 4 u scale at any aspect ratio up to 1e6, and small ones to 2 u of themselves down to 1e-10 scale; never 0 for disjoint
+ * shapes. Closest points lie within 4 u scale of their shapes' outlines, common points within 8 u scale times the greater
+ * aspect of both shapes, before the rounding of their coordinates.
+ * out: untouched on error; may not overlap the numbers. Returns 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE,
+ * VESICA_E_RANGE (the distance or a coordinate would leave the finite range). Cost: two rectangles, or an ellipse and a
+ * rectangle or circle, about 120 ns, two ellipses 150 ns, thin ones 250 ns; other kinds 0.2 to 0.5 us; ties within rounding,
+ * magnitudes beyond 2^+-60 and shapes that cross, up to 3 us. Since 0.1.
+ */
+VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
+                                      vesica_closest_points_f64 *out);
+
+/**
+ * Distance between the outlines of two shapes of any kinds, in either order, and where they come closest.
+ *
+ * The outline of a shape with area is the curve around it; of a point, a segment or any shape with a zero size it is all
+ * of the shape. Outlines that share a point: distance 0, and (ax, ay) = (bx, by) is a point of both, rounded. Disjoint
+ * shapes: as vesica_nearest_f64. One shape strictly inside the other: the least distance over the whole outline, never
+ * a local minimum, and the closest point on each. Where several pairs of points are equally close it is one of them.
+ * Which case it is, is decided exactly (vesica_relation_f64). Exchanging the shapes exchanges the points and changes no
+ * bit; moving both by the same exact amounts leaves every bit of the distance.
+ * Accuracy, u = 2^-53 and scale the largest coordinate of the offset of centres or half length: the distance is right to
+ * 4 u scale at aspect ratios up to 1e6, and never rounded to 0 where outlines are apart; each point is within 4 u scale
+ * times the greater aspect ratio of its outline, before the rounding of its coordinates.
+ * out: untouched on error; may not overlap the numbers. Returns 0. Errors: VESICA_E_NULL, VESICA_E_KIND,
+ * VESICA_E_SHAPE, VESICA_E_RANGE (a number would leave the finite range). Cost: that of
+ * vesica_nearest_f64 for disjoint shapes, about 1 us for nested ones, 0.3 us for a common point; up to 5 us more where it takes
+ * exact arithmetic to tell how the shapes relate. Since 0.1.
+ */
+VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const double *numbers_a,
+                                                int32_t kind_b, const double *numbers_b,
+                                                vesica_closest_points_f64 *out);
+
+/**
+ * Penetration depth of two shapes of any kinds, in either order: how far must b be moved so that they only touch?
+ *
+ * out->depth is the least length of a translation of b after which a line has a on its one side and b on its other, both
+ * up to the line itself; moving b by depth along the unit vector (x, y) does it. Disjoint shapes: all three are 0.
+ * Overlapping shapes always get a direction, and depth 0 exactly where they have such a line already: shapes that touch
+ * from outside, a point on an outline, and points or segments along one line. Otherwise depth > 0, however small.
+ * Where several directions do equally well it is one of them. Exchanging the shapes turns the direction round and changes
+ * no other bit (two equal shapes in one place excepted); moving both by the same exact amounts changes no bit at all.
+ * Accuracy, u = 2^-53 and scale the largest coordinate of the offset of centres or half length: depth is right to
+ * 4 u scale at aspect ratios up to 1e6, (x, y) is of length 1 to 3 u and moves b clear but for 4 u scale.
+ * out: untouched on error; may not overlap the numbers. Returns 0. Errors: VESICA_E_NULL, VESICA_E_KIND,
+ * VESICA_E_SHAPE, VESICA_E_RANGE (the depth would leave the finite range). Cost: about 150 ns for two boxes (points and
+ * segments are boxes), about 1 us with an ellipse; up to 5 us where it takes exact arithmetic to tell a depth from 0.
+ * Since 0.1.
+ */
+VESICA_API int32_t vesica_depth_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
+                                    vesica_penetration_f64 *out);
+
+/**
+ * Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+ *
+ * The nearest number to the true area, so a shape inside another never has the greater one,
+ * and equal shapes have the same whatever kinds and numbers describe them. out: untouched on error; may not overlap
+ * numbers. Returns 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE (beyond the finite numbers;
+ * one too small becomes subnormal or 0). Cost: about 20 ns. Since 0.1.
+ */
+VESICA_API int32_t vesica_shape_area_f64(int32_t kind, const double *numbers, double *out);
+
+/**
+ * Area of the intersection of two shapes of any kinds, in either order.
+ *
+ * Shapes that are disjoint, that touch (as vesica_relation_f64 says) or of which one has no area share exactly 0; where
+ * one contains the other, exactly the vesica_shape_area_f64 of the inner one. Never more than the area of either, and more
+ * than 0 wherever insides meet, unless that underflows. Exchanging the shapes changes no bit, nor does scaling both by a
+ * power of two, but for its square.
+ * Accuracy: within 64 u of the lesser shape's area times the larger of the two aspects (longer size over shorter; for
+ * aspects up to 10^4), u = 2^-53, however near the outlines are to touching or coinciding and however different the
+ * sizes are.
+ * out: untouched on error; may not overlap the numbers. Returns 0. Errors: VESICA_E_NULL, VESICA_E_KIND,
+ * VESICA_E_SHAPE, VESICA_E_RANGE (beyond the finite numbers). Cost: two boxes about 50 ns, an ellipse and a box 0.3 us,
+ * two ellipses 1 us; up to 10 us where one lies inside the other, outlines nearly touch, or one is far larger. Since 0.1.
+ */
+VESICA_API int32_t vesica_area_f64(int32_t kind_a, const double *numbers_a,
+                                   int32_t kind_b, const double *numbers_b, double *out);
+
+/**
+ * Intersection over union (Jaccard index) of two shapes: their vesica_area_f64 over the area of both together.
+ *
+ * From 0 to 1: exactly 1 for equal shapes, exactly 0 for shapes that share no area. Nothing overflows or underflows on
+ * the way, whatever the sizes. Accuracy: that of the area, over the area of the union. Exchanging the shapes, or scaling
+ * both by a power of two, changes no bit.
+ * out: untouched on error; may not overlap the numbers. Returns 0. Errors: VESICA_E_NULL, VESICA_E_KIND,
+ * VESICA_E_SHAPE, VESICA_E_ARGUMENT (neither shape has an area; with one that has, the ratio is 0). Cost: that of
+ * vesica_area_f64 and two of vesica_shape_area_f64. Since 0.1.
+ */
+VESICA_API int32_t vesica_iou_f64(int32_t kind_a, const double *numbers_a,
+                                  int32_t kind_b, const double *numbers_b, double *out);
 
 /**
  * Smallest box of representable numbers that contains a shape: each side is the shape's true extreme rounded
@@ -365,6 +551,121 @@ VESICA_API int64_t vesica_overlap_matrix_f64(const vesica_shapes_f64 *a, const v
 VESICA_API int64_t vesica_overlap_select_f64(const vesica_shapes_f64 *one, const vesica_shapes_f64 *many, int64_t *out,
                                              int64_t capacity);
 
+/**
+ * Bytes of scratch that vesica_nms_f64 and vesica_nms_f32 need for that many shapes: about 56 each. Errors:
+ * VESICA_E_ARGUMENT (negative count, or one whose scratch has no size). Since 0.1.
+ */
+VESICA_API int64_t vesica_nms_scratch(int64_t count);
+
+/**
+ * Greedy non-maximum suppression: in the order of their scores, highest first, each shape is kept unless its
+ * vesica_iou_f64 with one kept before is greater than the threshold.
+ *
+ * shapes: one kind, VESICA_CIRCLE to VESICA_ELLIPSE. scores: one each; equal ones go by index, infinite ones are legal.
+ * threshold: 0 to 1, and not itself suppressing: at 1 all are kept. scratch: vesica_nms_scratch bytes or more, of any
+ * alignment and content. keep: room for as many indices as there are shapes; the kept ones, in the order of their
+ * scores; what follows them is not written. *kept: how many. No output may overlap another or the input.
+ * Returns 0. A shape that is invalid, or whose score is NaN, is left out as if it were not there, keep and *kept are
+ * written, and the call returns VESICA_E_SHAPE. Before anything is written: VESICA_E_NULL (with no shapes, only shapes and
+ * kept are looked at), VESICA_E_KIND (also for points and segments), VESICA_E_ARGUMENT (as vesica_overlap_many_f64 of the
+ * array; the threshold; too little scratch). Cost: sorting, and an IoU for each pair of a kept shape and one whose bounds
+ * meet its own: 10,000 scattered rectangles about 5 ms. Since 0.1.
+ */
+VESICA_API int32_t vesica_nms_f64(const vesica_shapes_f64 *shapes, const double *scores, double threshold,
+                                  void *scratch, int64_t scratch_size, int64_t *keep, int64_t *kept);
+
+/**
+ * Relation of two arrays in step: out[i] = the code of vesica_relation_f64 for a[i] and b[i].
+ *
+ * Returns how many are not VESICA_DISJOINT. Everything else, errors included, as vesica_overlap_many_f64; an invalid element
+ * gets 0. Answers equal vesica_relation_f64's. Since 0.1.
+ */
+VESICA_API int64_t vesica_relation_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, uint8_t *out);
+
+/**
+ * Relation of every a to every b: out[i * row_stride + j] = the code for a[i] and b[j].
+ *
+ * Returns how many are not VESICA_DISJOINT. Everything else as vesica_overlap_matrix_f64. Since 0.1.
+ */
+VESICA_API int64_t vesica_relation_matrix_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, uint8_t *out,
+                                              ptrdiff_t row_stride);
+
+/**
+ * Containment of two arrays in step: out[i] = 1 where a[i] contains all of b[i], else 0.
+ *
+ * Returns how many are 1. Everything else, errors included, as vesica_overlap_many_f64. Since 0.1.
+ */
+VESICA_API int64_t vesica_contains_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, uint8_t *out);
+
+/**
+ * Containment of every b in every a: out[i * row_stride + j] = 1 where a[i] contains all of b[j], else 0.
+ *
+ * Returns how many are 1. Everything else as vesica_overlap_matrix_f64. Since 0.1.
+ */
+VESICA_API int64_t vesica_contains_matrix_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, uint8_t *out,
+                                              ptrdiff_t row_stride);
+
+/**
+ * Distance and closest points of two arrays in step: vesica_closest_points_f64 as columns.
+ *
+ * Kinds, counts and errors as vesica_overlap_many_f64; each column holds as many numbers as the larger count, and any but
+ * not all of them may be NULL. An invalid element gets NaN in each, every other one the numbers of vesica_nearest_f64, to
+ * the bit, and the call returns VESICA_E_SHAPE. Returns how many overlap (distance 0). Since 0.1.
+ */
+VESICA_API int64_t vesica_nearest_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, double *distance, double *ax, double *ay, double *bx, double *by);
+
+/**
+ * Distance of outlines of two arrays in step: vesica_closest_points_f64 as columns.
+ *
+ * Kinds, counts and errors as vesica_overlap_many_f64; each column holds as many numbers as the larger count, and any but
+ * not all of them may be NULL. An invalid element gets NaN in each, every other one the numbers of vesica_boundary_distance_f64, to
+ * the bit, and the call returns VESICA_E_SHAPE. Returns how many outlines meet (distance 0). Since 0.1.
+ */
+VESICA_API int64_t vesica_boundary_distance_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, double *distance, double *ax, double *ay, double *bx, double *by);
+
+/**
+ * Penetration depth of two arrays in step: vesica_penetration_f64 as columns.
+ *
+ * Kinds, counts and errors as vesica_overlap_many_f64; each column holds as many numbers as the larger count, and any but
+ * not all of them may be NULL. An invalid element gets NaN in each, every other one the numbers of vesica_depth_f64, to
+ * the bit, and the call returns VESICA_E_SHAPE. Returns how many depths are positive. Since 0.1.
+ */
+VESICA_API int64_t vesica_depth_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, double *depth, double *x, double *y);
+
+/**
+ * Area shared of two arrays in step: out[i] = that of a[i] and b[i].
+ *
+ * Kinds, counts and errors as vesica_overlap_many_f64. An invalid element gets NaN, every other one the number of
+ * vesica_area_f64, to the bit, and the call returns VESICA_E_SHAPE.
+ * Returns how many are positive. Since 0.1.
+ */
+VESICA_API int64_t vesica_area_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, double *out);
+
+/**
+ * Area shared of every a with every b: out[i * row_stride + j] = that of a[i] and b[j]. row_stride counts numbers.
+ *
+ * Everything else as vesica_area_many_f64 and vesica_overlap_matrix_f64. Since 0.1.
+ */
+VESICA_API int64_t vesica_area_matrix_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, double *out,
+                                              ptrdiff_t row_stride);
+
+/**
+ * Intersection over union of two arrays in step: out[i] = that of a[i] and b[i].
+ *
+ * Kinds, counts and errors as vesica_overlap_many_f64. An invalid element gets NaN, every other one the number of
+ * vesica_iou_f64, to the bit, and the call returns VESICA_E_SHAPE. A pair without any area gets NaN, and the call returns VESICA_E_ARGUMENT if nothing is invalid.
+ * Returns how many are positive. Since 0.1.
+ */
+VESICA_API int64_t vesica_iou_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, double *out);
+
+/**
+ * Intersection over union of every a with every b: out[i * row_stride + j] = that of a[i] and b[j]. row_stride counts numbers.
+ *
+ * Everything else as vesica_iou_many_f64 and vesica_overlap_matrix_f64. Since 0.1.
+ */
+VESICA_API int64_t vesica_iou_matrix_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, double *out,
+                                              ptrdiff_t row_stride);
+
 /* ---- float: shapes as plain structs without padding; their layout is frozen. ---- */
 
 /** A location. */
@@ -396,6 +697,22 @@ typedef struct {
 typedef struct {
     float cx, cy, ux, uy, a, b;
 } vesica_ellipse_f32;
+
+/** A distance, and the points of two shapes a and b that are that far apart. */
+typedef struct {
+    float distance, ax, ay, bx, by;
+} vesica_closest_points_f32;
+
+/** Where two outlines meet: `count` places (x[i], y[i]), the rest 0; shared: 1 where they have a stretch in common. */
+typedef struct {
+    int32_t count, shared;
+    float x[8], y[8];
+} vesica_crossing_points_f32;
+
+/** How far to move the second of two overlapping shapes: its unit direction, and the distance. */
+typedef struct {
+    float depth, x, y;
+} vesica_penetration_f32;
 
 /* ---- float: functions. Typed pairs return 1 (share a point, touching counts) or 0; errors: VESICA_E_NULL,
         VESICA_E_SHAPE. Cost: a few to 20 ns; on the rare near-ties the filter cannot decide, 0.1 to 3 us. ---- */
@@ -461,6 +778,113 @@ VESICA_API int32_t vesica_overlap_rect_rect_f32(const vesica_rect_f32 *a, const 
 VESICA_API int32_t vesica_overlap_rect_ellipse_f32(const vesica_rect_f32 *a, const vesica_ellipse_f32 *b);
 /** 1 when the ellipses share a point; one inside the other does. Returns and errors as all typed pairs. Since 0.1. */
 VESICA_API int32_t vesica_overlap_ellipse_ellipse_f32(const vesica_ellipse_f32 *a, const vesica_ellipse_f32 *b);
+
+/**
+ * How do two shapes of any kinds relate? One of RCC-8's eight: VESICA_DISJOINT ... VESICA_EQUAL, of a to b.
+ *
+ * The outline of a shape with area is the curve around it; that of a segment, or of any shape with one size zero, its
+ * two end points; a point, or a shape with no size, has none. The inside is the rest. The first that holds:
+ * VESICA_EQUAL, the same set of points, whatever kinds and numbers describe it; VESICA_INSIDE, b contains a, and a has
+ * no point of b's outline; VESICA_INSIDE_TOUCH, b contains a, and a has points of b's outline; VESICA_CONTAINS and
+ * VESICA_CONTAINS_TOUCH, the same with a and b exchanged; VESICA_CROSS, the two insides have a common point;
+ * VESICA_TOUCH, the shapes have one; VESICA_DISJOINT. So a segment's end on another's middle is touch, two segments
+ * along one line that overlap in part cross, and a point on a rim is inside with touch.
+ * numbers_a, numbers_b: each shape's numbers in its order; they may be the same memory. Exchanging the shapes gives the
+ * converse, always. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Exact for every valid shape. Cost: up to twice
+ * that of vesica_overlap_f32; where shapes touch or are equal, 0.1 to 5 us. Since 0.1.
+ */
+VESICA_API int32_t vesica_relation_f32(int32_t kind_a, const float *numbers_a,
+                                       int32_t kind_b, const float *numbers_b);
+
+/**
+ * Does shape a contain all of shape b? Either order of kinds; a shape contains itself, and all it touches from inside.
+ *
+ * Returns 1 where vesica_relation_f32 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0. Everything else
+ * as there. Since 0.1.
+ */
+VESICA_API int32_t vesica_contains_f32(int32_t kind_a, const float *numbers_a,
+                                       int32_t kind_b, const float *numbers_b);
+
+/**
+ * The places where the outlines of two shapes of any kinds meet, touching included. Either order of kinds.
+ *
+ * The outline of a shape with area is the curve around it; a segment, a point, and a shape without area are their own
+ * outlines. How many places there are, up to 8, is exact: where outlines touch, to whatever order, is one. A stretch that
+ * straight outlines have in common counts as its two end points and sets out->shared; equal boxes have their corners.
+ * Equal curves have no single places: the count is 0 and out->shared 1.
+ * Places are in order along a's outline: counter-clockwise about its axis from a box's corner C - hx u - hy perp(u),
+ * from an ellipse's end C + a u of its axis (a circle's C + (r, 0)); from a segment's first end.
+ * Accuracy: within 16 u of the greatest coordinate and size met, u = 2^-53; for two ellipses where they cross. Two that
+ * nearly touch, or touch to order k: within 2^(-90/k) of the lesser one's size, along both outlines.
+ * out: untouched on error; may not overlap the numbers. Returns the count. Errors: VESICA_E_NULL, VESICA_E_KIND,
+ * VESICA_E_SHAPE, VESICA_E_RANGE (a place is beyond the finite numbers). Cost: 5 to 20 us; disjoint shapes as
+ * vesica_overlap_f32. Since 0.1.
+ */
+VESICA_API int32_t vesica_crossings_f32(int32_t kind_a, const float *numbers_a,
+                                        int32_t kind_b, const float *numbers_b, vesica_crossing_points_f32 *out);
+
+/**
+ * Distance of two solid shapes of any kinds, in either order, and their closest points. Everything as vesica_nearest_f64,
+ * which computes it; each number is then rounded to float once, and a distance above 0 stays above 0. Since 0.1.
+ */
+VESICA_API int32_t vesica_nearest_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b, const float *numbers_b,
+                                      vesica_closest_points_f32 *out);
+
+/**
+ * Distance between the outlines of two shapes of any kinds, in either order, and where they come closest. Everything as
+ * vesica_boundary_distance_f64, which computes it; each number is then rounded to float once, and a distance above 0
+ * stays above 0. Since 0.1.
+ */
+VESICA_API int32_t vesica_boundary_distance_f32(int32_t kind_a, const float *numbers_a,
+                                                int32_t kind_b, const float *numbers_b,
+                                                vesica_closest_points_f32 *out);
+
+/**
+ * Penetration depth of two shapes of any kinds, in either order. Everything as vesica_depth_f64, which computes it; each
+ * number is then rounded to float once, and a depth above 0 stays above 0. Since 0.1.
+ */
+VESICA_API int32_t vesica_depth_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b, const float *numbers_b,
+                                    vesica_penetration_f32 *out);
+
+/**
+ * Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+ *
+ * The double nearest to the true area, rounded to float, so a shape inside another never has the greater one,
+ * and equal shapes have the same whatever kinds and numbers describe them. out: untouched on error; may not overlap
+ * numbers. Returns 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE (beyond the finite numbers;
+ * one too small becomes subnormal or 0). Cost: about 20 ns. Since 0.1.
+ */
+VESICA_API int32_t vesica_shape_area_f32(int32_t kind, const float *numbers, float *out);
+
+/**
+ * Area of the intersection of two shapes of any kinds, in either order.
+ *
+ * Shapes that are disjoint, that touch (as vesica_relation_f32 says) or of which one has no area share exactly 0; where
+ * one contains the other, exactly the vesica_shape_area_f32 of the inner one. Never more than the area of either, and more
+ * than 0 wherever insides meet, unless that underflows. Exchanging the shapes changes no bit, nor does scaling both by a
+ * power of two, but for its square.
+ * Accuracy: within 64 u of the lesser shape's area times the larger of the two aspects (longer size over shorter; for
+ * aspects up to 10^4), u = 2^-53, however near the outlines are to touching or coinciding and however different the
+ * sizes are; then rounded to float.
+ * out: untouched on error; may not overlap the numbers. Returns 0. Errors: VESICA_E_NULL, VESICA_E_KIND,
+ * VESICA_E_SHAPE, VESICA_E_RANGE (beyond the finite numbers). Cost: two boxes about 50 ns, an ellipse and a box 0.3 us,
+ * two ellipses 1 us; up to 10 us where one lies inside the other, outlines nearly touch, or one is far larger. Since 0.1.
+ */
+VESICA_API int32_t vesica_area_f32(int32_t kind_a, const float *numbers_a,
+                                   int32_t kind_b, const float *numbers_b, float *out);
+
+/**
+ * Intersection over union (Jaccard index) of two shapes: their vesica_area_f32 over the area of both together.
+ *
+ * From 0 to 1: exactly 1 for equal shapes, exactly 0 for shapes that share no area. Nothing overflows or underflows on
+ * the way, whatever the sizes. Accuracy: that of the area, over the area of the union. Exchanging the shapes, or scaling
+ * both by a power of two, changes no bit.
+ * out: untouched on error; may not overlap the numbers. Returns 0. Errors: VESICA_E_NULL, VESICA_E_KIND,
+ * VESICA_E_SHAPE, VESICA_E_ARGUMENT (neither shape has an area; with one that has, the ratio is 0). Cost: that of
+ * vesica_area_f32 and two of vesica_shape_area_f32. Since 0.1.
+ */
+VESICA_API int32_t vesica_iou_f32(int32_t kind_a, const float *numbers_a,
+                                  int32_t kind_b, const float *numbers_b, float *out);
 
 /**
  * Smallest box of representable numbers that contains a shape: each side is the shape's true extreme rounded
@@ -606,6 +1030,115 @@ VESICA_API int64_t vesica_overlap_matrix_f32(const vesica_shapes_f32 *a, const v
  */
 VESICA_API int64_t vesica_overlap_select_f32(const vesica_shapes_f32 *one, const vesica_shapes_f32 *many, int64_t *out,
                                              int64_t capacity);
+
+/**
+ * Greedy non-maximum suppression: in the order of their scores, highest first, each shape is kept unless its
+ * vesica_iou_f32 with one kept before is greater than the threshold.
+ *
+ * shapes: one kind, VESICA_CIRCLE to VESICA_ELLIPSE. scores: one each; equal ones go by index, infinite ones are legal.
+ * threshold: 0 to 1, and not itself suppressing: at 1 all are kept. scratch: vesica_nms_scratch bytes or more, of any
+ * alignment and content. keep: room for as many indices as there are shapes; the kept ones, in the order of their
+ * scores; what follows them is not written. *kept: how many. No output may overlap another or the input.
+ * Returns 0. A shape that is invalid, or whose score is NaN, is left out as if it were not there, keep and *kept are
+ * written, and the call returns VESICA_E_SHAPE. Before anything is written: VESICA_E_NULL (with no shapes, only shapes and
+ * kept are looked at), VESICA_E_KIND (also for points and segments), VESICA_E_ARGUMENT (as vesica_overlap_many_f32 of the
+ * array; the threshold; too little scratch). Cost: sorting, and an IoU for each pair of a kept shape and one whose bounds
+ * meet its own: 10,000 scattered rectangles about 5 ms. Since 0.1.
+ */
+VESICA_API int32_t vesica_nms_f32(const vesica_shapes_f32 *shapes, const float *scores, float threshold,
+                                  void *scratch, int64_t scratch_size, int64_t *keep, int64_t *kept);
+
+/**
+ * Relation of two arrays in step: out[i] = the code of vesica_relation_f32 for a[i] and b[i].
+ *
+ * Returns how many are not VESICA_DISJOINT. Everything else, errors included, as vesica_overlap_many_f32; an invalid element
+ * gets 0. Answers equal vesica_relation_f32's. Since 0.1.
+ */
+VESICA_API int64_t vesica_relation_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, uint8_t *out);
+
+/**
+ * Relation of every a to every b: out[i * row_stride + j] = the code for a[i] and b[j].
+ *
+ * Returns how many are not VESICA_DISJOINT. Everything else as vesica_overlap_matrix_f32. Since 0.1.
+ */
+VESICA_API int64_t vesica_relation_matrix_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, uint8_t *out,
+                                              ptrdiff_t row_stride);
+
+/**
+ * Containment of two arrays in step: out[i] = 1 where a[i] contains all of b[i], else 0.
+ *
+ * Returns how many are 1. Everything else, errors included, as vesica_overlap_many_f32. Since 0.1.
+ */
+VESICA_API int64_t vesica_contains_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, uint8_t *out);
+
+/**
+ * Containment of every b in every a: out[i * row_stride + j] = 1 where a[i] contains all of b[j], else 0.
+ *
+ * Returns how many are 1. Everything else as vesica_overlap_matrix_f32. Since 0.1.
+ */
+VESICA_API int64_t vesica_contains_matrix_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, uint8_t *out,
+                                              ptrdiff_t row_stride);
+
+/**
+ * Distance and closest points of two arrays in step: vesica_closest_points_f32 as columns.
+ *
+ * Kinds, counts and errors as vesica_overlap_many_f32; each column holds as many numbers as the larger count, and any but
+ * not all of them may be NULL. An invalid element gets NaN in each, every other one the numbers of vesica_nearest_f32, to
+ * the bit, and the call returns VESICA_E_SHAPE. Returns how many overlap (distance 0). Since 0.1.
+ */
+VESICA_API int64_t vesica_nearest_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, float *distance, float *ax, float *ay, float *bx, float *by);
+
+/**
+ * Distance of outlines of two arrays in step: vesica_closest_points_f32 as columns.
+ *
+ * Kinds, counts and errors as vesica_overlap_many_f32; each column holds as many numbers as the larger count, and any but
+ * not all of them may be NULL. An invalid element gets NaN in each, every other one the numbers of vesica_boundary_distance_f32, to
+ * the bit, and the call returns VESICA_E_SHAPE. Returns how many outlines meet (distance 0). Since 0.1.
+ */
+VESICA_API int64_t vesica_boundary_distance_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, float *distance, float *ax, float *ay, float *bx, float *by);
+
+/**
+ * Penetration depth of two arrays in step: vesica_penetration_f32 as columns.
+ *
+ * Kinds, counts and errors as vesica_overlap_many_f32; each column holds as many numbers as the larger count, and any but
+ * not all of them may be NULL. An invalid element gets NaN in each, every other one the numbers of vesica_depth_f32, to
+ * the bit, and the call returns VESICA_E_SHAPE. Returns how many depths are positive. Since 0.1.
+ */
+VESICA_API int64_t vesica_depth_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, float *depth, float *x, float *y);
+
+/**
+ * Area shared of two arrays in step: out[i] = that of a[i] and b[i].
+ *
+ * Kinds, counts and errors as vesica_overlap_many_f32. An invalid element gets NaN, every other one the number of
+ * vesica_area_f32, to the bit, and the call returns VESICA_E_SHAPE.
+ * Returns how many are positive. Since 0.1.
+ */
+VESICA_API int64_t vesica_area_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, float *out);
+
+/**
+ * Area shared of every a with every b: out[i * row_stride + j] = that of a[i] and b[j]. row_stride counts numbers.
+ *
+ * Everything else as vesica_area_many_f32 and vesica_overlap_matrix_f32. Since 0.1.
+ */
+VESICA_API int64_t vesica_area_matrix_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, float *out,
+                                              ptrdiff_t row_stride);
+
+/**
+ * Intersection over union of two arrays in step: out[i] = that of a[i] and b[i].
+ *
+ * Kinds, counts and errors as vesica_overlap_many_f32. An invalid element gets NaN, every other one the number of
+ * vesica_iou_f32, to the bit, and the call returns VESICA_E_SHAPE. A pair without any area gets NaN, and the call returns VESICA_E_ARGUMENT if nothing is invalid.
+ * Returns how many are positive. Since 0.1.
+ */
+VESICA_API int64_t vesica_iou_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, float *out);
+
+/**
+ * Intersection over union of every a with every b: out[i * row_stride + j] = that of a[i] and b[j]. row_stride counts numbers.
+ *
+ * Everything else as vesica_iou_many_f32 and vesica_overlap_matrix_f32. Since 0.1.
+ */
+VESICA_API int64_t vesica_iou_matrix_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, float *out,
+                                              ptrdiff_t row_stride);
 
 #ifdef __cplusplus
 }

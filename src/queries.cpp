@@ -17,9 +17,10 @@ namespace {
 struct Operand {
   std::int32_t kind;
   double number[max_fields][query_block];
+  double area[query_block] = {};
 
   template <class T>
-  void set(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n) noexcept {
+  void set(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n, ShapeArea shape_area) noexcept {
     kind = shapes.kind;
     for (int k = 0; k < field_count(kind); ++k) {
       const T* from = advance(shapes.field[k], begin * shapes.stride);
@@ -28,6 +29,16 @@ struct Operand {
         std::memcpy(&x, advance(from, (i < n ? i : 0) * shapes.stride), sizeof x);
         number[k][i] = x;
       }
+    }
+    if (shape_area != nullptr) measure(shape_area, shapes.stride == 0 ? 1 : n);
+  }
+
+  /// Areas of the first n elements, and that of the first one beyond.
+  void measure(ShapeArea shape_area, std::int32_t n) noexcept {
+    for (std::int32_t i = 0; i < query_block; ++i) {
+      double numbers[max_fields];
+      element(i, numbers);
+      area[i] = i < n ? shape_area(kind, numbers) : area[0];
     }
   }
 
@@ -63,18 +74,55 @@ void reverse(Reversal reversal, std::int32_t n, Results& results) noexcept {
     if (std::isnan(results[0][i])) continue;
     if (reversal == Reversal::converse) results[0][i] = converse[static_cast<int>(results[0][i])];
     if (reversal == Reversal::direction) {
-      results[1][i] = -results[1][i];
-      results[2][i] = -results[2][i];
+      results[1][i] = 0 - results[1][i];  // no -0
+      results[2][i] = 0 - results[2][i];
     }
   }
+}
+
+/// Results as the caller's type has them. Codes hold 0 for errors.
+template <class Out>
+using Stored = Out[max_results][query_block];
+
+/// Rounds n results once, as the scalar functions do. A float beyond the range is an error.
+std::int32_t store(const Query& query, std::int32_t n, const Results& results, Stored<float>& out) noexcept {
+  std::int32_t error = 0;
+  for (std::int32_t i = 0; i < n; ++i) {
+    bool in_range = true;
+    for (int k = 0; k < query.results; ++k) {
+      out[k][i] = static_cast<float>(results[k][i]);
+      in_range = in_range && !std::isinf(out[k][i]);
+    }
+    const bool lost = query.is_length && out[0][i] == 0 && results[0][i] > 0;
+    if (lost) out[0][i] = std::numeric_limits<float>::denorm_min();
+    if (in_range) continue;
+    error = error_range;
+    for (int k = 0; k < query.results; ++k) out[k][i] = std::numeric_limits<float>::quiet_NaN();
+  }
+  return error;
+}
+std::int32_t store(const Query& query, std::int32_t n, const Results& results, Stored<double>& out) noexcept {
+  for (int k = 0; k < query.results; ++k) std::memcpy(out[k], results[k], static_cast<std::size_t>(n) * sizeof(double));
+  return 0;
+}
+std::int32_t store(const Query&, std::int32_t n, const Results& results, Stored<std::uint8_t>& out) noexcept {
+  for (std::int32_t i = 0; i < n; ++i) {
+    out[0][i] = std::isnan(results[0][i]) ? std::uint8_t{0} : static_cast<std::uint8_t>(results[0][i]);
+  }
+  return 0;
 }
 
 class Engine {
  public:
   Engine(const Query& query, const KernelTable& kernels) noexcept : query_(query), kernels_(kernels) {}
 
-  /// Results of all pairs; NaN where there is an error.
-  void answer(const Pairs& pairs, Results& results) noexcept { answer(query_, pairs, results); }
+  /// Results of all pairs as Out; NaN, or code 0, where there is an error.
+  template <class Out>
+  void answer(const Pairs& pairs, Stored<Out>& out) noexcept {
+    Results results;
+    answer(query_, pairs, results);
+    note(store(query_, pairs.n, results, out));
+  }
 
   std::int32_t error() const noexcept { return error_; }
 
@@ -84,6 +132,11 @@ class Engine {
   std::int32_t error_ = 0;
 
   void answer(const Query& query, const Pairs& pairs, Results& results) noexcept {
+    if (query.from_relation != nullptr) {
+      answer(*query.relation, pairs, results);
+      for (std::int32_t i = 0; i < pairs.n; ++i) results[0][i] = query.from_relation(results[0][i]);
+      return;
+    }
     const QueryKernel kernel = (kernels_.queries->*query.kernels)[pairs.first().kind][pairs.second().kind];
     if (kernel != nullptr) ask_kernel(kernel, query, pairs, results);
     for (std::int32_t i = 0; i < pairs.n; ++i) {
@@ -93,33 +146,34 @@ class Engine {
 
   void ask_kernel(QueryKernel kernel, const Query& query, const Pairs& pairs, Results& results) noexcept {
     double known[query_block];
-    const double *first[max_fields], *second[max_fields];
-    pairs.first().columns(first);
-    pairs.second().columns(second);
-    tell(query, pairs, first, second, known);
+    QueryColumns asked{};
+    pairs.first().columns(asked.first);
+    pairs.second().columns(asked.second);
+    asked.known = known;
+    asked.first_area = pairs.first().area;
+    asked.second_area = pairs.second().area;
+    tell(query, pairs, asked, known);
     double* columns[max_results] = {results[0], results[1], results[2], results[3], results[4]};
     if (pairs.reversed() && query.reversal == Reversal::points) {
       std::swap(columns[1], columns[3]);
       std::swap(columns[2], columns[4]);
     }
-    kernel(first, second, known, whole_vectors(pairs.n), columns);
+    kernel(asked, whole_vectors(pairs.n), columns);
     if (pairs.reversed()) reverse(query.reversal, pairs.n, results);
   }
 
-  /// What the kernel must know, of (first, second). Errors show again when the scalar function is asked.
-  void tell(const Query& query, const Pairs& pairs, const double* const* first, const double* const* second,
-            double (&known)[query_block]) noexcept {
+  /// Whether they overlap. Errors show again when the scalar function is asked.
+  void tell(const Query& query, const Pairs& pairs, const QueryColumns& asked, double (&known)[query_block]) noexcept {
     if (query.known == Known::overlap) {
       std::uint8_t bytes[query_block];
       const std::int32_t n = whole_vectors(pairs.n);
-      overlap_block(kernels_, pairs.first().kind, first, pairs.second().kind, second, n, bytes);
+      overlap_block(kernels_, pairs.first().kind, asked.first, pairs.second().kind, asked.second, n, bytes);
       for (std::int32_t i = 0; i < n; ++i) known[i] = bytes[i];
-    } else if (query.known == Known::relation) {
-      Results codes;
-      answer(*query.relation, pairs, codes);
-      if (pairs.reversed()) reverse(Reversal::converse, pairs.n, codes);
-      for (std::int32_t i = 0; i < query_block; ++i) known[i] = codes[0][i];
     }
+  }
+
+  void note(std::int32_t error) noexcept {
+    if (error < 0 && error_ != error_shape) error_ = error;
   }
 
   void ask_scalar(const Query& query, const Pairs& pairs, std::int32_t i, Results& results) noexcept {
@@ -127,25 +181,15 @@ class Engine {
     pairs.a.element(i, a);
     pairs.b.element(i, b);
     const std::int32_t error = query.answer(pairs.a.kind, a, pairs.b.kind, b, numbers);
-    if (error < 0 && error_ != error_shape) error_ = error;
+    note(error);
     for (int k = 0; k < query.results; ++k) {
       results[k][i] = error < 0 ? std::numeric_limits<double>::quiet_NaN() : numbers[k];
     }
   }
 };
 
-/// A result as T: rounded once, but positive numbers stay positive. Columns of codes hold 0 for errors.
 template <class Out>
-Out stored(double x) noexcept {
-  if constexpr (sizeof(Out) == 1) {
-    return std::isnan(x) ? Out{0} : static_cast<Out>(x);
-  } else {
-    const Out rounded = static_cast<Out>(x);
-    return rounded == 0 && x > 0 ? std::numeric_limits<Out>::denorm_min() : rounded;
-  }
-}
-
-std::int64_t count(const Query& query, const double* numbers, std::int32_t n) noexcept {
+std::int64_t count(const Query& query, const Out* numbers, std::int32_t n) noexcept {
   std::int64_t count = 0;
   for (std::int32_t i = 0; i < n; ++i) count += query.counts_zero ? numbers[i] == 0 : numbers[i] > 0;
   return count;
@@ -162,17 +206,17 @@ QueryTally query_many(const Query& query, const KernelTable& kernels, const Shap
                       std::int64_t n, Out* const* columns) noexcept {
   Engine engine(query, kernels);
   Pairs pairs;
-  Results results;
+  Stored<Out> results;
   std::int64_t counted = 0;
   for (std::int64_t begin = 0; begin < n; begin += query_block) {
     pairs.n = block_length(n - begin);
-    if (begin == 0 || a.stride != 0) pairs.a.set(a, begin, pairs.n);
-    if (begin == 0 || b.stride != 0) pairs.b.set(b, begin, pairs.n);
-    engine.answer(pairs, results);
+    if (begin == 0 || a.stride != 0) pairs.a.set(a, begin, pairs.n, query.shape_area);
+    if (begin == 0 || b.stride != 0) pairs.b.set(b, begin, pairs.n, query.shape_area);
+    engine.answer<Out>(pairs, results);
     counted += count(query, results[0], pairs.n);
     for (int k = 0; k < query.results; ++k) {
       if (columns[k] == nullptr) continue;
-      for (std::int32_t i = 0; i < pairs.n; ++i) columns[k][begin + i] = stored<Out>(results[k][i]);
+      std::memcpy(columns[k] + begin, results[k], static_cast<std::size_t>(pairs.n) * sizeof(Out));
     }
   }
   return {counted, engine.error()};
@@ -183,20 +227,19 @@ QueryTally query_matrix(const Query& query, const KernelTable& kernels, const Sh
                         Out* out, std::ptrdiff_t row_stride) noexcept {
   Engine engine(query, kernels);
   Pairs pairs;
-  Results results;
+  Stored<Out> results;
   std::int64_t counted = 0;
   for (std::int64_t begin = 0; begin < b.count; begin += query_block) {
     pairs.n = block_length(b.count - begin);
-    pairs.b.set(b, begin, pairs.n);
+    pairs.b.set(b, begin, pairs.n, query.shape_area);
     for (std::int64_t row = 0; row < a.count; ++row) {
       Shapes<T> one = a;
       one.stride = 0;
       for (int k = 0; k < field_count(a.kind); ++k) one.field[k] = advance(a.field[k], row * a.stride);
-      pairs.a.set(one, 0, pairs.n);
-      engine.answer(pairs, results);
+      pairs.a.set(one, 0, pairs.n, query.shape_area);
+      engine.answer<Out>(pairs, results);
       counted += count(query, results[0], pairs.n);
-      Out* to = out + row * row_stride + begin;
-      for (std::int32_t i = 0; i < pairs.n; ++i) to[i] = stored<Out>(results[0][i]);
+      std::memcpy(out + row * row_stride + begin, results[0], static_cast<std::size_t>(pairs.n) * sizeof(Out));
     }
   }
   return {counted, engine.error()};

@@ -36,20 +36,12 @@ namespace vesica {
 
 namespace detail {
 
-#if defined(__GNUC__)
-#define VESICA_COLD [[gnu::noinline, gnu::cold]]
-#else
-#define VESICA_COLD
-#endif
-
 /// For what a filter could not decide: invalid shapes get their error here, the rest their exact answer.
 template <class A, class B>
 VESICA_COLD std::int32_t decide_undecided(const A& a, const B& b) noexcept {
   if (check(a) != 0 || check(b) != 0) return error_shape;
   return pair::exact(widen(a), widen(b)) ? 1 : 0;
 }
-
-#undef VESICA_COLD
 
 template <class A, class B>
 inline constexpr bool in_order = ShapeTraits<A>::kind <= ShapeTraits<B>::kind;

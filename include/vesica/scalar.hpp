@@ -15,11 +15,14 @@
 #error "Vesica needs arithmetic in the operands' own precision: on 32-bit x86 compile with -msse2 -mfpmath=sse."
 #endif
 
-/// Filters are one expression spread over several functions: a call in the middle costs as much as the filter does.
+/// Filters are one expression spread over several functions: a call in the middle costs as much as the filter does. What
+/// they leave undecided is out of the way.
 #if defined(__GNUC__)
 #define VESICA_INLINE [[gnu::always_inline]] inline
+#define VESICA_COLD [[gnu::noinline, gnu::cold]]
 #else
 #define VESICA_INLINE inline
+#define VESICA_COLD
 #endif
 
 namespace vesica {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "kernels/query_table.hpp"
+#include "kernels/query_cores.hpp"
 
 namespace vesica {
 namespace {
@@ -21,16 +21,8 @@ VESICA_INLINE Shape<Doubles> load_shape(const double* const* field, std::int32_t
   return load_shape<Shape>(field, i, std::make_index_sequence<ShapeTraits<Shape<double>>::fields>{});
 }
 
-using PairMask = decltype(Doubles(0.0) < Doubles(0.0));
-
-/// Zero where all numbers are finite, NaN elsewhere.
-template <class... V>
-VESICA_INLINE Doubles zero_if_finite(V... numbers) noexcept {
-  const Doubles zero(0.0);
-  return ((numbers * zero) + ...);
-}
-
-// As check(): finite numbers, no negative size, an axis that is not zero.
+// As check(): finite numbers, no negative size, an axis that is not zero. The filters behind a relation see to it
+// themselves, for every shape.
 VESICA_INLINE PairMask valid(const Circle<Doubles>& s) noexcept {
   const Doubles zero(0.0);
   return both(zero_if_finite(s.cx, s.cy, s.r) == zero, s.r >= zero);
@@ -44,17 +36,19 @@ VESICA_INLINE PairMask valid(const Ellipse<Doubles>& s) noexcept {
   return valid(Rect<Doubles>{s.cx, s.cy, s.ux, s.uy, s.a, s.b});
 }
 
-/// Core::evaluate(a, b, known, out) writes a vector of each result and returns where they hold.
 template <class Core, template <class> class A, template <class> class B>
-void answer_vectors(const double* const* first, const double* const* second, const double* known, std::int32_t n,
-                    double* const* results) noexcept {
+void answer_vectors(const QueryColumns& columns, std::int32_t n, double* const* results) noexcept {
+  constexpr bool sees_validity = std::is_same_v<Core, RelationCore>;
   const Doubles no_number(std::numeric_limits<double>::quiet_NaN());
   for (std::int32_t i = 0; i < n; i += Doubles::width) {
-    const auto a = load_shape<A>(first, i);
-    const auto b = load_shape<B>(second, i);
+    const auto a = load_shape<A>(columns.first, i);
+    const auto b = load_shape<B>(columns.second, i);
+    const KnownLanes known{Doubles::load(columns.known + i), Doubles::load(columns.first_area + i),
+                           Doubles::load(columns.second_area + i)};
     Doubles out[Core::results];
-    const PairMask settled = Core::evaluate(a, b, Doubles::load(known + i), out);
-    out[0] = select(both(settled, both(valid(a), valid(b))), out[0], no_number);
+    PairMask settled = Core::evaluate(a, b, known, out);
+    if constexpr (!sees_validity) settled = both(settled, both(valid(a), valid(b)));
+    out[0] = select(settled, out[0], no_number);
     for (int k = 0; k < Core::results; ++k) out[k].store(results[k] + i);
   }
 }
@@ -76,6 +70,17 @@ constexpr void fill_hot_pairs(QueryKernels& kernels) noexcept {
 /// Everything this instruction set offers, laid down at compile time.
 consteval QueryTable make_query_table() noexcept {
   QueryTable table{};
+  fill_hot_pairs<RelationCore>(table.relation);
+  fill<RelationCore, Circle, Circle>(table.relation);
+  fill<RelationCore, Circle, Rect>(table.relation);
+  fill<RelationCore, Aabb, Aabb>(table.relation);
+  fill<RelationCore, Point, Rect>(table.relation);
+  fill<RelationCore, Point, Ellipse>(table.relation);
+  fill_hot_pairs<NearestCore>(table.nearest);
+  fill_hot_pairs<BoundaryDistanceCore>(table.boundary_distance);
+  fill_hot_pairs<DepthCore>(table.depth);
+  fill<AreaCore, Rect, Rect>(table.area);
+  fill<IouCore, Rect, Rect>(table.iou);
   return table;
 }
 

@@ -61,6 +61,15 @@ void expect_layout_of_shapes() {
   EXPECT_EQ(offsetof(Shapes, field), 24u);
 }
 
+TEST(CapiConstants, SizesOfResults) {
+  EXPECT_EQ(sizeof(vesica_closest_points_f64), 40u);
+  EXPECT_EQ(sizeof(vesica_closest_points_f32), 20u);
+  EXPECT_EQ(sizeof(vesica_crossing_points_f64), 136u);
+  EXPECT_EQ(sizeof(vesica_crossing_points_f32), 72u);
+  EXPECT_EQ(sizeof(vesica_penetration_f64), 24u);
+  EXPECT_EQ(sizeof(vesica_penetration_f32), 12u);
+}
+
 TEST(CapiConstants, LayoutOfShapes) {
   EXPECT_EQ(sizeof(vesica_shapes_f64), 72u);
   EXPECT_EQ(sizeof(vesica_shapes_f32), 72u);
@@ -73,6 +82,14 @@ TEST(CapiConstants, LayoutOfMethods) {
   EXPECT_EQ(sizeof(vesica_metric_closest_f32), 12u);
   EXPECT_EQ(sizeof(vesica_turned_rect_f64), 40u);
   EXPECT_EQ(sizeof(vesica_turned_rect_f32), 20u);
+  EXPECT_EQ(sizeof(vesica_approximation_f64), 16u);
+  EXPECT_EQ(sizeof(vesica_approximation_f32), 8u);
+  EXPECT_EQ(sizeof(vesica_radius_vector_ellipse_f64), 40u);
+  EXPECT_EQ(sizeof(vesica_radius_vector_ellipse_f32), 20u);
+  EXPECT_EQ(sizeof(vesica_descent_settings_f64), 32u);
+  EXPECT_EQ(sizeof(vesica_descent_settings_f32), 20u);
+  EXPECT_EQ(sizeof(vesica_descent_result_f64), 40u);
+  EXPECT_EQ(sizeof(vesica_descent_result_f32), 24u);
 }
 
 struct Constant {
@@ -89,6 +106,14 @@ TEST(CapiConstants, MacrosFunctionsAndValuesAgree) {
       {VESICA_AABB, vesica_aabb, 3},
       {VESICA_RECT, vesica_rect, 4},
       {VESICA_ELLIPSE, vesica_ellipse, 5},
+      {VESICA_DISJOINT, vesica_disjoint, 0},
+      {VESICA_TOUCH, vesica_touch, 1},
+      {VESICA_CROSS, vesica_cross, 2},
+      {VESICA_INSIDE, vesica_inside, 3},
+      {VESICA_INSIDE_TOUCH, vesica_inside_touch, 4},
+      {VESICA_CONTAINS, vesica_contains, 5},
+      {VESICA_CONTAINS_TOUCH, vesica_contains_touch, 6},
+      {VESICA_EQUAL, vesica_equal, 7},
       {VESICA_E_NULL, vesica_e_null, -1},
       {VESICA_E_SHAPE, vesica_e_shape, -2},
       {VESICA_E_KIND, vesica_e_kind, -3},

@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: Apache-2.0
 # The near-tie hash (tests/batch/near_tie_hash) beyond the default build: on a processor with other vectors (aarch64)
 # and one of the other byte order (s390x) under qemu, and natively without optimisation and by clang. Each must print
-# the hash that is written there. Installs the cross compilers and qemu where they are missing; builds under
-# build/cross-<name>. Exit status 0 when all agree.
+# the hash that is written there. On aarch64 the tests of batches (tests/batch) run too, over its instruction sets.
+# Installs the cross compilers and qemu where they are missing; builds under build/cross-<name>. Exit status 0 when all
+# agree.
 set -euo pipefail
 
 # shellcheck source=/dev/null
 . "$(dirname "${BASH_SOURCE[0]}")/../../run"  # root, need, CMAKE_BUILD_PARALLEL_LEVEL
-packages=(g++ cmake ninja-build g++-aarch64-linux-gnu g++-s390x-linux-gnu qemu-user)
+packages=(g++ cmake ninja-build googletest g++-aarch64-linux-gnu g++-s390x-linux-gnu qemu-user)
 failures=0
 
 failed() {
@@ -42,12 +43,22 @@ symbols() {
   find "$root/build/cross-$1" -path '*/isa/*.o' -print0 | xargs -0 "$root/tests/batch/isa_symbols.sh" "${@:2}" "$nm"
 }
 
+# batches NAME COMMAND...: the tests of batches, of which those of guard pages end in a segmentation fault on purpose.
+batches() {
+  local output
+  output=$("${@:2}" "$root/build/cross-$1/batch_test" --gtest_brief=1 2>&1) || { echo "$output" >&2; return 1; }
+  echo "$1: $(tail -n 1 <<<"$output") (batch_test)"
+}
+
 # foreign NAME PROCESSOR ISA...: under qemu every named set must be there. Nothing else compiles neon, so warnings count.
 foreign() {
-  local isa
-  build "$1" -DVESICA_DEVELOPER=ON -DCMAKE_BUILD_TYPE=Release "-DCMAKE_TOOLCHAIN_FILE=$root/tests/cross/$2.cmake" || return 1
+  local isa emulator=("qemu-$2" -L "/usr/$2-linux-gnu") googletest=
+  [ "$2" != aarch64 ] || googletest=/usr/src/googletest
+  build "$1" -DVESICA_DEVELOPER=ON -DCMAKE_BUILD_TYPE=Release "-DVESICA_CROSS_GOOGLETEST=$googletest" \
+    "-DCMAKE_TOOLCHAIN_FILE=$root/tests/cross/$2.cmake" || return 1
   symbols "$1" || return 1
-  for isa in "${@:3}"; do hash "$1" "$isa" "qemu-$2" -L "/usr/$2-linux-gnu" || return 1; done
+  for isa in "${@:3}"; do hash "$1" "$isa" "${emulator[@]}" || return 1; done
+  [ -z "$googletest" ] || batches "$1" "${emulator[@]}"
 }
 
 # native NAME BUILD_TYPE COMPILER_C COMPILER_CXX: a set that this processor lacks is passed over, and says so.

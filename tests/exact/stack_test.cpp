@@ -107,11 +107,31 @@ Shapes touching_ellipses() {
        0x1.fffffffffffffp1023}};
 }
 
-std::size_t used_by(PaintedStack& stack, const Shapes& s) {
+/// Ellipses with one axis v, the second half as long along it and touching the first from inside at v.
+Shapes nested_ellipses() {
+  return {VESICA_ELLIPSE,
+          VESICA_ELLIPSE,
+          {0, 0, 0x1.5555555555555p1022, 0x1.2345678p-1050, 1, 0x1.89abcdefp1},
+          {0x1.5555555555555p1021, 0x1.2345678p-1051, 0x1.5555555555555p1022, 0x1.2345678p-1050, 0.5,
+           0x1.2345678p-1050}};
+}
+
+using Query = std::int32_t (*)(std::int32_t, const double*, std::int32_t, const double*);
+
+std::size_t used_by(PaintedStack& stack, Query query, const Shapes& s) {
   std::int32_t answer = VESICA_E_NULL;
-  const std::size_t used = stack.used_by([&] { answer = vesica_overlap_f64(s.kind_a, s.a, s.kind_b, s.b); });
+  const std::size_t used = stack.used_by([&] { answer = query(s.kind_a, s.a, s.kind_b, s.b); });
   EXPECT_GE(answer, 0) << vesica_strerror(answer);
   return used;
+}
+
+/// The most that any query of two shapes uses.
+std::size_t used_by(PaintedStack& stack, const Shapes& s) {
+  std::size_t most = 0;
+  for (const Query query : {vesica_overlap_f64, vesica_relation_f64, vesica_contains_f64}) {
+    most = std::max(most, used_by(stack, query, s));
+  }
+  return most;
 }
 
 TEST(Stack, AtMostAsPromised) {
@@ -127,6 +147,8 @@ TEST(Stack, AtMostAsPromised) {
       if (a == VESICA_ELLIPSE) {
         EXPECT_EQ(vesica_overlap_f64(a, touching_ellipses().a, b, touching_ellipses().b), 1);
         most = std::max(most, used_by(stack, touching_ellipses()));
+        EXPECT_EQ(vesica_relation_f64(a, nested_ellipses().a, b, nested_ellipses().b), VESICA_CONTAINS_TOUCH);
+        most = std::max(most, used_by(stack, nested_ellipses()));
         // Five numbers of degree 16 or more: else the exact stage was not reached, and there was nothing to measure.
         EXPECT_GT(most, 30'000U);
       }

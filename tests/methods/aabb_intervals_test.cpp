@@ -5,7 +5,7 @@
 
 namespace {
 
-using namespace rect_pairs;
+using namespace method_pairs;
 
 constexpr auto point_f64 = vesica_method_point_aabb_intervals_f64;
 constexpr auto point_f32 = vesica_method_point_aabb_intervals_f32;

@@ -6,7 +6,7 @@
 
 #include "methods/typed_method.hpp"
 
-namespace rect_pairs {
+namespace method_pairs {
 
 /// Shapes that rounding can misjudge near contact only: nothing wrong beyond the gap.
 inline constexpr std::array conditioned{properties::Workload::random, properties::Workload::grid,
@@ -18,11 +18,12 @@ inline constexpr std::array counted{properties::Workload::near_contact, properti
                                     properties::Workload::mixed_scale};
 
 /// Agreement with the exact default beyond the gap; counts, printed, within it.
-inline void expect_exact_beyond_gap(const std::string& name, const Method& method, int kind_b, Scalar scalar) {
+inline void expect_exact_beyond_gap(const std::string& name, const Method& method, int kind_a, int kind_b,
+                                    Scalar scalar) {
   constexpr int cases = 20000, random_cases = 100000;
   for (const properties::Workload workload : conditioned) {
     const int how_many = workload == properties::Workload::random ? random_cases : cases;
-    const Counts counts = count(method, workload, VESICA_RECT, kind_b, scalar, how_many);
+    const Counts counts = count(method, workload, kind_a, kind_b, scalar, how_many);
     print(name, scalar, properties::name(workload), counts);
     EXPECT_GT(counts.overlapping, counts.cases / 20);
     EXPECT_EQ(counts.uncertain, 0);
@@ -31,16 +32,17 @@ inline void expect_exact_beyond_gap(const std::string& name, const Method& metho
                                           << counts.first_wrong;
   }
   for (const properties::Workload workload : counted) {
-    const Counts counts = count(method, workload, VESICA_RECT, kind_b, scalar, cases);
+    const Counts counts = count(method, workload, kind_a, kind_b, scalar, cases);
     print(name, scalar, properties::name(workload), counts);
     EXPECT_EQ(counts.uncertain, 0);
   }
 }
 
 /// Counts at the gaps, printed; in double nothing is wrong at 1e-6 of the distance.
-inline void expect_counts_near_tangent(const std::string& name, const Method& method, int kind_b, Scalar scalar) {
+inline void expect_counts_near_tangent(const std::string& name, const Method& method, int kind_a, int kind_b,
+                                       Scalar scalar) {
   for (const double gap : gaps) {
-    const Counts counts = count_near_tangent(method, gap, VESICA_RECT, kind_b, scalar, 20000);
+    const Counts counts = count_near_tangent(method, gap, kind_a, kind_b, scalar, 20000);
     print(name, scalar, "near tangent " + std::to_string(static_cast<int>(std::log10(gap) - 0.5)), counts);
     EXPECT_EQ(counts.uncertain, 0);
     EXPECT_EQ(counts.refused, 0);
@@ -52,4 +54,4 @@ inline void expect_counts_near_tangent(const std::string& name, const Method& me
   }
 }
 
-}  // namespace rect_pairs
+}  // namespace method_pairs

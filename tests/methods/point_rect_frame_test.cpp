@@ -5,7 +5,7 @@
 
 namespace {
 
-using namespace rect_pairs;
+using namespace method_pairs;
 
 constexpr auto f64 = vesica_method_point_rect_frame_f64;
 constexpr auto f32 = vesica_method_point_rect_frame_f32;

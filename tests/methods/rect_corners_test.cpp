@@ -8,7 +8,7 @@
 
 namespace {
 
-using namespace rect_pairs;
+using namespace method_pairs;
 
 TEST(RectCorners, KnownCorners) {
   const vesica_rect_f64 rect{10, 20, 3, 4, 2, 1};

@@ -5,7 +5,7 @@
 
 #include "methods/typed_method.hpp"
 
-namespace rect_pairs {
+namespace method_pairs {
 
 struct Known {
   const char* what;
@@ -93,4 +93,4 @@ inline void expect_known_answers(Scalar scalar, const Method& method) {
   }
 }
 
-}  // namespace rect_pairs
+}  // namespace method_pairs

@@ -6,7 +6,7 @@
 
 namespace {
 
-using namespace rect_pairs;
+using namespace method_pairs;
 
 constexpr auto f64 = vesica_method_rect_ellipse_closest_features_f64;
 constexpr auto f32 = vesica_method_rect_ellipse_closest_features_f32;
@@ -22,13 +22,15 @@ TEST(RectEllipseClosestFeatures, InvalidInput) {
 
 TEST(RectEllipseClosestFeatures, ExactBeyondTheGap) {
   for (const Scalar scalar : {Scalar::f64, Scalar::f32}) {
-    expect_exact_beyond_gap("rect_ellipse_closest_features", method<f64, f32>(scalar), VESICA_ELLIPSE, scalar);
+    expect_exact_beyond_gap("rect_ellipse_closest_features", method<f64, f32>(scalar), VESICA_RECT, VESICA_ELLIPSE,
+                            scalar);
   }
 }
 
 TEST(RectEllipseClosestFeatures, NearTangentCounts) {
   for (const Scalar scalar : {Scalar::f64, Scalar::f32}) {
-    expect_counts_near_tangent("rect_ellipse_closest_features", method<f64, f32>(scalar), VESICA_ELLIPSE, scalar);
+    expect_counts_near_tangent("rect_ellipse_closest_features", method<f64, f32>(scalar), VESICA_RECT, VESICA_ELLIPSE,
+                               scalar);
   }
 }
 

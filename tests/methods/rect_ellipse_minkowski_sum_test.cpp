@@ -9,7 +9,7 @@
 
 namespace {
 
-using namespace rect_pairs;
+using namespace method_pairs;
 
 constexpr auto f64 = vesica_method_rect_ellipse_minkowski_sum_f64;
 constexpr auto f32 = vesica_method_rect_ellipse_minkowski_sum_f32;
@@ -72,13 +72,15 @@ TEST(RectEllipseMinkowskiSum, InvalidInput) {
 
 TEST(RectEllipseMinkowskiSum, ExactBeyondTheGap) {
   for (const Scalar scalar : {Scalar::f64, Scalar::f32}) {
-    expect_exact_beyond_gap("rect_ellipse_minkowski_sum", method<f64, f32>(scalar), VESICA_ELLIPSE, scalar);
+    expect_exact_beyond_gap("rect_ellipse_minkowski_sum", method<f64, f32>(scalar), VESICA_RECT, VESICA_ELLIPSE,
+                            scalar);
   }
 }
 
 TEST(RectEllipseMinkowskiSum, NearTangentCounts) {
   for (const Scalar scalar : {Scalar::f64, Scalar::f32}) {
-    expect_counts_near_tangent("rect_ellipse_minkowski_sum", method<f64, f32>(scalar), VESICA_ELLIPSE, scalar);
+    expect_counts_near_tangent("rect_ellipse_minkowski_sum", method<f64, f32>(scalar), VESICA_RECT, VESICA_ELLIPSE,
+                               scalar);
   }
 }
 

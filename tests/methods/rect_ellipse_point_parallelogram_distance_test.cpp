@@ -7,7 +7,7 @@
 
 namespace {
 
-using namespace rect_pairs;
+using namespace method_pairs;
 
 std::int32_t answer_f64(const vesica_rect_f64* rect, const vesica_ellipse_f64* ellipse) {
   vesica_metric_closest_f64 out;
@@ -173,15 +173,15 @@ TEST(RectEllipsePointParallelogramDistance, InvalidInput) {
 
 TEST(RectEllipsePointParallelogramDistance, ExactBeyondTheGap) {
   for (const Scalar scalar : {Scalar::f64, Scalar::f32}) {
-    expect_exact_beyond_gap("point_parallelogram_distance", method<answer_f64, answer_f32>(scalar), VESICA_ELLIPSE,
-                            scalar);
+    expect_exact_beyond_gap("point_parallelogram_distance", method<answer_f64, answer_f32>(scalar), VESICA_RECT,
+                            VESICA_ELLIPSE, scalar);
   }
 }
 
 TEST(RectEllipsePointParallelogramDistance, NearTangentCounts) {
   for (const Scalar scalar : {Scalar::f64, Scalar::f32}) {
-    expect_counts_near_tangent("point_parallelogram_distance", method<answer_f64, answer_f32>(scalar), VESICA_ELLIPSE,
-                               scalar);
+    expect_counts_near_tangent("point_parallelogram_distance", method<answer_f64, answer_f32>(scalar), VESICA_RECT,
+                               VESICA_ELLIPSE, scalar);
   }
 }
 

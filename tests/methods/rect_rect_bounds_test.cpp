@@ -6,7 +6,7 @@
 
 namespace {
 
-using namespace rect_pairs;
+using namespace method_pairs;
 
 constexpr auto f64 = vesica_method_rect_rect_bounds_f64;
 constexpr auto f32 = vesica_method_rect_rect_bounds_f32;
@@ -52,7 +52,7 @@ TEST(RectRectBounds, InvalidInput) {
 
 TEST(RectRectBounds, EveryNoIsTrue) {
   for (const Scalar scalar : {Scalar::f64, Scalar::f32}) {
-    expect_never_wrong("rect_rect_bounds", method<f64, f32>(scalar), scalar, 25000);
+    expect_never_wrong("rect_rect_bounds", method<f64, f32>(scalar), VESICA_RECT, VESICA_RECT, scalar, 25000);
   }
 }
 

@@ -6,7 +6,7 @@
 
 namespace {
 
-using namespace rect_pairs;
+using namespace method_pairs;
 
 template <std::int32_t k>
 std::int32_t sample_f64(const vesica_rect_f64* a, const vesica_rect_f64* b) {
@@ -92,9 +92,12 @@ TEST(RectRectSamplePoints, InvalidInput) {
 
 TEST(RectRectSamplePoints, EveryYesIsTrue) {
   for (const Scalar scalar : {Scalar::f64, Scalar::f32}) {
-    expect_never_wrong("rect_rect_sample_points k = 0", method<sample_f64<0>, sample_f32<0>>(scalar), scalar, 8000);
-    expect_never_wrong("rect_rect_sample_points k = 3", method<sample_f64<3>, sample_f32<3>>(scalar), scalar, 16000);
-    expect_never_wrong("rect_rect_sample_points k = 50", method<sample_f64<50>, sample_f32<50>>(scalar), scalar, 4000);
+    expect_never_wrong("rect_rect_sample_points k = 0", method<sample_f64<0>, sample_f32<0>>(scalar), VESICA_RECT,
+                       VESICA_RECT, scalar, 8000);
+    expect_never_wrong("rect_rect_sample_points k = 3", method<sample_f64<3>, sample_f32<3>>(scalar), VESICA_RECT,
+                       VESICA_RECT, scalar, 16000);
+    expect_never_wrong("rect_rect_sample_points k = 50", method<sample_f64<50>, sample_f32<50>>(scalar), VESICA_RECT,
+                       VESICA_RECT, scalar, 4000);
   }
 }
 

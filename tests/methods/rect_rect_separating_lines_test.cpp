@@ -7,7 +7,7 @@
 
 namespace {
 
-using namespace rect_pairs;
+using namespace method_pairs;
 
 constexpr auto f64 = vesica_method_rect_rect_separating_lines_f64;
 constexpr auto f32 = vesica_method_rect_rect_separating_lines_f32;
@@ -72,13 +72,14 @@ TEST(RectRectSeparatingLines, InvalidInput) {
 
 TEST(RectRectSeparatingLines, ExactBeyondTheGap) {
   for (const Scalar scalar : {Scalar::f64, Scalar::f32}) {
-    expect_exact_beyond_gap("rect_rect_separating_lines", method<f64, f32>(scalar), VESICA_RECT, scalar);
+    expect_exact_beyond_gap("rect_rect_separating_lines", method<f64, f32>(scalar), VESICA_RECT, VESICA_RECT, scalar);
   }
 }
 
 TEST(RectRectSeparatingLines, NearTangentCounts) {
   for (const Scalar scalar : {Scalar::f64, Scalar::f32}) {
-    expect_counts_near_tangent("rect_rect_separating_lines", method<f64, f32>(scalar), VESICA_RECT, scalar);
+    expect_counts_near_tangent("rect_rect_separating_lines", method<f64, f32>(scalar), VESICA_RECT, VESICA_RECT,
+                               scalar);
   }
 }
 

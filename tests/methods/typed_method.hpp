@@ -10,9 +10,9 @@
 #include <limits>
 
 #include "capi/typed.hpp"
-#include "methods/rect_pairs.hpp"
+#include "methods/method_pairs.hpp"
 
-namespace rect_pairs {
+namespace method_pairs {
 
 template <auto f64, auto f32>
 std::int32_t call(Scalar scalar, const Pair& pair) {
@@ -69,6 +69,7 @@ class InvalidInput {
       }
     }
     if (kind == VESICA_AABB) expect_shape_error(kind, 2, T{0}, with);
+    if (kind == VESICA_CIRCLE) expect_shape_error(kind, 2, -Limits::denorm_min(), with);
     if (kind < VESICA_RECT) return;
     for (const std::size_t size : {4U, 5U}) expect_shape_error(kind, size, -Limits::denorm_min(), with);
     Numbers s = valid(kind);
@@ -77,4 +78,4 @@ class InvalidInput {
   }
 };
 
-}  // namespace rect_pairs
+}  // namespace method_pairs

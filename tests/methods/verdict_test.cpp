@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <vesica_methods.h>
 
+#include <vesica/methods/bisected_arc.hpp>
 #include <vesica/methods/rect_rect_sample_points.hpp>
 #include <vesica/methods/verdict.hpp>
 
@@ -13,14 +14,17 @@ TEST(MethodsVerdict, MacrosFunctionsAndCoreAgree) {
   EXPECT_EQ(VESICA_YES, 1);
   EXPECT_EQ(VESICA_UNCERTAIN, 2);
   EXPECT_EQ(VESICA_MOST_SAMPLE_POINTS, 1000);
+  EXPECT_EQ(VESICA_MOST_SANDWICH_ITERATIONS, 30);
   EXPECT_EQ(vesica_no(), 0);
   EXPECT_EQ(vesica_yes(), 1);
   EXPECT_EQ(vesica_uncertain(), 2);
   EXPECT_EQ(vesica_most_sample_points(), 1000);
+  EXPECT_EQ(vesica_most_sandwich_iterations(), 30);
   EXPECT_EQ(vesica::methods::no, 0);
   EXPECT_EQ(vesica::methods::yes, 1);
   EXPECT_EQ(vesica::methods::uncertain, 2);
   EXPECT_EQ(vesica::methods::most_sample_points, 1000);
+  EXPECT_EQ(vesica::methods::most_sandwich_iterations, 30);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The truth the library is tested against: overlap in exact integers, by other formulas than the library's.
+/// The truth the library is tested against: overlap and relation in exact integers, by other formulas than the
+/// library's.
 #pragma once
 
 namespace oracle {
@@ -8,5 +9,8 @@ namespace oracle {
 /// double, zero sizes included. Slow (microseconds, milliseconds at extreme exponents), allocates, exact.
 /// The shapes must be valid: nothing is checked.
 bool overlap(int kind_a, const double* a, int kind_b, const double* b);
+
+/// The relation of a to b, as a code of vesica.h; otherwise as overlap.
+int relation(int kind_a, const double* a, int kind_b, const double* b);
 
 }  // namespace oracle

@@ -65,8 +65,15 @@ struct Contact {
 };
 Contact touching(int kind_a, int kind_b, Random& random);
 
-/// Pairs about one contact: one number bisected until neighbours differ in the answer, then up to 4 places to either
-/// side; then other numbers one place off.
+/// Two shapes that share a point and a line through it that neither crosses, both on one side of it: one may hold the
+/// other and touch its outline from inside. All numbers are integers below 2^20.
+Pair touching_from_one_side(int kind_a, int kind_b, Random& random);
+
+/// Pairs about one contact: one number of `base` bisected until neighbours differ in the answer, then up to 4 places to
+/// either side; then other numbers one place off. Nothing when no such number is found.
+std::vector<Pair> about_contact(const Pair& base, Scalar scalar, Random& random, Decide decide);
+
+/// The same from some pair of another workload.
 std::vector<Pair> near_contact(int kind_a, int kind_b, Scalar scalar, Random& random, Decide decide);
 
 }  // namespace properties

@@ -110,15 +110,20 @@ Workload base_workload(Random& random_numbers) {
 
 }  // namespace
 
+std::vector<Pair> about_contact(const Pair& base, Scalar scalar, Random& random, Decide decide) {
+  const std::optional<AtContact> contact = find_contact(base, scalar, random, decide);
+  if (!contact) return {};
+  std::vector<Pair> pairs;
+  add_neighbours(pairs, contact->pair, contact->place, scalar, 4);
+  for (int i = 0; i < 2; ++i) add_neighbours(pairs, contact->pair, random_place(contact->pair, random), scalar, 1);
+  return pairs;
+}
+
 std::vector<Pair> near_contact(int kind_a, int kind_b, Scalar scalar, Random& random, Decide decide) {
   for (;;) {
     const Pair base = draw(base_workload(random), kind_a, kind_b, scalar, random);
-    const std::optional<AtContact> contact = find_contact(base, scalar, random, decide);
-    if (!contact) continue;
-    std::vector<Pair> pairs;
-    add_neighbours(pairs, contact->pair, contact->place, scalar, 4);
-    for (int i = 0; i < 2; ++i) add_neighbours(pairs, contact->pair, random_place(contact->pair, random), scalar, 1);
-    return pairs;
+    std::vector<Pair> pairs = about_contact(base, scalar, random, decide);
+    if (!pairs.empty()) return pairs;
   }
 }
 

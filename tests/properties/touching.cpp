@@ -92,15 +92,25 @@ Supported supported(int kind, Random& random, const Direction& n) {
   }
 }
 
+/// Shapes whose points farthest along a direction each are the same.
+Pair at_one_point(int kind_a, const Direction& of_a, int kind_b, const Direction& of_b, Random& random) {
+  const Supported a = supported(kind_a, random, of_a);
+  const Supported b = supported(kind_b, random, of_b);
+  const Vector place{double(random.integer(-9, 9)), double(random.integer(-9, 9))};
+  const Vector apart{place.x + a.support.x - b.support.x, place.y + a.support.y - b.support.y};
+  return {kind_a, kind_b, moved(kind_a, a.numbers, place), moved(kind_b, b.numbers, apart)};
+}
+
 }  // namespace
 
 Contact touching(int kind_a, int kind_b, Random& random) {
   const Direction n = rational_direction(random);
-  const Supported a = supported(kind_a, random, n);
-  const Supported b = supported(kind_b, random, {-n.x, -n.y, n.length});
-  const Vector place{double(random.integer(-9, 9)), double(random.integer(-9, 9))};
-  const Vector apart{place.x + a.support.x - b.support.x, place.y + a.support.y - b.support.y};
-  return {{kind_a, kind_b, moved(kind_a, a.numbers, place), moved(kind_b, b.numbers, apart)}, n.x, n.y};
+  return {at_one_point(kind_a, n, kind_b, {-n.x, -n.y, n.length}, random), n.x, n.y};
+}
+
+Pair touching_from_one_side(int kind_a, int kind_b, Random& random) {
+  const Direction n = rational_direction(random);
+  return at_one_point(kind_a, n, kind_b, n, random);
 }
 
 }  // namespace properties

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vesica/filter/box.hpp>
+#include <vesica/filter/standing.hpp>
 
 namespace vesica::filter {
 
@@ -25,10 +26,22 @@ VESICA_INLINE Estimate<V> widest_gap(V p0, V p1, V r0, V r1) noexcept {
   return {max(p0 - r0, p1 - r1), roundoffs<V>(12) * ((p0 + p1) + (r0 + r1)) + underflow_allowance<V>()};
 }
 
+/// Farthest that a box reaches out of another along the other's two axes, times |u|; negative when it stays within.
+///
+/// h0, h1 are the other's half extents along them, e0, e1 the box's own. The bounds above are sums over h and e, and
+/// there is one addition more, of magnitudes p + e: 7u (|p0| + |p1|) + 12u (h0 + h1 + e0 + e1) <= 14u of the sum of
+/// all.
+template <class V>
+VESICA_INLINE Estimate<V> farthest_out(V p0, V p1, V h0, V h1, V e0, V e1) noexcept {
+  return {max((p0 + e0) - h0, (p1 + e1) - h1),
+          roundoffs<V>(14) * ((p0 + p1) + ((h0 + e0) + (h1 + e1))) + underflow_allowance<V>()};
+}
+
 template <class V>
 struct BoxBox {
-  Estimate<V> gap_a, gap_b;  // along the axes of a and of b
-  V uu, ww;                  // squared lengths of the two axes
+  Estimate<V> gap_a, gap_b;            // along the axes of a and of b
+  V uu, ww;                            // squared lengths of the two axes
+  Estimate<V> a_out_of_b, b_out_of_a;  // along the axes of b and of a
 };
 
 template <class V>
@@ -37,17 +50,32 @@ VESICA_INLINE BoxBox<V> separating_axes(const Box<V>& a, const Box<V>& b, const 
   const V c = abs(a.ux * b.ux + a.uy * b.uy), s = abs(a.ux * b.uy - a.uy * b.ux);
   const V p0 = abs(a.ux * d.x + a.uy * d.y), p1 = abs(a.ux * d.y - a.uy * d.x);
   const V q0 = abs(b.ux * d.x + b.uy * d.y), q1 = abs(b.ux * d.y - b.uy * d.x);
-  return {widest_gap(p0, p1, a.hx * uu + (b.hx * c + b.hy * s), a.hy * uu + (b.hx * s + b.hy * c)),
-          widest_gap(q0, q1, b.hx * ww + (a.hx * c + a.hy * s), b.hy * ww + (a.hx * s + a.hy * c)), uu, ww};
+  const V h0 = a.hx * uu, h1 = a.hy * uu, e0 = b.hx * c + b.hy * s, e1 = b.hx * s + b.hy * c;
+  const V k0 = b.hx * ww, k1 = b.hy * ww, f0 = a.hx * c + a.hy * s, f1 = a.hx * s + a.hy * c;
+  return {widest_gap(p0, p1, h0 + e0, h1 + e1), widest_gap(q0, q1, k0 + f0, k1 + f1), uu, ww,
+          farthest_out(q0, q1, k0, k1, f0, f1), farthest_out(p0, p1, h0, h1, e0, e1)};
+}
+
+template <class V>
+VESICA_INLINE auto box_box_usable(const BoxBox<V>& axes, const Box<V>& a, const Box<V>& b) noexcept {
+  return both(both(box_axis_in_range(axes.uu), box_axis_in_range(axes.ww)), at_least(V(0.0f), a.hx, a.hy, b.hx, b.hy));
 }
 
 template <class V>
 VESICA_INLINE auto box_box(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
   const BoxBox<V> axes = separating_axes(a, b, d);
-  const auto usable =
-      both(both(box_axis_in_range(axes.uu), box_axis_in_range(axes.ww)), at_least(V(0.0f), a.hx, a.hy, b.hx, b.hy));
-  return guarded(usable, both(certainly_negative(axes.gap_a), certainly_negative(axes.gap_b)),
+  return guarded(box_box_usable(axes, a, b), both(certainly_negative(axes.gap_a), certainly_negative(axes.gap_b)),
                  either(certainly_positive(axes.gap_a), certainly_positive(axes.gap_b)));
+}
+
+/// Crossing and disjoint as above; each box's own axes tell what reaches out of it.
+template <class V>
+VESICA_INLINE auto box_box_standing(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
+  const BoxBox<V> axes = separating_axes(a, b, d);
+  auto s = standing(axes.gap_a, axes.a_out_of_b, axes.b_out_of_a);
+  s.disjoint = either(s.disjoint, certainly_positive(axes.gap_b));
+  s.crossing = both(s.crossing, certainly_negative(axes.gap_b));
+  return guarded(box_box_usable(axes, a, b), s);
 }
 
 /// d: from the box's centre to the point.

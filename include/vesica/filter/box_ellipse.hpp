@@ -3,12 +3,13 @@
 #pragma once
 
 #include <vesica/filter/box.hpp>
+#include <vesica/filter/standing.hpp>
 
 namespace vesica::filter {
 
 /// How far two segments, one along each axis of the box's frame, miss the ellipse: positive where they do. The shapes
-/// are disjoint iff both do, that is iff the lesser value is positive. exact/box_ellipse.hpp says which segments, and why
-/// two suffice. One error bounds both.
+/// are disjoint iff both do, that is iff the lesser value is positive. exact/box_ellipse.hpp says which segments, and
+/// why two suffice. One error bounds both.
 template <class V>
 struct BoxEllipse {
   V misses_x, misses_y, error;
@@ -31,37 +32,109 @@ VESICA_INLINE V gap_along_segment(V p00, V p01, V x, V y, V e) noexcept {
   return positive_part(abs(p00 * y - p01 * x) - p00 * e);
 }
 
+/// A box and an ellipse in the frame of the box, in units of |u|: the offset k of centres, half extents e of the box,
+/// the ellipse's axis (c, s) and half lengths times it, and its squared half extents p00, p11.
+template <class V>
+struct BoxFrame {
+  V uu, vv, kx, ky, ex, ey, c, s, ac, as, bc, bs, p00, p11;
+};
+
 /// d: from the box's centre to the ellipse's.
 template <class V>
-VESICA_INLINE BoxEllipse<V> visible_edges(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
+VESICA_INLINE BoxFrame<V> box_frame(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
   const V uu = box.ux * box.ux + box.uy * box.uy, vv = ellipse.ux * ellipse.ux + ellipse.uy * ellipse.uy;
   const V kx = box.ux * d.x + box.uy * d.y, ky = box.ux * d.y - box.uy * d.x;
   const V c = box.ux * ellipse.ux + box.uy * ellipse.uy, s = box.ux * ellipse.uy - box.uy * ellipse.ux;
   const V ac = ellipse.a * c, as = ellipse.a * s, bc = ellipse.b * c, bs = ellipse.b * s;
-  const V p00 = ac * ac + bs * bs, p11 = as * as + bc * bc;
+  return {uu, vv, kx, ky, box.hx * uu, box.hy * uu, c, s, ac, as, bc, bs, ac * ac + bs * bs, as * as + bc * bc};
+}
+
+template <class V>
+VESICA_INLINE BoxEllipse<V> visible_edges(const BoxFrame<V>& f, const Ellipse<V>& ellipse) noexcept {
   // Folding the centre into the first quadrant flips the sign of p01 with that of kx ky, which must not underflow.
-  const V p01 = flip_sign(flip_sign(ac * as - bc * bs, kx), ky);
-  const V root = (ellipse.a * ellipse.b) * (uu * vv), det = root * root;
-  const V ex = box.hx * uu, ey = box.hy * uu;
-  const V x = positive_part(abs(kx) - ex), y = positive_part(abs(ky) - ey);
-  const V q = p00 + p11, t = (abs(kx) + abs(ky)) + (ex + ey);
-  const V m = gap_along_segment(p00, p01, x, abs(ky), ey), n = gap_along_segment(p11, p01, y, abs(kx), ex);
+  const V p01 = flip_sign(flip_sign(f.ac * f.as - f.bc * f.bs, f.kx), f.ky);
+  const V root = (ellipse.a * ellipse.b) * (f.uu * f.vv), det = root * root;
+  const V x = positive_part(abs(f.kx) - f.ex), y = positive_part(abs(f.ky) - f.ey);
+  const V q = f.p00 + f.p11, t = (abs(f.kx) + abs(f.ky)) + (f.ex + f.ey);
+  const V m = gap_along_segment(f.p00, p01, x, abs(f.ky), f.ey), n = gap_along_segment(f.p11, p01, y, abs(f.kx), f.ex);
   const V error_m = roundoffs<V>(34) * (q * t), gaps = m + n;
-  return {m * m - det * (p00 - x * x), n * n - det * (p11 - y * y),
-          error_m * ((gaps + gaps) + error_m) + roundoffs<V>(48) * (det * (q + (x + y) * t)), uu, vv};
+  return {m * m - det * (f.p00 - x * x), n * n - det * (f.p11 - y * y),
+          error_m * ((gaps + gaps) + error_m) + roundoffs<V>(48) * (det * (q + (x + y) * t)), f.uu, f.vv};
+}
+
+/// d: from the box's centre to the ellipse's.
+template <class V>
+VESICA_INLINE BoxEllipse<V> visible_edges(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
+  return visible_edges(box_frame(box, ellipse, d), ellipse);
+}
+
+/// How far the ellipse reaches out of the box: its squared half extent along an axis of the box less the square of the
+/// room that the box leaves there, the greater of two. Where there is no room, it reaches out.
+///
+/// With T and Q as above, the room errs by e = 10u T, its square by e (2 room + e) and a rounding, p by 12u Q; the
+/// difference by u of either. 12u and 14u taken.
+template <class V>
+VESICA_INLINE Estimate<V> ellipse_out_of_box(const BoxFrame<V>& f) noexcept {
+  const V kx = abs(f.kx), ky = abs(f.ky);
+  const V x = positive_part(f.ex - kx), y = positive_part(f.ey - ky);
+  const V e = roundoffs<V>(12) * ((kx + ky) + (f.ex + f.ey));
+  return {max(f.p00 - x * x, f.p11 - y * y), (e + e) * ((x + y) + e) + roundoffs<V>(14) * (f.p00 + f.p11)};
+}
+
+/// How far the farthest corner of the box lies outside the ellipse, squared: in the frame in which the ellipse is the
+/// disc of radius a b V about the origin, m the box's centre, g and h its half edges, the corners are m +- (g + h) and
+/// m +- (g - h), and of two opposite ones the farther is at |m|^2 + |e|^2 + 2 |m . e|.
+///
+/// With L = |x0| + |x1| + (hx + hy) (|c| + |s|), which is at least |v| (|D| + (hx + hy) |u|): x0, x1 err by 4u L, m by
+/// 5u b L and 5u a L, g + h and g - h by 7u b L and 7u a L, so corners by 12u b L, 12u a L. With X0, X1 the greatest
+/// coordinates of a corner, |X0| <= b L, the squared distance errs by 24u (b X0 + a X1) L + 144u^2 (a^2 + b^2) L^2 and
+/// seven roundings of X0^2 + X1^2, (a b V)^2 by 9u and the difference by one.
+template <class V>
+VESICA_INLINE Estimate<V> box_out_of_ellipse(const BoxFrame<V>& f, const Box<V>& box, const Ellipse<V>& ellipse,
+                                             const Centre<V>& d) noexcept {
+  const V x0 = ellipse.ux * d.x + ellipse.uy * d.y, x1 = ellipse.ux * d.y - ellipse.uy * d.x;
+  const V m0 = ellipse.b * x0, m1 = ellipse.a * x1;
+  const V g0 = box.hx * f.bc, g1 = box.hx * f.as, h0 = box.hy * f.bs, h1 = box.hy * f.ac;
+  const V s0 = g0 + h0, s1 = h1 - g1, t0 = g0 - h0, t1 = g1 + h1;
+  const V along_s = abs(m0 * s0 + m1 * s1), along_t = abs(m0 * t0 - m1 * t1);
+  const V farthest = max((s0 * s0 + s1 * s1) + (along_s + along_s), (t0 * t0 + t1 * t1) + (along_t + along_t));
+  const V root = (ellipse.a * ellipse.b) * f.vv, det = root * root;
+  const V e = roundoffs<V>(32) * ((abs(x0) + abs(x1)) + (box.hx + box.hy) * (abs(f.c) + abs(f.s)));
+  const V reach0 = abs(m0) + (abs(g0) + abs(h0)), reach1 = abs(m1) + (abs(g1) + abs(h1));
+  const V reach = ellipse.b * reach0 + ellipse.a * reach1;
+  return {((m0 * m0 + m1 * m1) + farthest) - det,
+          e * (reach + e * (ellipse.a * ellipse.a + ellipse.b * ellipse.b)) + roundoffs<V>(12) * det};
 }
 
 /// Guard: half lengths at least 2^-10, squared axes 2^-5 to 2^15 (double: the 8th powers), sizes not negative, errors
 /// below 2^100. Then det Q >= 2^-90 stays normal, no product of either side overflows while its bound does not, and
 /// what underflows in k or T is far below the part of the bound that det Q carries.
 template <class V>
-VESICA_INLINE auto box_ellipse(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
-  const BoxEllipse<V> edges = visible_edges(box, ellipse, d);
+VESICA_INLINE auto box_ellipse_usable(const BoxEllipse<V>& edges, const Box<V>& box,
+                                      const Ellipse<V>& ellipse) noexcept {
   const V low = guard_power<V, -5>(), high = guard_power<V, 15>();
   const auto axes = both(in_range(edges.uu, low, high), in_range(edges.vv, low, high));
   const auto sizes = both(at_least(guard_power<V, -10>(), ellipse.a, ellipse.b), at_least(V(0.0f), box.hx, box.hy));
+  return both(both(axes, sizes), edges.error <= guard_power<V, 100>());
+}
+
+template <class V>
+VESICA_INLINE auto box_ellipse(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
+  const BoxEllipse<V> edges = visible_edges(box, ellipse, d);
   const Estimate<V> least{min(edges.misses_x, edges.misses_y), edges.error};
-  return guarded(both(both(axes, sizes), least.error <= guard_power<V, 100>()), least);
+  return guarded(box_ellipse_usable(edges, box, ellipse), least);
+}
+
+/// The same guard, and errors of the same limit. Then (a b V)^2 >= 2^-50 and p00 + p11 >= 2^-30 are normal in every
+/// bound, and X0^2, X1^2 and the squared room are below 2^20 times bounds that are finite.
+template <class V>
+VESICA_INLINE auto box_ellipse_standing(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
+  const BoxFrame<V> frame = box_frame(box, ellipse, d);
+  const BoxEllipse<V> edges = visible_edges(frame, ellipse);
+  const Estimate<V> least{min(edges.misses_x, edges.misses_y), edges.error};
+  const Estimate<V> box_out = box_out_of_ellipse(frame, box, ellipse, d), ellipse_out = ellipse_out_of_box(frame);
+  const auto finite = both(box_out.error <= guard_power<V, 100>(), ellipse_out.error <= guard_power<V, 100>());
+  return guarded(both(box_ellipse_usable(edges, box, ellipse), finite), standing(least, box_out, ellipse_out));
 }
 
 }  // namespace vesica::filter

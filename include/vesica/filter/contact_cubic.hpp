@@ -15,6 +15,14 @@ struct ContactCubic {
   V d1, c1, c2, d2, total1, total2;
 };
 
+/// The contact cubic with det(S1 + x S2) = det1 + mu x + det2 x^2, all up to one positive factor and a factor on x.
+/// det1 and det2 err by 11u of themselves, mu by 12u (mu + turned).
+template <class V>
+struct Pencil {
+  ContactCubic<V> contact;
+  V det1, mu, det2, turned;
+};
+
 /// p(t) at a t >= 0 that nearly minimises a lower estimate of p over x >= 0.
 ///
 /// Let l_i = c_i - 16u total_i, so that d1 + l1 x + l2 x^2 + d2 x^3 lies below p but for the errors of d1 and d2. Its
@@ -57,11 +65,10 @@ VESICA_INLINE auto totals_in_range(const ContactCubic<V>& p) noexcept {
 ///   mu: c and s err by 2u N, so c^2 by 4u (c^2 + |c s|) + u c^2: in all 11u mu + 4u |c s| (a0^2 + a1^2)(b0^2 + b1^2)
 ///   al: x0 and x1 err by 3u M, so al by 10u al + 6u (a0^2 + a1^2) |x0 x1|
 ///   c1 = d1 + mu - al: two roundings more; 13u total1.
-/// For ellipses thinner than 1 : 2^-26 second order shows where first order vanishes: b^2 (3u M)^2 in al when x0 is nearly
-/// zero, (2u N)^2 (a0^2 + a1^2)(b0^2 + b1^2) in mu when c or s is. The u^2 terms in the totals cover them.
+/// For ellipses thinner than 1 : 2^-26 second order shows where first order vanishes: b^2 (3u M)^2 in al when x0 is
+/// nearly zero, (2u N)^2 (a0^2 + a1^2)(b0^2 + b1^2) in mu when c or s is. The u^2 terms in the totals cover them.
 template <class V>
-VESICA_INLINE ContactCubic<V> contact_cubic(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d, V vv,
-                                            V ww) noexcept {
+VESICA_INLINE Pencil<V> pencil(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d, V vv, V ww) noexcept {
   const V c = e.ux * f.ux + e.uy * f.uy, s = e.ux * f.uy - e.uy * f.ux;
   const V x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x;
   const V y0 = f.ux * d.x + f.uy * d.y, y1 = f.ux * d.y - f.uy * d.x;
@@ -74,31 +81,41 @@ VESICA_INLINE ContactCubic<V> contact_cubic(const Ellipse<V>& e, const Ellipse<V
   const V sa = a0 + a1, sb = b0 + b1, u = roundoffs<V>(1), dd = roundoffs<V>(2) * (d.x * d.x + d.y * d.y);
   const V turned = (sa * sb) * (abs(c * s) + u * (c * c + s * s));
   const V across_e = abs(x0 * x1) + vv * dd, across_f = abs(y0 * y1) + ww * dd;  // V |D|^2 = x0^2 + x1^2
-  return {d1,
-          (d1 + mu) - al,
-          (d2 + mu) - be,
+  return {{d1, (d1 + mu) - al, (d2 + mu) - be, d2, ((d1 + mu) + al) + (sa * across_e + turned),
+           ((d2 + mu) + be) + (sb * across_f + turned)},
+          d1,
+          mu,
           d2,
-          ((d1 + mu) + al) + (sa * across_e + turned),
-          ((d2 + mu) + be) + (sb * across_f + turned)};
+          turned};
+}
+
+template <class V>
+VESICA_INLINE ContactCubic<V> contact_cubic(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d, V vv,
+                                            V ww) noexcept {
+  return pencil(e, f, d, vv, ww).contact;
 }
 
 /// Guard: half lengths and squared axes at least 2^-6 (double: 2^-48), so that d1 and d2 are at least 2^-36 (2^-288)
 /// and all that underflows is negligible beside them.
 template <class V>
+VESICA_INLINE auto ellipse_ellipse_usable(const ContactCubic<V>& p, const Ellipse<V>& e, const Ellipse<V>& f, V vv,
+                                          V ww) noexcept {
+  return both(at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww), totals_in_range(p));
+}
+
+template <class V>
 VESICA_INLINE auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy, ww = f.ux * f.ux + f.uy * f.uy;
   const ContactCubic<V> p = contact_cubic(e, f, offset(place(e), place(f)), vv, ww);
   const auto verdict = decide(p);
-  return guarded(both(at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww), totals_in_range(p)), verdict.overlap,
-                 verdict.disjoint);
+  return guarded(ellipse_ellipse_usable(p, e, f, vv, ww), verdict.overlap, verdict.disjoint);
 }
 
 /// Circle and ellipse: the same cubic with x = t / r^2, times r^2, is monic:
 /// (r^2 + t)(P + t)(Q + t) - t (al + |D|^2 t), P = V a^2 and Q = V b^2 the squared half lengths. Of lower degree, so
 /// cheaper and of wider range. Errors: r^2 P Q 11u; c1: 12u and 6u of (a^2 + b^2) |x0 x1|; c2: 7u.
 template <class V>
-VESICA_INLINE ContactCubic<V> contact_cubic(const Circle<V>& disc, const Ellipse<V>& e, const Centre<V>& d,
-                                            V vv) noexcept {
+VESICA_INLINE Pencil<V> pencil(const Circle<V>& disc, const Ellipse<V>& e, const Centre<V>& d, V vv) noexcept {
   const V x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x;
   const V aa = e.a * e.a, bb = e.b * e.b, rr = disc.r * disc.r;
   const V p = aa * vv, q = bb * vv, pq = p * q, sum = p + q;
@@ -106,7 +123,13 @@ VESICA_INLINE ContactCubic<V> contact_cubic(const Circle<V>& disc, const Ellipse
   const V al = m0 * m0 + m1 * m1, dd = d.x * d.x + d.y * d.y;
   const V c1 = pq + rr * sum, c2 = rr + sum;
   const V across = abs(x0 * x1) + roundoffs<V>(2) * (vv * dd);
-  return {rr * pq, c1 - al, c2 - dd, V(1.0f), (c1 + al) + (aa + bb) * across, c2 + dd};
+  return {{rr * pq, c1 - al, c2 - dd, V(1.0f), (c1 + al) + (aa + bb) * across, c2 + dd}, pq, sum, V(1.0f), V(0.0f)};
+}
+
+template <class V>
+VESICA_INLINE ContactCubic<V> contact_cubic(const Circle<V>& disc, const Ellipse<V>& e, const Centre<V>& d,
+                                            V vv) noexcept {
+  return pencil(disc, e, d, vv).contact;
 }
 
 /// Guard: radius and half lengths at least 2^-8 and the squared axis 2^-16 (double: the 8th powers), so that

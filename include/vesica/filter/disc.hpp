@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vesica/filter/box_box.hpp>
+#include <vesica/filter/comparison.hpp>
 
 namespace vesica::filter {
 
@@ -24,6 +25,16 @@ VESICA_INLINE auto disc_disc(const Centre<V>& d, V radius_a, V radius_b) noexcep
   return guarded(at_least(V(0.0f), radius_a, radius_b), beyond_reach(d, radius_a + radius_b));
 }
 
+/// One disc contains the other iff the centres are at most as far apart as the radii differ, and its radius is the
+/// greater.
+template <class V>
+VESICA_INLINE auto disc_disc_standing(const Centre<V>& d, V radius_a, V radius_b) noexcept {
+  const Estimate<V> gap = beyond_reach(d, radius_a + radius_b), out = beyond_reach(d, radius_a - radius_b);
+  const auto usable = at_least(V(0.0f), radius_a, radius_b);
+  return guarded(usable,
+                 standing(guarded(usable, gap), certainly_negative(out), certainly_positive(out), radius_a > radius_b));
+}
+
 /// The nearest point of an AABB differs from the centre in each coordinate by a single rounded difference, or not.
 template <class V>
 VESICA_INLINE Centre<V> nearest_offset(const Circle<V>& disc, const Aabb<V>& box) noexcept {
@@ -38,6 +49,30 @@ VESICA_INLINE auto disc_aabb(const Circle<V>& disc, const Aabb<V>& box) noexcept
   Estimate<V> gap = beyond_reach(nearest_offset(disc, box), disc.r);
   gap.error = gap.error + ((width - width) + (height - height)) + ((disc.cx - disc.cx) + (disc.cy - disc.cy));
   return guarded(at_least(V(0.0f), width, height, disc.r), gap);
+}
+
+/// The farthest corner of an AABB, as the nearest point.
+template <class V>
+VESICA_INLINE Centre<V> farthest_offset(const Circle<V>& disc, const Aabb<V>& box) noexcept {
+  return {max(disc.cx - box.min_x, box.max_x - disc.cx), max(disc.cy - box.min_y, box.max_y - disc.cy)};
+}
+
+/// How far the disc reaches out of the box: r less the least room at one of four sides. Rounding keeps order, so the
+/// greatest of four rounded differences is the greatest difference rounded; two roundings.
+template <class V>
+VESICA_INLINE Estimate<V> disc_out_of_aabb(const Circle<V>& disc, const Aabb<V>& box) noexcept {
+  const V x = max(box.min_x - disc.cx, disc.cx - box.max_x), y = max(box.min_y - disc.cy, disc.cy - box.max_y);
+  const V out = max(x, y);
+  return {out + disc.r, roundoffs<V>(4) * (abs(out) + disc.r)};
+}
+
+template <class V>
+VESICA_INLINE auto disc_aabb_standing(const Circle<V>& disc, const Aabb<V>& box) noexcept {
+  // max() may drop a NaN.
+  const V width = box.max_x - box.min_x, height = box.max_y - box.min_y;
+  const auto usable = both(at_least(V(0.0f), width, height, disc.r), finite(width, height, disc.cx, disc.cy));
+  return guarded(usable, standing(beyond_reach(nearest_offset(disc, box), disc.r), disc_out_of_aabb(disc, box),
+                                  beyond_reach(farthest_offset(disc, box), disc.r)));
 }
 
 /// (distance from the disc's centre to the box)^2 - r^2, times U = u.u; d from the box's centre to the disc's.
@@ -64,6 +99,37 @@ VESICA_INLINE auto disc_box(const Box<V>& b, const Centre<V>& d, V radius) noexc
   const auto usable = both(in_range(uu, guard_power<V, -20>(), guard_power<V, 20>()),
                            both(at_least(V(0.0f), b.hx, b.hy, radius), gap.error <= guard_power<V, 100>()));
   return guarded(usable, gap);
+}
+
+/// (distance from the disc's centre to the box's farthest corner)^2 - r^2, times U. Sums of |k| and h U err as x and y
+/// above do, so the bound is of the same form.
+template <class V>
+VESICA_INLINE Estimate<V> box_out_of_disc(const Box<V>& b, const Centre<V>& d, V radius, V uu) noexcept {
+  const V k0 = abs(b.ux * d.x + b.uy * d.y), k1 = abs(b.ux * d.y - b.uy * d.x);
+  const V e0 = b.hx * uu, e1 = b.hy * uu, x = k0 + e0, y = k1 + e1, reached = radius * radius * uu;
+  const V e = roundoffs<V>(12) * (x + y);
+  return {(x * x + y * y) - reached, (e + e) * ((x + y) + e) + (roundoffs<V>(8) * reached + guard_power<V, -60>())};
+}
+
+/// r^2 U less the square of the least room, hx U - |k0| or hy U - |k1|, between the disc's centre and the box's sides;
+/// where there is none, the disc reaches out. The room errs as x and y above do.
+template <class V>
+VESICA_INLINE Estimate<V> disc_out_of_box(const Box<V>& b, const Centre<V>& d, V radius, V uu) noexcept {
+  const V k0 = abs(b.ux * d.x + b.uy * d.y), k1 = abs(b.ux * d.y - b.uy * d.x);
+  const V e0 = b.hx * uu, e1 = b.hy * uu, reached = radius * radius * uu;
+  const V room = min(positive_part(e0 - k0), positive_part(e1 - k1));
+  const V e = roundoffs<V>(12) * ((k0 + e0) + (k1 + e1));
+  return {reached - room * room, (e + e) * (room + e) + (roundoffs<V>(8) * reached + guard_power<V, -60>())};
+}
+
+/// The guard of disc_box(), where the farthest corner's bound is the greatest of three.
+template <class V>
+VESICA_INLINE auto disc_box_standing(const Box<V>& b, const Centre<V>& d, V radius) noexcept {
+  const V uu = b.ux * b.ux + b.uy * b.uy;
+  const Estimate<V> box_out = box_out_of_disc(b, d, radius, uu);
+  const auto usable = both(in_range(uu, guard_power<V, -20>(), guard_power<V, 20>()),
+                           both(at_least(V(0.0f), b.hx, b.hy, radius), box_out.error <= guard_power<V, 100>()));
+  return guarded(usable, standing(disc_beyond_box(b, d, radius, uu), disc_out_of_box(b, d, radius, uu), box_out));
 }
 
 }  // namespace vesica::filter

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Pairs for the methods on a rectangle with an ellipse or another rectangle, and counts of what a method answers.
+/// Pairs of shapes for the named methods, and counts of what a method answers.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 #include "properties/generators.hpp"
 
-namespace rect_pairs {
+namespace method_pairs {
 
 using properties::Pair;
 using properties::Random;
@@ -21,11 +21,15 @@ using Method = std::function<std::int32_t(const Pair&)>;
 /// What the exact default answers.
 std::int32_t truth(Scalar scalar, const Pair& pair);
 
-/// A random pair, the second shape moved along the line of centres until they touch, then apart or together by
-/// `relative_gap` of the distance.
+/// The pair with its second shape moved along the line from the first one's place until they touch, then apart or
+/// together by `relative_gap` of the distance.
+Pair moved_near_contact(const Pair& pair, Scalar scalar, double relative_gap, Random& random);
+
+/// A random pair so moved.
 Pair near_tangent(int kind_a, int kind_b, Scalar scalar, double relative_gap, Random& random);
 
-/// Whether the pair's answer changes between sizes times 1 - gap and 1 + gap: a method may err here, nowhere else.
+/// Whether the pair's answer changes between sizes (of a segment, its ends' distances from the middle) times 1 - gap
+/// and 1 + gap: a method may err here, nowhere else.
 bool within_gap(const Pair& pair, double gap);
 
 /// The gap from which on a method's rounding must not matter: 1e-9, and for floats as many roundings.
@@ -52,4 +56,4 @@ void print(const std::string& method, Scalar scalar, const std::string& workload
 /// The gaps that near-tangent counts are printed for.
 inline constexpr std::array gaps{1e-6, 1e-9, 1e-12};
 
-}  // namespace rect_pairs
+}  // namespace method_pairs

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "methods/rect_pairs.hpp"
+#include "methods/method_pairs.hpp"
 
 #include <vesica.h>
 
@@ -8,7 +8,7 @@
 
 #include "properties/answers.hpp"
 
-namespace rect_pairs {
+namespace method_pairs {
 namespace {
 
 bool overlap_f64(const Pair& pair) { return properties::overlap_by_kind(Scalar::f64, pair) == 1; }
@@ -17,12 +17,33 @@ bool overlap_of_library(int kind_a, const double* a, int kind_b, const double* b
   return vesica_overlap_f64(kind_a, a, kind_b, b) == 1;
 }
 
-/// Sizes stand in the last two fields of rectangles and ellipses.
-Pair with_sizes_times(Pair pair, double factor) {
-  for (const std::size_t i : {4U, 5U}) {
-    pair.a[i] *= factor;
-    pair.b[i] *= factor;
+properties::Numbers with_sizes_times(int kind, properties::Numbers numbers, double factor) {
+  for (int i = 0; i < properties::field_count(kind); ++i) {
+    if (properties::role(kind, i) == properties::Role::size) numbers[static_cast<std::size_t>(i)] *= factor;
   }
+  if (kind != VESICA_SEGMENT) return numbers;
+  const double x = (numbers[0] + numbers[2]) / 2, y = (numbers[1] + numbers[3]) / 2;
+  return {x + factor * (numbers[0] - x), y + factor * (numbers[1] - y), x + factor * (numbers[2] - x),
+          y + factor * (numbers[3] - y)};
+}
+
+Pair with_sizes_times(const Pair& pair, double factor) {
+  return {pair.kind_a, pair.kind_b, with_sizes_times(pair.kind_a, pair.a, factor),
+          with_sizes_times(pair.kind_b, pair.b, factor)};
+}
+
+/// Of lengths below 2^-400 the same pair 2^600 times as large: sizes that are subnormal know no relative gap.
+Pair away_from_subnormal(Pair pair) {
+  bool tiny = true;
+  const auto each_length = [&pair](const auto& visit) {
+    for (int i = 0; i < 6; ++i) {
+      const auto field = static_cast<std::size_t>(i);
+      if (properties::role(pair.kind_a, i) != properties::Role::axis) visit(pair.a[field]);
+      if (properties::role(pair.kind_b, i) != properties::Role::axis) visit(pair.b[field]);
+    }
+  };
+  each_length([&tiny](double x) { tiny &= std::abs(x) < 0x1p-400; });
+  if (tiny) each_length([](double& x) { x = std::ldexp(x, 600); });
   return pair;
 }
 
@@ -36,8 +57,7 @@ Pair at_distance(Pair pair, double distance) {
 
 std::int32_t truth(Scalar scalar, const Pair& pair) { return properties::overlap_by_kind(scalar, pair); }
 
-Pair near_tangent(int kind_a, int kind_b, Scalar scalar, double relative_gap, Random& random) {
-  const Pair pair = properties::draw(properties::Workload::random, kind_a, kind_b, scalar, random);
+Pair moved_near_contact(const Pair& pair, Scalar scalar, double relative_gap, Random& random) {
   double together = 0, apart = 1;
   while (overlap_f64(at_distance(pair, apart))) apart *= 2;
   for (int i = 0; i < 52; ++i) {
@@ -45,11 +65,17 @@ Pair near_tangent(int kind_a, int kind_b, Scalar scalar, double relative_gap, Ra
     (overlap_f64(at_distance(pair, middle)) ? together : apart) = middle;
   }
   Pair near = at_distance(pair, together * (1 + random.sign() * relative_gap));
-  near.b = properties::nearest_shape(scalar, kind_b, near.b);
+  near.b = properties::nearest_shape(scalar, pair.kind_b, near.b);
   return near;
 }
 
-bool within_gap(const Pair& pair, double gap) {
+Pair near_tangent(int kind_a, int kind_b, Scalar scalar, double relative_gap, Random& random) {
+  const Pair pair = properties::draw(properties::Workload::random, kind_a, kind_b, scalar, random);
+  return moved_near_contact(pair, scalar, relative_gap, random);
+}
+
+bool within_gap(const Pair& given, double gap) {
+  const Pair pair = away_from_subnormal(given);
   return overlap_f64(with_sizes_times(pair, 1 - gap)) != overlap_f64(with_sizes_times(pair, 1 + gap));
 }
 
@@ -89,4 +115,4 @@ void print(const std::string& method, Scalar scalar, const std::string& workload
               static_cast<long long>(counts.uncertain), static_cast<long long>(counts.refused));
 }
 
-}  // namespace rect_pairs
+}  // namespace method_pairs

@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "relation/report.hpp"
+
+int main() { vesica::bench::report_relation(stdout); }

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What the queries of this folder print: one table each.
+#pragma once
+
+#include <cstdio>
+
+namespace vesica::bench {
+
+/// vesica_relation and vesica_contains beside vesica_overlap, all pairs of kinds, on the same fresh pairs.
+void report_relation(std::FILE* out);
+
+}  // namespace vesica::bench

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The area that two ellipses share, in the frame in which the one of lesser area is the unit disc and the axes of the
+/// other lie along x and y. Across that frame the shared region is cut into slices, each under one arc and above another.
+///
+/// Why slices: each is a trapezium and two segments, none of them negative, taken between points that lie on their own
+/// arcs. A cut that is a little off its crossing costs the gap there times how far it is off, so tangent, osculating
+/// and nearly equal outlines, whose crossings no arithmetic can find well, do no harm. And an arc above or below a slice
+/// is less than half a turn, so no angle has to be told from its complement.
+#pragma once
+
+#include <vesica/area/box_ellipse.hpp>
+
+namespace vesica::clip {
+
+/// The other ellipse in the unit disc's frame: centre (x, y) in the first quadrant, half lengths p >= q along x and y; and
+/// by how much areas are smaller there.
+template <class V>
+struct Against {
+  V x, y, p, q, scale;
+  V over_p, over_q;
+};
+
+/// How that frame lies in the one in which e is the unit disc along its own axes: turned, then reflected where a number
+/// is negative, then with its axes exchanged.
+template <class V>
+struct Placed {
+  Against<V> against;
+  V cosine, sine, x, y;  ///< x, y: f's centre, turned only
+  bool exchange;
+};
+
+/// One Jacobi rotation makes the image of f's matrix diagonal. What the rotation rounds turns f, centre and axes
+/// alike, about the disc, which does not mind. d: from e's centre to f's.
+template <class V>
+Placed<V> placed(const Oval<V>& e, const Oval<V>& f, const filter::Centre<V>& d) noexcept {
+  const V one(1.0), zero(0.0);
+  const V vv = e.ux * e.ux + e.uy * e.uy, over_a = one / (e.a * vv), over_b = one / (e.b * vv);
+  const V c = e.ux * f.ux + e.uy * f.uy, s = e.ux * f.uy - e.uy * f.ux, overs = over_a * over_b;
+  const V k0 = (e.ux * d.x + e.uy * d.y) * over_a, k1 = (e.ux * d.y - e.uy * d.x) * over_b;
+  const V ac = f.a * c, as = f.a * s, bc = f.b * c, bs = f.b * s;
+  const V s00 = (ac * ac + bs * bs) * (over_a * over_a), s11 = (as * as + bc * bc) * (over_b * over_b);
+  const V s01 = (f.a - f.b) * (f.a + f.b) * (c * s) * overs;
+  V tangent = zero;
+  // What is nothing beside the rest may be lost at another scale, and would still choose the axes of a disc's image.
+  if (abs(s01) > V(0x1p-200) * (s00 + s11)) {
+    const V cotangent = (s11 - s00) / (V(2.0) * s01);  // of twice the angle
+    const V size = one / (abs(cotangent) + sqrt(one + cotangent * cotangent));
+    tangent = cotangent < zero ? -size : size;
+  }
+  const V cosine = one / sqrt(one + tangent * tangent), sine = tangent * cosine;
+  const V x = cosine * k0 - sine * k1, y = sine * k0 + cosine * k1;
+  const V l0 = s00 - tangent * s01, l1 = s11 + tangent * s01;
+  const bool exchange = l1 > l0;
+  const V p = sqrt(exchange ? l1 : l0), det = f.a * f.b * (f.ux * f.ux + f.uy * f.uy) * vv * overs;
+  const V over_p = one / p, q = det * over_p;
+  return {{abs(exchange ? y : x), abs(exchange ? x : y), p, q, e.a * e.b * vv, over_p, one / q},
+          cosine,
+          sine,
+          x,
+          y,
+          exchange};
+}
+
+template <class V>
+Against<V> against(const Oval<V>& e, const Oval<V>& f, const filter::Centre<V>& d) noexcept {
+  return placed(e, f, d).against;
+}
+
+/// Both outlines' heights at one x, which must be in the disc: +-disc, and middle +- other. `unit` is other / q.
+template <class V>
+struct Heights {
+  V disc, unit, other;
+};
+
+template <class V>
+Heights<V> heights(const Against<V>& f, double at) noexcept {
+  const V x(at), one(1.0), off = x - f.x;
+  const V unit_square = (f.p - off) * f.over_p * ((f.p + off) * f.over_p);
+  const V unit = unit_square > V(0.0) ? sqrt(unit_square) : V(0.0);
+  return {sqrt((one - x) * (one + x)), unit, f.q * unit};
+}
+
+/// The upper (side 1) or lower (side -1) half of the circle. Points are named by their x.
+template <class V>
+struct HalfCircle {
+  const Against<V>& f;
+  double side;
+
+  /// The point's value: outside the other ellipse positive, inside negative.
+  double value(double at) const noexcept {
+    const V x(at), one(1.0), y = V(side) * sqrt((one - x) * (one + x));
+    const V z0 = (x - f.x) * f.over_p, z1 = (y - f.y) * f.over_q;
+    return rounded(z0 * z0 + z1 * z1 - one);
+  }
+  /// The slope of the value along x, up to a positive factor.
+  double slope(double at) const noexcept {
+    const V x(at), one(1.0), room = (one - x) * (one + x), qq = f.over_q * f.over_q;
+    const V shallow = (x - f.x) * (f.over_p * f.over_p) - x * qq, steep = V(side) * x * f.y * qq;
+    // At the ends of the circle's diameter the slope counts that there is just inside, at no height below 2^-27.
+    return rounded((room > V(0.0) ? sqrt(room) : V(0x1p-27)) * shallow + steep);
+  }
+  /// The point's value, and the place that Newton's method along the circle gives for a value of 0.
+  double value_and_step(double at, double& next, double& angle) const noexcept {
+    const V x(at), one(1.0), y = V(side) * sqrt((one - x) * (one + x));
+    const V z0 = (x - f.x) * f.over_p, z1 = (y - f.y) * f.over_q;
+    const double value = rounded(z0 * z0 + z1 * z1 - one), height = rounded(y);
+    const double slope = 2 * (at * rounded(z1 * f.over_q) - height * rounded(z0 * f.over_p));
+    angle = -value / slope;
+    next = (at - height * angle) / std::sqrt(1 + angle * angle);
+    return value;
+  }
+};
+
+/// Where the value changes its sign between two places at which it has different ones: Newton's method from the secant's
+/// place, the interval halved where a step would leave it or does not shrink.
+template <class V>
+double crossing(const HalfCircle<V>& half, double low, double at_low, double high, double at_high) noexcept {
+  double x = low - at_low * ((high - low) / (at_high - at_low)), last_angle = 4;
+  for (int i = 0; i < 200; ++i) {
+    if (!(x > low && x < high)) {
+      x = low + 0.5 * (high - low);
+      if (!(x > low && x < high)) break;
+      last_angle = 4;
+    }
+    double next, angle;
+    const double value = half.value_and_step(x, next, angle);
+    if (value == 0) return x;
+    ((value < 0) == (at_low < 0) ? low : high) = x;
+    angle = std::fabs(angle);
+    // Newton's error is then squared once more by the step already made.
+    if (angle < 0x1p-28 && next >= low && next <= high) return next;
+    x = angle <= 0.5 * last_angle ? next : low + 0.5 * (high - low);
+    last_angle = angle;
+  }
+  return x;
+}
+
+/// The places along x at which the outlines cross, and the ends of the shared stretch of x, ascending.
+struct Cuts {
+  double x[10];
+  int count = 0;
+  void add(double at) noexcept {
+    if (count == 10) return;
+    int i = count++;
+    for (; i > 0 && x[i - 1] > at; --i) x[i] = x[i - 1];
+    x[i] = at;
+  }
+};
+
+/// A place and the value there.
+struct Place {
+  double x, value;
+};
+
+/// Crossings on a part of a half circle on which the value along x is convex (bend 1) or concave (bend -1): one where
+/// the ends differ in sign; else two if the extreme value between them differs.
+template <class V>
+void add_crossings(const HalfCircle<V>& half, const Place& low, const Place& high, double bend, Cuts& cuts) noexcept {
+  if (!(low.x < high.x)) return;
+  const bool negative = low.value < 0;
+  if (negative != (high.value < 0)) {
+    cuts.add(crossing(half, low.x, low.value, high.x, high.value));
+    return;
+  }
+  if ((bend > 0) == negative) return;
+  double from = low.x, to = high.x, slope_from = half.slope(from), slope_to = half.slope(to);
+  if ((slope_from < 0) == (slope_to < 0) || (slope_from < 0) != (bend > 0)) return;
+  for (int i = 0; i < 60; ++i) {
+    double x = to - slope_to * ((to - from) / (slope_to - slope_from));
+    if (i % 3 == 2 || !(x > from && x < to)) x = from + 0.5 * (to - from);
+    if (!(x > from && x < to) || to - from < 0x1p-40) return;
+    const double value = half.value(x);
+    if ((value < 0) != negative) {
+      cuts.add(crossing(half, low.x, low.value, x, value));
+      cuts.add(crossing(half, x, value, high.x, high.value));
+      return;
+    }
+    const double slope = half.slope(x);
+    const bool falling = slope < 0, before = falling == (slope_from < 0);
+    (before ? from : to) = x;
+    (before ? slope_from : slope_to) = slope;
+  }
+}
+
+/// r^(1/3) for 0 < r < 1, to a few digits and more: it only parts intervals.
+inline double cube_root(double r) noexcept {
+  double x = vesica::detail::power_of_two(vesica::detail::exponent_of(r) / 3);
+  for (int i = 0; i < 6; ++i) x = (2 * x + r / (x * x)) / 3;
+  return x;
+}
+
+/// All cuts. On the lower half circle the value is concave along x, f's centre being above; on the upper it is convex,
+/// but concave within +-sqrt(1 - r^(2/3)), r = y p^2 / (p^2 - q^2), where r < 1.
+template <class V>
+Cuts cuts(const Against<V>& f) noexcept {
+  const double low = rounded(f.x - f.p), high = rounded(f.x + f.p);
+  const double from = low > -1 ? low : -1, to = high < 1 ? high : 1;
+  Cuts all;
+  if (!(from < to)) return all;
+  all.add(from);
+  all.add(to);
+  const HalfCircle<V> upper{f, 1}, lower{f, -1};
+  const auto place = [](const HalfCircle<V>& half, double x) { return Place{x, half.value(x)}; };
+  add_crossings(lower, place(lower, from), place(lower, to), -1, all);
+  const Place first = place(upper, from), last = place(upper, to);
+  const double ratio = rounded(f.q * f.over_p), r = ratio < 1 ? rounded(f.y) / ((1 - ratio) * (1 + ratio)) : 1;
+  if (!(r < 1)) {
+    add_crossings(upper, first, last, 1, all);
+    return all;
+  }
+  const double root = r > 0 ? cube_root(r) : 0, bend = std::sqrt((1 - root) * (1 + root));
+  const Place second = place(upper, clamp(-bend, from, to)), third = place(upper, clamp(bend, from, to));
+  add_crossings(upper, first, second, 1, all);
+  add_crossings(upper, second, third, -1, all);
+  add_crossings(upper, third, last, 1, all);
+  return all;
+}
+
+/// Between the circle and its chord over a slice.
+inline double disc_segment(double x0, double y0, double x1, double y1) noexcept {
+  const double dx = x1 - x0, dy = y1 - y0, sx = x1 + x0, sy = y1 + y0;
+  return segment_area(dx * dx + dy * dy, sx * sx + sy * sy);
+}
+
+/// By how much the disc's outline is inside the other's at one x, above and below.
+struct Gaps {
+  double above = 0, below = 0;
+  /// Where outlines touch between two cuts, one look may meet that very place: the widest gap of several counts.
+  template <class V>
+  void look(const Against<V>& f, const Heights<V>& h) noexcept {
+    const double above_here = rounded(f.y + h.other - h.disc), below_here = rounded(h.other - f.y - h.disc);
+    if (std::fabs(above_here) > std::fabs(above)) above = above_here;
+    if (std::fabs(below_here) > std::fabs(below)) below = below_here;
+  }
+  bool clear() const noexcept { return std::fabs(above) > 0x1p-20 && std::fabs(below) > 0x1p-20; }
+};
+
+/// The shared area between two cuts.
+template <class V>
+double slice(const Against<V>& f, double x0, const Heights<V>& h0, double x1, const Heights<V>& h1) noexcept {
+  const double width = x1 - x0;
+  const double middle = x0 + 0.5 * width;
+  const Heights<V> m = heights(f, middle);
+  if (!(f.y - m.other < m.disc && -m.disc < f.y + m.other))
+    return 0;  // between the outlines' crossing and the end of either
+  Gaps gaps;
+  gaps.look(f, m);
+  if (!gaps.clear()) {
+    gaps.look(f, heights(f, x0 + 0.1875 * width));
+    gaps.look(f, heights(f, x0 + 0.84375 * width));
+  }
+  const bool disc_above = gaps.above > 0, disc_below = gaps.below > 0;
+  const auto top = [&](const Heights<V>& h) { return disc_above ? h.disc : f.y + h.other; };
+  const auto bottom = [&](const Heights<V>& h) { return disc_below ? -h.disc : f.y - h.other; };
+  const double at_0 = rounded(top(h0) - bottom(h0)), at_1 = rounded(top(h1) - bottom(h1));
+  double arcs = 0;
+  if (disc_above || disc_below) {
+    const double one = disc_segment(x0, rounded(h0.disc), x1, rounded(h1.disc));
+    arcs += disc_above && disc_below ? 2 * one : one;
+  }
+  if (!(disc_above && disc_below)) {
+    const double dx = rounded(V(width) * f.over_p), dy = rounded(h1.unit - h0.unit);
+    const double sx = rounded((V(x0) - f.x + (V(x1) - f.x)) * f.over_p), sy = rounded(h1.unit + h0.unit);
+    const double one = segment_area(dx * dx + dy * dy, sx * sx + sy * sy);
+    arcs += rounded(f.p * f.q) * (!disc_above && !disc_below ? 2 * one : one);
+  }
+  return 0.5 * width * (at_0 + at_1) + arcs;
+}
+
+template <class V>
+double area_in_disc(const Against<V>& f) noexcept {
+  const Cuts all = cuts(f);
+  if (all.count == 0) return 0;
+  double area = 0;
+  Heights<V> before = heights(f, all.x[0]);
+  for (int i = 1; i < all.count; ++i) {
+    if (!(all.x[i - 1] < all.x[i])) continue;
+    const Heights<V> here = heights(f, all.x[i]);
+    area += slice(f, all.x[i - 1], before, all.x[i], here);
+    before = here;
+  }
+  return area > 0 ? area : 0;
+}
+
+/// As for boxes.
+inline bool goes_first(const Oval<double>& e, const Oval<double>& f, const filter::Centre<double>& d) noexcept {
+  const auto area = [](const Oval<double>& o) { return o.a * o.b * (o.ux * o.ux + o.uy * o.uy); };
+  return order(filter::Box<double>{e.ux, e.uy, e.a, e.b}, filter::Box<double>{f.ux, f.uy, f.a, f.b}, d, area(e),
+               area(f))
+      .first;
+}
+
+inline Settled<double, bool> crossing_area_in_order(const Oval<double>& e, const Oval<double>& f,
+                                                    const filter::Centre<double>& d) noexcept {
+  const double a0 = aspect(e.a, e.b), a1 = aspect(f.a, f.b), span = span_about(e, f.ux, f.uy, f.a, f.b, d);
+  if (!(span <= 64 * (a0 > a1 ? a0 : a1))) return {0, false};
+  const Against<double> g = against(e, f, d);
+  const double area = area_in_disc(g), error = 0x1p-46 * span;
+  return {area * g.scale, area > error && pi_high - area > error};
+}
+
+/// The area of two ellipses, d from e's centre to f's. Settled as for a box and an ellipse.
+inline Settled<double, bool> crossing_area(const Oval<double>& e, const Oval<double>& f,
+                                           const filter::Centre<double>& d) noexcept {
+  if (!in_clip_range(filter::Box<double>{e.ux, e.uy, e.a, e.b}, f, d)) return {0, false};
+  if (!goes_first(e, f, d)) return crossing_area_in_order(f, e, {-d.x, -d.y});
+  return crossing_area_in_order(e, f, d);
+}
+
+}  // namespace vesica::clip

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Areas of any magnitude: a double and a power of two kept apart from it.
+#pragma once
+
+#include <vesica/spectrum.hpp>
+
+namespace vesica::clip {
+
+/// value * 2^exponent. The value is 0 or in a range whose squares and quotients are normal numbers.
+using Measure = vesica::detail::Scaled;
+
+/// The value with a magnitude of [1/2, 1).
+inline Measure standard(const Measure& m) noexcept {
+  if (m.value == 0) return {0, 0};
+  const int own = vesica::detail::exponent_of(m.value);
+  return {vesica::detail::scale(m.value, -own), m.exponent + own};
+}
+
+/// The nearest double, infinite where there is none.
+inline double to_double(const Measure& m) noexcept {
+  if (m.exponent == 0) return m.value;
+  const Measure s = standard(m);
+  return vesica::detail::scale(s.value, s.exponent);
+}
+
+/// In units of 2^exponent; what is too small for that is 0.
+inline double in_units(const Measure& m, int exponent) noexcept {
+  if (m.exponent == exponent) return m.value;
+  const Measure s = standard(m);
+  return vesica::detail::scale(s.value, s.exponent - exponent);
+}
+
+inline bool less(const Measure& a, const Measure& b) noexcept {
+  if (a.exponent == b.exponent) return a.value < b.value;
+  const Measure s = standard(a), t = standard(b);
+  if (s.value == 0 || t.value == 0) return s.value < t.value;
+  return s.exponent != t.exponent ? s.exponent < t.exponent : s.value < t.value;
+}
+
+/// The lesser of two measures that are not negative.
+inline Measure least(const Measure& a, const Measure& b) noexcept { return less(b, a) ? b : a; }
+
+}  // namespace vesica::clip

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A point of both outlines, for shapes whose outlines are known to meet (the outline of a point or a segment is all of
+/// it). So this never asks whether, only where: of all candidates the one with the least error is the answer.
+#pragma once
+
+#include <vesica/boundary_distance/edge.hpp>
+#include <vesica/boundary_distance/ellipse_in_disc.hpp>
+#include <vesica/outline/order.hpp>
+
+namespace vesica::outline {
+
+/// The four edges of the second shape, a box, against the first. Without area some of them coincide.
+inline Vector common_point_on_box(const Frame& frame) noexcept {
+  constexpr Vector corners[5] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1}};
+  const CentredShape first = frame.first_by_axis();
+  Vector best = corners[0];
+  double least = 0x1p1000;
+  for (int i = 0; i < 4; ++i) {
+    const Vector &from = corners[i], &to = corners[i + 1];
+    const OnEdge found = Edge(first, frame.second_by_axis(from.x, from.y), frame.second_by_axis(to.x, to.y)).best();
+    if (found.error < least) {
+      least = found.error;
+      best = from + found.t * (to + -from);
+    }
+  }
+  return best;
+}
+
+/// A common point of two outlines that meet, rounded. It is walked for on one of the two, and so lies within rounding of
+/// that one and within 4u times the pair's scale of the other.
+inline Vector common_outline_point(const Form& a, const Form& b) noexcept {
+  const PlacedPair given = place(a, b);
+  // The edges of a box are what is walked, so here a box comes second.
+  const bool exchange = a.curved == b.curved ? out_of_order(a, b, given) : b.curved;
+  const PlacedPair pair = exchange ? exchanged(given) : given;
+  const Frame frame(pair);
+  const Vector w = pair.second.centred.curved ? EllipseInDisc(frame).common() : common_point_on_box(frame);
+  const PlacedShape& s = pair.second;
+  return located(exchange ? a : b, out_of_frame(s.u, {s.a * w.x, s.b * w.y}), pair.exponent);
+}
+
+}  // namespace vesica::outline

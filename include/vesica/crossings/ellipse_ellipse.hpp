@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Where the outlines of two ellipses meet. How many places there are, and how many of them only touch, is exact; then
+/// that many are looked for in two doubles a number, along the outline of the lesser ellipse as the unit circle.
+#pragma once
+
+#include <vesica/area/ellipse_ellipse.hpp>
+#include <vesica/area/standard.hpp>
+#include <vesica/check.hpp>
+#include <vesica/crossings/box_ellipse.hpp>
+#include <vesica/exact/ellipse_ellipse.hpp>
+
+namespace vesica::crossing {
+
+/// Places at which the outlines cross, and at which they touch. Where they touch and cross at once (osculation) they
+/// cross.
+struct Census {
+  int crossing, touching;
+  bool equal;
+};
+
+/// With three equal roots of p, contact is of the highest order.
+inline bool has_triple_root(const exact::ContactCubic& p) noexcept {
+  return (exact::square(p.c2) - exact::integer(3) * (p.d2 * p.c1)).sign == 0;
+}
+
+/// With the double root x0 = -B / (2A) of p, whether S1 + x0 S2 has rank 1: d2 x0^2 + mu x0 + d1 = 0. Of nested ellipses,
+/// these touch at two places.
+inline bool has_rank_one(const exact::ContactCubic& p) noexcept {
+  const auto a = exact::square(p.c2) - exact::integer(3) * (p.d2 * p.c1);
+  const auto b = p.c1 * p.c2 - exact::integer(9) * (p.d1 * p.d2);
+  const auto determinant =
+      p.d2 * exact::square(b) - exact::integer(2) * (p.mu * (a * b)) + exact::integer(4) * (p.d1 * exact::square(a));
+  return determinant.sign == 0;
+}
+
+inline Census census(const exact::Ellipse& e, const exact::Ellipse& f) noexcept {
+  const exact::ContactCubic p = exact::contact_cubic(e, f);
+  const bool concentric = p.al.sign == 0;
+  switch (exact::relation(e, f)) {
+    case Relation::disjoint:
+    case Relation::inside:
+    case Relation::contains:
+      return {0, 0, false};
+    case Relation::equal:
+      return {0, 0, true};
+    case Relation::touch:
+      return {0, 1, false};
+    case Relation::inside_touch:
+    case Relation::contains_touch:
+      return {0, concentric || (!has_triple_root(p) && has_rank_one(p)) ? 2 : 1, false};
+    case Relation::cross:
+      break;
+  }
+  if (concentric) return {4, 0, false};
+  const int roots = exact::discriminant_sign(p);
+  if (roots < 0) return {2, 0, false};
+  if (roots > 0) return {4, 0, false};
+  return has_triple_root(p) ? Census{2, 0, false} : Census{2, 1, false};
+}
+
+using Real = clip::DoubleDouble;
+
+/// The circle cut where the other's quadratic form, along it, rises or falls no more: at most 4 such places, and its ends
+/// x = 1 and x = -1, in order round it from x = 1.
+struct Cut {
+  double x, side;
+  double value;  ///< the form less 1: outside the other positive, inside negative
+  bool extreme;
+};
+
+struct UnitCircle {
+  const clip::Against<Real>& f;
+  Cut cut[12];
+  int count = 0;
+
+  void add(double x, double side, bool extreme) noexcept {
+    const double value = clip::HalfCircle<Real>{f, side}.value(x);
+    cut[count++] = {x, side, value, extreme};
+  }
+};
+
+/// The place between two where the slope, monotone there, changes its sign, if it does.
+inline void add_extreme(UnitCircle& circle, double side, double low, double high) noexcept {
+  const clip::HalfCircle<Real> half{circle.f, side};
+  double at_low = half.slope(low), at_high = half.slope(high);
+  if (!(low < high) || (at_low < 0) == (at_high < 0)) return;
+  double from = low, to = high;
+  for (int i = 0; i < 200; ++i) {
+    double x = to - at_high * ((to - from) / (at_high - at_low));
+    if (i % 3 == 2 || !(x > from && x < to)) x = from + 0.5 * (to - from);
+    if (!(x > from && x < to)) break;
+    const double slope = half.slope(x);
+    const bool before = (slope < 0) == (at_low < 0);
+    (before ? from : to) = x;
+    (before ? at_low : at_high) = slope;
+  }
+  circle.add(std::fabs(at_low) < std::fabs(at_high) ? from : to, side, true);
+}
+
+/// How the form changes along the circle at one of its points: its value less 1, and half its first and second
+/// derivative by the angle.
+struct Form {
+  Real value, slope, bend;
+  Form(const clip::Against<Real>& f, const Real& x, const Real& y) noexcept {
+    const Real z0 = (x - f.x) * f.over_p, z1 = (y - f.y) * f.over_q, d0 = -(y * f.over_p), d1 = x * f.over_q;
+    value = z0 * z0 + z1 * z1 - Real(1.0);
+    slope = z0 * d0 + z1 * d1;
+    bend = d0 * d0 + d1 * d1 - (z0 * x * f.over_p + z1 * y * f.over_q);
+  }
+};
+
+/// Half the circle from x = 1 (upper) or from x = -1 (lower), in the parts between which the slope is monotone.
+inline void add_half(UnitCircle& circle, double side) noexcept {
+  const auto& f = circle.f;
+  // An end is an extreme where the other's centre is on the line through both, or so near it that no x tells them apart.
+  const Form end(f, Real(side), Real(0.0));
+  circle.add(side, side, std::fabs(rounded(end.slope)) <= 0x1p-24 * std::fabs(rounded(end.bend)));
+  const double ratio = rounded(f.q * f.over_p), r = ratio < 1 ? rounded(f.y) / ((1 - ratio) * (1 + ratio)) : 1;
+  const double root = r < 1 && r > 0 ? clip::cube_root(r) : 0;
+  const double bend = r < 1 && side > 0 ? std::sqrt((1 - root) * (1 + root)) : 1;
+  if (side < 0) {
+    add_extreme(circle, side, -1, 1);
+    return;
+  }
+  add_extreme(circle, side, bend, 1);
+  add_extreme(circle, side, -bend, bend);
+  add_extreme(circle, side, -1, -bend);
+}
+
+/// A place on the circle, and how far the form goes up or down beside it: a crossing with little is doubtful, and an
+/// extreme with little may be where the outlines touch.
+struct Candidate {
+  double x, side, depth;
+  bool extreme;
+};
+
+struct Candidates {
+  Candidate candidate[12];
+  int count = 0;
+  void add(const Candidate& c) noexcept {
+    if (count < 12) candidate[count++] = c;
+  }
+  void sort_by_depth() noexcept {
+    for (int i = 1; i < count; ++i) {
+      const Candidate c = candidate[i];
+      int k = i;
+      for (; k > 0 && candidate[k - 1].depth > c.depth; --k) candidate[k] = candidate[k - 1];
+      candidate[k] = c;
+    }
+  }
+};
+
+/// Sign changes between neighbouring cuts. A zero counts as outside, so that each crossing lies between two.
+inline Candidates sign_changes(const UnitCircle& circle) noexcept {
+  Candidates found;
+  for (int i = 0; i < circle.count; ++i) {
+    const Cut &p = circle.cut[i], &q = circle.cut[i + 1 == circle.count ? 0 : i + 1];
+    if ((p.value < 0) == (q.value < 0)) continue;
+    // A part that ends at x = 1 or x = -1 is on the half it begins on.
+    const clip::HalfCircle<Real> half{circle.f, p.side};
+    const Cut &low = p.x < q.x ? p : q, &high = p.x < q.x ? q : p;
+    const double x = low.x < high.x ? clip::crossing(half, low.x, low.value, high.x, high.value) : low.x;
+    found.add({x, p.side, std::fmin(std::fabs(p.value), std::fabs(q.value)), false});
+  }
+  found.sort_by_depth();
+  return found;
+}
+
+inline Candidates extremes(const UnitCircle& circle) noexcept {
+  Candidates found;
+  for (int i = 0; i < circle.count; ++i) {
+    const Cut& c = circle.cut[i];
+    if (c.extreme) found.add({c.x, c.side, std::fabs(c.value), true});
+  }
+  found.sort_by_depth();
+  return found;
+}
+
+/// As many places as the census says. Crossings so close that none shows between the extremes are at an extreme, both;
+/// of crossings that do not exist, made by rounding beside a place where the outlines touch, the form is least deep.
+inline Candidates chosen(const UnitCircle& circle, const Census& census) noexcept {
+  const Candidates crossing = sign_changes(circle), flat = extremes(circle);
+  Candidates all;
+  for (int i = 0; i < census.crossing && i < crossing.count; ++i) all.add(crossing.candidate[crossing.count - 1 - i]);
+  for (int i = 0; all.count < census.crossing && flat.count > 0; ++i) all.add(flat.candidate[i / 2 % flat.count]);
+  for (int i = 0; i < census.touching && flat.count > 0; ++i) all.add(flat.candidate[i % flat.count]);
+  return all;
+}
+
+/// A point of the circle. Beside x = 1 and x = -1 a double x says little of y: steps of Newton's method along the circle,
+/// to where the form is 1 or to where it is extreme, give both.
+inline clip::Vector<double> point_of_circle(const clip::Against<Real>& f, const Candidate& c) noexcept {
+  Real x(c.x), y = Real(c.side) * sqrt((Real(1.0) - x) * (Real(1.0) + x));
+  for (int i = 0; i < 50; ++i) {
+    const Form form(f, x, y);
+    const Real step = c.extreme ? form.slope / form.bend : form.value / (Real(2.0) * form.slope);
+    const double angle = std::fabs(rounded(step));
+    if (!(angle < 0x1p-20)) break;
+    const Real length = sqrt(Real(1.0) + step * step), turned = (x + y * step) / length;
+    y = (y - x * step) / length;
+    x = turned;
+    if (angle < 0x1p-60) break;
+  }
+  return {rounded(x), rounded(y)};
+}
+
+/// From the frame of `placed` to the one in which e is the unit disc along its own axes.
+inline clip::Vector<double> turned_back(const clip::Placed<Real>& p, const clip::Vector<double>& at) noexcept {
+  const double s = p.exchange ? at.y : at.x, t = p.exchange ? at.x : at.y;
+  const double x = rounded(p.x) < 0 ? -s : s, y = rounded(p.y) < 0 ? -t : t;
+  const double cosine = rounded(p.cosine), sine = rounded(p.sine);
+  return {cosine * x + sine * y, cosine * y - sine * x};
+}
+
+inline clip::Oval<double> stored(const vesica::Circle<double>& s) noexcept { return {1, 0, s.r, s.r}; }
+inline clip::Oval<double> stored(const vesica::Ellipse<double>& s) noexcept { return {s.ux, s.uy, s.a, s.b}; }
+
+/// Ellipses so thin or so different in size that their numbers have left the range: the lesser is its longer axis, as far
+/// as anybody could tell, or less, its centre.
+inline void add_places_of_axis(const exact::Ellipse& e, const exact::Ellipse& f, int count, Found& found) noexcept {
+  exact::Box axis = exact::as_box(e);
+  (exact::compare(e.a, e.b) < 0 ? axis.hx : axis.hy) = {};
+  const Found meeting = crossings(axis, f);
+  const Place centre{nearest(e.cx), nearest(e.cy), 0, 0};
+  for (int i = 0; found.count < count; ++i) {
+    found.add(meeting.count == 0 ? centre : meeting.place[i / 2 % meeting.count]);
+  }
+}
+
+/// e: the lesser. Places along e count as along_a.
+template <class E, class F>
+Found places(const E& e, const F& f, const Census& census) noexcept {
+  Found found;
+  found.shared = census.equal;
+  if (census.crossing + census.touching == 0) return found;
+  const auto pair = clip::standard_pair<Real>(e, f);
+  const auto placed = clip::placed(clip::oval(pair.a), clip::oval(pair.b), pair.offset);
+  UnitCircle circle{placed.against, {}, 0};
+  add_half(circle, 1);
+  add_half(circle, -1);
+  const Candidates all = chosen(circle, census);
+  const clip::Oval<double> own = stored(e);
+  const filter::Centre<double> centre = filter::place(e);
+  const auto other = [](const filter::Box<Real>& s) {
+    return filter::Box<double>{rounded(s.ux), rounded(s.uy), rounded(s.hx), rounded(s.hy)};
+  };
+  const filter::Box<double> s = other(pair.a), t = other(pair.b);
+  for (int i = 0; i < all.count; ++i) {
+    const clip::Vector<double> k = turned_back(placed, point_of_circle(placed.against, all.candidate[i]));
+    const double x = centre.x + (own.ux * (own.a * k.x) - own.uy * (own.b * k.y));
+    const double y = centre.y + (own.uy * (own.a * k.x) + own.ux * (own.b * k.y));
+    const double off_x = s.ux * (s.hx * k.x) - s.uy * (s.hy * k.y) - rounded(pair.offset.x);
+    const double off_y = s.uy * (s.hx * k.x) + s.ux * (s.hy * k.y) - rounded(pair.offset.y);
+    const double along = t.hy * (t.ux * off_x + t.uy * off_y), across = t.hx * (t.ux * off_y - t.uy * off_x);
+    if (vesica::detail::all_finite(k.x, k.y)) found.add({x, y, turn(k.x, k.y), turn(along, across)});
+  }
+  const int count = census.crossing + census.touching;
+  if (found.count < count) add_places_of_axis(exact::form(e), exact::form(f), count, found);
+  return found;
+}
+
+}  // namespace vesica::crossing

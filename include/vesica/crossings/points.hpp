@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What the crossings of two outlines are gathered in.
+#pragma once
+
+#include <cstdint>
+#include <vesica/exact/form.hpp>
+#include <vesica/exact/rounded.hpp>
+
+namespace vesica {
+
+/// The places where two outlines meet: x[0] y[0] ... in order along the first shape's outline, the rest 0; and whether
+/// the outlines have a stretch in common.
+template <class T>
+struct CrossingPoints {
+  std::int32_t count, shared;
+  T x[8], y[8];
+};
+
+namespace crossing {
+
+using Scaled = vesica::detail::Scaled;
+
+inline double to_double(const Scaled& s) noexcept { return vesica::detail::scale(s.value, s.exponent); }
+
+/// a / b for exact numbers' nearest doubles, whatever their exponents.
+inline double quotient(const Scaled& a, const Scaled& b) noexcept {
+  return vesica::detail::scale(a.value / b.value, a.exponent - b.exponent);
+}
+
+template <int Degree>
+double nearest(const exact::Number<Degree>& x) noexcept {
+  return to_double(exact::rounded(x));
+}
+
+/// Grows with the angle of (x, y) from the positive x axis, from 0 up to 4; 0 for the origin.
+inline double turn(double x, double y) noexcept {
+  const double sum = std::fabs(x) + std::fabs(y);
+  if (!(sum > 0)) return 0;
+  const double part = y / sum;
+  return x < 0 ? 2 - part : y < 0 ? 4 + part : part;
+}
+
+/// A place where the outlines meet, with where it is along either: only the order counts.
+struct Place {
+  double x, y, along_a, along_b;
+};
+
+struct Found {
+  Place place[8];
+  int count = 0;
+  bool shared = false;
+
+  void add(const Place& p) noexcept {
+    if (count < 8) place[count++] = p;
+  }
+  /// Sorts along the first shape, or along the second.
+  CrossingPoints<double> in_order(bool along_b) noexcept {
+    const auto key = [along_b](const Place& p) { return along_b ? p.along_b : p.along_a; };
+    for (int i = 1; i < count; ++i) {
+      const Place p = place[i];
+      int k = i;
+      for (; k > 0 && key(place[k - 1]) > key(p); --k) place[k] = place[k - 1];
+      place[k] = p;
+    }
+    CrossingPoints<double> out{count, shared ? 1 : 0, {}, {}};
+    for (int i = 0; i < count; ++i) {
+      out.x[i] = place[i].x;
+      out.y[i] = place[i].y;
+    }
+    return out;
+  }
+};
+
+using Position = exact::Number<2>;
+
+/// A box's corners in order, counter-clockwise: 4, 2 of one without width or height, 1 of a point. Edge i runs from corner
+/// i to the next; 2 corners have one edge.
+struct Corners {
+  Position x[4], y[4];
+  int count, edges;
+
+  explicit Corners(const exact::Box& b) noexcept {
+    const bool wide = b.hx.sign != 0, high = b.hy.sign != 0;
+    count = (wide ? 2 : 1) * (high ? 2 : 1);
+    edges = count == 2 ? 1 : count == 4 ? 4 : 0;
+    const Position ax = b.hx * b.ux, ay = b.hx * b.uy, bx = exact::integer(-1) * (b.hy * b.uy), by = b.hy * b.ux;
+    for (int i = 0; i < count; ++i) {
+      const bool right = wide && (i == 1 || i == 2), top = high && (count == 2 ? i == 1 : i >= 2);
+      x[i] = (right ? b.cx + ax : b.cx - ax);
+      y[i] = (right ? b.cy + ay : b.cy - ay);
+      x[i] = top ? x[i] + bx : x[i] - bx;
+      y[i] = top ? y[i] + by : y[i] - by;
+    }
+  }
+  int next(int i) const noexcept { return i + 1 == count ? 0 : i + 1; }
+};
+
+/// An edge as a place and a step.
+struct Edge {
+  Position x, y, dx, dy;
+  Edge(const Corners& c, int i) noexcept
+      : x(c.x[i]), y(c.y[i]), dx(c.x[c.next(i)] - c.x[i]), dy(c.y[c.next(i)] - c.y[i]) {}
+  /// From the nearer end.
+  double at_x(double t) const noexcept { return between(x, dx, t); }
+  double at_y(double t) const noexcept { return between(y, dy, t); }
+  static double between(const Position& from, const Position& step, double t) noexcept {
+    return t <= 0.5 ? nearest(from) + t * nearest(step) : nearest(from + step) - (1 - t) * nearest(step);
+  }
+  double length() const noexcept { return std::fabs(nearest(dx)) + std::fabs(nearest(dy)); }
+};
+
+}  // namespace crossing
+}  // namespace vesica

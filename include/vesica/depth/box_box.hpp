@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+/// How deep two boxes overlap: the least over the four normals of their faces, in closed form, for scalars and for lanes.
+/// Their Minkowski sum has no other face normals, flat boxes included.
+#pragma once
+
+#include <vesica/outline/box_faces.hpp>
+
+namespace vesica::outline {
+
+/// How far the second box is to be moved and along which unit vector; where not settled, ask the general search.
+template <class V>
+struct BoxDepth {
+  using Mask = decltype(V() < V());
+  V depth, x, y;
+  Mask settled;
+};
+
+/// A depth below this share of the sizes may be 0, which it takes exact arithmetic to tell.
+inline constexpr double least_settled_depth = 0x1p-46;
+
+/// Whether the pair is to be exchanged, so that (a, b) and (b, a) do the same work: by the boxes' numbers, equal boxes by
+/// the sign of their offset.
+template <class V>
+VESICA_INLINE auto out_of_order(const BoxPair<V>& p) noexcept {
+  using namespace lane;
+  const V first[6] = {p.first.ux, p.first.uy, p.first.a, p.first.b, -p.d.x.high, -p.d.y.high};
+  const V second[6] = {p.second.ux, p.second.uy, p.second.a, p.second.b, V(0.0), V(0.0)};
+  auto greater = first[5] > second[5];
+  for (int i = 4; i >= 0; --i) {
+    greater = either(first[i] > second[i], and_not(greater, first[i] < second[i]));
+  }
+  return greater;
+}
+
+/// For boxes that overlap. Finds the face in rounded arithmetic, then its depth to twice the precision.
+template <class V>
+VESICA_INLINE BoxDepth<V> box_box_depth(const BoxPair<V>& given) noexcept {
+  using namespace lane;
+  const V one(1.0), zero(0.0);
+  const auto exchange = out_of_order(given);
+  const Axes<V> a = choose(exchange, given.second, given.first), b = choose(exchange, given.first, given.second);
+  const Face<V> faces[4] = {along_face(a), across_face(a), along_face(b), across_face(b)};
+  Face<V> face = faces[0];
+  V least = rough_reach(face, b, given.d, one);
+  auto of_b = zero > zero;
+  for (int i = 1; i < 4; ++i) {
+    const V depth = rough_reach(faces[i], i < 2 ? b : a, given.d, one);
+    const auto less = depth < least;
+    face = choose(less, faces[i], face);
+    least = select(less, depth, least);
+    of_b = i < 2 ? of_b : either(of_b, less);
+  }
+  const Reach<V> best = reach(face, choose(of_b, a, b), given.d, one);
+  const V length = sqrt(face.x * face.x + face.y * face.y);
+  // Towards the second box; where the centres lie level, the first in order counts as below the other.
+  const V level = select(exchange, -one, one), side = select(best.offset == zero, level, best.offset);
+  const auto clear = best.value > V(least_settled_depth) * size_of(given);
+  return {best.value, zero + flip_sign(face.x / length, side), zero + flip_sign(face.y / length, side),
+          both(in_range(given), clear)};
+}
+
+}  // namespace vesica::outline

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+/// How deep two shapes of any form overlap, by search over all directions.
+#pragma once
+
+#include <vesica/outline/frame.hpp>
+#include <vesica/outline/order.hpp>
+
+namespace vesica::outline {
+
+/// In units of 2^exponent; the unit vector along which the second shape is to be moved.
+struct Depth {
+  double value;
+  Vector direction;
+  int exponent;
+};
+
+/// The least over all n of h1(n) + h2(n) - n.D: how far the second shape must move along n until n separates the two.
+/// It may come out negative by its rounding, and as any negative number for shapes that are apart.
+inline Depth searched_depth(const Form& a, const Form& b) noexcept {
+  const PlacedPair given = place(a, b);
+  const bool exchange = out_of_order(a, b, given);
+  const PlacedPair pair = exchange ? exchanged(given) : given;
+  const Frame frame(pair);
+  const Vector n = minimise(frame.objective(1)).at.n;
+  const Vector direction = unit(frame.world(n));
+  return {frame.value(n, 1), exchange ? -direction : direction, pair.exponent};
+}
+
+}  // namespace vesica::outline

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+/// iou(a, b): intersection over union, the shared area over that of the two shapes together. area.hpp has its laws.
+#pragma once
+
+#include <vesica/area.hpp>
+
+namespace vesica {
+
+namespace detail {
+
+/// For valid shapes with the shared area known and of which not both have none.
+inline double iou_of(const clip::Measure& shared, const clip::Measure& a, const clip::Measure& b) noexcept {
+  return shared.value == 0 ? 0 : ratio_of_union(shared, a, b);
+}
+
+template <class A, class B>
+std::int32_t iou_of_pair(const A& a, const B& b, double& out) noexcept {
+  if constexpr (clip::has_area<A> && clip::has_area<B>) {
+    const auto quick = clip::quick_area(a, b);
+    if (quick.settled) [[likely]] {
+      out = iou_of({quick.area, 0}, clip::shape_measure(a), clip::shape_measure(b));
+      return 0;
+    }
+  }
+  clip::Shares shares;
+  const std::int32_t error = clip::shares_by_relation(a, b, shares);
+  if (error != 0) return error;
+  if (shares.a.value == 0 && shares.b.value == 0) return error_argument;
+  out = shares.equal ? 1 : iou_of(shares.shared, shares.a, shares.b);
+  return 0;
+}
+
+}  // namespace detail
+
+/// Intersection over union. Returns 0, error_shape, or error_argument when neither shape has an area (with one that
+/// has, it is 0); on error `out` is untouched. Nothing overflows, whatever the sizes. A float is the double rounded.
+template <template <class> class A, template <class> class B, class T>
+std::int32_t iou_or_error(const A<T>& a, const B<T>& b, T& out) noexcept {
+  if constexpr (!detail::in_order<A<T>, B<T>>) {
+    return iou_or_error(b, a, out);
+  } else {
+    double ratio;
+    const std::int32_t error = detail::iou_of_pair(widen(a), widen(b), ratio);
+    if (error == 0) out = static_cast<T>(ratio);
+    return error;
+  }
+}
+
+/// The same as a value: 0 where there is an error.
+template <template <class> class A, template <class> class B, class T>
+T iou(const A<T>& a, const B<T>& b) noexcept {
+  T out = 0;
+  iou_or_error(a, b, out);
+  return out;
+}
+
+}  // namespace vesica

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A box and an ellipse, disjoint: the face or the vertex of the box that the ellipse is closest to, and the distance
+/// from it.
+#pragma once
+
+#include <vesica/nearest/box_box.hpp>
+#include <vesica/nearest/point_ellipse.hpp>
+
+namespace vesica::closest {
+
+/// A face or a vertex of a box: a vertex (signs of its half extents), and whether it stands for the face across x, or
+/// across y, that it belongs to.
+template <class V>
+struct Feature {
+  V i, j;
+  MaskOf<V> face_x, face_y;
+};
+
+/// In the frame of the box, folded so that the ellipse's centre k lies in the first quadrant, only the faces towards
+/// +x and +y can be closest.
+///
+/// Where a gap is seen along a face's normal, the support point of the ellipse above the face, beyond its one end or
+/// beyond its other tells: this face, or the vertex to that side (or the other face, likewise). Where none is seen along
+/// either, the vertex is the point of the box that is closest in the ellipse's own metric: the normal there separates
+/// the two, and so does every direction from it to the best one, so no face's normal lies between (the regions are
+/// those of D. Eberly, "Intersection of Rectangle and Ellipse", Geometric Tools).
+template <class V>
+VESICA_INLINE Feature<V> closest_feature(const Box<V>& box, const Axes<V>& e, V dx, V dy) noexcept {
+  const V zero(0.0), one(1.0);
+  const V ux = box.u.x.high, uy = box.u.y.high, uu = ux * ux + uy * uy;
+  const V kx = ux * dx + uy * dy, ky = ux * dy - uy * dx, ex = box.hx.high * uu, ey = box.hy.high * uu;
+  const V c = ux * e.ux + uy * e.uy, s = ux * e.uy - uy * e.ux, aa = e.a * e.a, bb = e.b * e.b;
+  const V pxx = aa * (c * c) + bb * (s * s), pyy = aa * (s * s) + bb * (c * c);
+  const V pxy = flip_sign(flip_sign((e.a - e.b) * (e.a + e.b) * (c * s), kx), ky);
+  const V fx = abs(kx), fy = abs(ky), beyond_x = fx - ex, beyond_y = fy - ey;
+  const V reach_x = sqrt(pxx), reach_y = sqrt(pyy);
+  const auto seen_x = beyond_x > reach_x, seen_y = beyond_y > reach_y,
+             unseen = and_not(and_not(zero == zero, seen_x), seen_y);
+  const auto use_x = either(seen_x, both(unseen, beyond_x > zero));
+  const auto use_y = either(seen_y, both(unseen, beyond_y > zero));
+  // Of the support point (its step towards the face is reach), or of the metric foot (the step is all of beyond).
+  const V along_y = fy - pxy * (select(seen_x, reach_x, beyond_x) / pxx);
+  const V along_x = fx - pxy * (select(seen_y, reach_y, beyond_y) / pyy);
+  const auto face_x = both(use_x, abs(along_y) <= ey), face_y = and_not(both(use_y, abs(along_x) <= ex), face_x);
+  const V i = select(both(use_y, along_x < -ex), -one, one), j = select(both(use_x, along_y < -ey), -one, one);
+  return {flip_sign(select(face_x, one, i), kx), flip_sign(select(face_y, one, j), ky), face_x, face_y};
+}
+
+/// What a disjoint box and ellipse answer: the distance, the place in the box, the offset from the ellipse's centre, and
+/// the unit vector from the box to the ellipse.
+template <class V>
+struct BoxEllipse {
+  Twofold<V> distance;
+  Spot<V> spot;
+  V bx, by, nx, ny;
+  MaskOf<V> settled;
+};
+
+/// The distance of an ellipse from one feature of a box; d from the box's centre to the ellipse's. The ellipse may not
+/// contain the feature's vertex. Settled where the direction found lies between the normals of the vertex's faces, or
+/// the foot in the face: then nothing of the box is closer.
+template <class V>
+VESICA_INLINE BoxEllipse<V> feature_ellipse(const Box<V>& box, const Axes<V>& e, const Vector<V>& d, V size,
+                                            const Feature<V>& f, int& steps) noexcept {
+  const V zero(0.0), one(1.0);
+  const auto face = either(f.face_x, f.face_y);
+  const Vector<V> from_vertex = renormalised(d - vertex(box, f.i, f.j));
+  const NormalToEllipse<V> direction = normal_to_ellipse(e, from_vertex.x.high, from_vertex.y.high);
+  steps = direction.steps;
+  const Vector<V> across_x = flipped(box.u, f.i);
+  const Vector<V> across_y{flipped(box.u.y, -f.j), flipped(box.u.x, f.j)};
+  const auto pick = [&](const V& n, const Twofold<V>& x, const Twofold<V>& y) {
+    return choose(f.face_x, x, choose(f.face_y, y, Twofold<V>{n, zero}));
+  };
+  const auto n = normal(VectorFactor<TwofoldFactor<V>>{factor(pick(direction.n.x, across_x.x, across_y.x)),
+                                             factor(pick(direction.n.y, across_x.y, across_y.y))});
+  const ClosestOffsets<V> found =
+      separation(from_vertex, n, no_support<V>(), support(e, n), size, select(face, zero, one));
+
+  // The place in the box that the ellipse's point stands above.
+  const V ux = box.u.x.high, uy = box.u.y.high, scale = one / (ux * ux + uy * uy);
+  const V px = d.x.high + found.bx, py = d.y.high + found.by, hx = box.hx.high, hy = box.hy.high;
+  const V above_x = (ux * px + uy * py) * scale, above_y = (ux * py - uy * px) * scale;
+  const V foot_x = max(-hx, min(hx, above_x)), foot_y = max(-hy, min(hy, above_y));
+  const V off = select(f.face_x, abs(above_y - foot_y), abs(above_x - foot_x));
+  const V nx = ux * n.unit.x + uy * n.unit.y, ny = ux * n.unit.y - uy * n.unit.x;
+  const V slack = V(-0x1p-40) * (abs(ux) + abs(uy));
+  const auto between = both(either(f.i * nx >= slack, hx == zero), either(f.j * ny >= slack, hy == zero));
+  const auto above = off * (abs(ux) + abs(uy)) <= V(settled_slope) * size;
+  const auto ended = either(both(face, above), both(and_not(direction.found, face), between));
+  return {found.distance,
+          {select(f.face_y, foot_x, f.i * hx), select(f.face_x, foot_y, f.j * hy)},
+          found.bx,
+          found.by,
+          found.nx,
+          found.ny,
+          both(found.settled, ended)};
+}
+
+/// The distance between a box and an ellipse that are disjoint; d from the box's centre to the ellipse's.
+template <class V>
+VESICA_INLINE BoxEllipse<V> box_ellipse(const Box<V>& box, const Axes<V>& e, const Vector<V>& d, V size,
+                                        int& steps) noexcept {
+  return feature_ellipse(box, e, d, size, closest_feature(box, e, d.x.high, d.y.high), steps);
+}
+
+}  // namespace vesica::closest

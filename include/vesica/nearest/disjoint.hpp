@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Two placed shapes that are disjoint: the distance, and where it is reached. What the pairs' own searches leave
+/// unsettled, ties within rounding for the most part, is settled here by trying all there is.
+#pragma once
+
+#include <vesica/nearest/box_ellipse.hpp>
+#include <vesica/nearest/ellipse_ellipse.hpp>
+#include <vesica/nearest/placed.hpp>
+
+namespace vesica::closest {
+
+/// The distance, where it is reached, and a vector from a to b of any length.
+struct Closest {
+  Twofold<double> distance;
+  Contact a, b;
+  double nx, ny;
+};
+
+inline Contact on_box(const Box<double>& box, const Spot<double>& p) noexcept {
+  return {p, p.s * box.u.x.high - p.t * box.u.y.high, p.s * box.u.y.high + p.t * box.u.x.high};
+}
+inline Contact on_ellipse(double x, double y) noexcept { return {{0, 0}, x, y}; }
+
+inline bool less(const Twofold<double>& x, const Twofold<double>& y) noexcept {
+  return rounded(renormalised(x - y)) < 0;
+}
+
+/// All eight vertices, each against the other box.
+inline BoxBox<double> box_box_by_vertices(const Box<double>& a, const Box<double>& b,
+                                          const Vector<double>& d) noexcept {
+  const bool ordered = in_order(d);
+  BoxBox<double> best{{0x1p1000, 0}, {0, 0}, {0, 0}, 0, 0, true};
+  for (int k = 0; k < 8; ++k) {
+    const bool of_b = (k < 4) == ordered;
+    const double i = (k & 1) != 0 ? 1 : -1, j = (k & 2) != 0 ? 1 : -1;
+    const Box<double>&face = of_b ? a : b, &corner = of_b ? b : a;
+    const PointBox<double> found = point_box(face, flipped(d, of_b ? 1.0 : -1.0) + vertex(corner, i, j));
+    if (!less(found.distance, best.distance)) continue;
+    const Spot<double> place{i * corner.hx.high, j * corner.hy.high};
+    const Direction<double> out = out_of(face, found);
+    best = of_b ? BoxBox<double>{found.distance, found.spot, place, out.x, out.y, true}
+                : BoxBox<double>{found.distance, place, found.spot, -out.x, -out.y, true};
+  }
+  return best;
+}
+
+inline Closest closest_boxes(const Box<double>& a, const Box<double>& b, const Vector<double>& d) noexcept {
+  BoxBox<double> found = box_box(a, b, d);
+  if (!found.settled) found = box_box_by_vertices(a, b, d);
+  return {found.distance, on_box(a, found.a), on_box(b, found.b), found.nx, found.ny};
+}
+
+/// All four vertices, and the faces that the ellipse's support point stands above.
+inline BoxEllipse<double> box_ellipse_by_features(const Box<double>& box, const Axes<double>& e,
+                                                  const Vector<double>& d, double size, int& steps) noexcept {
+  BoxEllipse<double> best{{0x1p1000, 0}, {0, 0}, 0, 0, 0, 0, false};
+  for (int k = 0; k < 12; ++k) {
+    const double i = (k & 1) != 0 ? 1 : -1, j = (k & 2) != 0 ? 1 : -1;
+    const Feature<double> feature{i, j, k >= 4 && k < 8, k >= 8};
+    const BoxEllipse<double> found = feature_ellipse(box, e, d, size, feature, steps);
+    const bool usable = k < 4 || (found.settled && rounded(found.distance) > -0x1p-80 * size);
+    if (usable && less(found.distance, best.distance)) best = found;
+  }
+  return best;
+}
+
+inline Closest closest_box_ellipse(const Box<double>& box, const Axes<double>& e, const Vector<double>& d, double size,
+                                   int& steps) noexcept {
+  BoxEllipse<double> found = box_ellipse(box, e, d, size, steps);
+  if (!found.settled) found = box_ellipse_by_features(box, e, d, size, steps);
+  return {found.distance, on_box(box, found.spot), on_ellipse(found.bx, found.by), found.nx, found.ny};
+}
+
+/// The search once more by halving alone, to the last place of the direction.
+inline ClosestOffsets<double> ellipse_ellipse_by_halving(const Axes<double>& a, const Axes<double>& b,
+                                                         const Vector<double>& d, double size) noexcept {
+  const double dx = d.x.high, dy = d.y.high;
+  const SemiAxes<double> sa = semi_axes(a), sb = semi_axes(b);
+  Direction<double> at{dx, dy};
+  const bool rising = turn_at(sa, sb, dx, dy, size, at).slope > 0;
+  Bracket<double> bracket{rising ? at : Direction<double>{dy, -dx}, rising ? Direction<double>{-dy, dx} : at};
+  for (int step = 0; step < 200; ++step) {
+    const Direction<double> next = middle(a, b, dx, dy, bracket, step);
+    if (next.x == at.x && next.y == at.y) break;
+    at = next;
+    (turn_at(sa, sb, dx, dy, size, at).slope > 0 ? bracket.low : bracket.high) = at;
+  }
+  const auto n = normal(factor(at.x, at.y));
+  return separation(d, n, support(a, n), support(b, n), size);
+}
+
+inline Closest closest_ellipses(const Axes<double>& a, const Axes<double>& b, const Vector<double>& d, double size,
+                                int& steps) noexcept {
+  ClosestOffsets<double> found = ellipse_ellipse(a, b, d, size, steps);
+  if (!found.settled) found = ellipse_ellipse_by_halving(a, b, d, size);
+  return {found.distance, on_ellipse(found.ax, found.ay), on_ellipse(found.bx, found.by), found.nx, found.ny};
+}
+
+inline Closest exchanged(const Closest& c) noexcept { return {c.distance, c.b, c.a, -c.nx, -c.ny}; }
+
+inline Closest closest_of_forms(const PlacedPair& p, int& steps) noexcept {
+  if (!p.a.curved && !p.b.curved) return closest_boxes(p.a.box, p.b.box, p.d);
+  if (!p.a.curved) return closest_box_ellipse(p.a.box, p.b.axes(), p.d, p.size, steps);
+  if (!p.b.curved) {
+    return exchanged(closest_box_ellipse(p.b.box, p.a.axes(), flipped(p.d, -1.0), p.size, steps));
+  }
+  return closest_ellipses(p.a.axes(), p.b.axes(), p.d, p.size, steps);
+}
+
+/// Circles reach r farther along the line between the closest points.
+inline void extend(Closest& c, const PlacedPair& p) noexcept {
+  if (p.a.radius == 0 && p.b.radius == 0) return;
+  const double larger = max(abs(c.nx), abs(c.ny));
+  if (larger == 0) return;  // so near that the radius is nothing to rounding
+  const double x = c.nx / larger, y = c.ny / larger;
+  const double length = sqrt(x * x + y * y), nx = x / length, ny = y / length;
+  c.a.x += p.a.radius * nx, c.a.y += p.a.radius * ny;
+  c.b.x -= p.b.radius * nx, c.b.y -= p.b.radius * ny;
+  c.distance = c.distance - exact_sum(p.a.radius, p.b.radius);
+}
+
+inline Closest closest(const PlacedPair& p, int& steps) noexcept {
+  Closest c = closest_of_forms(p, steps);
+  extend(c, p);
+  return c;
+}
+
+}  // namespace vesica::closest

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The four pairs that batches run in lanes: one template over double and lanes of double. The scalar call is its
+/// instance for double, so both give the same bits; what is not settled takes the general way, in both.
+#pragma once
+
+#include <vesica/filter/estimate.hpp>
+#include <vesica/nearest/box_ellipse.hpp>
+#include <vesica/nearest/ellipse_ellipse.hpp>
+#include <vesica/shapes.hpp>
+
+namespace vesica::closest {
+
+/// The answer, where settled; elsewhere (numbers far from 1, no convergence, ties within rounding, a common point that is
+/// no centre) it means nothing.
+template <class V>
+struct HotAnswer {
+  V distance, ax, ay, bx, by;
+  MaskOf<V> settled;
+};
+
+/// Sizes from 2^-60 to 2^60, axes from 2^-20 to 2^20, offsets up to 2^60: nothing over- or underflows that matters.
+template <class V>
+VESICA_INLINE MaskOf<V> moderate_axis(V ux, V uy) noexcept {
+  return filter::in_range(max(abs(ux), abs(uy)), V(0x1p-20), V(0x1p20));
+}
+template <class V>
+VESICA_INLINE MaskOf<V> moderate_size(V size) noexcept {
+  return filter::in_range(size, V(0x1p-60), V(0x1p60));
+}
+template <class V>
+VESICA_INLINE MaskOf<V> moderate(const Vector<V>& d) noexcept {
+  return abs(d.x.high) + abs(d.y.high) <= V(0x1p60);
+}
+/// And not so thin that a direction's last place counts.
+template <class V>
+VESICA_INLINE MaskOf<V> moderate(const Ellipse<V>& e) noexcept {
+  const auto thick = min(e.a, e.b) >= V(0x1p-50) * max(e.a, e.b);
+  return both(both(moderate_axis(e.ux, e.uy), thick), both(moderate_size(e.a), moderate_size(e.b)));
+}
+template <class V>
+VESICA_INLINE MaskOf<V> moderate(const Rect<V>& r) noexcept {
+  return both(moderate_axis(r.ux, r.uy), both(moderate_size(r.hx), moderate_size(r.hy)));
+}
+
+template <class V>
+VESICA_INLINE Vector<V> offset(V ax, V ay, V bx, V by) noexcept {
+  return {exact_difference(bx, ax), exact_difference(by, ay)};
+}
+
+template <class V>
+VESICA_INLINE Axes<V> axes(const Ellipse<V>& e) noexcept {
+  return {e.ux, e.uy, e.a, e.b};
+}
+template <class V>
+VESICA_INLINE Box<V> box(const Rect<V>& r) noexcept {
+  const V zero(0.0);
+  return {{{r.ux, zero}, {r.uy, zero}}, {r.hx, zero}, {r.hy, zero}};
+}
+
+/// Whether a shape holds the point at d from its centre, to rounding.
+template <class V>
+VESICA_INLINE MaskOf<V> holds(const Rect<V>& r, const Vector<V>& d) noexcept {
+  const V uu = r.ux * r.ux + r.uy * r.uy;
+  return both(abs(r.ux * d.x.high + r.uy * d.y.high) <= r.hx * uu, abs(r.ux * d.y.high - r.uy * d.x.high) <= r.hy * uu);
+}
+template <class V>
+VESICA_INLINE MaskOf<V> holds(const Ellipse<V>& e, const Vector<V>& d) noexcept {
+  const V p = e.b * (e.ux * d.x.high + e.uy * d.y.high), q = e.a * (e.ux * d.y.high - e.uy * d.x.high);
+  const V area = (e.a * e.b) * (e.ux * e.ux + e.uy * e.uy);
+  return p * p + q * q <= area * area;
+}
+template <class V>
+VESICA_INLINE MaskOf<V> holds(const Circle<V>& c, const Vector<V>& d) noexcept {
+  return d.x.high * d.x.high + d.y.high * d.y.high <= c.r * c.r;
+}
+
+/// Overlapping shapes of which one holds the other's centre: that centre, and if each does, the one to the left.
+template <class A, class B, class V>
+VESICA_INLINE HotAnswer<V> common_centre(const A& a, const B& b, const Vector<V>& d) noexcept {
+  const V zero(0.0);
+  const auto in_a = holds(a, d), in_b = holds(b, d), take_a = and_not(in_b, and_not(in_a, in_order(d)));
+  const V x = select(take_a, a.cx, b.cx), y = select(take_a, a.cy, b.cy);
+  return {zero, x, y, x, y, either(in_a, in_b)};
+}
+
+template <class V>
+VESICA_INLINE HotAnswer<V> choose(MaskOf<V> m, const HotAnswer<V>& yes, const HotAnswer<V>& no) noexcept {
+  return {select(m, yes.distance, no.distance),
+          select(m, yes.ax, no.ax),
+          select(m, yes.ay, no.ay),
+          select(m, yes.bx, no.bx),
+          select(m, yes.by, no.by),
+          either(both(m, yes.settled), and_not(no.settled, m))};
+}
+
+/// Offsets from centres to places.
+template <class A, class B, class V>
+VESICA_INLINE HotAnswer<V> located(const A& a, const B& b, const Twofold<V>& distance, V ax, V ay, V bx, V by,
+                                   MaskOf<V> settled) noexcept {
+  const V least = rounded(distance);
+  return {least, a.cx + ax, a.cy + ay, b.cx + bx, b.cy + by, both(settled, least > V(0.0))};
+}
+
+template <class V>
+VESICA_INLINE HotAnswer<V> apart(const Rect<V>& a, const Rect<V>& b, const Vector<V>& d) noexcept {
+  const BoxBox<V> f = box_box(box(a), box(b), d);
+  return located(a, b, f.distance, f.a.s * a.ux - f.a.t * a.uy, f.a.s * a.uy + f.a.t * a.ux,
+                 f.b.s * b.ux - f.b.t * b.uy, f.b.s * b.uy + f.b.t * b.ux, f.settled);
+}
+template <class V>
+VESICA_INLINE HotAnswer<V> apart(const Rect<V>& a, const Ellipse<V>& b, const Vector<V>& d) noexcept {
+  int steps;
+  const V size = ((a.hx + a.hy) + (b.a + b.b)) + (abs(d.x.high) + abs(d.y.high));
+  const BoxEllipse<V> f = box_ellipse(box(a), axes(b), d, size, steps);
+  return located(a, b, f.distance, f.spot.s * a.ux - f.spot.t * a.uy, f.spot.s * a.uy + f.spot.t * a.ux, f.bx, f.by,
+                 f.settled);
+}
+template <class V>
+VESICA_INLINE HotAnswer<V> apart(const Circle<V>& a, const Ellipse<V>& b, const Vector<V>& d) noexcept {
+  int steps;
+  const V size = (a.r + (b.a + b.b)) + (abs(d.x.high) + abs(d.y.high));
+  const ClosestOffsets<V> f = circle_ellipse(a.r, axes(b), d, size, steps);
+  return located(a, b, f.distance, f.ax, f.ay, f.bx, f.by, f.settled);
+}
+template <class V>
+VESICA_INLINE HotAnswer<V> apart(const Ellipse<V>& a, const Ellipse<V>& b, const Vector<V>& d) noexcept {
+  int steps;
+  const V size = ((a.a + a.b) + (b.a + b.b)) + (abs(d.x.high) + abs(d.y.high));
+  const ClosestOffsets<V> f = ellipse_ellipse(axes(a), axes(b), d, size, steps);
+  return located(a, b, f.distance, f.ax, f.ay, f.bx, f.by, f.settled);
+}
+
+template <class V>
+VESICA_INLINE MaskOf<V> moderate(const Circle<V>& c) noexcept {
+  return moderate_size(c.r);
+}
+
+/// overlapping: what the exact predicate says of the pair.
+template <class A, class B, class V>
+VESICA_INLINE HotAnswer<V> hot_answer(const A& a, const B& b, MaskOf<V> overlapping, const Vector<V>& d) noexcept {
+  HotAnswer<V> answer = common_centre(a, b, d);
+  if (!all(overlapping)) answer = choose(overlapping, answer, apart(a, b, d));
+  answer.settled = both(answer.settled, both(moderate(d), both(moderate(a), moderate(b))));
+  return answer;
+}
+template <template <class> class A, template <class> class B, class V>
+VESICA_INLINE HotAnswer<V> hot_answer(const A<V>& a, const B<V>& b, MaskOf<V> overlapping) noexcept {
+  return hot_answer(a, b, overlapping, offset(a.cx, a.cy, b.cx, b.cy));
+}
+
+}  // namespace vesica::closest

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Numbers of about twice the precision, as an unevaluated sum of two. The closest features of two shapes are found in
+/// plain arithmetic; the distance is then evaluated in this one, so that it is right to its own last place or two even
+/// where two large numbers all but cancel. No fused operation is used: the same bits on every instruction set.
+#pragma once
+
+#include <vesica/scalar.hpp>
+
+namespace vesica::closest {
+
+using namespace lane;
+
+/// high + low. low is some roundoffs of high, or of what cancelled into it: the two are not brought apart after each
+/// operation, which halves the time from operands to result. A result's error is a few 2^-106 of its largest term.
+template <class V>
+struct Twofold {
+  V high, low;
+};
+
+template <class V>
+VESICA_INLINE V rounded(const Twofold<V>& x) noexcept {
+  return x.high + x.low;
+}
+
+/// a + b exactly (D. E. Knuth's TwoSum).
+template <class V>
+VESICA_INLINE Twofold<V> exact_sum(V a, V b) noexcept {
+  const V high = a + b, part = high - a;
+  return {high, (a - (high - part)) + (b - part)};
+}
+template <class V>
+VESICA_INLINE Twofold<V> exact_difference(V a, V b) noexcept {
+  return exact_sum(a, -b);
+}
+
+/// The same number, with high nearest to it.
+template <class V>
+VESICA_INLINE Twofold<V> renormalised(const Twofold<V>& x) noexcept {
+  return exact_sum(x.high, x.low);
+}
+
+/// A number as a factor: its upper and lower 26 bits apart (G. W. Veltkamp). |high| < 2^990.
+template <class V>
+struct Factor {
+  V high, upper, lower;
+};
+/// The same of a Twofold.
+template <class V>
+struct TwofoldFactor {
+  V high, upper, lower, low;
+};
+
+template <class V>
+VESICA_INLINE Factor<V> factor(V x) noexcept {
+  const V spread = V(0x1p27 + 1) * x, upper = spread - (spread - x);
+  return {x, upper, x - upper};
+}
+template <class V>
+VESICA_INLINE TwofoldFactor<V> factor(const Twofold<V>& x) noexcept {
+  const Factor<V> f = factor(x.high);
+  return {f.high, f.upper, f.lower, x.low};
+}
+
+/// The highs' product is exact (T. J. Dekker) unless it underflows: then all that is lost is beneath 2^-1020.
+template <class V, class A, class B>
+VESICA_INLINE Twofold<V> exact_product(const A& a, const B& b) noexcept {
+  const V high = a.high * b.high;
+  return {high, (((a.upper * b.upper - high) + a.upper * b.lower) + a.lower * b.upper) + a.lower * b.lower};
+}
+template <class V>
+VESICA_INLINE Twofold<V> operator*(const Factor<V>& a, const Factor<V>& b) noexcept {
+  return exact_product<V>(a, b);
+}
+template <class V>
+VESICA_INLINE Twofold<V> operator*(const Factor<V>& a, const TwofoldFactor<V>& b) noexcept {
+  const Twofold<V> p = exact_product<V>(a, b);
+  return {p.high, p.low + a.high * b.low};
+}
+template <class V>
+VESICA_INLINE Twofold<V> operator*(const TwofoldFactor<V>& a, const Factor<V>& b) noexcept {
+  return b * a;
+}
+template <class V>
+VESICA_INLINE Twofold<V> operator*(const TwofoldFactor<V>& a, const TwofoldFactor<V>& b) noexcept {
+  const Twofold<V> p = exact_product<V>(a, b);
+  return {p.high, p.low + ((a.high * b.low + a.low * b.high) + a.low * b.low)};
+}
+
+template <class V, class A>
+VESICA_INLINE Twofold<V> exact_square(const A& a) noexcept {
+  const V high = a.high * a.high, middle = a.upper * a.lower;
+  return {high, ((a.upper * a.upper - high) + (middle + middle)) + a.lower * a.lower};
+}
+template <class V>
+VESICA_INLINE Twofold<V> square(const Factor<V>& a) noexcept {
+  return exact_square<V>(a);
+}
+template <class V>
+VESICA_INLINE Twofold<V> square(const TwofoldFactor<V>& a) noexcept {
+  const Twofold<V> p = exact_square<V>(a);
+  const V cross = a.high * a.low;
+  return {p.high, p.low + ((cross + cross) + a.low * a.low)};
+}
+
+template <class V>
+VESICA_INLINE Twofold<V> operator-(const Twofold<V>& x) noexcept {
+  return {-x.high, -x.low};
+}
+template <class V>
+VESICA_INLINE Twofold<V> operator+(const Twofold<V>& x, const Twofold<V>& y) noexcept {
+  const Twofold<V> sum = exact_sum(x.high, y.high);
+  return {sum.high, sum.low + (x.low + y.low)};
+}
+template <class V>
+VESICA_INLINE Twofold<V> operator-(const Twofold<V>& x, const Twofold<V>& y) noexcept {
+  return x + -y;
+}
+
+/// sqrt(x) for x > 0: one Newton step from the rounded root.
+template <class V>
+VESICA_INLINE Twofold<V> root(const Twofold<V>& x) noexcept {
+  const V high = sqrt(x.high), half_inverse = V(0.5) / high;
+  const Twofold<V> s = square(factor(high));
+  return {high, ((x.high - s.high) + (x.low - s.low)) * half_inverse};
+}
+
+/// 1 / x.
+template <class V>
+VESICA_INLINE Twofold<V> inverse(const Twofold<V>& x) noexcept {
+  const V high = V(1.0) / x.high;
+  const Twofold<V> p = factor(high) * factor(x.high);
+  return {high, ((V(1.0) - p.high) - (p.low + high * x.low)) * high};
+}
+
+template <class Mask, class V>
+VESICA_INLINE Twofold<V> choose(Mask m, const Twofold<V>& yes, const Twofold<V>& no) noexcept {
+  return {select(m, yes.high, no.high), select(m, yes.low, no.low)};
+}
+
+/// x, or -x where the sign bit of y is set.
+template <class V>
+VESICA_INLINE Twofold<V> flipped(const Twofold<V>& x, V y) noexcept {
+  return {flip_sign(x.high, y), flip_sign(x.low, y)};
+}
+
+/// A vector of such numbers, and one as factors.
+template <class V>
+struct Vector {
+  Twofold<V> x, y;
+};
+template <class F>
+struct VectorFactor {
+  F x, y;
+};
+template <class V>
+VESICA_INLINE VectorFactor<TwofoldFactor<V>> factor(const Vector<V>& v) noexcept {
+  return {factor(v.x), factor(v.y)};
+}
+template <class V>
+VESICA_INLINE VectorFactor<Factor<V>> factor(V x, V y) noexcept {
+  return {factor(x), factor(y)};
+}
+template <class V>
+VESICA_INLINE Vector<V> operator+(const Vector<V>& a, const Vector<V>& b) noexcept {
+  return {a.x + b.x, a.y + b.y};
+}
+template <class V>
+VESICA_INLINE Vector<V> operator-(const Vector<V>& a, const Vector<V>& b) noexcept {
+  return {a.x - b.x, a.y - b.y};
+}
+template <class V>
+VESICA_INLINE Vector<V> renormalised(const Vector<V>& v) noexcept {
+  return {renormalised(v.x), renormalised(v.y)};
+}
+template <class F, class G>
+VESICA_INLINE auto dot(const VectorFactor<F>& a, const VectorFactor<G>& b) noexcept {
+  return a.x * b.x + a.y * b.y;
+}
+template <class F, class G>
+VESICA_INLINE auto cross(const VectorFactor<F>& a, const VectorFactor<G>& b) noexcept {
+  return a.x * b.y - a.y * b.x;
+}
+
+}  // namespace vesica::closest

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+/// relation(a, b): which of eight ways do two shapes relate? contains(a, b): does a contain all of b? Exact for every
+/// valid input, touching included.
+///
+/// Definition, for closed convex sets. The outline of a shape is its relative boundary: for a shape with area the curve
+/// around it, for a segment (or a shape of one zero size) its two end points; a point (or a shape without any size) has
+/// none. The inside is what the outline leaves: a segment without its ends, a point itself. The first that holds:
+///   equal            each contains the other: the same set of points, whatever kinds and numbers describe it;
+///   inside           b contains a, and a has no point of b's outline;
+///   inside_touch     b contains a, and a has points of b's outline;
+///   contains, contains_touch   the same with a and b exchanged;
+///   cross            the insides have a common point (with no area, none need be as wide as the shapes: two segments
+///                    that cross, or that lie along one line and overlap in part, or a segment through a disc);
+///   touch            they have a common point (a segment's end on another's middle, a segment along a rectangle's
+///   side); disjoint         they have not.
+///
+/// Laws, each tested: relation(b, a) is the converse of relation(a, b); contains(a, b) iff the relation is contains,
+/// contains_touch or equal; overlap(a, b) iff it is not disjoint; contains is transitive; both are unchanged when both
+/// shapes are mirrored, turned by quarter turns, or scaled by a power of two without leaving the format.
+#pragma once
+
+#include <vesica/overlap.hpp>
+#include <vesica/relation/box_box.hpp>
+#include <vesica/relation/box_ellipse.hpp>
+#include <vesica/relation/comparison.hpp>
+#include <vesica/relation/disc.hpp>
+#include <vesica/relation/ellipse_ellipse.hpp>
+
+namespace vesica {
+
+namespace detail {
+
+/// Points and AABBs: comparisons alone are exact.
+template <class Shape>
+inline constexpr bool is_compared = ShapeTraits<Shape>::kind == Kind::point || ShapeTraits<Shape>::kind == Kind::aabb;
+
+template <class A, class B>
+inline constexpr bool are_points = ShapeTraits<A>::kind == Kind::point&& ShapeTraits<B>::kind == Kind::point;
+
+template <class A, class B>
+VESICA_COLD std::int32_t decide_relation(const A& a, const B& b) noexcept {
+  if (check(a) != 0 || check(b) != 0) return error_shape;
+  if constexpr (is_compared<A> && is_compared<B>) {
+    return relation_of::aabb_aabb(relation_of::as_aabb(a), relation_of::as_aabb(b));
+  } else {
+    return static_cast<std::int32_t>(exact::relate(exact::relation_form(widen(a)), exact::relation_form(widen(b))));
+  }
+}
+
+template <class A, class B>
+VESICA_COLD std::int32_t decide_containment(const A& a, const B& b) noexcept {
+  if (check(a) != 0 || check(b) != 0) return error_shape;
+  if constexpr (is_compared<A> && is_compared<B>) {
+    return decide_relation(a, b) >= static_cast<std::int32_t>(Relation::contains) ? 1 : 0;
+  } else {
+    return exact::within(exact::relation_form(widen(b)), exact::relation_form(widen(a))) ? 1 : 0;
+  }
+}
+
+/// What the pair's filter knows about a and b, of kinds in either order.
+template <class A, class B>
+VESICA_INLINE auto standing(const A& a, const B& b) noexcept {
+  if constexpr (in_order<A, B>) {
+    return pair::standing(widen(a), widen(b));
+  } else {
+    return pair::standing(widen(b), widen(a)).exchanged();
+  }
+}
+
+}  // namespace detail
+
+/// The relation of a to b as a number of 0 to 7 (see Relation), error_shape when either is invalid: what the C face
+/// returns. Any kinds, in either order.
+template <template <class> class A, template <class> class B, class T>
+VESICA_INLINE std::int32_t relation_or_error(const A<T>& a, const B<T>& b) noexcept {
+  if constexpr (detail::are_points<A<T>, B<T>>) {
+    const std::int32_t same = overlap_or_error(a, b);
+    return same > 0 ? static_cast<std::int32_t>(Relation::equal) : same;
+  } else {
+    const auto certain = filter::certain_relation(detail::standing(a, b));
+    // By arithmetic, as in overlap: at most one of them is certain, and -1 stands for none.
+    const std::int32_t answer = std::int32_t{certain.disjoint} + 3 * std::int32_t{certain.cross} +
+                                4 * std::int32_t{certain.inside} + 6 * std::int32_t{certain.contains} - 1;
+    if (answer >= 0) [[likely]]
+      return answer;
+    return detail::decide_relation(a, b);
+  }
+}
+
+/// The relation of a to b, shapes of any kinds. An invalid shape (see check()) is disjoint from everything.
+template <template <class> class A, template <class> class B, class T>
+VESICA_INLINE Relation relation(const A<T>& a, const B<T>& b) noexcept {
+  const std::int32_t answer = relation_or_error(a, b);
+  return answer < 0 ? Relation::disjoint : static_cast<Relation>(answer);
+}
+
+/// 1 when a contains all of b, 0 when not, error_shape when either is invalid.
+template <template <class> class A, template <class> class B, class T>
+VESICA_INLINE std::int32_t contains_or_error(const A<T>& a, const B<T>& b) noexcept {
+  if constexpr (detail::are_points<A<T>, B<T>>) {
+    return overlap_or_error(a, b);
+  } else {
+    const auto certain = filter::certain_containment(detail::standing(a, b));
+    const std::int32_t answer = 2 * std::int32_t{certain.overlap} + std::int32_t{certain.disjoint} - 1;
+    if (answer >= 0) [[likely]]
+      return answer;
+    return detail::decide_containment(a, b);
+  }
+}
+
+/// Whether a contains all of b, shapes of any kinds. An invalid shape contains nothing and is contained in nothing.
+template <template <class> class A, template <class> class B, class T>
+VESICA_INLINE bool contains(const A<T>& a, const B<T>& b) noexcept {
+  return contains_or_error(a, b) == 1;
+}
+
+}  // namespace vesica

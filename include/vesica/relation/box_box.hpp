@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Points, segments, AABBs and rectangles against each other, but for those that comparisons decide: what separating
+/// axes say.
+#pragma once
+
+#include <vesica/exact/relation.hpp>
+#include <vesica/filter/box_box.hpp>
+#include <vesica/filter/standing.hpp>
+
+namespace vesica::pair {
+
+template <class V>
+VESICA_INLINE auto standing(const Point<V>& point, const Segment<V>& segment) noexcept {
+  return filter::of_point(
+      filter::point_box(filter::box(segment), filter::offset(filter::place(segment), filter::place(point))));
+}
+
+template <class V>
+VESICA_INLINE auto standing(const Point<V>& point, const Rect<V>& rect) noexcept {
+  return filter::of_point(
+      filter::point_box(filter::box(rect), filter::offset(filter::place(rect), filter::place(point))));
+}
+
+template <class V>
+VESICA_INLINE auto standing(const Segment<V>& a, const Segment<V>& b) noexcept {
+  return filter::box_box_standing(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
+}
+
+template <class V>
+VESICA_INLINE auto standing(const Segment<V>& segment, const Aabb<V>& aabb) noexcept {
+  return filter::box_box_standing(filter::box(segment), filter::box(aabb),
+                                  filter::offset(filter::place(segment), filter::place(aabb)));
+}
+
+template <class V>
+VESICA_INLINE auto standing(const Segment<V>& segment, const Rect<V>& rect) noexcept {
+  return filter::box_box_standing(filter::box(segment), filter::box(rect),
+                                  filter::offset(filter::place(segment), filter::place(rect)));
+}
+
+template <class V>
+VESICA_INLINE auto standing(const Aabb<V>& aabb, const Rect<V>& rect) noexcept {
+  return filter::box_box_standing(filter::box(aabb), filter::box(rect),
+                                  filter::offset(filter::place(aabb), filter::place(rect)));
+}
+
+template <class V>
+VESICA_INLINE auto standing(const Rect<V>& a, const Rect<V>& b) noexcept {
+  return filter::box_box_standing(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
+}
+
+}  // namespace vesica::pair

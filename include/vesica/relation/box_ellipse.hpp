@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Points, segments, AABBs and rectangles against ellipses: visible edges, corners, and half extents.
+#pragma once
+
+#include <vesica/exact/relation.hpp>
+#include <vesica/filter/box_ellipse.hpp>
+#include <vesica/filter/point_ellipse.hpp>
+
+namespace vesica::pair {
+
+template <class V>
+VESICA_INLINE auto standing(const Point<V>& point, const Ellipse<V>& ellipse) noexcept {
+  return filter::of_point(filter::point_ellipse(ellipse, filter::offset(filter::place(ellipse), filter::place(point))));
+}
+
+template <class V>
+VESICA_INLINE auto standing(const Segment<V>& segment, const Ellipse<V>& ellipse) noexcept {
+  return filter::box_ellipse_standing(filter::box(segment), ellipse,
+                                      filter::offset(filter::place(segment), filter::place(ellipse)));
+}
+
+template <class V>
+VESICA_INLINE auto standing(const Aabb<V>& aabb, const Ellipse<V>& ellipse) noexcept {
+  return filter::box_ellipse_standing(filter::box(aabb), ellipse,
+                                      filter::offset(filter::place(aabb), filter::place(ellipse)));
+}
+
+template <class V>
+VESICA_INLINE auto standing(const Rect<V>& rect, const Ellipse<V>& ellipse) noexcept {
+  return filter::box_ellipse_standing(filter::box(rect), ellipse,
+                                      filter::offset(filter::place(rect), filter::place(ellipse)));
+}
+
+}  // namespace vesica::pair

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+/// shape_area(s): the area of one shape, correctly rounded. So a shape inside another never has the greater area, and
+/// shapes that are the same set of points have the same, whatever numbers describe them.
+#pragma once
+
+#include <limits>
+#include <vesica/area/double_double.hpp>
+#include <vesica/area/measure.hpp>
+#include <vesica/check.hpp>
+#include <vesica/exact/form.hpp>
+#include <vesica/exact/rounded.hpp>
+
+namespace vesica {
+
+namespace clip {
+
+/// Two sizes and an axis with area = factor * size_0 * size_1 * (ux^2 + uy^2), the factor being 4 or pi. The sizes of an
+/// AABB are its half widths, not rounded: the halves are in the axis.
+struct Sizes {
+  DoubleDouble size_0, size_1;
+  double ux, uy;
+  bool round;
+};
+
+inline Sizes sizes(const Aabb<double>& s) noexcept {
+  return {difference<DoubleDouble>(s.max_x, s.min_x), difference<DoubleDouble>(s.max_y, s.min_y), 0.5, 0, false};
+}
+inline Sizes sizes(const Rect<double>& s) noexcept { return {s.hx, s.hy, s.ux, s.uy, false}; }
+inline Sizes sizes(const Circle<double>& s) noexcept { return {s.r, s.r, 1, 0, true}; }
+inline Sizes sizes(const Ellipse<double>& s) noexcept { return {s.a, s.b, s.ux, s.uy, true}; }
+
+/// The area to 2^-98 of itself, for numbers in the range of in_area_range().
+inline DoubleDouble area_estimate(const Sizes& s) noexcept {
+  const directed::Pair xx = directed::product(s.ux, s.ux), yy = directed::product(s.uy, s.uy);
+  const DoubleDouble squared_axis = DoubleDouble(xx.high, xx.low) + DoubleDouble(yy.high, yy.low);
+  const DoubleDouble factor = s.round ? DoubleDouble(pi_high, pi_low) : DoubleDouble(4);
+  return s.size_0 * s.size_1 * squared_axis * factor;
+}
+
+/// Whether every number in 2^-98 of itself about the estimate rounds to the estimate's first double.
+inline bool rounds_one_way(const DoubleDouble& e) noexcept {
+  const double error = std::fabs(e.high) * 0x1p-98;
+  return e.high + (e.low + error) == e.high && e.high + (e.low - error) == e.high;
+}
+
+/// A number and the halves of an axis within which products keep all their digits.
+inline bool in_area_range(const Sizes& s) noexcept {
+  const double axis = std::fmax(std::fabs(s.ux), std::fabs(s.uy));
+  const double least = std::fmin(s.size_0.high, s.size_1.high), most = std::fmax(s.size_0.high, s.size_1.high);
+  return axis >= 0x1p-100 && axis <= 0x1p100 && least >= 0x1p-200 && most <= 0x1p200;
+}
+
+/// pi by its first 4 limbs, as a number of a stored number's size.
+inline exact::Number<1> exact_pi() noexcept {
+  exact::Number<1> n;
+  n.sign = 1;
+  n.low = -3;
+  n.size = 4;
+  n.limb[0] = 0xa4093822299f31d0u;
+  n.limb[1] = 0x13198a2e03707344u;
+  n.limb[2] = 0x243f6a8885a308d3u;
+  n.limb[3] = 3;
+  return n;
+}
+
+/// A function of the exact product of sizes and squared axis that never decreases: whatever numbers describe a shape,
+/// the result is the same. Degree 5.
+inline Measure exact_area(const exact::Box& s) noexcept {
+  return exact::rounded(exact::integer(4) * (s.hx * s.hy * exact::dot(s.ux, s.uy, s.ux, s.uy)));
+}
+inline Measure exact_area(const exact::Ellipse& s) noexcept {
+  return exact::rounded(exact_pi() * (s.a * s.b * exact::dot(s.ux, s.uy, s.ux, s.uy)));
+}
+
+/// x * 2^-exponent for the exponents of doubles.
+inline DoubleDouble scaled_down(const DoubleDouble& x, int exponent) noexcept {
+  return {vesica::detail::scale(x.high, -exponent), vesica::detail::scale(x.low, -exponent)};
+}
+
+/// The same shape with sizes and the longer part of its axis in [1/2, 1), and the exponent this took.
+inline int standardise(Sizes& s) noexcept {
+  using vesica::detail::exponent_of;
+  using vesica::detail::scale;
+  const int e0 = exponent_of(s.size_0.high), e1 = exponent_of(s.size_1.high);
+  const int axis = exponent_of(std::fmax(std::fabs(s.ux), std::fabs(s.uy)));
+  s.size_0 = scaled_down(s.size_0, e0);
+  s.size_1 = scaled_down(s.size_1, e1);
+  s.ux = scale(s.ux, -axis);
+  s.uy = scale(s.uy, -axis);
+  return e0 + e1 + 2 * axis;
+}
+
+/// The area of a valid shape.
+template <class Shape>
+Measure shape_measure(const Shape& shape) noexcept {
+  Sizes s = sizes(shape);
+  if (s.size_0.high == 0 || s.size_1.high == 0) return {0, 0};
+  // Differences of the greatest numbers may be infinite; exact ones are not.
+  if (!(s.size_0.high <= 0x1p1020 && s.size_1.high <= 0x1p1020)) return exact_area(exact::form(shape));
+  const int exponent = in_area_range(s) ? 0 : standardise(s);
+  const DoubleDouble estimate = area_estimate(s);
+  if (rounds_one_way(estimate)) [[likely]]
+    return {estimate.high, exponent};
+  return exact_area(exact::form(shape));
+}
+inline Measure shape_measure(const Point<double>&) noexcept { return {0, 0}; }
+inline Measure shape_measure(const Segment<double>&) noexcept { return {0, 0}; }
+
+/// Stores what a measure is in the caller's type. A float is the double rounded once more.
+template <class T>
+std::int32_t store(const Measure& m, T& out) noexcept {
+  const T x = static_cast<T>(to_double(m));
+  if (!vesica::detail::all_finite(x)) return error_range;
+  out = x;
+  return 0;
+}
+
+}  // namespace clip
+
+/// The area of a shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment; the nearest
+/// double to the true area (a float: that double rounded), also among the subnormal ones but for a second rounding.
+/// Returns 0, error_shape, or error_range when the area would be beyond the finite numbers; on error `out` is untouched.
+template <template <class> class Shape, class T>
+std::int32_t shape_area_or_error(const Shape<T>& s, T& out) noexcept {
+  if (check(s) != 0) return error_shape;
+  return clip::store(clip::shape_measure(widen(s)), out);
+}
+
+/// The same as a value: 0 for an invalid shape, the greatest finite number for an area beyond it.
+template <template <class> class Shape, class T>
+T shape_area(const Shape<T>& s) noexcept {
+  T area = 0;
+  return shape_area_or_error(s, area) == error_range ? std::numeric_limits<T>::max() : area;
+}
+
+}  // namespace vesica

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+// Areas and ratios that are known, at several scales; errors; shapes without area.
+#include <gtest/gtest.h>
+#include <vesica.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "area/reference.hpp"
+#include "properties/generators.hpp"
+
+namespace {
+
+struct Kinded {
+  int kind;
+  std::vector<double> numbers;
+};
+
+double area(const Kinded& a, const Kinded& b) {
+  double out = -1;
+  EXPECT_EQ(vesica_area_f64(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out), 0);
+  return out;
+}
+double iou(const Kinded& a, const Kinded& b) {
+  double out = -1;
+  EXPECT_EQ(vesica_iou_f64(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out), 0);
+  return out;
+}
+double shape_area(const Kinded& s) {
+  double out = -1;
+  EXPECT_EQ(vesica_shape_area_f64(s.kind, s.numbers.data(), &out), 0);
+  return out;
+}
+
+constexpr double pi = 3.141592653589793;
+
+const Kinded square{VESICA_AABB, {0, 0, 2, 2}};
+const Kinded unit_circle{VESICA_CIRCLE, {0, 0, 1}};
+
+TEST(KnownAreas, OfOneShape) {
+  EXPECT_EQ(shape_area({VESICA_POINT, {3, 4}}), 0);
+  EXPECT_EQ(shape_area({VESICA_SEGMENT, {0, 0, 3, 4}}), 0);
+  EXPECT_EQ(shape_area(unit_circle), pi);
+  EXPECT_EQ(shape_area({VESICA_CIRCLE, {9, 9, 2}}), 4 * pi);
+  EXPECT_EQ(shape_area({VESICA_AABB, {-1, 2, 4, 5}}), 15);
+  EXPECT_EQ(shape_area({VESICA_AABB, {0, 0, 0, 5}}), 0);
+  EXPECT_EQ(shape_area({VESICA_RECT, {0, 0, 1, 0, 2, 3}}), 24);
+  EXPECT_EQ(shape_area({VESICA_RECT, {0, 0, 3, 4, 2, 3}}), 600);
+  EXPECT_EQ(shape_area({VESICA_ELLIPSE, {0, 0, 0, 1, 2, 3}}), 18.849555921538759);
+  EXPECT_EQ(shape_area({VESICA_ELLIPSE, {0, 0, 0, -2, 0.5, 0.5}}), pi);
+}
+
+TEST(KnownAreas, OfBoxes) {
+  EXPECT_EQ(area(square, {VESICA_AABB, {1, 1, 3, 3}}), 1);
+  EXPECT_EQ(area(square, {VESICA_AABB, {0.5, -1, 1.5, 3}}), 2);
+  EXPECT_EQ(area(square, {VESICA_AABB, {2, 0, 4, 2}}), 0);
+  EXPECT_EQ(area(square, {VESICA_AABB, {5, 5, 6, 6}}), 0);
+  EXPECT_EQ(area(square, {VESICA_AABB, {0.5, 0.5, 1, 1}}), 0.25);
+  EXPECT_EQ(area(square, {VESICA_RECT, {1, 1, 1, 1, 0.75, 0.75}}), 3.5);                     // an octagon
+  EXPECT_EQ(area({VESICA_RECT, {0, 0, 1, 0, 1, 1}}, {VESICA_RECT, {1, 1, 1, 1, 1, 1}}), 2);  // half of the square
+  EXPECT_EQ(area({VESICA_RECT, {0, 0, 3, 4, 1, 1}}, {VESICA_RECT, {3, 4, 4, -3, 1, 1}}), 50);
+}
+
+// The values with an ellipse are of a computation with 60 digits.
+TEST(KnownAreas, WithEllipses) {
+  EXPECT_DOUBLE_EQ(area(unit_circle, {VESICA_CIRCLE, {1, 0, 1}}), 1.2283696986087567);
+  EXPECT_DOUBLE_EQ(area(unit_circle, {VESICA_AABB, {0, 0, 5, 5}}), pi / 4);
+  EXPECT_DOUBLE_EQ(area(unit_circle, {VESICA_AABB, {0, -5, 5, 5}}), pi / 2);
+  EXPECT_DOUBLE_EQ(area(unit_circle, {VESICA_AABB, {-5, 0.5, 5, 5}}), pi / 3 - std::sqrt(3.0) / 4);
+  EXPECT_DOUBLE_EQ(area(unit_circle, {VESICA_AABB, {-5, -0.5, 5, 5}}), 2 * pi / 3 + std::sqrt(3.0) / 4);
+  EXPECT_DOUBLE_EQ(area({VESICA_ELLIPSE, {0, 0, 1, 0, 2, 1}}, {VESICA_ELLIPSE, {0, 0, 0, 1, 2, 1}}),
+                   8 * std::atan(0.5));
+  EXPECT_EQ(area(unit_circle, {VESICA_CIRCLE, {2, 0, 1}}), 0);
+  EXPECT_EQ(area(unit_circle, {VESICA_CIRCLE, {0.5, 0, 0.5}}), pi / 4);
+  EXPECT_EQ(area(unit_circle, {VESICA_AABB, {-1, -1, 1, 1}}), pi);
+}
+
+TEST(KnownAreas, AtAnyScale) {
+  for (const int exponent : {-500, -30, 0, 40, 500, 510}) {
+    const double s = std::ldexp(1, exponent);
+    SCOPED_TRACE(exponent);
+    const Kinded box{VESICA_AABB, {0, 0, 2 * s, 2 * s}}, circle{VESICA_CIRCLE, {0, 0, s}};
+    EXPECT_EQ(area(box, {VESICA_RECT, {s, s, s, s, 0.75, 0.75}}), 3.5 * s * s);
+    EXPECT_EQ(area(box, {VESICA_RECT, {s, s, 1, 1, 0.75 * s, 0.75 * s}}), 3.5 * s * s);
+    EXPECT_EQ(iou(box, {VESICA_AABB, {s, s, 3 * s, 3 * s}}), 1.0 / 7);
+    EXPECT_EQ(area(circle, {VESICA_CIRCLE, {s, 0, s}}) / (s * s), area(unit_circle, {VESICA_CIRCLE, {1, 0, 1}}));
+    EXPECT_EQ(area(circle, box) / (s * s), area(unit_circle, square));
+  }
+}
+
+TEST(KnownAreas, Ratios) {
+  EXPECT_EQ(iou(square, square), 1);
+  EXPECT_EQ(iou(square, {VESICA_RECT, {1, 1, 0, -2, 0.5, 0.5}}), 1);
+  EXPECT_EQ(iou(unit_circle, {VESICA_ELLIPSE, {0, 0, 3, 4, 0.2, 0.2}}), 0.99999999999999989);  // 0.2 is not a fifth
+  EXPECT_EQ(iou(unit_circle, {VESICA_ELLIPSE, {0, 0, 0, 2, 0.5, 0.5}}), 1);
+  EXPECT_EQ(iou(square, {VESICA_AABB, {1, 1, 3, 3}}), 1.0 / 7);
+  EXPECT_EQ(iou(square, {VESICA_AABB, {1, 0, 3, 2}}), 1.0 / 3);
+  EXPECT_EQ(iou(square, {VESICA_AABB, {0, 0, 1, 1}}), 0.25);
+  EXPECT_EQ(iou(square, {VESICA_AABB, {2, 0, 4, 2}}), 0);
+  EXPECT_EQ(iou(square, {VESICA_SEGMENT, {0, 0, 1, 1}}), 0);
+  // Neither the areas nor their sum are finite numbers.
+  EXPECT_EQ(iou({VESICA_AABB, {0, 0, 0x1p1000, 0x1p1000}}, {VESICA_AABB, {0, 0, 0x1p1000, 0x1p999}}), 0.5);
+  EXPECT_EQ(iou({VESICA_AABB, {-0x1.8p1023, -1, 0x1.8p1023, 1}}, {VESICA_AABB, {0, -1, 0x1.8p1023, 1}}), 0.5);
+  EXPECT_EQ(iou({VESICA_AABB, {0, 0, 0x1p-1060, 0x1p-1060}}, {VESICA_AABB, {0, 0, 0x1p-1061, 0x1p-1060}}), 0.5);
+}
+
+template <class Call>
+void expect_untouched(std::int32_t error, const Call& call) {
+  double out = 7;
+  EXPECT_EQ(call(&out), error);
+  EXPECT_EQ(out, 7);
+}
+
+TEST(AreaErrors, OfTwoShapes) {
+  const double good[6] = {0, 0, 1, 0, 1, 1}, bad[6] = {0, 0, 0, 0, 1, 1}, point[2] = {0, 0};
+  for (const auto query : {vesica_area_f64, vesica_iou_f64}) {
+    EXPECT_EQ(query(VESICA_RECT, good, VESICA_RECT, good, nullptr), VESICA_E_NULL);
+    expect_untouched(VESICA_E_NULL, [&](double* out) { return query(VESICA_RECT, nullptr, VESICA_RECT, good, out); });
+    expect_untouched(VESICA_E_NULL, [&](double* out) { return query(99, good, VESICA_RECT, nullptr, out); });
+    expect_untouched(VESICA_E_KIND, [&](double* out) { return query(6, good, VESICA_RECT, bad, out); });
+    expect_untouched(VESICA_E_KIND, [&](double* out) { return query(VESICA_RECT, bad, -1, good, out); });
+    expect_untouched(VESICA_E_SHAPE, [&](double* out) { return query(VESICA_RECT, bad, VESICA_RECT, good, out); });
+    expect_untouched(VESICA_E_SHAPE, [&](double* out) { return query(VESICA_RECT, good, VESICA_ELLIPSE, bad, out); });
+    expect_untouched(VESICA_E_SHAPE, [&](double* out) { return query(VESICA_POINT, point, VESICA_ELLIPSE, bad, out); });
+    const double nan[2] = {std::numeric_limits<double>::quiet_NaN(), 0};
+    expect_untouched(VESICA_E_SHAPE, [&](double* out) { return query(VESICA_POINT, nan, VESICA_POINT, nan, out); });
+  }
+}
+
+TEST(AreaErrors, OfRatiosWithoutArea) {
+  const double point[2] = {0, 0}, segment[4] = {0, 0, 1, 1}, flat[6] = {0, 0, 1, 0, 1, 0};
+  expect_untouched(VESICA_E_ARGUMENT,
+                   [&](double* out) { return vesica_iou_f64(VESICA_POINT, point, VESICA_POINT, point, out); });
+  expect_untouched(VESICA_E_ARGUMENT,
+                   [&](double* out) { return vesica_iou_f64(VESICA_SEGMENT, segment, VESICA_ELLIPSE, flat, out); });
+  expect_untouched(VESICA_E_ARGUMENT,
+                   [&](double* out) { return vesica_iou_f64(VESICA_RECT, flat, VESICA_RECT, flat, out); });
+  double out = 7;
+  EXPECT_EQ(vesica_area_f64(VESICA_RECT, flat, VESICA_RECT, flat, &out), 0);
+  EXPECT_EQ(out, 0);
+}
+
+TEST(AreaErrors, BeyondTheRange) {
+  const double huge[4] = {0, 0, 0x1p600, 0x1p600}, large[4] = {-1, -1, 0x1p599, 0x1p599};
+  expect_untouched(VESICA_E_RANGE,
+                   [&](double* out) { return vesica_area_f64(VESICA_AABB, huge, VESICA_AABB, huge, out); });
+  expect_untouched(VESICA_E_RANGE,
+                   [&](double* out) { return vesica_area_f64(VESICA_AABB, huge, VESICA_AABB, large, out); });
+  expect_untouched(VESICA_E_RANGE, [&](double* out) { return vesica_shape_area_f64(VESICA_AABB, huge, out); });
+  const float wide[4] = {0, 0, 0x1p70f, 0x1p70f};
+  float out = 7;
+  EXPECT_EQ(vesica_area_f32(VESICA_AABB, wide, VESICA_AABB, wide, &out), VESICA_E_RANGE);
+  EXPECT_EQ(vesica_shape_area_f32(VESICA_AABB, wide, &out), VESICA_E_RANGE);
+  EXPECT_EQ(out, 7);
+  EXPECT_EQ(vesica_iou_f32(VESICA_AABB, wide, VESICA_AABB, wide, &out), 0);
+  EXPECT_EQ(out, 1);
+}
+
+TEST(AreaErrors, OfOneShape) {
+  const double bad[6] = {0, 0, 0, 0, 1, 1};
+  EXPECT_EQ(vesica_shape_area_f64(VESICA_RECT, bad, nullptr), VESICA_E_NULL);
+  expect_untouched(VESICA_E_NULL, [](double* out) { return vesica_shape_area_f64(VESICA_RECT, nullptr, out); });
+  expect_untouched(VESICA_E_KIND, [&](double* out) { return vesica_shape_area_f64(6, bad, out); });
+  expect_untouched(VESICA_E_SHAPE, [&](double* out) { return vesica_shape_area_f64(VESICA_RECT, bad, out); });
+}
+
+/// Correctly rounded: within half a place of 60 digits, on every workload and on widths whose product is a tie.
+TEST(ShapeArea, IsTheNearestNumber) {
+  using namespace properties;
+  double worst = 0;
+  for (int kind = VESICA_CIRCLE; kind <= VESICA_ELLIPSE; ++kind) {
+    for (const Workload workload : all_workloads) {
+      if (workload == Workload::near_contact) continue;
+      Random random(seed());
+      for (int i = 0; i < 150 * repeat(); ++i) {
+        const Pair p = draw(workload, kind, kind, Scalar::f64, random);
+        double out = 0;
+        if (vesica_shape_area_f64(kind, p.a.data(), &out) != 0 || out < 0x1p-1022) continue;
+        const double error = reference::shape_area_error_in_places(kind, p.a.data(), out);
+        worst = std::fmax(worst, error);
+        EXPECT_LE(error, 0.5) << describe(p) << ", seed " << seed();
+      }
+    }
+  }
+  EXPECT_GT(worst, 0.45);
+  // (2^27 + 1)^2 = 2^54 + 2^28 + 1: halfway between two doubles, the lower one even.
+  EXPECT_EQ(shape_area({VESICA_AABB, {0, 0, 0x1p27 + 1, 0x1p27 + 1}}), 0x1p54 + 0x1p28);
+}
+
+}  // namespace

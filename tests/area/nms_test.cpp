@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+// Greedy non-maximum suppression: known cases, errors, and against the definition followed literally.
+#include <gtest/gtest.h>
+#include <vesica.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "properties/generators.hpp"
+
+namespace {
+
+using properties::Random;
+using Indices = std::vector<std::int64_t>;
+
+struct Result {
+  std::int32_t code;
+  Indices kept;
+};
+
+template <class Shapes, class T>
+using Function = std::int32_t (*)(const Shapes*, const T*, T, void*, std::int64_t, std::int64_t*, std::int64_t*);
+
+template <class Shapes, class T>
+Result run(Function<Shapes, T> nms, const Shapes& shapes, const std::vector<T>& scores, T threshold) {
+  const auto bytes = static_cast<std::size_t>(vesica_nms_scratch(shapes.count));
+  std::vector<char> scratch(bytes + 1, 'x');
+  Indices keep(scores.size() + 1, -7);
+  std::int64_t kept = -1;
+  // Scratch need not be aligned.
+  const std::int32_t code =
+      nms(&shapes, scores.data(), threshold, scratch.data() + 1, vesica_nms_scratch(shapes.count), keep.data(), &kept);
+  if (kept < 0) return {code, {}};
+  for (std::size_t i = static_cast<std::size_t>(kept); i < keep.size(); ++i) EXPECT_EQ(keep[i], -7);
+  keep.resize(static_cast<std::size_t>(kept));
+  return {code, keep};
+}
+
+template <class Record>
+vesica_shapes_f64 shapes_of(std::int32_t kind, const std::vector<Record>& records) {
+  vesica_shapes_f64 shapes;
+  EXPECT_EQ(vesica_shapes_from_records_f64(kind, static_cast<std::int64_t>(records.size()), records.data(),
+                                           sizeof(Record), &shapes),
+            0);
+  return shapes;
+}
+
+Result nms_of_boxes(const std::vector<vesica_aabb_f64>& boxes, const std::vector<double>& scores, double threshold) {
+  return run(vesica_nms_f64, shapes_of(VESICA_AABB, boxes), scores, threshold);
+}
+
+TEST(Nms, KeepsTheBestOfEachGroup) {
+  const std::vector<vesica_aabb_f64> boxes{{0, 0, 2, 2}, {0, 0, 2, 3}, {5, 5, 6, 6}, {5, 5, 6, 6.5}};
+  EXPECT_EQ(nms_of_boxes(boxes, {0.1, 0.9, 0.8, 0.7}, 0.5).kept, (Indices{1, 2}));
+  EXPECT_EQ(nms_of_boxes(boxes, {0.9, 0.1, 0.7, 0.8}, 0.5).kept, (Indices{0, 3}));
+  EXPECT_EQ(nms_of_boxes(boxes, {0.9, 0.1, 0.7, 0.8}, 0.7).kept, (Indices{0, 3, 2, 1}));
+}
+
+// The ratio of these two is 1/2 exactly.
+TEST(Nms, TheThresholdItselfDoesNotSuppress) {
+  const std::vector<vesica_aabb_f64> boxes{{0, 0, 2, 2}, {0, 0, 2, 1}};
+  EXPECT_EQ(nms_of_boxes(boxes, {2, 1}, 0.5).kept, (Indices{0, 1}));
+  EXPECT_EQ(nms_of_boxes(boxes, {2, 1}, std::nextafter(0.5, 0)).kept, (Indices{0}));
+  EXPECT_EQ(nms_of_boxes({{0, 0, 1, 1}, {0, 0, 1, 1}}, {1, 1}, 1).kept, (Indices{0, 1}));
+  // Touching boxes share nothing, at any threshold.
+  EXPECT_EQ(nms_of_boxes({{0, 0, 1, 1}, {1, 0, 2, 1}}, {1, 2}, 0).kept, (Indices{1, 0}));
+}
+
+TEST(Nms, TiesGoByIndex) {
+  const std::vector<vesica_aabb_f64> boxes{{4, 0, 5, 1}, {0, 0, 1, 1}, {2, 0, 3, 1}, {0, 0, 1, 1}};
+  EXPECT_EQ(nms_of_boxes(boxes, {3, 3, 3, 3}, 0.5).kept, (Indices{0, 1, 2}));
+  EXPECT_EQ(nms_of_boxes(boxes, {0.0, -0.0, 0.0, -0.0}, 0.5).kept, (Indices{0, 1, 2}));
+}
+
+// A suppressed shape suppresses nothing.
+TEST(Nms, SuppressionIsNotPassedOn) {
+  const std::vector<vesica_aabb_f64> chain{{0, 0, 4, 1}, {1, 0, 5, 1}, {2, 0, 6, 1}};
+  EXPECT_EQ(nms_of_boxes(chain, {3, 2, 1}, 0.5).kept, (Indices{0, 2}));
+}
+
+TEST(Nms, LeavesOutWhatIsInvalid) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  const std::vector<vesica_aabb_f64> boxes{{0, 0, 1, 1}, {2, 0, 1, 1}, {0, 0, 1, 1}, {4, 0, 5, 1}, {0, 0, nan, 1}};
+  const Result result = nms_of_boxes(boxes, {-inf, 9, nan, inf, 5}, 0.5);
+  EXPECT_EQ(result.code, VESICA_E_SHAPE);
+  EXPECT_EQ(result.kept, (Indices{3, 0}));
+}
+
+TEST(Nms, ShapesWithoutAreaAreKept) {
+  const std::vector<vesica_aabb_f64> boxes{{0, 0, 1, 1}, {0.5, 0, 0.5, 1}, {0.5, 0, 0.5, 1}};
+  EXPECT_EQ(nms_of_boxes(boxes, {1, 2, 3}, 0).kept, (Indices{2, 1, 0}));
+}
+
+TEST(Nms, Errors) {
+  const std::vector<vesica_aabb_f64> boxes{{0, 0, 1, 1}};
+  const vesica_shapes_f64 shapes = shapes_of(VESICA_AABB, boxes);
+  const double score = 1;
+  const std::int64_t size = vesica_nms_scratch(1);
+  std::vector<char> scratch(static_cast<std::size_t>(size));
+  std::int64_t keep = -7, kept = -7;
+  const auto call = [&](const vesica_shapes_f64* s, const double* scores, double threshold, void* room,
+                        std::int64_t bytes, std::int64_t* out,
+                        std::int64_t* count) { return vesica_nms_f64(s, scores, threshold, room, bytes, out, count); };
+  EXPECT_EQ(call(nullptr, &score, 0.5, scratch.data(), size, &keep, &kept), VESICA_E_NULL);
+  EXPECT_EQ(call(&shapes, nullptr, 0.5, scratch.data(), size, &keep, &kept), VESICA_E_NULL);
+  EXPECT_EQ(call(&shapes, &score, 0.5, nullptr, size, &keep, &kept), VESICA_E_NULL);
+  EXPECT_EQ(call(&shapes, &score, 0.5, scratch.data(), size, nullptr, &kept), VESICA_E_NULL);
+  EXPECT_EQ(call(&shapes, &score, 0.5, scratch.data(), size, &keep, nullptr), VESICA_E_NULL);
+  EXPECT_EQ(call(&shapes, &score, 0.5, scratch.data(), size - 1, &keep, &kept), VESICA_E_ARGUMENT);
+  EXPECT_EQ(call(&shapes, &score, -0.1, scratch.data(), size, &keep, &kept), VESICA_E_ARGUMENT);
+  EXPECT_EQ(call(&shapes, &score, 1.1, scratch.data(), size, &keep, &kept), VESICA_E_ARGUMENT);
+  EXPECT_EQ(call(&shapes, &score, std::nan(""), scratch.data(), size, &keep, &kept), VESICA_E_ARGUMENT);
+  vesica_shapes_f64 wrong = shapes;
+  wrong.kind = VESICA_SEGMENT;
+  EXPECT_EQ(call(&wrong, &score, 0.5, scratch.data(), size, &keep, &kept), VESICA_E_KIND);
+  wrong.kind = 6;
+  EXPECT_EQ(call(&wrong, &score, 0.5, scratch.data(), size, &keep, &kept), VESICA_E_KIND);
+  wrong = shapes;
+  wrong.count = -1;
+  EXPECT_EQ(call(&wrong, &score, 0.5, scratch.data(), size, &keep, &kept), VESICA_E_ARGUMENT);
+  wrong = shapes;
+  wrong.field[3] = nullptr;
+  EXPECT_EQ(call(&wrong, &score, 0.5, scratch.data(), size, &keep, &kept), VESICA_E_NULL);
+  EXPECT_EQ(keep, -7);
+  EXPECT_EQ(kept, -7);
+  wrong = shapes;
+  wrong.count = 0;
+  EXPECT_EQ(call(&wrong, nullptr, 0.5, nullptr, 0, nullptr, &kept), 0);
+  EXPECT_EQ(kept, 0);
+  EXPECT_EQ(vesica_nms_scratch(-1), VESICA_E_ARGUMENT);
+  EXPECT_EQ(vesica_nms_scratch(std::numeric_limits<std::int64_t>::max()), VESICA_E_ARGUMENT);
+  EXPECT_GE(vesica_nms_scratch(0), 0);
+  EXPECT_GE(vesica_nms_scratch(1000), 1000 * 8);
+}
+
+/// Whom the definition keeps, asking vesica_iou of every two.
+template <class T, class Iou>
+Indices literally(const std::vector<T>& scores, T threshold, const Iou& iou) {
+  Indices order(scores.size()), kept;
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::int64_t i, std::int64_t j) {
+    return scores[static_cast<std::size_t>(i)] > scores[static_cast<std::size_t>(j)];
+  });
+  for (const std::int64_t i : order) {
+    if (std::none_of(kept.begin(), kept.end(), [&](std::int64_t j) { return iou(j, i) > threshold; }))
+      kept.push_back(i);
+  }
+  return kept;
+}
+
+constexpr std::size_t fields = 6;
+
+/// Records of one kind, clustered, some equal and some with equal scores.
+template <class T>
+std::vector<T> clusters(int kind, std::size_t count, properties::Workload workload, Random& random) {
+  const auto scalar = sizeof(T) == 8 ? properties::Scalar::f64 : properties::Scalar::f32;
+  std::vector<T> numbers(fields * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const properties::Pair p = properties::draw(workload, kind, kind, scalar, random);
+    const bool again = i > 0 && random.chance(0.1);
+    const auto from = static_cast<std::size_t>(random.below(i > 0 ? static_cast<int>(i) : 1));
+    for (std::size_t k = 0; k < fields; ++k) {
+      numbers[fields * i + k] = again ? numbers[fields * from + k] : static_cast<T>(p.a[k]);
+    }
+  }
+  return numbers;
+}
+
+TEST(Nms, IsTheDefinition) {
+  Random random(properties::seed());
+  const auto workloads = {properties::Workload::random,    properties::Workload::grid,
+                          properties::Workload::thin,      properties::Workload::huge,
+                          properties::Workload::tiny,      properties::Workload::mixed_scale,
+                          properties::Workload::degenerate};
+  int suppressed = 0;
+  for (int kind = VESICA_CIRCLE; kind <= VESICA_ELLIPSE; ++kind) {
+    for (const auto workload : workloads) {
+      for (int round = 0; round < 3 * properties::repeat(); ++round) {
+        const std::size_t count = 120;
+        const double threshold = random.chance(0.2) ? 0 : random.unit();
+        const std::vector<double> numbers = clusters<double>(kind, count, workload, random);
+        std::vector<double> scores(count);
+        for (double& score : scores) score = random.chance(0.3) ? random.below(4) : random.unit();
+        vesica_shapes_f64 shapes;
+        ASSERT_EQ(vesica_shapes_from_records_f64(kind, count, numbers.data(), fields * sizeof(double), &shapes), 0);
+        const auto at = [&](std::int64_t i) { return numbers.data() + fields * static_cast<std::size_t>(i); };
+        const Indices truth = literally(scores, threshold, [&](std::int64_t i, std::int64_t j) {
+          double ratio = 0;
+          vesica_iou_f64(kind, at(i), kind, at(j), &ratio);
+          return ratio;
+        });
+        const Result result = run(vesica_nms_f64, shapes, scores, threshold);
+        EXPECT_EQ(result.code, 0);
+        ASSERT_EQ(result.kept, truth) << "seed " << properties::seed();
+        suppressed += static_cast<int>(count - truth.size());
+      }
+    }
+  }
+  EXPECT_GT(suppressed, 100);
+}
+
+TEST(Nms, OfFloatsIsTheDefinition) {
+  Random random(properties::seed());
+  for (int kind = VESICA_CIRCLE; kind <= VESICA_ELLIPSE; ++kind) {
+    const std::size_t count = 150;
+    const std::vector<float> numbers = clusters<float>(kind, count, properties::Workload::random, random);
+    std::vector<float> scores(count);
+    for (float& score : scores) score = static_cast<float>(random.unit());
+    vesica_shapes_f32 shapes;
+    ASSERT_EQ(vesica_shapes_from_records_f32(kind, count, numbers.data(), fields * sizeof(float), &shapes), 0);
+    const auto at = [&](std::int64_t i) { return numbers.data() + fields * static_cast<std::size_t>(i); };
+    const Indices truth = literally(scores, 0.25f, [&](std::int64_t i, std::int64_t j) {
+      float ratio = 0;
+      vesica_iou_f32(kind, at(i), kind, at(j), &ratio);
+      return ratio;
+    });
+    EXPECT_EQ(run(vesica_nms_f32, shapes, scores, 0.25f).kept, truth);
+  }
+}
+
+/// Columns, read backwards, and one shape repeated.
+TEST(Nms, AnyLayout) {
+  const double cx[] = {0, 10, 20.5}, cy[] = {0, 0, 0}, r[] = {1, 1, 1};
+  vesica_shapes_f64 shapes{VESICA_CIRCLE, 0, 3, sizeof(double), {cx, cy, r}};
+  EXPECT_EQ(run(vesica_nms_f64, shapes, {1, 2, 3}, 0.5).kept, (Indices{2, 1, 0}));
+  shapes = {VESICA_CIRCLE, 0, 3, -static_cast<std::ptrdiff_t>(sizeof(double)), {cx + 2, cy + 2, r + 2}};
+  EXPECT_EQ(run(vesica_nms_f64, shapes, {1, 3, 2}, 0.5).kept, (Indices{1, 2, 0}));
+  shapes.stride = 0;
+  EXPECT_EQ(run(vesica_nms_f64, shapes, {1, 3, 2}, 0.5).kept, (Indices{1}));
+}
+
+}  // namespace

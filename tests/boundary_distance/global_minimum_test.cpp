@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nested outlines: the answer is the least distance, not a local minimum only, and the search ends well within its
+// limits.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vesica/boundary_distance/nested.hpp>
+
+#include "boundary_distance/dense_search.hpp"
+#include "boundary_distance/nested_pairs.hpp"
+#include "properties/random.hpp"
+#include "vesica.h"
+
+namespace {
+
+using nested_pairs::Style;
+using properties::Pair;
+
+/// The dense search and the library each round; neither by as much as this times 2^-53 of the largest length.
+constexpr double noise = 16 * 0x1p-53;
+
+struct Tally {
+  int pairs = 0, missed = 0, limits_met = 0, most_evaluations = 0, most_arcs = 0;
+  long evaluations = 0;
+};
+
+vesica::Ellipse<double> ellipse(int kind, const properties::Numbers& n) {
+  if (kind == VESICA_CIRCLE) return {n[0], n[1], 1, 0, n[2], n[2]};
+  return {n[0], n[1], n[2], n[3], n[4], n[5]};
+}
+
+void count_search(const Pair& pair, Tally& tally) {
+  using namespace vesica::outline;
+  const auto placed = place(form(ellipse(pair.kind_a, pair.a)), form(ellipse(pair.kind_b, pair.b)));
+  const Minimum m = minimise(Frame(placed).objective(-1));
+  tally.limits_met += !m.settled;
+  tally.evaluations += m.evaluations;
+  tally.most_evaluations = std::max(tally.most_evaluations, m.evaluations);
+  tally.most_arcs = std::max(tally.most_arcs, m.most_arcs);
+}
+
+void compare_with_dense(const Pair& pair, Tally& tally) {
+  using namespace outline_reference;
+  vesica_closest_points_f64 found;
+  ASSERT_EQ(vesica_boundary_distance_f64(pair.kind_a, pair.a.data(), pair.kind_b, pair.b.data(), &found), 0);
+  const DenseShape a = dense_shape(pair.kind_a, pair.a), b = dense_shape(pair.kind_b, pair.b);
+  const double scale = std::max(a.a, a.b), least = dense_minimum({a, b, -1});
+  ++tally.pairs;
+  if (found.distance <= least + noise * scale) return;
+  if (++tally.missed <= 3) {
+    ADD_FAILURE() << properties::describe(pair) << ": " << found.distance << ", but there is " << least;
+  }
+}
+
+void run(int outer, int inner, int pairs_a_style, int limit) {
+  properties::Random random(properties::seed() + static_cast<unsigned>(10 * outer + inner));
+  const bool searched = (outer == VESICA_ELLIPSE || outer == VESICA_CIRCLE) &&
+                        (inner == VESICA_ELLIPSE || inner == VESICA_CIRCLE);
+  for (const Style style : nested_pairs::all_styles) {
+    Tally tally;
+    for (int i = 0; i < pairs_a_style * properties::repeat(); ++i) {
+      const auto pair = nested_pairs::draw(style, outer, inner, random);
+      if (!pair) continue;
+      if (searched) count_search(*pair, tally);
+      compare_with_dense(*pair, tally);
+    }
+    EXPECT_EQ(tally.missed, 0);
+    EXPECT_EQ(tally.limits_met, 0);
+    EXPECT_LE(tally.most_evaluations, limit);
+    EXPECT_GT(tally.pairs, pairs_a_style / 3);
+    std::printf("%s in %s, %s: %d pairs, %d missed", vesica_kind_name(inner), vesica_kind_name(outer), name(style),
+                tally.pairs, tally.missed);
+    if (searched) {
+      std::printf("; evaluations %.1f on average, %d at most, %d arcs at most",
+                  static_cast<double>(tally.evaluations) / tally.pairs, tally.most_evaluations, tally.most_arcs);
+    }
+    std::printf("\n");
+  }
+}
+
+/// A quarter of the limit, which no search may ever meet.
+constexpr int expected_evaluations = vesica::outline::evaluation_limit / 4;
+
+TEST(GlobalMinimum, EllipseInEllipse) { run(VESICA_ELLIPSE, VESICA_ELLIPSE, 18000, expected_evaluations); }
+TEST(GlobalMinimum, CircleInEllipse) { run(VESICA_ELLIPSE, VESICA_CIRCLE, 2000, expected_evaluations); }
+TEST(GlobalMinimum, EllipseInCircle) { run(VESICA_CIRCLE, VESICA_ELLIPSE, 2000, expected_evaluations); }
+TEST(GlobalMinimum, RectInEllipse) { run(VESICA_ELLIPSE, VESICA_RECT, 1000, expected_evaluations); }
+TEST(GlobalMinimum, PointInEllipse) { run(VESICA_ELLIPSE, VESICA_POINT, 1000, expected_evaluations); }
+TEST(GlobalMinimum, SegmentInEllipse) { run(VESICA_ELLIPSE, VESICA_SEGMENT, 1000, expected_evaluations); }
+TEST(GlobalMinimum, EllipseInRect) { run(VESICA_RECT, VESICA_ELLIPSE, 500, expected_evaluations); }
+TEST(GlobalMinimum, RectInRect) { run(VESICA_RECT, VESICA_RECT, 500, expected_evaluations); }
+
+}  // namespace

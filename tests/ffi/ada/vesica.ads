@@ -1,0 +1,77 @@
+--  SPDX-License-Identifier: Apache-2.0
+--  Exact overlap queries between plain 2D shapes. Touching counts.
+with Interfaces; use Interfaces;
+private with System;
+
+package Vesica is
+
+   --  Of these declarations. Elaboration raises Program_Error where the library is older.
+   Version : constant := 100;
+
+   --  An error of the library. The exception's message begins with its code, and says what it means.
+   Error : exception;
+
+   subtype Kind is Integer_32;
+   Point_Kind   : constant Kind := 0;
+   Segment_Kind : constant Kind := 1;
+   Circle_Kind  : constant Kind := 2;
+   AABB_Kind    : constant Kind := 3;
+   Rect_Kind    : constant Kind := 4;
+   Ellipse_Kind : constant Kind := 5;
+
+   subtype Double is IEEE_Float_64;
+   type Doubles is array (Positive range <>) of aliased Double with Convention => C;
+   type Floats is array (Positive range <>) of aliased IEEE_Float_32 with Convention => C;
+
+   --  Do two shapes, given by their numbers, share a point?
+   function Overlap (Kind_A : Kind; A : Doubles; Kind_B : Kind; B : Doubles) return Boolean;
+   function Overlap (Kind_A : Kind; A : Floats; Kind_B : Kind; B : Floats) return Boolean;
+
+   --  The shapes, laid out as the library's structs. Axes are the cosine and sine of the angle.
+   type Point is record
+      X, Y : Double;
+   end record with Convention => C;
+   type Segment is record
+      X0, Y0, X1, Y1 : Double;
+   end record with Convention => C;
+   type Circle is record
+      CX, CY, R : Double;
+   end record with Convention => C;
+   type AABB is record
+      Min_X, Min_Y, Max_X, Max_Y : Double;
+   end record with Convention => C;
+   type Rect is record
+      CX, CY, UX, UY, HX, HY : Double;
+   end record with Convention => C;
+   type Ellipse is record
+      CX, CY, UX, UY, A, B : Double;
+   end record with Convention => C;
+
+   --  What the library sees of an array: nothing is copied, and the array must live as long.
+   type View is private;
+
+   --  Shape begins with the record of that kind; it may have more components.
+   generic
+      Of_Kind : Kind;
+      type Shape is private;
+      type Shapes is array (Positive range <>) of Shape;
+   function View_Of (Elements : Shapes) return View;
+
+   type Flags is array (Positive range <>) of Boolean with Component_Size => 8;
+
+   --  Two arrays in step; one of a single shape is repeated. Hits says for each whether they overlap; the result is how
+   --  many do. Where a shape is invalid, Hits has False for it and every other answer, and Error is raised.
+   function Overlap_Many (A, B : View; Hits : in out Flags) return Natural;
+
+private
+
+   type Addresses is array (1 .. 6) of System.Address with Convention => C;
+
+   type View is record
+      Of_Kind, Reserved : Integer_32 := 0;
+      Count             : Integer_64 := 0;
+      Stride            : Integer_64 := 0;
+      Field             : Addresses  := (others => System.Null_Address);
+   end record with Convention => C;
+
+end Vesica;

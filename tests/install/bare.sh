@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# bare.sh [CACHE]: does a bare Debian 12 get from a clone to passing tests by the README's two commands? Makes a minimal
+# root (debootstrap and git, nothing else), clones this repository's HEAD into it, and runs there, as root, each command
+# that the README prints under "Two commands", word for word. Needs root and the network; run by hand, for it takes
+# minutes. The root is packed into CACHE (build/bare unless told) and kept; what runs is a fresh copy every time.
+# VESICA_MIRROR names another Debian mirror. Exit status 0 when every command's is.
+set -euo pipefail
+
+# shellcheck source=/dev/null
+. "$(dirname "${BASH_SOURCE[0]}")/../../run"  # root, need, fail
+[ "$(id -u)" = 0 ] || fail "bare.sh has to be root, for chroot"
+need debootstrap git util-linux
+mkdir -p "${1:-$root/build/bare}"
+cache=$(cd "${1:-$root/build/bare}" && pwd)
+packed=$cache/bookworm.tar bare=$cache/root
+
+if [ ! -e "$packed" ]; then
+  rm -rf "$cache/new"
+  debootstrap --variant=minbase --include=git bookworm "$cache/new" "${VESICA_MIRROR:-http://deb.debian.org/debian}" \
+    >"$cache/debootstrap.log" || fail "debootstrap failed; see $cache/debootstrap.log"
+  tar -C "$cache/new" -cf "$packed.part" .
+  mv "$packed.part" "$packed"
+  rm -rf "$cache/new"
+fi
+rm -rf "$bare"
+mkdir "$bare"
+tar -C "$bare" -xf "$packed"
+cp -L /etc/resolv.conf "$bare/etc/resolv.conf"
+git clone --quiet --no-hardlinks "$root" "$bare/vesica"
+
+mapfile -t commands < <(awk '/^## / { inside = $0 == "## Two commands" }
+                             inside && /^    / { print substr($0, 5) }' "$bare/vesica/README.md")
+[ ${#commands[@]} = 2 ] || fail "the README prints ${#commands[@]} commands under 'Two commands', not two"
+echo "bare: $(cat "$bare/etc/debian_version"), $(git -C "$bare/vesica" log -1 --format='commit %h')"
+
+# inside COMMAND: in the root, with its own mounts and processes, which end with it, and a new login's environment.
+inside() {
+  # shellcheck disable=SC2016
+  unshare --mount --pid --fork --kill-child bash -c 'mount -t proc proc "$1/proc" && mount --bind /dev "$1/dev" &&
+    exec env -i HOME=/root TERM=dumb PATH=/usr/sbin:/usr/bin:/sbin:/bin chroot "$1" bash -c "cd /vesica && $2"' \
+    inside "$bare" "$1"
+}
+
+failures=0
+for command in "${commands[@]}"; do
+  echo "bare: $command"
+  before=$SECONDS status=0
+  inside "$command" || status=$?
+  echo "bare: status $status after $((SECONDS - before)) s"
+  [ $status = 0 ] || failures=$((failures + 1))
+done
+[ $failures = 0 ]
