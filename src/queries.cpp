@@ -13,33 +13,38 @@ namespace vesica::batch {
 
 namespace {
 
-/// A block of shapes of one kind, all numbers as doubles; the last vector is filled up with the first element.
+/// Fills what a column holds beyond its first n numbers.
+void repeat_first(double (&column)[query_block], std::int32_t n) noexcept {
+  for (std::int32_t i = n; i < query_block; ++i) column[i] = column[0];
+}
+
+/// A block of shapes of one kind, all numbers as doubles, filled up with the first element.
 struct Operand {
   std::int32_t kind;
   double number[max_fields][query_block];
   double area[query_block] = {};
 
+  /// Elements [begin, begin + n), or one shape repeated.
   template <class T>
   void set(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n, ShapeArea shape_area) noexcept {
     kind = shapes.kind;
+    if (shapes.stride == 0) n = 1;
     for (int k = 0; k < field_count(kind); ++k) {
       const T* from = advance(shapes.field[k], begin * shapes.stride);
-      for (std::int32_t i = 0; i < query_block; ++i) {
+      for (std::int32_t i = 0; i < n; ++i) {
         T x;
-        std::memcpy(&x, advance(from, (i < n ? i : 0) * shapes.stride), sizeof x);
+        std::memcpy(&x, advance(from, i * shapes.stride), sizeof x);
         number[k][i] = x;
       }
+      repeat_first(number[k], n);
     }
-    if (shape_area != nullptr) measure(shape_area, shapes.stride == 0 ? 1 : n);
-  }
-
-  /// Areas of the first n elements, and that of the first one beyond.
-  void measure(ShapeArea shape_area, std::int32_t n) noexcept {
-    for (std::int32_t i = 0; i < query_block; ++i) {
+    if (shape_area == nullptr) return;
+    for (std::int32_t i = 0; i < n; ++i) {
       double numbers[max_fields];
       element(i, numbers);
-      area[i] = i < n ? shape_area(kind, numbers) : area[0];
+      area[i] = shape_area(kind, numbers);
     }
+    repeat_first(area, n);
   }
 
   void columns(const double* (&out)[max_fields]) const noexcept {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// One ellipse, nineteen others, and the shortest segments between the outlines.
 #include <vesica/boundary_distance.hpp>
+#include <vesica/methods/ellipse_ellipse_distance_gradient_descent.hpp>
 
 #include "figures.hpp"
 #include "samples.hpp"
@@ -13,6 +14,16 @@ vesica::ClosestPoints<double> shortest(const Ellipse& a, const Ellipse& b) {
   vesica::ClosestPoints<double> closest{};
   require(vesica::boundary_distance_or_error(a, b, closest) == 0, "all nineteen pairs have a distance");
   return closest;
+}
+
+/// A point that two outlines share: of several the one that gradient descent comes to. Which one the default gives is
+/// nobody's business, and may change.
+Point contact(const Ellipse& a, const Ellipse& b) {
+  vesica::methods::DescentResult<double> r;
+  const auto settings = vesica::methods::descent_settings<double>(vesica::methods::Schedule::scale_aware);
+  require(vesica::methods::gradient_descent_distance(a, b, settings, r) == 1, "all nineteen samples converge");
+  require(r.distance < 1e-6 && shortest(a, b).distance < 1e-14, "outlines that meet have distance 0");
+  return at_angle(a, r.angle_a);
 }
 
 /// Beside the middle of a segment, on its upper side.
@@ -39,12 +50,16 @@ std::string nineteen_ellipses() {
   for (const SampleGroup& group : sample_groups) {
     for (std::size_t i = group.first; i <= group.last; ++i) {
       const Ellipse other = nineteen_ellipses::ellipse<double>(nineteen_ellipses::others[i]);
+      if (nineteen_ellipses::touches_or_crosses(i)) {
+        svg.dot(plane(contact(first, other)), 3.5, black);
+        continue;
+      }
       const auto s = shortest(first, other);
       const Point from = plane({s.ax, s.ay}), to = plane({s.bx, s.by});
       svg.line(from, to, {black, 2});
       svg.dot(from, 3.5, black);
       svg.dot(to, 3.5, black);
-      if (i != group.last || i < 8) continue;
+      if (i != group.last) continue;
       label_segment(svg, from, to, format("%.3f", s.distance));
       const Point centre = plane({other.cx, other.cy});
       svg.text({centre.x, centre.y + 5}, group.numbers, Anchor::middle, 14, group.colour, true);
