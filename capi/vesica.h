@@ -387,8 +387,8 @@ VESICA_API int32_t vesica_shape_area_f64(int32_t kind, const double *numbers, do
  * aspects up to 10^4), u = 2^-53, however near the outlines are to touching or coinciding and however different the
  * sizes are.
  * out: untouched on error; may not overlap the numbers. Returns 0. Errors: VESICA_E_NULL, VESICA_E_KIND,
- * VESICA_E_SHAPE, VESICA_E_RANGE (beyond the finite numbers). Cost: two boxes about 50 ns, an ellipse and a box 0.3 us,
- * two ellipses 1 us; up to 10 us where one lies inside the other, outlines nearly touch, or one is far larger. Since 0.1.
+ * VESICA_E_SHAPE, VESICA_E_RANGE (beyond the finite numbers). Cost: two boxes about 50 ns, an ellipse and a box 150 ns,
+ * two ellipses 0.6 us; up to 10 us where outlines nearly touch or coincide, or one shape is far larger. Since 0.1.
  */
 VESICA_API int32_t vesica_area_f64(int32_t kind_a, const double *numbers_a,
                                    int32_t kind_b, const double *numbers_b, double *out);
@@ -569,7 +569,7 @@ VESICA_API int64_t vesica_nms_scratch(int64_t count);
  * written, and the call returns VESICA_E_SHAPE. Before anything is written: VESICA_E_NULL (with no shapes, only shapes and
  * kept are looked at), VESICA_E_KIND (also for points and segments), VESICA_E_ARGUMENT (as vesica_overlap_many_f64 of the
  * array; the threshold; too little scratch). Cost: sorting, and an IoU for each pair of a kept shape and one whose bounds
- * meet its own: 10,000 scattered rectangles about 5 ms. Since 0.1.
+ * meet its own: 10,000 scattered rectangles about 15 ms. Since 0.1.
  */
 VESICA_API int32_t vesica_nms_f64(const vesica_shapes_f64 *shapes, const double *scores, double threshold,
                                   void *scratch, int64_t scratch_size, int64_t *keep, int64_t *kept);
@@ -867,8 +867,8 @@ VESICA_API int32_t vesica_shape_area_f32(int32_t kind, const float *numbers, flo
  * aspects up to 10^4), u = 2^-53, however near the outlines are to touching or coinciding and however different the
  * sizes are; then rounded to float.
  * out: untouched on error; may not overlap the numbers. Returns 0. Errors: VESICA_E_NULL, VESICA_E_KIND,
- * VESICA_E_SHAPE, VESICA_E_RANGE (beyond the finite numbers). Cost: two boxes about 50 ns, an ellipse and a box 0.3 us,
- * two ellipses 1 us; up to 10 us where one lies inside the other, outlines nearly touch, or one is far larger. Since 0.1.
+ * VESICA_E_SHAPE, VESICA_E_RANGE (beyond the finite numbers). Cost: two boxes about 50 ns, an ellipse and a box 150 ns,
+ * two ellipses 0.6 us; up to 10 us where outlines nearly touch or coincide, or one shape is far larger. Since 0.1.
  */
 VESICA_API int32_t vesica_area_f32(int32_t kind_a, const float *numbers_a,
                                    int32_t kind_b, const float *numbers_b, float *out);
@@ -1043,7 +1043,7 @@ VESICA_API int64_t vesica_overlap_select_f32(const vesica_shapes_f32 *one, const
  * written, and the call returns VESICA_E_SHAPE. Before anything is written: VESICA_E_NULL (with no shapes, only shapes and
  * kept are looked at), VESICA_E_KIND (also for points and segments), VESICA_E_ARGUMENT (as vesica_overlap_many_f32 of the
  * array; the threshold; too little scratch). Cost: sorting, and an IoU for each pair of a kept shape and one whose bounds
- * meet its own: 10,000 scattered rectangles about 5 ms. Since 0.1.
+ * meet its own: 10,000 scattered rectangles about 15 ms. Since 0.1.
  */
 VESICA_API int32_t vesica_nms_f32(const vesica_shapes_f32 *shapes, const float *scores, float threshold,
                                   void *scratch, int64_t scratch_size, int64_t *keep, int64_t *kept);

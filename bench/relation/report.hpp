@@ -9,4 +9,7 @@ namespace vesica::bench {
 /// vesica_relation and vesica_contains beside vesica_overlap, all pairs of kinds, on the same fresh pairs.
 void report_relation(std::FILE* out);
 
+/// vesica_area beside the usual rotated-IoU algorithm and Boost.Geometry, errors with the times; and vesica_nms.
+void report_area(std::FILE* out);
+
 }  // namespace vesica::bench

@@ -11,11 +11,12 @@
 /// aspect ratios up to 1e6, and never rounded to 0 where outlines are apart. Each point is within 4u scale times the
 /// greater aspect ratio of its outline, before the rounding of its coordinates.
 ///
-/// Laws, each tested: boundary_distance(b, a) has the same bits with the points exchanged; the distance is unchanged when
-/// both shapes are moved by the same exact amounts; it is at least nearest(), and equals it for disjoint shapes.
+/// Laws, each tested: boundary_distance(b, a) has the same bits with the points exchanged; the distance is unchanged
+/// when both shapes are moved by the same exact amounts; it is at least nearest(), and equals it for disjoint shapes.
 #pragma once
 
 #include <limits>
+#include <vesica/boundary_distance/box_box.hpp>
 #include <vesica/boundary_distance/common_point.hpp>
 #include <vesica/boundary_distance/nested.hpp>
 #include <vesica/nearest.hpp>
@@ -27,6 +28,14 @@ namespace detail {
 
 /// Outlines of which one is strictly inside the other.
 inline ClosestPoints<double> nested_outlines(const outline::Form& outer, const outline::Form& inner) noexcept {
+  if (!outer.curved && !inner.curved) {
+    const auto boxes = outline::nested_boxes(outline::box_pair(outer, inner));
+    if (boxes.settled) {
+      const outline::Vector p = outline::located(outer, {boxes.outer_x, boxes.outer_y}, 0);
+      const outline::Vector q = outline::located(inner, {boxes.inner_x, boxes.inner_y}, 0);
+      return {boxes.distance, p.x, p.y, q.x, q.y};
+    }
+  }
   const outline::Nested n = outline::nested_distance(outer, inner);
   const outline::Vector p = outline::located(outer, n.outer, n.exponent);
   const outline::Vector q = outline::located(inner, n.inner, n.exponent);
@@ -51,21 +60,29 @@ inline ClosestPoints<double> closest_outline_points(Relation relation, const out
 /// Writes the distance of the outlines of two shapes of any kinds, in either order, and their closest points. Returns 0,
 /// error_shape when either is invalid, or error_range when a number would exceed the largest finite one; on error `out`
 /// is untouched.
-template <template <class> class A, template <class> class B, class T>
-std::int32_t boundary_distance_or_error(const A<T>& a, const B<T>& b, ClosestPoints<T>& out) noexcept {
-  if constexpr (!detail::in_order<A<T>, B<T>>) {
-    ClosestPoints<T> found;
+template <template <class> class A, template <class> class B>
+std::int32_t boundary_distance_or_error(const A<double>& a, const B<double>& b, ClosestPoints<double>& out) noexcept {
+  if constexpr (!detail::in_order<A<double>, B<double>>) {
+    ClosestPoints<double> found;
     const std::int32_t error = boundary_distance_or_error(b, a, found);
-    if (error == 0) out = {found.distance, found.bx, found.by, found.ax, found.ay};
+    if (error == 0) out = detail::points_exchanged(found);
     return error;
   } else {
     const std::int32_t relation = relation_or_error(a, b);
     if (relation < 0) return relation;
     if (relation == static_cast<std::int32_t>(Relation::disjoint)) return nearest_or_error(a, b, out);
-    const ClosestPoints<double> found = detail::closest_outline_points(
-        static_cast<Relation>(relation), outline::form(widen(a)), outline::form(widen(b)));
+    const ClosestPoints<double> found =
+        detail::closest_outline_points(static_cast<Relation>(relation), outline::form(a), outline::form(b));
     return closest::rounded_to(found, found.distance == 0, out) ? 0 : error_range;
   }
+}
+
+template <template <class> class A, template <class> class B>
+std::int32_t boundary_distance_or_error(const A<float>& a, const B<float>& b, ClosestPoints<float>& out) noexcept {
+  ClosestPoints<double> wide;
+  const std::int32_t error = boundary_distance_or_error(widen(a), widen(b), wide);
+  if (error != 0) return error;
+  return closest::rounded_to(wide, wide.distance == 0, out) ? 0 : error_range;
 }
 
 /// The distance of the outlines of two valid shapes and their closest points; NaN where boundary_distance_or_error()

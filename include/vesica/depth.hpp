@@ -3,17 +3,17 @@
 ///
 /// Definition: the least length of a translation of b after which some line has a on its one side and b on its other,
 /// both up to the line itself. With area on at least one side that is when their insides no longer meet. Two shapes
-/// without area that lie along one line (or two equal points, or a point of a segment) have such a line already: depth 0.
-/// Disjoint shapes give three zeros; overlapping ones always a direction, also at depth 0. Several directions may do
+/// without area that lie along one line (or two equal points, or a point of a segment) have such a line already: depth
+/// 0. Disjoint shapes give three zeros; overlapping ones always a direction, also at depth 0. Several directions may do
 /// equally well; then it is one of them.
 ///
 /// Accuracy, u = 2^-53 and scale the largest offset of centres or half length: the depth is right to 4u scale, the
 /// direction is a unit vector to 3u and moves b clear but for 4u scale. The depth of shapes that overlap is never
 /// rounded to 0 unless it is 0, and one that is 0 never away from it: that is decided exactly.
 ///
-/// Laws, each tested: depth(b, a) has the same bits with the direction turned round (equal shapes at one place excepted,
-/// for which both are one call); unchanged when both shapes are moved by the same exact amounts; b moved by a billionth
-/// less overlaps a, by a billionth more it does not.
+/// Laws, each tested: depth(b, a) has the same bits with the direction turned round (equal shapes at one place
+/// excepted, for which both are one call); unchanged when both shapes are moved by the same exact amounts; b moved by a
+/// billionth less overlaps a, by a billionth more it does not.
 #pragma once
 
 #include <limits>
@@ -56,12 +56,17 @@ std::int32_t depth_of_overlapping(const A& a, const B& b, Penetration<double>& o
   return 0;
 }
 
-inline Penetration<double> turned_round(const Penetration<double>& p) noexcept { return {p.depth, 0.0 - p.x, 0.0 - p.y}; }
+inline Penetration<double> turned_round(const Penetration<double>& p) noexcept {
+  return {p.depth, 0.0 - p.x, 0.0 - p.y};
+}
 
-/// Rounds once; a positive number stays positive.
-inline float narrow_positive(double x) noexcept {
-  const float rounded = static_cast<float>(x);
-  return rounded == 0 && x > 0 ? std::numeric_limits<float>::denorm_min() : rounded;
+/// Rounded once; a depth that is not 0 stays so. False where it would exceed the finite numbers.
+inline bool rounded_to(const Penetration<double>& p, Penetration<float>& out) noexcept {
+  Penetration<float> r{static_cast<float>(p.depth), static_cast<float>(p.x), static_cast<float>(p.y)};
+  if (p.depth > 0 && r.depth == 0) r.depth = std::numeric_limits<float>::denorm_min();
+  if (!all_finite(r.depth)) return false;
+  out = r;
+  return true;
 }
 
 }  // namespace detail
@@ -88,11 +93,7 @@ std::int32_t depth_or_error(const A<float>& a, const B<float>& b, Penetration<fl
   Penetration<double> wide;
   const std::int32_t error = depth_or_error(widen(a), widen(b), wide);
   if (error != 0) return error;
-  const Penetration<float> result{detail::narrow_positive(wide.depth), static_cast<float>(wide.x),
-                                  static_cast<float>(wide.y)};
-  if (!detail::all_finite(result.depth)) return error_range;
-  out = result;
-  return 0;
+  return detail::rounded_to(wide, out) ? 0 : error_range;
 }
 
 /// The depth of two shapes of any kinds, in either order. With an invalid shape (see check()) or beyond the range it is

@@ -16,6 +16,11 @@ inline double iou_of(const clip::Measure& shared, const clip::Measure& a, const 
 template <class A, class B>
 std::int32_t iou_of_pair(const A& a, const B& b, double& out) noexcept {
   if constexpr (clip::has_area<A> && clip::has_area<B>) {
+    if (pair::filter(a, b).disjoint) {
+      if (clip::is_flat(a) && clip::is_flat(b)) return error_argument;
+      out = 0;
+      return 0;
+    }
     const auto quick = clip::quick_area(a, b);
     if (quick.settled) [[likely]] {
       out = iou_of({quick.area, 0}, clip::shape_measure(a), clip::shape_measure(b));

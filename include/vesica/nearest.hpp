@@ -46,7 +46,8 @@ template <class A, class B>
 ClosestPoints<double> disjoint_points(const A& a, const B& b, int& steps) noexcept {
   const PlacedPair p = placed_pair(a, b);
   const Closest c = closest(p, steps);
-  const Located on_a = located(a, p.a, c.a, p.exponent), on_b = located(b, p.b, c.b, p.exponent);
+  const Located first = located(a, p.a, c.a, p.exponent), second = located(b, p.b, c.b, p.exponent);
+  const Located on_a = located_beside(a, p.a, c.a, first, second), on_b = located_beside(b, p.b, c.b, second, first);
   const double distance = scale(rounded(c.distance), p.exponent);
   return {distance, on_a.x, on_a.y, on_b.x, on_b.y};
 }

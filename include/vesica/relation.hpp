@@ -9,10 +9,9 @@
 ///   inside           b contains a, and a has no point of b's outline;
 ///   inside_touch     b contains a, and a has points of b's outline;
 ///   contains, contains_touch   the same with a and b exchanged;
-///   cross            the insides have a common point (with no area, none need be as wide as the shapes: two segments
-///                    that cross, or that lie along one line and overlap in part, or a segment through a disc);
-///   touch            they have a common point (a segment's end on another's middle, a segment along a rectangle's
-///   side); disjoint         they have not.
+///   cross            the insides have a common point: two segments that cross, or overlap in part along one line;
+///   touch            they have one at all: a segment's end on another's middle, a segment beside a rectangle's side;
+///   disjoint         they have none.
 ///
 /// Laws, each tested: relation(b, a) is the converse of relation(a, b); contains(a, b) iff the relation is contains,
 /// contains_touch or equal; overlap(a, b) iff it is not disjoint; contains is transitive; both are unchanged when both
@@ -41,7 +40,7 @@ template <class A, class B>
 VESICA_COLD std::int32_t decide_relation(const A& a, const B& b) noexcept {
   if (check(a) != 0 || check(b) != 0) return error_shape;
   if constexpr (is_compared<A> && is_compared<B>) {
-    return relation_of::aabb_aabb(relation_of::as_aabb(a), relation_of::as_aabb(b));
+    return static_cast<std::int32_t>(relation_of::aabb_aabb(relation_of::as_aabb(a), relation_of::as_aabb(b)));
   } else {
     return static_cast<std::int32_t>(exact::relate(exact::relation_form(widen(a)), exact::relation_form(widen(b))));
   }

@@ -22,6 +22,12 @@ struct Sizes {
   bool round;
 };
 
+/// Whether a valid shape has no area.
+inline bool is_flat(const Aabb<double>& s) noexcept { return s.min_x == s.max_x || s.min_y == s.max_y; }
+inline bool is_flat(const Rect<double>& s) noexcept { return s.hx == 0 || s.hy == 0; }
+inline bool is_flat(const Circle<double>& s) noexcept { return s.r == 0; }
+inline bool is_flat(const Ellipse<double>& s) noexcept { return s.a == 0 || s.b == 0; }
+
 inline Sizes sizes(const Aabb<double>& s) noexcept {
   return {difference<DoubleDouble>(s.max_x, s.min_x), difference<DoubleDouble>(s.max_y, s.min_y), 0.5, 0, false};
 }
@@ -94,7 +100,7 @@ inline int standardise(Sizes& s) noexcept {
 template <class Shape>
 Measure shape_measure(const Shape& shape) noexcept {
   Sizes s = sizes(shape);
-  if (s.size_0.high == 0 || s.size_1.high == 0) return {0, 0};
+  if (is_flat(shape)) return {0, 0};
   // Differences of the greatest numbers may be infinite; exact ones are not.
   if (!(s.size_0.high <= 0x1p1020 && s.size_1.high <= 0x1p1020)) return exact_area(exact::form(shape));
   const int exponent = in_area_range(s) ? 0 : standardise(s);

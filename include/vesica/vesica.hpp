@@ -13,5 +13,6 @@
 #include <vesica/nearest.hpp>
 #include <vesica/nms.hpp>
 #include <vesica/overlap.hpp>
+#include <vesica/relation.hpp>
 #include <vesica/shape_area.hpp>
 #include <vesica/shapes.hpp>

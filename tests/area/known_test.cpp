@@ -136,6 +136,9 @@ TEST(AreaErrors, OfRatiosWithoutArea) {
                    [&](double* out) { return vesica_iou_f64(VESICA_SEGMENT, segment, VESICA_ELLIPSE, flat, out); });
   expect_untouched(VESICA_E_ARGUMENT,
                    [&](double* out) { return vesica_iou_f64(VESICA_RECT, flat, VESICA_RECT, flat, out); });
+  const double far[4] = {50, 50, 50, 51};
+  expect_untouched(VESICA_E_ARGUMENT,
+                   [&](double* out) { return vesica_iou_f64(VESICA_RECT, flat, VESICA_AABB, far, out); });
   double out = 7;
   EXPECT_EQ(vesica_area_f64(VESICA_RECT, flat, VESICA_RECT, flat, &out), 0);
   EXPECT_EQ(out, 0);

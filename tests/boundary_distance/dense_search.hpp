@@ -42,8 +42,8 @@ struct Bracket {
   double value;
 };
 
-/// From evenly spaced directions, from the normals at even steps of each shape's eccentric angle, and from directions at
-/// geometrically spaced angles from each shape's axes.
+/// From evenly spaced directions, from the normals at even steps of each shape's eccentric angle, and from directions
+/// at geometrically spaced angles from each shape's axes.
 std::vector<Bracket> local_minima(const DensePair& f);
 
 /// The golden section: the least value met in a bracket, whose middle moves there.

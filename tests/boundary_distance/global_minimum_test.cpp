@@ -56,8 +56,8 @@ void compare_with_dense(const Pair& pair, Tally& tally) {
 
 void run(int outer, int inner, int pairs_a_style, int limit) {
   properties::Random random(properties::seed() + static_cast<unsigned>(10 * outer + inner));
-  const bool searched = (outer == VESICA_ELLIPSE || outer == VESICA_CIRCLE) &&
-                        (inner == VESICA_ELLIPSE || inner == VESICA_CIRCLE);
+  const bool searched =
+      (outer == VESICA_ELLIPSE || outer == VESICA_CIRCLE) && (inner == VESICA_ELLIPSE || inner == VESICA_CIRCLE);
   for (const Style style : nested_pairs::all_styles) {
     Tally tally;
     for (int i = 0; i < pairs_a_style * properties::repeat(); ++i) {

@@ -10,8 +10,8 @@
 namespace nested_pairs {
 
 enum class Style {
-  any,             ///< aspect ratios up to 20, any place
-  thin,            ///< up to 1e6, the inner shape often nearly parallel to the outer
+  any,   ///< aspect ratios up to 20, any place
+  thin,  ///< up to 1e6, the inner shape often nearly parallel to the outer
   nearly_concentric,
   nearly_equal,    ///< the inner shape is the outer one but for 1e-1 to 1e-15; concentric or not
   near_osculating  ///< at an end of the outer shape, a circle of about the radius of curvature there

@@ -118,7 +118,8 @@ namespace {
 constexpr std::size_t most_refined = 24;
 
 bool refined_already(const std::vector<Direction>& done, const Direction& n) {
-  return std::any_of(done.begin(), done.end(), [&](const Direction& m) { return std::hypot(m.x - n.x, m.y - n.y) < 1e-9; });
+  return std::any_of(done.begin(), done.end(),
+                     [&](const Direction& m) { return std::hypot(m.x - n.x, m.y - n.y) < 1e-9; });
 }
 
 /// About a centre of its own, so that nothing of the offset is lost.
@@ -149,7 +150,8 @@ Least least_of_moderate(const Shape& a, const Shape& b, int sign) {
     if (done.empty() || refined.value < best.value) best = refined;
     done.push_back(n);
   }
-  if (done.empty()) best.value = derivatives(a, b, sign, a.ux, a.uy).value, best.nx = a.ux.get_d(), best.ny = a.uy.get_d();
+  if (done.empty())
+    best.value = derivatives(a, b, sign, a.ux, a.uy).value, best.nx = a.ux.get_d(), best.ny = a.uy.get_d();
   if (!a.curved) try_faces(a, b, sign, a, best);
   if (!b.curved) try_faces(a, b, sign, b, best);
   return best;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The least value over all directions of h_a(n) + sign h_b(n) - n.D, to 90 digits and without any of the library's code:
-/// directions are sampled densely, from every local minimum among them one is refined in multiple precision, and the
-/// least counts. With sign 1 it is the depth of an overlap, with sign -1 the distance between nested outlines, a outer.
+/// The least value over all directions of h_a(n) + sign h_b(n) - n.D, to 90 digits and without any of the library's
+/// code: directions are sampled densely, from every local minimum among them one is refined in multiple precision, and
+/// the least counts. With sign 1 it is the depth of an overlap, with sign -1 the distance between nested outlines, a
+/// outer.
 #pragma once
 
 #include <gmpxx.h>

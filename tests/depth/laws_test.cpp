@@ -51,7 +51,8 @@ void expect_laws(const Pair& p) {
     return;
   }
   ASSERT_NEAR(std::hypot(d.x, d.y), 1, 1e-15);
-  // Touching shapes of which none contains the other are 0 deep. (A point on an outline is, too, but inside by relation.)
+  // Touching shapes of which none contains the other are 0 deep. (A point on an outline is, too, but inside by
+  // relation.)
   const int32_t relation = vesica_relation_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data());
   if (relation == VESICA_TOUCH) {
     ASSERT_EQ(d.depth, 0) << properties::describe(p);
@@ -123,7 +124,8 @@ TEST(Depth, NoShorterMoveEndsTheOverlap) {
         if (d.depth < 1e-4) continue;
         for (int k = 0; k < 30; ++k) {
           const double way = random.between(0, 6.283185307179586), less = d.depth * (1 - 1e-9);
-          ASSERT_TRUE(overlaps({p.kind_a, p.kind_b, p.a, moved(p.kind_b, p.b, less * std::cos(way), less * std::sin(way))}))
+          ASSERT_TRUE(
+              overlaps({p.kind_a, p.kind_b, p.a, moved(p.kind_b, p.b, less * std::cos(way), less * std::sin(way))}))
               << properties::describe(p);
         }
       }

@@ -27,7 +27,7 @@ using inputs::Numbers;
 using inputs::shape_at;
 using truth::Dyadic;
 
-constexpr int effort = 8000, sign_effort = 2000;
+constexpr int effort = 5000, sign_effort = 1200;
 
 template <class V>
 class RelationBound : public testing::Test {

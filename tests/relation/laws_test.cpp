@@ -27,7 +27,7 @@ namespace {
 
 using namespace properties;
 
-constexpr int cases_per_workload = 120;
+constexpr int cases_per_workload = 400;
 constexpr int most_printed = 3;
 
 Shape first(const Pair& p) { return {p.kind_a, p.a}; }

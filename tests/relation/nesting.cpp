@@ -169,7 +169,8 @@ Numbers round_shape(int kind, double cx, double cy, double ux, double uy, double
 
 Osculation osculating_circle(int kind_a, int kind_b, Random& random) {
   const bool four_fold = random.chance(0.5);
-  const Curvature k = four_fold ? at_vertex(random) : at_oblique_point(random);
+  Curvature k = four_fold ? at_vertex(random) : at_oblique_point(random);
+  while (!four_fold && k.a == k.b) k = at_oblique_point(random);  // a circle is its own circle of curvature
   // Where both are circles, the one circle of curvature is the circle itself.
   if (kind_a == VESICA_CIRCLE && kind_b == VESICA_CIRCLE) {
     return {{kind_a, kind_b, {0, 0, k.radius}, {0, 0, k.radius}}, true};

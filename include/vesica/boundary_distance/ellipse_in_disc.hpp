@@ -7,11 +7,11 @@
 
 namespace vesica::outline {
 
-/// The outline of the second ellipse: centre + x p + y q for w = (x, y) on the unit circle. Its excess at w is its squared
-/// distance from the first centre, less 1. It is negative at the closest point if anywhere, and positive at the furthest:
-/// in the quadrants, between the axes of this ellipse, towards the first centre and away from it the distance has one
-/// extreme each (D. Eberly, "Distance from a Point to an Ellipse, an Ellipsoid, or a Hyperellipsoid"). A common point of
-/// the outlines lies between the two.
+/// The outline of the second ellipse: centre + x p + y q for w = (x, y) on the unit circle. Its excess at w is its
+/// squared distance from the first centre, less 1. It is negative at the closest point if anywhere, and positive at the
+/// furthest: in the quadrants, between the axes of this ellipse, towards the first centre and away from it the distance
+/// has one extreme each (D. Eberly, "Distance from a Point to an Ellipse, an Ellipsoid, or a Hyperellipsoid"). A common
+/// point of the outlines lies between the two.
 class EllipseInDisc {
  public:
   explicit EllipseInDisc(const Frame& frame) noexcept {
@@ -68,9 +68,9 @@ class EllipseInDisc {
     return {dot(x, slope), dot(slope, slope) + dot(x, centre_ + -x)};
   }
 
-  /// The one minimum of side * excess on a quadrant between the ellipse's axes: Newton's method on the derivative, halving
-  /// the arc where that fails. It falls at a and rises at b, unless the first centre lies on an axis; then the end of that
-  /// axis is a minimum itself, or a maximum between two minima.
+  /// The one minimum of side * excess on a quadrant between the ellipse's axes: Newton's method on the derivative,
+  /// halving the arc where that fails. It falls at a and rises at b, unless the first centre lies on an axis; then the
+  /// end of that axis is a minimum itself, or a maximum between two minima.
   Vector extreme(Vector a, Vector b, double side) const noexcept {
     const Derivatives at_a = derivatives(a), at_b = derivatives(b);
     if (side * at_a.first >= 0 && side * at_a.second >= 0) return a;
@@ -88,8 +88,8 @@ class EllipseInDisc {
     return w;
   }
 
-  /// A zero of the excess on an arc of at most a quarter turn, negative at a and positive at b: Newton's method, halving
-  /// the arc where that leaves it or fails to halve the excess.
+  /// A zero of the excess on an arc of at most a quarter turn, negative at a and positive at b: Newton's method,
+  /// halving the arc where that leaves it or fails to halve the excess.
   Vector zero_between(Vector a, Vector b) const noexcept {
     Vector w = unit(a + b);
     double before = 0x1p1000;

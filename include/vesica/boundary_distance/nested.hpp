@@ -30,8 +30,8 @@ inline double last_turn(const Objective& objective, const Sample& at) noexcept {
   return radius * (turn * turn) < 0x1p-54 && radius * lane::abs(turn) < 0x1p-20 ? turn : 0;
 }
 
-/// The least over all n of h_outer(n) - h_inner(n) - n.D: how far the inner shape stays behind the outer one. Where that
-/// is least, the furthest points of both along n lie on one line along n (F' = 0), at a box's face by the face.
+/// The least over all n of h_outer(n) - h_inner(n) - n.D: how far the inner shape stays behind the outer one. Where
+/// that is least, the furthest points of both along n lie on one line along n (F' = 0), at a box's face by the face.
 inline Nested nested_distance(const Form& outer, const Form& inner) noexcept {
   const PlacedPair pair = place(outer, inner);
   const Frame frame(pair);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How deep two boxes overlap: the least over the four normals of their faces, in closed form, for scalars and for lanes.
-/// Their Minkowski sum has no other face normals, flat boxes included.
+/// How deep two boxes overlap: the least over the four normals of their faces, in closed form, for scalars and for
+/// lanes. Their Minkowski sum has no other face normals, flat boxes included.
 #pragma once
 
 #include <vesica/outline/box_faces.hpp>
@@ -18,8 +18,8 @@ struct BoxDepth {
 /// A depth below this share of the sizes may be 0, which it takes exact arithmetic to tell.
 inline constexpr double least_settled_depth = 0x1p-46;
 
-/// Whether the pair is to be exchanged, so that (a, b) and (b, a) do the same work: by the boxes' numbers, equal boxes by
-/// the sign of their offset.
+/// Whether the pair is to be exchanged, so that (a, b) and (b, a) do the same work: by the boxes' numbers, equal boxes
+/// by the sign of their offset.
 template <class V>
 VESICA_INLINE auto out_of_order(const BoxPair<V>& p) noexcept {
   using namespace lane;

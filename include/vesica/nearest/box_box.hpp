@@ -7,6 +7,7 @@
 /// there are four candidates: for each axis, the vertex that reaches farthest towards the box whose axis it is.
 #pragma once
 
+#include <vesica/nearest/direction.hpp>
 #include <vesica/nearest/point_box.hpp>
 
 namespace vesica::closest {
@@ -90,13 +91,6 @@ VESICA_INLINE BoxBox<V> choose(MaskOf<V> m, const BoxBox<V>& yes, const BoxBox<V
           settled};
 }
 
-/// d lexicographically positive: the box that is worked on first must not depend on which is called a.
-template <class V>
-VESICA_INLINE MaskOf<V> in_order(const Vector<V>& d) noexcept {
-  const V zero(0.0);
-  return either(d.x.high > zero, both(d.x.high == zero, d.y.high > zero));
-}
-
 template <class V>
 VESICA_INLINE Vector<V> flipped(const Vector<V>& d, V sign) noexcept {
   return {flipped(d.x, sign), flipped(d.y, sign)};
@@ -110,9 +104,11 @@ VESICA_INLINE Vector<V> flipped(const Vector<V>& d, V sign) noexcept {
 template <class V>
 VESICA_INLINE BoxBox<V> box_box(const Box<V>& a, const Box<V>& b, const Vector<V>& d) noexcept {
   const V zero(0.0), one(1.0);
-  const auto ordered = in_order(d);
+  const auto ordered = in_order(d.x.high, d.y.high);
   const Box<V> first = choose(ordered, a, b), second = choose(ordered, b, a);
-  const Vector<V> offset = flipped(d, select(ordered, one, -one));
+  // Zeros lose their sign: signs choose between vertices below.
+  const Vector<V> turned_offset = flipped(d, select(ordered, one, -one));
+  const Vector<V> offset{turned_offset.x + Twofold<V>{zero, zero}, turned_offset.y + Twofold<V>{zero, zero}};
 
   const auto u = factor(first.u), w = factor(second.u);
   const V c = rounded(dot(u, w)), s = rounded(cross(u, w));
@@ -138,7 +134,7 @@ VESICA_INLINE BoxBox<V> box_box(const Box<V>& a, const Box<V>& b, const Vector<V
   const auto proved =
       both(either(back_x <= zero, corner.hx.high == zero), either(back_y <= zero, corner.hy.high == zero));
   const Spot<V> place{i * corner.hx.high, j * corner.hy.high};
-  const auto face_is_a = either(both(faces_first, ordered), and_not(and_not(zero == zero, faces_first), ordered));
+  const auto face_is_a = either(both(faces_first, ordered), negated<V>(either(faces_first, ordered)));
   const Direction<V> out = out_of(face, found);
   const BoxBox<V> as_a{found.distance, found.spot, place, out.x, out.y, found.settled};
   const BoxBox<V> as_b{found.distance, place, found.spot, -out.x, -out.y, found.settled};

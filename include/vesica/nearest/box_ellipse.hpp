@@ -34,8 +34,7 @@ VESICA_INLINE Feature<V> closest_feature(const Box<V>& box, const Axes<V>& e, V 
   const V pxy = flip_sign(flip_sign((e.a - e.b) * (e.a + e.b) * (c * s), kx), ky);
   const V fx = abs(kx), fy = abs(ky), beyond_x = fx - ex, beyond_y = fy - ey;
   const V reach_x = sqrt(pxx), reach_y = sqrt(pyy);
-  const auto seen_x = beyond_x > reach_x, seen_y = beyond_y > reach_y,
-             unseen = and_not(and_not(zero == zero, seen_x), seen_y);
+  const auto seen_x = beyond_x > reach_x, seen_y = beyond_y > reach_y, unseen = negated<V>(either(seen_x, seen_y));
   const auto use_x = either(seen_x, both(unseen, beyond_x > zero));
   const auto use_y = either(seen_y, both(unseen, beyond_y > zero));
   // Of the support point (its step towards the face is reach), or of the metric foot (the step is all of beyond).
@@ -57,15 +56,19 @@ struct BoxEllipse {
 };
 
 /// The distance of an ellipse from one feature of a box; d from the box's centre to the ellipse's. The ellipse may not
-/// contain the feature's vertex. Settled where the direction found lies between the normals of the vertex's faces, or
+/// contain the feature's vertex. search: farthest_direction() or another with its arguments. Settled where the direction found lies between the normals of the vertex's faces, or
 /// the foot in the face: then nothing of the box is closer.
-template <class V>
+template <class V, class Search>
 VESICA_INLINE BoxEllipse<V> feature_ellipse(const Box<V>& box, const Axes<V>& e, const Vector<V>& d, V size,
-                                            const Feature<V>& f, int& steps) noexcept {
+                                            const Feature<V>& f, const Search& search, int& steps) noexcept {
   const V zero(0.0), one(1.0);
   const auto face = either(f.face_x, f.face_y);
   const Vector<V> from_vertex = renormalised(d - vertex(box, f.i, f.j));
-  const NormalToEllipse<V> direction = normal_to_ellipse(e, from_vertex.x.high, from_vertex.y.high);
+  // Where all is settled by faces there is nothing to search for.
+  FoundDirection<V> direction{{one, zero}, zero > zero, 0};
+  if (!all(face)) {
+    direction = search(OneEllipse<V>{e, semi_axes(e)}, Direction<V>{from_vertex.x.high, from_vertex.y.high}, size);
+  }
   steps = direction.steps;
   const Vector<V> across_x = flipped(box.u, f.i);
   const Vector<V> across_y{flipped(box.u.y, -f.j), flipped(box.u.x, f.j)};
@@ -73,7 +76,7 @@ VESICA_INLINE BoxEllipse<V> feature_ellipse(const Box<V>& box, const Axes<V>& e,
     return choose(f.face_x, x, choose(f.face_y, y, Twofold<V>{n, zero}));
   };
   const auto n = normal(VectorFactor<TwofoldFactor<V>>{factor(pick(direction.n.x, across_x.x, across_y.x)),
-                                             factor(pick(direction.n.y, across_x.y, across_y.y))});
+                                                       factor(pick(direction.n.y, across_x.y, across_y.y))});
   const ClosestOffsets<V> found =
       separation(from_vertex, n, no_support<V>(), support(e, n), size, select(face, zero, one));
 
@@ -101,7 +104,10 @@ VESICA_INLINE BoxEllipse<V> feature_ellipse(const Box<V>& box, const Axes<V>& e,
 template <class V>
 VESICA_INLINE BoxEllipse<V> box_ellipse(const Box<V>& box, const Axes<V>& e, const Vector<V>& d, V size,
                                         int& steps) noexcept {
-  return feature_ellipse(box, e, d, size, closest_feature(box, e, d.x.high, d.y.high), steps);
+  const auto search = [](const OneEllipse<V>& shape, const Direction<V>& from, V about) {
+    return farthest_direction(shape, from, about);
+  };
+  return feature_ellipse(box, e, d, size, closest_feature(box, e, d.x.high, d.y.high), search, steps);
 }
 
 }  // namespace vesica::closest

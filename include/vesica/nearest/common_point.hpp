@@ -117,26 +117,24 @@ inline Common common_of_box_and_ellipse(const Box<double>& box, const Placed& el
 
 /// Shrunk about their centres by one factor s < 1, two overlapping ellipses touch in one point. s is the greatest value of
 /// n.D / (h1(n) + h2(n)) over all n, has no other maximum, and is stationary where D = s (x1(n) + x2(n)).
-inline Direction<double> common_normal(const Axes<double>& a, const Axes<double>& b, double dx, double dy,
-                                       double size) noexcept {
-  const SemiAxes<double> sa = semi_axes(a), sb = semi_axes(b);
-  Direction<double> n{dx, dy};
-  Bracket<double> bracket{{dy, -dx}, {-dy, dx}};
+inline Direction<double> common_normal(const TwoEllipses<double>& e, const Direction<double>& d, double size) noexcept {
+  Direction<double> n = d;
+  Bracket<double> bracket{{d.y, -d.x}, {-d.y, d.x}};
   double slope_before = 0, tangent_before = 0;
   for (int step = 0; step < 200; ++step) {
     n = unit(n.x, n.y);
-    const Image<double> ia = image(sa, n), ib = image(sb, n);
-    const double ha = sqrt(ia.square), hb = sqrt(ib.square), s = (n.x * dx + n.y * dy) / (ha + hb);
-    const double gx = dx - s * (ia.x / ha + ib.x / hb), gy = dy - s * (ia.y / ha + ib.y / hb);
-    const double slope = n.x * gy - n.y * gx;
-    const double bend = s * (sa.area_squared / (ha * ia.square) + sb.area_squared / (hb * ib.square));
+    const Image<double> ia = image(e.sa, n), ib = image(e.sb, n);
+    const double ha = sqrt(ia.square), hb = sqrt(ib.square), s = dot(n, d) / (ha + hb);
+    const Direction<double> g{d.x - s * (ia.x / ha + ib.x / hb), d.y - s * (ia.y / ha + ib.y / hb)};
+    const double slope = cross(n, g);
+    const double bend = s * (e.sa.area_squared / (ha * ia.square) + e.sb.area_squared / (hb * ib.square));
     const double tangent = slope / bend;
     if (abs(slope) <= 0x1p-52 * size || abs(tangent) <= 0x1p-53) break;
     // The first sign tells on which side of D the maximum is: a quarter turn holds it then.
     (slope > 0 ? bracket.low : bracket.high) = n;
     const bool calm = slope * slope_before >= 0 || abs(tangent) <= 0.5 * abs(tangent_before);
     const Direction<double> next = turned(n, tangent);
-    n = calm && bracket.holds(next) && step % 8 != 7 ? next : middle(a, b, dx, dy, bracket, step);
+    n = calm && bracket.holds(next) && step % 8 != 7 ? next : middle(e, d, bracket, step);
     slope_before = slope, tangent_before = tangent;
   }
   return n;
@@ -144,7 +142,7 @@ inline Direction<double> common_normal(const Axes<double>& a, const Axes<double>
 
 inline Common common_of_ellipses(const Axes<double>& a, const Axes<double>& b, const Vector<double>& d,
                                  double size) noexcept {
-  const Direction<double> best = common_normal(a, b, d.x.high, d.y.high, size);
+  const Direction<double> best = common_normal(two_ellipses(a, b), {d.x.high, d.y.high}, size);
   const auto n = normal(factor(best.x, best.y));
   const Support<double> sa = support(a, n), sb = support(b, n);
   const double s = min(1.0, rounded(dot(n.vector, factor(d))) / rounded(sa.height + sb.height));
@@ -182,7 +180,7 @@ inline PlacedPair exchanged(const PlacedPair& p) noexcept { return {p.b, p.a, fl
 /// In an order that does not depend on which shape is called a: circles, boxes, ellipses; of one form by place.
 inline bool in_order(const PlacedPair& p) noexcept {
   const int a = p.a.radius > 0 ? 0 : p.a.curved ? 2 : 1, b = p.b.radius > 0 ? 0 : p.b.curved ? 2 : 1;
-  return a != b ? a < b : in_order(p.d);
+  return a != b ? a < b : in_order(p.d.x.high, p.d.y.high);
 }
 
 /// Where neither holds the other's centre.

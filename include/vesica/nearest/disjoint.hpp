@@ -28,7 +28,7 @@ inline bool less(const Twofold<double>& x, const Twofold<double>& y) noexcept {
 /// All eight vertices, each against the other box.
 inline BoxBox<double> box_box_by_vertices(const Box<double>& a, const Box<double>& b,
                                           const Vector<double>& d) noexcept {
-  const bool ordered = in_order(d);
+  const bool ordered = in_order(d.x.high, d.y.high);
   BoxBox<double> best{{0x1p1000, 0}, {0, 0}, {0, 0}, 0, 0, true};
   for (int k = 0; k < 8; ++k) {
     const bool of_b = (k < 4) == ordered;
@@ -50,6 +50,23 @@ inline Closest closest_boxes(const Box<double>& a, const Box<double>& b, const V
   return {found.distance, on_box(a, found.a), on_box(b, found.b), found.nx, found.ny};
 }
 
+/// farthest_direction() by halving alone, to the last place of the direction.
+struct Halving {
+  template <class Shapes>
+  FoundDirection<double> operator()(const Shapes& shapes, const Direction<double>& d, double size) const noexcept {
+    Direction<double> n = first_direction(shapes, d);
+    Bracket<double> bracket = first_bracket(d, n);
+    int step = 0;
+    for (; step < 200; ++step) {
+      (turn_at(shapes, d, size, n).slope > 0 ? bracket.low : bracket.high) = n;
+      const Direction<double> next = middle(shapes, d, bracket, step);
+      if (next.x == n.x && next.y == n.y) break;
+      n = next;
+    }
+    return {n, true, step};
+  }
+};
+
 /// All four vertices, and the faces that the ellipse's support point stands above.
 inline BoxEllipse<double> box_ellipse_by_features(const Box<double>& box, const Axes<double>& e,
                                                   const Vector<double>& d, double size, int& steps) noexcept {
@@ -57,7 +74,7 @@ inline BoxEllipse<double> box_ellipse_by_features(const Box<double>& box, const 
   for (int k = 0; k < 12; ++k) {
     const double i = (k & 1) != 0 ? 1 : -1, j = (k & 2) != 0 ? 1 : -1;
     const Feature<double> feature{i, j, k >= 4 && k < 8, k >= 8};
-    const BoxEllipse<double> found = feature_ellipse(box, e, d, size, feature, steps);
+    const BoxEllipse<double> found = feature_ellipse(box, e, d, size, feature, Halving{}, steps);
     const bool usable = k < 4 || (found.settled && rounded(found.distance) > -0x1p-80 * size);
     if (usable && less(found.distance, best.distance)) best = found;
   }
@@ -71,21 +88,10 @@ inline Closest closest_box_ellipse(const Box<double>& box, const Axes<double>& e
   return {found.distance, on_box(box, found.spot), on_ellipse(found.bx, found.by), found.nx, found.ny};
 }
 
-/// The search once more by halving alone, to the last place of the direction.
 inline ClosestOffsets<double> ellipse_ellipse_by_halving(const Axes<double>& a, const Axes<double>& b,
                                                          const Vector<double>& d, double size) noexcept {
-  const double dx = d.x.high, dy = d.y.high;
-  const SemiAxes<double> sa = semi_axes(a), sb = semi_axes(b);
-  Direction<double> at{dx, dy};
-  const bool rising = turn_at(sa, sb, dx, dy, size, at).slope > 0;
-  Bracket<double> bracket{rising ? at : Direction<double>{dy, -dx}, rising ? Direction<double>{-dy, dx} : at};
-  for (int step = 0; step < 200; ++step) {
-    const Direction<double> next = middle(a, b, dx, dy, bracket, step);
-    if (next.x == at.x && next.y == at.y) break;
-    at = next;
-    (turn_at(sa, sb, dx, dy, size, at).slope > 0 ? bracket.low : bracket.high) = at;
-  }
-  const auto n = normal(factor(at.x, at.y));
+  const Direction<double> best = Halving{}(two_ellipses(a, b), Direction<double>{d.x.high, d.y.high}, size).n;
+  const auto n = normal(factor(best.x, best.y));
   return separation(d, n, support(a, n), support(b, n), size);
 }
 

@@ -18,18 +18,18 @@ struct HotAnswer {
   MaskOf<V> settled;
 };
 
-/// Sizes from 2^-60 to 2^60, axes from 2^-20 to 2^20, offsets up to 2^60: nothing over- or underflows that matters.
+/// Sizes from 2^-40 to 2^40, axes from 2^-10 to 2^10, offsets up to 2^50: nothing over- or underflows that matters.
 template <class V>
 VESICA_INLINE MaskOf<V> moderate_axis(V ux, V uy) noexcept {
-  return filter::in_range(max(abs(ux), abs(uy)), V(0x1p-20), V(0x1p20));
+  return filter::in_range(max(abs(ux), abs(uy)), V(0x1p-10), V(0x1p10));
 }
 template <class V>
 VESICA_INLINE MaskOf<V> moderate_size(V size) noexcept {
-  return filter::in_range(size, V(0x1p-60), V(0x1p60));
+  return filter::in_range(size, V(0x1p-40), V(0x1p40));
 }
 template <class V>
 VESICA_INLINE MaskOf<V> moderate(const Vector<V>& d) noexcept {
-  return abs(d.x.high) + abs(d.y.high) <= V(0x1p60);
+  return abs(d.x.high) + abs(d.y.high) <= V(0x1p50);
 }
 /// And not so thin that a direction's last place counts.
 template <class V>
@@ -78,7 +78,8 @@ VESICA_INLINE MaskOf<V> holds(const Circle<V>& c, const Vector<V>& d) noexcept {
 template <class A, class B, class V>
 VESICA_INLINE HotAnswer<V> common_centre(const A& a, const B& b, const Vector<V>& d) noexcept {
   const V zero(0.0);
-  const auto in_a = holds(a, d), in_b = holds(b, d), take_a = and_not(in_b, and_not(in_a, in_order(d)));
+  const auto in_a = holds(a, d), in_b = holds(b, d),
+             take_a = and_not(in_b, and_not(in_a, in_order(d.x.high, d.y.high)));
   const V x = select(take_a, a.cx, b.cx), y = select(take_a, a.cy, b.cy);
   return {zero, x, y, x, y, either(in_a, in_b)};
 }
@@ -138,8 +139,9 @@ VESICA_INLINE MaskOf<V> moderate(const Circle<V>& c) noexcept {
 /// overlapping: what the exact predicate says of the pair.
 template <class A, class B, class V>
 VESICA_INLINE HotAnswer<V> hot_answer(const A& a, const B& b, MaskOf<V> overlapping, const Vector<V>& d) noexcept {
-  HotAnswer<V> answer = common_centre(a, b, d);
-  if (!all(overlapping)) answer = choose(overlapping, answer, apart(a, b, d));
+  const auto disjoint = negated<V>(overlapping);
+  HotAnswer<V> answer = all(overlapping) ? common_centre(a, b, d) : apart(a, b, d);
+  if (!all(overlapping) && !all(disjoint)) answer = choose(overlapping, common_centre(a, b, d), answer);
   answer.settled = both(answer.settled, both(moderate(d), both(moderate(a), moderate(b))));
   return answer;
 }

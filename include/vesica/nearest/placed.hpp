@@ -71,7 +71,11 @@ struct PlacedPair {
 };
 
 using detail::exponent_of;
-using detail::scale;
+
+/// x * 2^exponent, of lengths that may themselves be beyond the range of double.
+inline double scale(double x, int exponent) noexcept {
+  return detail::scale(detail::scale(x, exponent / 2), exponent - exponent / 2);
+}
 
 inline Twofold<double> scaled(const Twofold<double>& x, int exponent) noexcept {
   return {scale(x.high, exponent), scale(x.low, exponent)};
@@ -184,6 +188,21 @@ inline Located located(const Segment<double>& s, const Placed& p, const Contact&
 inline Located located(const Aabb<double>& s, const Placed& p, const Contact& c, int) noexcept {
   return {between(s.min_x, s.max_x, share_of(c.spot.s, p.box.hx.high)),
           between(s.min_y, s.max_y, share_of(c.spot.t, p.box.hy.high))};
+}
+
+/// The point of a shape that was found, given that of the other. Beside an AABB's face the coordinate along it is the
+/// other point's own.
+template <class Shape>
+Located located_beside(const Shape&, const Placed&, const Contact&, const Located& own, const Located&) noexcept {
+  return own;
+}
+inline double coordinate_beside(double s, double h, double own, double other, double low, double high) noexcept {
+  return abs(s) == h ? own : other < low ? low : other > high ? high : other;
+}
+inline Located located_beside(const Aabb<double>& s, const Placed& p, const Contact& c, const Located& own,
+                              const Located& other) noexcept {
+  return {coordinate_beside(c.spot.s, p.box.hx.high, own.x, other.x, s.min_x, s.max_x),
+          coordinate_beside(c.spot.t, p.box.hy.high, own.y, other.y, s.min_y, s.max_y)};
 }
 
 }  // namespace vesica::closest

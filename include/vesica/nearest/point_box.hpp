@@ -47,7 +47,7 @@ VESICA_INLINE Twofold<V> length(const Twofold<V>& x, const Twofold<V>& y) noexce
   const auto scaled = [&](const Twofold<V>& v) { return factor(Twofold<V>{v.high * up, v.low * up}); };
   const Twofold<V> squared = square(scaled(x)) + square(scaled(y));
   const auto some = squared.high > zero;
-  const Twofold<V> both_sides = root(choose(some, squared, Twofold<V>{one, zero}));
+  const Twofold<V> both_sides = root(choose(some, squared, Twofold<V>{one, zero})).value;
   return {select(some, both_sides.high * down, zero), select(some, both_sides.low * down, zero)};
 }
 

@@ -13,6 +13,11 @@ constexpr bool all(bool mask) noexcept { return mask; }
 template <class V>
 using MaskOf = decltype(V() < V());
 
+template <class V>
+VESICA_INLINE MaskOf<V> negated(MaskOf<V> mask) noexcept {
+  return and_not(V(0.0) == V(0.0), mask);
+}
+
 /// A rectangle's or an ellipse's numbers but its place: an axis (direction and unit of length) and half sizes along
 /// and across it.
 template <class V>
@@ -37,9 +42,9 @@ struct Normal {
 template <class F>
 VESICA_INLINE auto normal(const VectorFactor<F>& vector) noexcept {
   using V = decltype(vector.x.high);
-  const Twofold<V> length = root(square(vector.x) + square(vector.y)), scale = inverse(length);
-  const V rounded_scale = rounded(scale);
-  return Normal<V, F>{vector, scale, rounded(length), {vector.x.high * rounded_scale, vector.y.high * rounded_scale}};
+  const Root<V> length = root(square(vector.x) + square(vector.y));
+  const V scale = rounded_inverse(length);
+  return Normal<V, F>{vector, inverse(length), rounded(length.value), {vector.x.high * scale, vector.y.high * scale}};
 }
 
 /// Along a normal N from the ellipse's centre: the height |N| h, h for the unit normal; the farthest point; the radius
@@ -57,11 +62,11 @@ template <class V, class F>
 VESICA_INLINE Support<V> support(const Axes<V>& e, const Normal<V, F>& n) noexcept {
   const VectorFactor<Factor<V>> u = factor(e.ux, e.uy);
   const Twofold<V> p = factor(e.a) * factor(dot(u, n.vector)), q = factor(e.b) * factor(cross(u, n.vector));
-  const Twofold<V> height = root(square(factor(p)) + square(factor(q)));
-  const V scale = V(1.0) / rounded(height);
+  const Root<V> height = root(square(factor(p)) + square(factor(q)));
+  const V scale = rounded_inverse(height);
   const V s = e.a * (rounded(p) * scale), t = e.b * (rounded(q) * scale);
   const V ratio = n.length * scale, area = (e.a * e.b) * (e.ux * e.ux + e.uy * e.uy);
-  return {height, s * e.ux - t * e.uy, s * e.uy + t * e.ux, ((area * area) * ratio) * (ratio * ratio)};
+  return {height.value, s * e.ux - t * e.uy, s * e.uy + t * e.ux, ((area * area) * ratio) * (ratio * ratio)};
 }
 
 /// A point: no extent.
@@ -100,7 +105,8 @@ VESICA_INLINE ClosestOffsets<V> separation(const Vector<V>& d, const Normal<V, F
   const V turn = slope / select(bend > zero, bend, one);
   const Twofold<V> phi = factor(dot(n.vector, factor(d)) - (a.height + b.height)) * factor(n.inverse_length);
   const V move_a = a.curvature * turn, move_b = b.curvature * turn;
-  const auto converged = both(bend > zero, abs(slope) <= V(settled_slope) * (size + curvature));
+  const auto converged =
+      either(smooth == zero, both(bend > zero, abs(slope) <= V(settled_slope) * (size + curvature)));
   const Twofold<V> distance{phi.high, phi.low + V(0.5) * (slope * turn)};
   return {distance,
           a.x - move_a * n.unit.y,

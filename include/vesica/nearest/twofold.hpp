@@ -116,20 +116,39 @@ VESICA_INLINE Twofold<V> operator-(const Twofold<V>& x, const Twofold<V>& y) noe
   return x + -y;
 }
 
+/// A square root and 1 / high of it, which is the one division that it takes.
+template <class V>
+struct Root {
+  Twofold<V> value;
+  V inverse;
+};
+
 /// sqrt(x) for x > 0: one Newton step from the rounded root.
 template <class V>
-VESICA_INLINE Twofold<V> root(const Twofold<V>& x) noexcept {
-  const V high = sqrt(x.high), half_inverse = V(0.5) / high;
+VESICA_INLINE Root<V> root(const Twofold<V>& x) noexcept {
+  const V high = sqrt(x.high), inverse = V(1.0) / high;
   const Twofold<V> s = square(factor(high));
-  return {high, ((x.high - s.high) + (x.low - s.low)) * half_inverse};
+  return {{high, ((x.high - s.high) + (x.low - s.low)) * (V(0.5) * inverse)}, inverse};
 }
 
-/// 1 / x.
+/// 1 / x, from a rounded 1 / x.high.
 template <class V>
-VESICA_INLINE Twofold<V> inverse(const Twofold<V>& x) noexcept {
-  const V high = V(1.0) / x.high;
+VESICA_INLINE Twofold<V> inverse(const Twofold<V>& x, V high) noexcept {
   const Twofold<V> p = factor(high) * factor(x.high);
   return {high, ((V(1.0) - p.high) - (p.low + high * x.low)) * high};
+}
+template <class V>
+VESICA_INLINE Twofold<V> inverse(const Twofold<V>& x) noexcept {
+  return inverse(x, V(1.0) / x.high);
+}
+template <class V>
+VESICA_INLINE Twofold<V> inverse(const Root<V>& r) noexcept {
+  return inverse(r.value, r.inverse);
+}
+/// The same, rounded.
+template <class V>
+VESICA_INLINE V rounded_inverse(const Root<V>& r) noexcept {
+  return r.inverse - r.inverse * (r.value.low * r.inverse);
 }
 
 template <class Mask, class V>

@@ -24,7 +24,9 @@ inline Range product(double x0, double x1, double k0, double k1) noexcept {
   return {k_low * (k_low < 0 ? x_high : x_low), k_high * (k_high < 0 ? x_low : x_high)};
 }
 
-inline Range common(const Range& r, const Range& s) noexcept { return {lane::max(r.low, s.low), lane::min(r.high, s.high)}; }
+inline Range common(const Range& r, const Range& s) noexcept {
+  return {lane::max(r.low, s.low), lane::min(r.high, s.high)};
+}
 
 /// F'' + F = radius1 + sign radius2 on the arc between two samples, along which both radii and their ratio must be
 /// monotone. The ratio matters where the radii nearly cancel, as they do all round for nearly equal ellipses.

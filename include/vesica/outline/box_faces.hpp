@@ -22,9 +22,7 @@ struct BoxPair {
 
 template <class V>
 VESICA_INLINE BoxPair<V> box_pair(const Rect<V>& a, const Rect<V>& b) noexcept {
-  return {{a.ux, a.uy, a.hx, a.hy},
-          {b.ux, b.uy, b.hx, b.hy},
-          {sum(b.cx, -a.cx), sum(b.cy, -a.cy)}};
+  return {{a.ux, a.uy, a.hx, a.hy}, {b.ux, b.uy, b.hx, b.hy}, {sum(b.cx, -a.cx), sum(b.cy, -a.cy)}};
 }
 
 /// Of a face's normal N = (x, y), one of the two axes of its box and so of any length: h |N| + sign g |N| - |n.D| |N|,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Plane vectors, most of them unit vectors: directions are kept as such and never as angles, so that no answer hangs on
-/// a mathematics library.
+/// Plane vectors, most of them unit vectors: directions are kept as such and never as angles, so that no answer hangs
+/// on a mathematics library.
 #pragma once
 
 #include <vesica/scalar.hpp>

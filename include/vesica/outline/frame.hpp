@@ -9,8 +9,8 @@
 
 namespace vesica::outline {
 
-/// F(n) = h1(n) + sign h2(n) - n.D, D the offset of centres. With sign 1 that is how far the second shape must move along
-/// n until n separates the two; with sign -1 how far the second stays behind the first along n.
+/// F(n) = h1(n) + sign h2(n) - n.D, D the offset of centres. With sign 1 that is how far the second shape must move
+/// along n until n separates the two; with sign -1 how far the second stays behind the first along n.
 class Frame {
  public:
   explicit Frame(const PlacedPair& pair) noexcept : pair_(pair) {
@@ -31,7 +31,8 @@ class Frame {
   /// F(n) for a direction of about unit length. Right to 2u of itself and 2^-100.
   double value(const Vector& n, double sign) const noexcept {
     const Twofold<double> first = uu_ * height(pair_.first, {{n.x, 0}, {n.y, 0}});
-    const Twofold<double> second = height(pair_.second, {outline::dot(n.x, n.y, axis_), -outline::cross(n.x, n.y, axis_)});
+    const Twofold<double> second =
+        height(pair_.second, {outline::dot(n.x, n.y, axis_), -outline::cross(n.x, n.y, axis_)});
     const Twofold<double> all = (first + (sign < 0 ? -second : second)) - outline::dot(n.x, n.y, offset_);
     return rounded(all) / lane::sqrt(rounded(uu_ * outline::dot(n.x, n.y, n.x, n.y)));
   }
@@ -42,7 +43,8 @@ class Frame {
     const double thinnest = s.centred.curved ? 0x1p-250 : 0.0;
     return {{1, 0}, lane::max(s.a * uu_.high, thinnest), lane::max(s.b * uu_.high, thinnest), s.centred.curved};
   }
-  /// There, from the first centre: the point (s, t) of the second shape in the frame in which that reaches from -1 to 1.
+  /// There, from the first centre: the point (s, t) of the second shape in the frame in which that reaches from -1 to
+  /// 1.
   Vector second_by_axis(double s, double t) const noexcept {
     const double along = s * pair_.second.a, across = t * pair_.second.b;
     const TwofoldVector<double> p{offset_.x + (axis_.x * along - axis_.y * across),

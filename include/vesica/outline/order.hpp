@@ -16,9 +16,7 @@ int compare(const double (&x)[N], const double (&y)[N]) noexcept {
 }
 
 /// What the rounded sizes of a shape given by two points lack.
-inline Vector rest_of_size(const Form& f) noexcept {
-  return {sum(f.to.x, -f.from.x).low, sum(f.to.y, -f.from.y).low};
-}
+inline Vector rest_of_size(const Form& f) noexcept { return {sum(f.to.x, -f.from.x).low, sum(f.to.y, -f.from.y).low}; }
 
 /// Whether the pair is to be exchanged: boxes come before ellipses, shapes of one form in the order of their sizes and
 /// axes, and equal ones so that the offset leads up or right. Positions enter by their difference only.

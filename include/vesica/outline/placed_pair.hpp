@@ -42,9 +42,7 @@ inline Form form(const Rect<double>& s) noexcept {
   return {{s.cx, s.cy}, {s.cx, s.cy}, {s.ux, s.uy}, s.hx, s.hy, false};
 }
 
-inline Form form(const Circle<double>& s) noexcept {
-  return {{s.cx, s.cy}, {s.cx, s.cy}, {1, 0}, s.r, s.r, s.r > 0};
-}
+inline Form form(const Circle<double>& s) noexcept { return {{s.cx, s.cy}, {s.cx, s.cy}, {1, 0}, s.r, s.r, s.r > 0}; }
 
 inline Form form(const Ellipse<double>& s) noexcept {
   return {{s.cx, s.cy}, {s.cx, s.cy}, {s.ux, s.uy}, s.a, s.b, s.a > 0 && s.b > 0};
@@ -109,7 +107,9 @@ inline PlacedShape place(const Form& f, int k, int unit) noexcept {
   const double a = scale(f.a, k - unit), b = scale(f.b, k - unit);
   // Far thinner than an answer's rounding, and the squares of a search do not underflow.
   const double thinnest = f.curved ? 0x1p-250 : 0.0;
-  return {u, a, b,
+  return {u,
+          a,
+          b,
           {{u.x / length, u.y / length}, lane::max(a * length, thinnest), lane::max(b * length, thinnest), f.curved}};
 }
 
@@ -121,15 +121,19 @@ inline PlacedPair place(const Form& first, const Form& second) noexcept {
   const int k1 = exponent_of(lane::max(lane::abs(first.u.x), lane::abs(first.u.y)));
   const int k2 = exponent_of(lane::max(lane::abs(second.u.x), lane::abs(second.u.y)));
   const int exponents[6] = {length_exponent(d.x.high, d.exponent), length_exponent(d.y.high, d.exponent),
-                            length_exponent(first.a, k1),       length_exponent(first.b, k1),
-                            length_exponent(second.a, k2),      length_exponent(second.b, k2)};
+                            length_exponent(first.a, k1),          length_exponent(first.b, k1),
+                            length_exponent(second.a, k2),         length_exponent(second.b, k2)};
   int unit = -5000;
   for (const int e : exponents) unit = e > unit ? e : unit;
   if (unit == -5000) unit = 0;
   const auto in_unit = [&](const Twofold<double>& t) {
     return Twofold<double>{scale(t.high, d.exponent - unit), scale(t.low, d.exponent - unit)};
   };
-  return {detail::place(first, k1, unit), detail::place(second, k2, unit), {in_unit(d.x), in_unit(d.y)}, {sign(d.x.high), sign(d.y.high)}, unit};
+  return {detail::place(first, k1, unit),
+          detail::place(second, k2, unit),
+          {in_unit(d.x), in_unit(d.y)},
+          {sign(d.x.high), sign(d.y.high)},
+          unit};
 }
 
 /// Two boxes as they are; for rectangles the same as box_pair() of these.
@@ -140,15 +144,27 @@ inline BoxPair<double> box_pair(const Form& a, const Form& b) noexcept {
           {{0.5 * twice.x.high, 0.5 * twice.x.low}, {0.5 * twice.y.high, 0.5 * twice.y.low}}};
 }
 
+namespace detail {
+
+/// (from + to) / 2 + offset, rounded once; what is halved last may be subnormal, first where it might overflow.
+inline double located(double from, double to, double offset) noexcept {
+  const bool large = lane::abs(from) + lane::abs(to) + lane::abs(offset) >= 0x1p1020;
+  const double first = large ? 0.5 : 1, last = large ? 1 : 0.5;
+  const Twofold<double> twice = sum(first * from, first * to), all = sum(twice.high, 2 * first * offset);
+  return last * (all.high + (all.low + twice.low));
+}
+
+}  // namespace detail
+
 /// The point at an offset from a shape's centre, in units of 2^exponent, where it is.
 inline Vector located(const Form& f, const Vector& offset, int exponent) noexcept {
-  const Twofold<double> x = sum(0.5 * f.from.x, 0.5 * f.to.x), y = sum(0.5 * f.from.y, 0.5 * f.to.y);
-  const Twofold<double> px = sum(x.high, detail::scale(offset.x, exponent));
-  const Twofold<double> py = sum(y.high, detail::scale(offset.y, exponent));
-  return {px.high + (px.low + x.low), py.high + (py.low + y.low)};
+  return {detail::located(f.from.x, f.to.x, detail::scale(offset.x, exponent)),
+          detail::located(f.from.y, f.to.y, detail::scale(offset.y, exponent))};
 }
 
 /// The same with the roles exchanged.
-inline PlacedPair exchanged(const PlacedPair& p) noexcept { return {p.second, p.first, {-p.d.x, -p.d.y}, -p.lead, p.exponent}; }
+inline PlacedPair exchanged(const PlacedPair& p) noexcept {
+  return {p.second, p.first, {-p.d.x, -p.d.y}, -p.lead, p.exponent};
+}
 
 }  // namespace vesica::outline

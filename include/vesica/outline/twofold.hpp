@@ -2,8 +2,8 @@
 /// Numbers as unevaluated sums of two, about 106 bits, for the few sums whose terms cancel. Plain additions and
 /// multiplications only, so that every processor and every lane gets the same bits.
 ///
-/// T. J. Dekker, "A floating-point technique for extending the available precision", Numer. Math. 18 (1971) 224; sums by
-/// D. E. Knuth. Exact while products stay within 2^-900 and 2^900; below, what is lost is less than 2^-1000.
+/// T. J. Dekker, "A floating-point technique for extending the available precision", Numer. Math. 18 (1971) 224; sums
+/// by D. E. Knuth. Exact while products stay within 2^-900 and 2^900; below, what is lost is less than 2^-1000.
 #pragma once
 
 #include <vesica/scalar.hpp>

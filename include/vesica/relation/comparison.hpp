@@ -25,27 +25,23 @@ struct Intervals {
 };
 
 template <class T>
-VESICA_INLINE Intervals intervals(T a0, T a1, T b0, T b1) noexcept {
-  using namespace lane;
-  const bool a_is_point = a0 == a1, b_is_point = b0 == b1;
-  const bool equal_points = both(both(a_is_point, b_is_point), a0 == b0);
-  return {both(a0 <= b1, b0 <= a1), either(both(a0 < b1, b0 < a1), equal_points),
-          both(b0 <= a0, a1 <= b1), either(both(b0 < a0, a1 < b1), equal_points),
-          both(a0 <= b0, b1 <= a1), either(both(a0 < b0, b1 < a1), equal_points)};
+constexpr Intervals intervals(T a0, T a1, T b0, T b1) noexcept {
+  const bool equal_points = a0 == a1 && b0 == b1 && a0 == b0;
+  return {a0 <= b1 && b0 <= a1, (a0 < b1 && b0 < a1) || equal_points,
+          b0 <= a0 && a1 <= b1, (b0 < a0 && a1 < b1) || equal_points,
+          a0 <= b0 && b1 <= a1, (a0 < b0 && b1 < a1) || equal_points};
 }
 
-/// Of valid AABBs, as a number.
+/// Of valid AABBs.
 template <class T>
-VESICA_INLINE std::int32_t aabb_aabb(const Aabb<T>& a, const Aabb<T>& b) noexcept {
-  using namespace lane;
+constexpr Relation aabb_aabb(const Aabb<T>& a, const Aabb<T>& b) noexcept {
   const Intervals x = intervals(a.min_x, a.max_x, b.min_x, b.max_x), y = intervals(a.min_y, a.max_y, b.min_y, b.max_y);
-  const std::int32_t meet = both(x.meet, y.meet), insides_meet = both(x.insides_meet, y.insides_meet);
-  const std::int32_t a_in_b = both(x.a_in_b, y.a_in_b), b_in_a = both(x.b_in_a, y.b_in_a);
-  const std::int32_t a_touches = !both(x.a_in_inside_of_b, y.a_in_inside_of_b);
-  const std::int32_t b_touches = !both(x.b_in_inside_of_a, y.b_in_inside_of_a);
-  const std::int32_t inside = a_in_b & (1 - b_in_a), contains = b_in_a & (1 - a_in_b), equal = a_in_b & b_in_a;
-  const std::int32_t neither = (1 - a_in_b) & (1 - b_in_a);
-  return inside * (3 + a_touches) + contains * (5 + b_touches) + equal * 7 + neither * (meet + (meet & insides_meet));
+  const bool a_in_b = x.a_in_b && y.a_in_b, b_in_a = x.b_in_a && y.b_in_a;
+  if (a_in_b && b_in_a) return Relation::equal;
+  if (a_in_b) return x.a_in_inside_of_b && y.a_in_inside_of_b ? Relation::inside : Relation::inside_touch;
+  if (b_in_a) return x.b_in_inside_of_a && y.b_in_inside_of_a ? Relation::contains : Relation::contains_touch;
+  if (x.insides_meet && y.insides_meet) return Relation::cross;
+  return x.meet && y.meet ? Relation::touch : Relation::disjoint;
 }
 
 }  // namespace vesica::relation_of

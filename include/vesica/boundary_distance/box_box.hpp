@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The outlines of two boxes, one strictly inside the other, for scalars and for lanes.
+#pragma once
+
+#include <vesica/outline/box_faces.hpp>
+
+namespace vesica::outline {
+
+/// The distance, and the closest points as offsets from the centres of their boxes; where not settled, ask the general
+/// search.
+template <class V>
+struct NestedBoxes {
+  using Mask = decltype(V() < V());
+  V distance, outer_x, outer_y, inner_x, inner_y;
+  Mask settled;
+};
+
+/// x limited to [-size, size], size >= 0.
+template <class V>
+VESICA_INLINE V limited(V x, V size) noexcept {
+  using namespace lane;
+  return max(min(x, size), -size);
+}
+
+/// The second box lies strictly inside the first: the least of its distances from the first's faces, of which only
+/// those on the side of its centre count. The face is chosen in rounded arithmetic, its distance is to twice the
+/// precision.
+template <class V>
+VESICA_INLINE NestedBoxes<V> nested_boxes(const BoxPair<V>& p) noexcept {
+  using namespace lane;
+  const V zero(0.0), minus(-1.0);
+  const Axes<V>&outer = p.first, &inner = p.second;
+  const Face<V> along = along_face(outer), across = across_face(outer);
+  const auto take_across = rough_reach(across, inner, p.d, minus) < rough_reach(along, inner, p.d, minus);
+  const Face<V> face = choose(take_across, across, along);
+  const Reach<V> found = reach(face, inner, p.d, minus);
+
+  const V nx = flip_sign(face.x, found.offset), ny = flip_sign(face.y, found.offset);
+  const V s = flip_sign(inner.a, nx * inner.ux + ny * inner.uy), t = flip_sign(inner.b, ny * inner.ux - nx * inner.uy);
+  const V x = s * inner.ux - t * inner.uy, y = s * inner.uy + t * inner.ux;
+  // Its foot on the face, by the place along the face in units of the axis.
+  const V level = (nx * (p.d.y.high + y) - ny * (p.d.x.high + x)) / (nx * nx + ny * ny);
+  const V place = limited(level, select(take_across, along.own, across.own));
+  const auto clear = found.value > V(0x1p-46) * size_of(p);
+  return {found.value,
+          zero + (face.own * nx - place * ny),
+          zero + (face.own * ny + place * nx),
+          zero + x,
+          zero + y,
+          both(in_range(p), clear)};
+}
+
+}  // namespace vesica::outline
