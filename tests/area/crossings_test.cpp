@@ -11,6 +11,7 @@
 #include "area/hard_pairs.hpp"
 #include "area/reference.hpp"
 #include "properties/generators.hpp"
+#include "relation/nesting.hpp"
 
 namespace {
 
@@ -96,7 +97,10 @@ TEST(Crossings, Ellipses) {
   expect_places({VESICA_CIRCLE, {0, 0, 5}}, {VESICA_CIRCLE, {6, 0, 5}}, {{3, 4}, {3, -4}});
   expect_places({VESICA_CIRCLE, {0, 0, 5}}, {VESICA_CIRCLE, {0, 6, 5}}, {{4, 3}, {-4, 3}});
   expect_places({VESICA_CIRCLE, {0, 6, 5}}, {VESICA_CIRCLE, {0, 0, 5}}, {{-4, 3}, {4, 3}});
-  // Bitangent, four-fold contact, tangent with two crossings, osculating (x^2 + y^2 - 1 + (x - 1) (x + y - 1) = 0).
+  // Bitangent without a common centre.
+  expect_places({VESICA_ELLIPSE, {0, 0, 5, 0, 5, 3}}, {VESICA_CIRCLE, {12, 0, 12}},
+                {{18.75, 15 * std::sqrt(7.0) / 4}, {18.75, -15 * std::sqrt(7.0) / 4}});
+  // Bitangent, four-fold contact, tangent with two crossings.
   expect_places(unit_circle, {VESICA_ELLIPSE, {0, 0, 1, 0, 2, 1}}, {{0, 1}, {0, -1}});
   expect_places({VESICA_CIRCLE, {1.5, 0, 0.5}}, {VESICA_ELLIPSE, {0, 0, 1, 0, 2, 1}}, {{2, 0}});
   expect_places({VESICA_CIRCLE, {1.25, 0, 0.75}}, {VESICA_ELLIPSE, {0, 0, 1, 0, 2, 1}},
@@ -156,6 +160,21 @@ TEST(Crossings, AsManyAsExactIntegersTell) {
         for (int i = 0; i < (slow ? 10 : 40) * repeat(); ++i) worst.ask(stream.next(), false);
       }
       std::printf("%-8s %-8s %5d asked, %5d meet\n", kind_name(a), kind_name(b), worst.asked, worst.meeting);
+      EXPECT_GT(worst.meeting, 0);
+    }
+  }
+}
+
+/// Contact of every order, from inside and from outside, by construction.
+TEST(Crossings, AsManyAsExactIntegersTellOfNestedShapes) {
+  for (int a = VESICA_CIRCLE; a <= VESICA_ELLIPSE; ++a) {
+    for (int b = VESICA_CIRCLE; b <= VESICA_ELLIPSE; ++b) {
+      Worst worst;
+      for (const relations::Nesting nesting : relations::all_nestings) {
+        if (!relations::exists(nesting, a, b)) continue;
+        relations::NestingStream stream(nesting, a, b, Scalar::f64, seed());
+        for (int i = 0; i < 25 * repeat(); ++i) worst.ask(stream.next(), false);
+      }
       EXPECT_GT(worst.meeting, 0);
     }
   }

@@ -15,6 +15,7 @@
 #include "area/hard_pairs.hpp"
 #include "properties/exact_changes.hpp"
 #include "properties/generators.hpp"
+#include "relation/nesting.hpp"
 
 namespace {
 
@@ -142,6 +143,20 @@ TEST_F(AreaLaws, OnHardPairs) {
     }
   }
   EXPECT_GT(asked_, 50000);
+}
+
+TEST_F(AreaLaws, OnNestedShapes) {
+  Random random(seed());
+  for (int a = VESICA_CIRCLE; a <= VESICA_ELLIPSE; ++a) {
+    for (int b = VESICA_CIRCLE; b <= VESICA_ELLIPSE; ++b) {
+      for (const relations::Nesting nesting : relations::all_nestings) {
+        if (!relations::exists(nesting, a, b)) continue;
+        relations::NestingStream stream(nesting, a, b, Scalar::f64, seed());
+        for (int i = 0; i < 80 * repeat(); ++i) all(stream.next(), random);
+      }
+    }
+  }
+  EXPECT_GT(asked_, 30000);
 }
 
 /// A shape with itself, and with itself in other numbers and as other kinds.

@@ -210,8 +210,9 @@ double distance_from_outline(const Shape& s, double px, double py) {
 }
 
 double aspect(const Shape& s) {
-  const double a = s.a.get_d(), b = s.b.get_d();
-  return a == 0 || b == 0 ? 1 : std::max(a, b) / std::min(a, b);
+  if (s.a == 0 || s.b == 0) return 1;
+  const Real ratio = s.a > s.b ? Real(s.a / s.b) : Real(s.b / s.a);
+  return ratio > 1e300 ? 1e300 : ratio.get_d();
 }
 
 }  // namespace outline_reference

@@ -125,10 +125,22 @@ std::size_t used_by(PaintedStack& stack, Query query, const Shapes& s) {
   return used;
 }
 
+// Results beyond the finite numbers are answers here.
+std::int32_t area(std::int32_t kind_a, const double* a, std::int32_t kind_b, const double* b) {
+  double out;
+  const std::int32_t code = vesica_area_f64(kind_a, a, kind_b, b, &out);
+  return code == VESICA_E_RANGE ? 0 : code;
+}
+std::int32_t crossings(std::int32_t kind_a, const double* a, std::int32_t kind_b, const double* b) {
+  vesica_crossing_points_f64 out;
+  const std::int32_t code = vesica_crossings_f64(kind_a, a, kind_b, b, &out);
+  return code == VESICA_E_RANGE ? 0 : code;
+}
+
 /// The most that any query of two shapes uses.
 std::size_t used_by(PaintedStack& stack, const Shapes& s) {
   std::size_t most = 0;
-  for (const Query query : {vesica_overlap_f64, vesica_relation_f64, vesica_contains_f64}) {
+  for (const Query query : {vesica_overlap_f64, vesica_relation_f64, vesica_contains_f64, area, crossings}) {
     most = std::max(most, used_by(stack, query, s));
   }
   return most;

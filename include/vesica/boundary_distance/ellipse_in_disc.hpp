@@ -57,7 +57,7 @@ class EllipseInDisc {
   }
 
   /// w or -w, whichever leads towards the first centre.
-  Vector towards_centre(const Vector& w) const noexcept { return dot(at(w) + -centre_, centre_) > 0 ? -w : w; }
+  Vector towards_centre(const Vector& w) const noexcept { return dot(w.x * p_ + w.y * q_, centre_) > 0 ? -w : w; }
 
   /// Half the first and half the second derivative of the excess by the angle of w.
   struct Derivatives {

@@ -24,13 +24,13 @@ inline bool has_triple_root(const exact::ContactCubic& p) noexcept {
 }
 
 /// With the double root x0 = -B / (2A) of p, whether S1 + x0 S2 has rank 1: d2 x0^2 + mu x0 + d1 = 0. Of nested ellipses,
-/// these touch at two places.
+/// these touch at two places. p'(x0) = c1 + 2 c2 x0 + 3 d2 x0^2 = 0 makes it (3 mu - 2 c2) x0 = c1 - 3 d1: degree 24.
 inline bool has_rank_one(const exact::ContactCubic& p) noexcept {
   const auto a = exact::square(p.c2) - exact::integer(3) * (p.d2 * p.c1);
   const auto b = p.c1 * p.c2 - exact::integer(9) * (p.d1 * p.d2);
-  const auto determinant =
-      p.d2 * exact::square(b) - exact::integer(2) * (p.mu * (a * b)) + exact::integer(4) * (p.d1 * exact::square(a));
-  return determinant.sign == 0;
+  const exact::Number<8> left = exact::integer(2) * p.c2 - exact::integer(3) * p.mu;
+  const exact::Number<8> right = exact::integer(2) * p.c1 - exact::integer(6) * p.d1;
+  return exact::compare(left * b, right * a) == 0;
 }
 
 inline Census census(const exact::Ellipse& e, const exact::Ellipse& f) noexcept {
