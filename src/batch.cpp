@@ -28,18 +28,22 @@ struct Question {
   const PairKernels<double>& double_pair() const noexcept { return kernels.f64[kind_first][kind_second]; }
 };
 
-/// Exact answer for flat numbers that no filter decided.
-std::int32_t decide_exactly(std::int32_t kind_a, const double* a, std::int32_t kind_b, const double* b) noexcept {
+/// The scalar function's answer for flat numbers.
+std::int32_t ask_scalar(std::int32_t kind_a, const double* a, std::int32_t kind_b, const double* b) noexcept {
   return with_shape(kind_a, a, [&]<template <class> class A>(const A<double>& shape_a) {
     return with_shape(kind_b, b, [&]<template <class> class B>(const B<double>& shape_b) -> std::int32_t {
-      if constexpr (detail::in_order<A<double>, B<double>>) return detail::decide_undecided(shape_a, shape_b);
+      if constexpr (detail::in_order<A<double>, B<double>>) return overlap_or_error(shape_a, shape_b);
       return error_kind;
     });
   });
 }
 
-/// Elements asked again in double lanes at a time, and room for them.
-inline constexpr std::int32_t retry_chunk = 128;
+constexpr std::int32_t block_length(std::int64_t rest, std::int32_t size) noexcept {
+  return static_cast<std::int32_t>(rest < size ? rest : size);
+}
+
+/// Elements asked again in double lanes at a time, and room for them; so few are asked by the scalar function at once.
+inline constexpr std::int32_t retry_chunk = 128, few = 8;
 
 struct RetryBlock {
   double first[max_fields][retry_chunk], second[max_fields][retry_chunk];
@@ -65,6 +69,7 @@ struct RetryBlock {
 
 template <class T>
 struct Answerer {
+  static constexpr bool is_float = sizeof(T) == sizeof(float);
   const Question<T>& question;
   Tally tally;
 
@@ -87,33 +92,29 @@ struct Answerer {
     tally.overlaps += *out;
   }
 
-  /// One element by the exact stage.
+  /// One element by the scalar function.
   void resolve(const Block<T>& block, Repeat repeat, std::int32_t i) noexcept {
     double a[max_fields][1], b[max_fields][1];
     gather(block.first, question.fields_first, repeat == Repeat::first, &i, 1, a);
     gather(block.second, question.fields_second, repeat == Repeat::second, &i, 1, b);
-    settle(decide_exactly(question.kind_first, a[0], question.kind_second, b[0]), block.out + i);
+    settle(ask_scalar(question.kind_first, a[0], question.kind_second, b[0]), block.out + i);
   }
 
-  /// Elements that float lanes left open, a chunk at a time in double lanes; what those leave open, exactly.
-  void retry_in_double(const Block<T>& block, Repeat repeat, std::int32_t undecided) noexcept {
-    for (std::int32_t begin = 0; begin < undecided; begin += retry_chunk) {
-      const std::int32_t* index = block.undecided + begin;
-      const std::int32_t n = undecided - begin < retry_chunk ? undecided - begin : retry_chunk;
-      RetryBlock retry(n);
-      gather(block.first, question.fields_first, repeat == Repeat::first, index, n, retry.first);
-      gather(block.second, question.fields_second, repeat == Repeat::second, index, n, retry.second);
-      const BlockResult result = retry.answer(question.double_pair().general[static_cast<int>(Repeat::none)]);
-      tally.overlaps += result.overlaps;
-      for (std::int32_t i = 0; i < n; ++i) block.out[index[i]] = retry.answers[i];
-      for (std::int32_t i = 0; i < result.undecided; ++i) resolve(block, repeat, index[retry.open[i]]);
-    }
+  /// Elements that a quick kernel or float lanes left open, in double lanes; what those leave open, one by one.
+  void retry(const Block<T>& block, Repeat repeat, const std::int32_t* index, std::int32_t n) noexcept {
+    RetryBlock retry(n);
+    gather(block.first, question.fields_first, repeat == Repeat::first, index, n, retry.first);
+    gather(block.second, question.fields_second, repeat == Repeat::second, index, n, retry.second);
+    const BlockResult result = retry.answer(question.double_pair().general[static_cast<int>(Repeat::none)]);
+    tally.overlaps += result.overlaps;
+    for (std::int32_t i = 0; i < n; ++i) block.out[index[i]] = retry.answers[i];
+    for (std::int32_t i = 0; i < result.undecided; ++i) resolve(block, repeat, index[retry.open[i]]);
   }
 
   /// All elements of a block in double lanes: for blocks of which float lanes left much open, as near contact.
   void redo_in_double(const Block<T>& block, Repeat repeat) noexcept {
     for (std::int32_t begin = 0; begin < block.count; begin += retry_chunk) {
-      const std::int32_t n = block.count - begin < retry_chunk ? block.count - begin : retry_chunk;
+      const std::int32_t n = block_length(block.count - begin, retry_chunk);
       RetryBlock retry(n);
       widen_stretch(block.first, question.fields_first, repeat == Repeat::first, begin, n, retry.first);
       widen_stretch(block.second, question.fields_second, repeat == Repeat::second, begin, n, retry.second);
@@ -131,25 +132,42 @@ struct Answerer {
     }
   }
 
-  /// Answers a block: the kernel for unit axes first; where that leaves much open, the general one if it can do better.
+  /// Elements that a kernel left open.
+  void finish(const Block<T>& block, Repeat repeat, std::int32_t undecided, bool by_general) noexcept {
+    if (undecided <= few || (!is_float && by_general)) {
+      for (std::int32_t i = 0; i < undecided; ++i) resolve(block, repeat, block.undecided[i]);
+      return;
+    }
+    for (std::int32_t begin = 0; begin < undecided; begin += retry_chunk) {
+      retry(block, repeat, block.undecided + begin, block_length(undecided - begin, retry_chunk));
+    }
+  }
+
+  /// Answers a block by the general kernel, or where float lanes leave much open, as near contact, in double lanes.
+  void answer_generally(Block<T>& block, Repeat repeat) noexcept {
+    block.give_up = is_float ? block.count / 4 : block.count;
+    const BlockResult result = question.pair.general[static_cast<int>(repeat)](block);
+    if constexpr (is_float) {
+      if (result.undecided > block.give_up) return redo_in_double(block, repeat);
+    }
+    tally.overlaps += result.overlaps;
+    finish(block, repeat, result.undecided, true);
+  }
+
+  /// Answers a block by the kernel for unit axes, or where that leaves more open than it is worth, another way.
   void answer(Block<T>& block, Repeat repeat) noexcept {
-    const int way = static_cast<int>(repeat);
-    const bool has_unit = question.pair.unit[way] != question.pair.general[way], is_float = sizeof(T) == sizeof(float);
-    const std::int32_t much = block.count / 4;
-    block.give_up = has_unit || is_float ? much : block.count;
-    BlockResult result = question.pair.unit[way](block);
-    if (has_unit && result.undecided > much) {
-      if (!is_float) block.give_up = block.count;
-      if (!is_float || general_decides(block, repeat)) result = question.pair.general[way](block);
+    const BlockKernel<T> unit = question.pair.unit[static_cast<int>(repeat)];
+    if (unit == question.pair.general[static_cast<int>(repeat)]) return answer_generally(block, repeat);
+    block.give_up = block.count / 32;
+    const BlockResult result = unit(block);
+    if (result.undecided > block.give_up) {
+      if constexpr (is_float) {
+        if (!general_decides(block, repeat)) return redo_in_double(block, repeat);
+      }
+      return answer_generally(block, repeat);
     }
-    if constexpr (sizeof(T) == sizeof(float)) {
-      if (result.undecided > much) return redo_in_double(block, repeat);
-      tally.overlaps += result.overlaps;
-      retry_in_double(block, repeat, result.undecided);
-    } else {
-      tally.overlaps += result.overlaps;
-      for (std::int32_t i = 0; i < result.undecided; ++i) resolve(block, repeat, block.undecided[i]);
-    }
+    tally.overlaps += result.overlaps;
+    finish(block, repeat, result.undecided, false);
   }
 
   /// Whether the general kernel decides the first element that the one for unit axes left open: it does where an axis
@@ -186,10 +204,6 @@ Block<T> make_block(const T* const* first, const T* const* second, std::int32_t 
   return block;
 }
 
-constexpr std::int32_t block_length(std::int64_t rest, std::int32_t size) noexcept {
-  return static_cast<std::int32_t>(rest < size ? rest : size);
-}
-
 /// Calls done(begin, length, bytes) for each block of n pairs in step, answered into place(begin).
 template <class T, class Place, class Done>
 Tally in_step(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, Place place,
@@ -201,8 +215,8 @@ Tally in_step(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b
   Answerer<T> answerer{question, {}};
   Columns<T> columns_first, columns_second;
   std::int32_t undecided[long_block_size];
-  const bool in_place = (repeat == Repeat::first || lies_in_columns(first)) &&
-                        (repeat == Repeat::second || lies_in_columns(second));
+  const bool in_place =
+      (repeat == Repeat::first || lies_in_columns(first)) && (repeat == Repeat::second || lies_in_columns(second));
   const std::int32_t size = in_place ? long_block_size : block_size<T>;
   for (std::int64_t begin = 0; begin < n; begin += size) {
     const std::int32_t length = block_length(n - begin, size);

@@ -54,8 +54,8 @@ struct ScalarTraits<float> {
 
 namespace lane {
 
-// max and min as SSE has them: NaN in the first argument yields the second. Filters never rely on it; NaN must reach
-// a bound by addition.
+// max and min as SSE has them: NaN in either argument yields the second. Filters do not rely on it, NaN must reach a bound
+// by addition; but src/kernels/unit_contact_cubic.hpp does, and says so.
 constexpr double max(double a, double b) noexcept { return a > b ? a : b; }
 constexpr double min(double a, double b) noexcept { return a < b ? a : b; }
 constexpr float max(float a, float b) noexcept { return a > b ? a : b; }

@@ -8,37 +8,14 @@
 #include <utility>
 #include <vesica/overlap.hpp>
 
+#include "kernels/filters.hpp"
 #include "kernels/table.hpp"
-#include "kernels/unit_rect_rect.hpp"
 
 namespace vesica {
 namespace {
 
 template <class T>
 using LanesOf = std::conditional_t<sizeof(T) == 4, Floats, Doubles>;
-
-/// The filter a kernel runs: the pair's own, or the quicker one for unit axes.
-struct General {
-  template <class A, class B>
-  VESICA_INLINE static auto filter(const A& a, const B& b) noexcept {
-    return pair::filter(a, b);
-  }
-};
-struct UnitAxes {
-  template <class V>
-  VESICA_INLINE static auto filter(const Rect<V>& a, const Rect<V>& b) noexcept {
-    return filter::unit_box_box(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
-  }
-};
-
-template <class PairMask>
-VESICA_INLINE PairMask decided(const filter::Verdict<PairMask>& verdict) noexcept {
-  return either(verdict.overlap, verdict.disjoint);
-}
-template <class PairMask>
-VESICA_INLINE PairMask decided(const filter::DecidedVerdict<PairMask>& verdict) noexcept {
-  return verdict.decided;
-}
 
 /// A shape of lanes from element i on, or one shape in every lane.
 template <template <class> class Shape, class T, std::size_t... Field>
@@ -80,6 +57,43 @@ struct Operand<Shape, T, true> {
   VESICA_INLINE const Shape<LanesOf<T>>& at(std::int32_t) const noexcept { return shape; }
 };
 
+/// The verdicts on vectors 0, 1, ... of n elements, asked for in turn.
+template <class Filter, class First, class Second>
+class Verdicts {
+ public:
+  VESICA_INLINE Verdicts(const First& first, const Second& second, std::int32_t) noexcept
+      : first_(first), second_(second) {}
+  VESICA_INLINE auto at(std::int32_t i) noexcept { return Filter::filter(first_.at(i), second_.at(i)); }
+
+ private:
+  const First& first_;
+  const Second& second_;
+};
+
+/// Of a filter in two halves, each a long chain of operations: the first for the next vector is done with the second for
+/// this one, or the processor would wait for either chain while the operations that could fill in are out of its sight.
+template <class Filter, class First, class Second>
+requires HalfDone<decltype(Filter::filter(std::declval<First>().at(0), std::declval<Second>().at(0)))>
+class Verdicts<Filter, First, Second> {
+ public:
+  VESICA_INLINE Verdicts(const First& first, const Second& second, std::int32_t n) noexcept
+      : first_(first), second_(second), n_(n), next_(half(0)) {}
+  VESICA_INLINE auto at(std::int32_t i) noexcept {
+    const auto current = next_;
+    next_ = half(i + width < n_ ? i + width : i);
+    return decide(current);
+  }
+
+ private:
+  VESICA_INLINE auto half(std::int32_t i) const noexcept { return Filter::filter(first_.at(i), second_.at(i)); }
+
+  const First& first_;
+  const Second& second_;
+  std::int32_t n_;
+  decltype(Filter::filter(std::declval<First>().at(0), std::declval<Second>().at(0))) next_;
+  static constexpr std::int32_t width = decltype(next_)::Lanes::width;
+};
+
 /// Appends the indices of the lanes set in `open`.
 VESICA_INLINE std::int32_t* append(std::uint32_t open, std::int32_t i, std::int32_t* list) noexcept {
   for (; open != 0; open &= open - 1) *list++ = i + __builtin_ctz(open);
@@ -97,8 +111,10 @@ template <class Filter, template <class> class A, template <class> class B, clas
   std::uint8_t* const out = block.out;
   std::int32_t* list = block.undecided;
   std::int32_t overlaps = 0;
+  if (n == 0) return {0, 0};
+  Verdicts<Filter, decltype(first), decltype(second)> verdicts(first, second, n);
   for (std::int32_t i = 0; i < n; i += width) {
-    const auto verdict = Filter::filter(first.at(i), second.at(i));
+    const auto verdict = verdicts.at(i);
     store_bytes(verdict.overlap, out + i);
     overlaps += count(verdict.overlap);
     const auto known = decided(verdict);
@@ -165,6 +181,13 @@ constexpr void fill_pair(ScalarKernels<T>& kernels) noexcept {
   fill<General, A, B, T>(pair.unit);
 }
 
+/// After fill_pair(), a quicker kernel for unit axes.
+template <template <class> class A, template <class> class B, class T>
+constexpr void fill_unit_pair(ScalarKernels<T>& kernels) noexcept {
+  auto& pair = kernels[static_cast<int>(ShapeTraits<A<T>>::kind)][static_cast<int>(ShapeTraits<B<T>>::kind)];
+  fill<UnitAxes, A, B, T>(pair.unit);
+}
+
 template <class T>
 constexpr void fill_pairs(ScalarKernels<T>& kernels) noexcept {
   fill_pair<Point, Point>(kernels);
@@ -188,8 +211,10 @@ constexpr void fill_pairs(ScalarKernels<T>& kernels) noexcept {
   fill_pair<Rect, Rect>(kernels);
   fill_pair<Rect, Ellipse>(kernels);
   fill_pair<Ellipse, Ellipse>(kernels);
-  constexpr int rect = static_cast<int>(Kind::rect);
-  fill<UnitAxes, Rect, Rect, T>(kernels[rect][rect].unit);
+  fill_unit_pair<Rect, Rect>(kernels);
+  fill_unit_pair<Rect, Ellipse>(kernels);
+  fill_unit_pair<Circle, Ellipse>(kernels);
+  fill_unit_pair<Ellipse, Ellipse>(kernels);
 }
 
 /// Floats as doubles, exactly.

@@ -33,8 +33,8 @@ using BlockKernel = BlockResult (*)(const Block<T>&) noexcept;
 enum class Repeat { none, first, second };
 inline constexpr int repeat_count = 3;
 
-/// Kernels by Repeat. `unit` may leave every axis whose length is not near 1 undecided, in return for speed; it is
-/// `general` where no such gain is known.
+/// Kernels by Repeat. `unit` may leave axes whose length is not near 1 undecided, thin ellipses too, in return for
+/// speed; it is `general` where no such gain is known.
 template <class T>
 struct PairKernels {
   BlockKernel<T> general[repeat_count];

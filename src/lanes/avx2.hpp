@@ -97,31 +97,32 @@ inline Doubles sqrt(Doubles a) { return _mm256_sqrt_pd(a.v); }
 inline Doubles rough_sqrt(Doubles a) { return _mm256_sqrt_pd(a.v); }
 inline Doubles rough_quotient(Doubles a, Doubles b) { return _mm256_div_pd(a.v, b.v); }
 
-// In bits: of a number in [1/2, 2) the difference to 1/2 leaves the upper part, sign and exponent, clear; a gap too
-// large, infinite or NaN turns the sign of its difference to the bound.
-inline FloatMask near_unit_boxes(Floats uu, Floats ww, Floats a_hx, Floats a_hy, Floats b_hx, Floats b_hy,
-                                 Floats abs_gap) {
-  const __m256i lowest = _mm256_set1_epi32(0x3f000000), upper = _mm256_set1_epi32(~0xffffff);
-  const __m256i beyond = _mm256_or_si256(_mm256_sub_epi32(_mm256_castps_si256(uu.v), lowest),
-                                         _mm256_sub_epi32(_mm256_castps_si256(ww.v), lowest));
-  const __m256i room = _mm256_sub_epi32(_mm256_castps_si256(_mm256_set1_ps(0x1p100f)), _mm256_castps_si256(abs_gap.v));
-  const __m256i sizes = _mm256_castps_si256(_mm256_or_ps(_mm256_or_ps(a_hx.v, a_hy.v), _mm256_or_ps(b_hx.v, b_hy.v)));
-  const __m256i sign = _mm256_castps_si256(_mm256_set1_ps(-0.0f));
-  const __m256i wrong =
-      _mm256_or_si256(_mm256_and_si256(beyond, upper), _mm256_and_si256(_mm256_or_si256(sizes, room), sign));
-  return {_mm256_castsi256_ps(_mm256_cmpeq_epi32(wrong, _mm256_setzero_si256()))};
+// The bits of lanes, for checks of ranges and signs beside the arithmetic.
+template <int Width>
+struct Integers {
+  __m256i v;
+};
+template <int W>
+Integers<W> operator|(Integers<W> a, Integers<W> b) {
+  return {_mm256_or_si256(a.v, b.v)};
 }
-inline DoubleMask near_unit_boxes(Doubles uu, Doubles ww, Doubles a_hx, Doubles a_hy, Doubles b_hx, Doubles b_hy,
-                                  Doubles abs_gap) {
-  const __m256i lowest = _mm256_set1_epi64x(0x3fe0000000000000), upper = _mm256_set1_epi64x(~0x1fffffffffffff);
-  const __m256i beyond = _mm256_or_si256(_mm256_sub_epi64(_mm256_castpd_si256(uu.v), lowest),
-                                         _mm256_sub_epi64(_mm256_castpd_si256(ww.v), lowest));
-  const __m256i room = _mm256_sub_epi64(_mm256_castpd_si256(_mm256_set1_pd(0x1p800)), _mm256_castpd_si256(abs_gap.v));
-  const __m256i sizes = _mm256_castpd_si256(_mm256_or_pd(_mm256_or_pd(a_hx.v, a_hy.v), _mm256_or_pd(b_hx.v, b_hy.v)));
-  const __m256i sign = _mm256_castpd_si256(_mm256_set1_pd(-0.0));
-  const __m256i wrong =
-      _mm256_or_si256(_mm256_and_si256(beyond, upper), _mm256_and_si256(_mm256_or_si256(sizes, room), sign));
-  return {_mm256_castsi256_pd(_mm256_cmpeq_epi64(wrong, _mm256_setzero_si256()))};
+template <int W>
+Integers<W> operator&(Integers<W> a, Integers<W> b) {
+  return {_mm256_and_si256(a.v, b.v)};
+}
+inline Integers<8> operator-(Integers<8> a, Integers<8> b) { return {_mm256_sub_epi32(a.v, b.v)}; }
+inline Integers<4> operator-(Integers<4> a, Integers<4> b) { return {_mm256_sub_epi64(a.v, b.v)}; }
+inline Integers<8> in_all_lanes(std::int32_t bits) { return {_mm256_set1_epi32(bits)}; }
+inline Integers<4> in_all_lanes(std::int64_t bits) { return {_mm256_set1_epi64x(bits)}; }
+inline Integers<8> to_bits(Floats a) { return {_mm256_castps_si256(a.v)}; }
+inline Integers<4> to_bits(Doubles a) { return {_mm256_castpd_si256(a.v)}; }
+inline Floats from_bits(Integers<8> a) { return _mm256_castsi256_ps(a.v); }
+inline Doubles from_bits(Integers<4> a) { return _mm256_castsi256_pd(a.v); }
+inline FloatMask is_zero(Integers<8> a) {
+  return {_mm256_castsi256_ps(_mm256_cmpeq_epi32(a.v, _mm256_setzero_si256()))};
+}
+inline DoubleMask is_zero(Integers<4> a) {
+  return {_mm256_castsi256_pd(_mm256_cmpeq_epi64(a.v, _mm256_setzero_si256()))};
 }
 
 }  // namespace

@@ -121,40 +121,30 @@ inline Doubles rough_quotient(Doubles a, Doubles b) {
   return _mm512_fmadd_pd(_mm512_fnmadd_pd(q, b.v, a.v), r, q);
 }
 
-// In bits: of a number in [1/2, 2) the difference to 1/2 leaves the upper part, sign and exponent, clear; a gap too
-// large, infinite or NaN turns the sign of its difference to the bound.
-inline Mask<16> near_unit_boxes(Floats uu, Floats ww, Floats a_hx, Floats a_hy, Floats b_hx, Floats b_hy,
-                                Floats abs_gap) {
-  const __m512i lowest = _mm512_set1_epi32(0x3f000000), upper = _mm512_set1_epi32(~0xffffff);
-  const __m512i beyond = _mm512_or_si512(_mm512_sub_epi32(_mm512_castps_si512(uu.v), lowest),
-                                         _mm512_sub_epi32(_mm512_castps_si512(ww.v), lowest));
-  const __m512i room = _mm512_sub_epi32(_mm512_castps_si512(_mm512_set1_ps(0x1p100f)), _mm512_castps_si512(abs_gap.v));
-  const __m512i sizes = _mm512_castps_si512(_mm512_or_ps(_mm512_or_ps(a_hx.v, a_hy.v), _mm512_or_ps(b_hx.v, b_hy.v)));
-  const __m512i sign = _mm512_castps_si512(_mm512_set1_ps(-0.0f));
-  const __m512i wrong =
-      _mm512_or_si512(_mm512_and_si512(beyond, upper), _mm512_and_si512(_mm512_or_si512(sizes, room), sign));
-  return {_mm512_testn_epi32_mask(wrong, wrong)};
+// The bits of lanes, for checks of ranges and signs beside the arithmetic.
+template <int Width>
+struct Integers {
+  __m512i v;
+};
+template <int W>
+Integers<W> operator|(Integers<W> a, Integers<W> b) {
+  return {_mm512_or_si512(a.v, b.v)};
 }
-inline Mask<8> near_unit_boxes(Doubles uu, Doubles ww, Doubles a_hx, Doubles a_hy, Doubles b_hx, Doubles b_hy,
-                               Doubles abs_gap) {
-  const __m512i lowest = _mm512_set1_epi64(0x3fe0000000000000), upper = _mm512_set1_epi64(~0x1fffffffffffff);
-  const __m512i beyond = _mm512_or_si512(_mm512_sub_epi64(_mm512_castpd_si512(uu.v), lowest),
-                                         _mm512_sub_epi64(_mm512_castpd_si512(ww.v), lowest));
-  const __m512i room = _mm512_sub_epi64(_mm512_castpd_si512(_mm512_set1_pd(0x1p800)), _mm512_castpd_si512(abs_gap.v));
-  const __m512i sizes = _mm512_castpd_si512(_mm512_or_pd(_mm512_or_pd(a_hx.v, a_hy.v), _mm512_or_pd(b_hx.v, b_hy.v)));
-  const __m512i sign = _mm512_castpd_si512(_mm512_set1_pd(-0.0));
-  const __m512i wrong =
-      _mm512_or_si512(_mm512_and_si512(beyond, upper), _mm512_and_si512(_mm512_or_si512(sizes, room), sign));
-  return {_mm512_testn_epi64_mask(wrong, wrong)};
+template <int W>
+Integers<W> operator&(Integers<W> a, Integers<W> b) {
+  return {_mm512_and_si512(a.v, b.v)};
 }
-template <int e>
-Floats divide_by_power(Floats x) {
-  return _mm512_castsi512_ps(_mm512_sub_epi32(_mm512_castps_si512(x.v), _mm512_set1_epi32(e << 23)));
-}
-template <int e>
-Doubles divide_by_power(Doubles x) {
-  return _mm512_castsi512_pd(_mm512_sub_epi64(_mm512_castpd_si512(x.v), _mm512_set1_epi64(std::int64_t{e} << 52)));
-}
+inline Integers<16> operator-(Integers<16> a, Integers<16> b) { return {_mm512_sub_epi32(a.v, b.v)}; }
+inline Integers<8> operator-(Integers<8> a, Integers<8> b) { return {_mm512_sub_epi64(a.v, b.v)}; }
+inline Integers<16> in_all_lanes(std::int32_t bits) { return {_mm512_set1_epi32(bits)}; }
+inline Integers<8> in_all_lanes(std::int64_t bits) { return {_mm512_set1_epi64(bits)}; }
+inline Integers<16> to_bits(Floats a) { return {_mm512_castps_si512(a.v)}; }
+inline Integers<8> to_bits(Doubles a) { return {_mm512_castpd_si512(a.v)}; }
+inline Floats from_bits(Integers<16> a) { return _mm512_castsi512_ps(a.v); }
+inline Doubles from_bits(Integers<8> a) { return _mm512_castsi512_pd(a.v); }
+inline Mask<16> is_zero(Integers<16> a) { return {_mm512_testn_epi32_mask(a.v, a.v)}; }
+inline Mask<8> is_zero(Integers<8> a) { return {_mm512_testn_epi64_mask(a.v, a.v)}; }
+
 inline Mask<16> greater_where(Mask<16> mask, Floats a, Floats b) {
   return {_mm512_mask_cmp_ps_mask(mask.bits, a.v, b.v, _CMP_GT_OQ)};
 }

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// The filters that kernels run: the pair's own, and for the most asked pairs a quicker one for unit axes.
+#pragma once
+
+#include <vesica/overlap.hpp>
+
+#include "kernels/unit_contact_cubic.hpp"
+#include "kernels/unit_rect_ellipse.hpp"
+#include "kernels/unit_rect_rect.hpp"
+
+namespace vesica {
+namespace {
+
+struct General {
+  template <class A, class B>
+  VESICA_INLINE static auto filter(const A& a, const B& b) noexcept {
+    return pair::filter(a, b);
+  }
+};
+struct UnitAxes {
+  template <class V>
+  VESICA_INLINE static auto filter(const Rect<V>& a, const Rect<V>& b) noexcept {
+    return filter::unit_box_box(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
+  }
+  template <class V>
+  VESICA_INLINE static auto filter(const Rect<V>& a, const Ellipse<V>& b) noexcept {
+    return filter::unit_box_ellipse(filter::box(a), b, filter::offset(filter::place(a), filter::place(b)));
+  }
+  template <class V>
+  VESICA_INLINE static auto filter(const Circle<V>& a, const Ellipse<V>& b) noexcept {
+    return filter::unit_contact_cubic(a, b);
+  }
+  template <class V>
+  VESICA_INLINE static auto filter(const Ellipse<V>& a, const Ellipse<V>& b) noexcept {
+    return filter::unit_contact_cubic(a, b);
+  }
+};
+
+/// A filter's answer that waits for the second half of its work.
+template <class Answer>
+concept HalfDone = requires(const Answer& answer) {
+  decide(answer);
+};
+
+template <class PairMask>
+VESICA_INLINE PairMask decided(const filter::Verdict<PairMask>& verdict) noexcept {
+  return either(verdict.overlap, verdict.disjoint);
+}
+template <class PairMask>
+VESICA_INLINE PairMask decided(const filter::DecidedVerdict<PairMask>& verdict) noexcept {
+  return verdict.decided;
+}
+
+}  // namespace
+}  // namespace vesica

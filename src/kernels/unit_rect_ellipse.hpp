@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rectangle and ellipse whose axes are of unit length but for rounding: none of their squares is multiplied by.
+#pragma once
+
+#include <vesica/filter/box_ellipse.hpp>
+
+#include "kernels/guard.hpp"
+#include "kernels/unit_axes.hpp"
+
+namespace vesica::filter {
+
+/// The two segments of filter/box_ellipse.hpp in the box's frame, with the axes u, v taken to be of length 1: their squares
+/// U, V are within 14u of 1. `bound` is for the error of the gap along either.
+///
+/// Let Q = p00 + p11, T = |kx| + |ky| + hx + hy, m >= 0 the gap along a segment, at distance x from the centre. Whichever
+/// answer were wrong, m^2 <= det (p00 - x^2) for one of the segments, computed or true, so that
+/// m <= a b sqrt(Q) <= a b (a + b) and x^2 <= p00. To first order, units of u,
+///   k: 3T; h U and the difference: x errs by 15T; c, s by 2; p00, p11 by 8Q, p01 by 5Q
+///   p00 y: 8Q y + 3Q T + Q y; p01 x, |p01| <= Q / 2: 5.5Q x + 7.5Q T; p00 h U: 23Q h; two differences: 2Q (y + x/2 + h)
+/// so m by 11Q y + 3Q (|kx| + |ky|) + 6.5Q x + 7.5Q T + 25Q h <= 33Q T, and with det = (a b U V)^2 off by 59
+///   m^2: 66 m Q T, and 33^2 u Q^2 T^2;  det (p00 - x^2): det (59Q + 8Q + 30 sqrt(Q) T + 4Q);  the difference: det Q.
+/// As a b <= (a + b)^2 / 4 the second is at most 18 a b Q (a + b)^2 + 15 a b Q (a + b) T; with R = T + a + b all are
+/// below 84u a b (a + b) Q R + 1089u^2 Q^2 R^2. 128u Q R (a b (a + b) + 16u Q R) leaves room for second order.
+///
+/// With a, b in [2^-16, 2^16) (double: the 8th powers) it is at least 2^-111, all that underflows far below it,
+/// and Q at least 2^-32. If a product of the gap overflows, so does the square of the gap's error, or the square of the
+/// gap or of x alone; these are far from contact, and infinity of the right sign. NaN and infinity reach T.
+template <class V>
+struct UnitBoxEllipse {
+  using Lanes = V;
+  V abs_kx, abs_ky, hx, hy, p00, p01, p11, det, bound;
+  decltype(V() < V()) usable;
+};
+
+template <class V>
+VESICA_INLINE UnitBoxEllipse<V> unit_box_ellipse(const Box<V>& box, const Ellipse<V>& ellipse,
+                                                 const Centre<V>& d) noexcept {
+  using T = typename Element<V>::Type;
+  const V kx = box.ux * d.x + box.uy * d.y, ky = box.ux * d.y - box.uy * d.x;
+  const V c = box.ux * ellipse.ux + box.uy * ellipse.uy, s = box.ux * ellipse.uy - box.uy * ellipse.ux;
+  const V ac = ellipse.a * c, as = ellipse.a * s, bc = ellipse.b * c, bs = ellipse.b * s;
+  const V p00 = ac * ac + bs * bs, p11 = as * as + bc * bc, p01 = flip_sign(flip_sign(ac * as - bc * bs, kx), ky);
+  const V root = ellipse.a * ellipse.b, sum = ellipse.a + ellipse.b;
+  const V reach = (abs(kx) + abs(ky)) + ((box.hx + box.hy) + sum), qr = (p00 + p11) * reach;
+  Guard<V> guard;
+  guard.within(guard_power<T, -16>(), guard_power<T, 16>(), ellipse.a, ellipse.b).not_negative(box.hx, box.hy);
+  require_unit_axes(guard, box, ellipse);
+  return {abs(kx),      abs(ky), box.hx, box.hy, p00, p01, p11, root * root, qr * (root * sum + roundoffs<V>(16) * qr),
+          guard.holds()};
+}
+
+template <class V>
+VESICA_INLINE auto decide(const UnitBoxEllipse<V>& f) noexcept {
+  const V x = positive_part(f.abs_kx - f.hx), y = positive_part(f.abs_ky - f.hy);
+  const V m = gap_along_segment(f.p00, f.p01, x, f.abs_ky, f.hy);
+  const V n = gap_along_segment(f.p11, f.p01, y, f.abs_kx, f.hx);
+  const V gap = min(m * m - f.det * (f.p00 - x * x), n * n - f.det * (f.p11 - y * y));
+  return decided_by_gap<7>(f.usable, gap, f.bound);
+}
+
+}  // namespace vesica::filter
