@@ -2,10 +2,9 @@
 // A stretch of an array of shapes as contiguous columns: the array's own where it has them, else a copy.
 #pragma once
 
-#include <cstring>
-
 #include "batch.hpp"
 #include "by_kind.hpp"
+#include "records.hpp"
 
 namespace vesica::batch {
 
@@ -22,9 +21,13 @@ bool lies_in_columns(const Shapes<T>& shapes) noexcept {
   return shapes.stride == sizeof(T);
 }
 
+/// Whether each shape's numbers lie side by side.
 template <class T>
-const T* advance(const T* p, std::ptrdiff_t bytes) noexcept {
-  return reinterpret_cast<const T*>(reinterpret_cast<const unsigned char*>(p) + bytes);
+bool lies_in_records(const Shapes<T>& shapes, int fields) noexcept {
+  for (int k = 1; k < fields; ++k) {
+    if (shapes.field[k] != shapes.field[0] + k) return false;
+  }
+  return true;
 }
 
 template <class T>
@@ -35,13 +38,14 @@ struct Columns {
   /// Elements [begin, begin + n); at most block_size if they must be copied.
   void set(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n) noexcept {
     const int fields = field_count(shapes.kind);
-    for (int k = 0; k < fields; ++k) {
-      const T* from = advance(shapes.field[k], begin * shapes.stride);
-      field[k] = from;
-      if (shapes.stride == sizeof(T) || n == 1) continue;
-      for (std::int32_t i = 0; i < n; ++i) std::memcpy(&copy[k][i], advance(from, i * shapes.stride), sizeof(T));
-      field[k] = copy[k];
+    for (int k = 0; k < fields; ++k) field[k] = advance(shapes.field[k], begin * shapes.stride);
+    if (lies_in_columns(shapes) || n == 1) return;
+    if (lies_in_records(shapes, fields)) {
+      records_to_columns(field[0], shapes.stride, fields, n, copy[0], block_size<T>);
+    } else {
+      for (int k = 0; k < fields; ++k) records_to_columns(field[k], shapes.stride, 1, n, copy[k], block_size<T>);
     }
+    for (int k = 0; k < fields; ++k) field[k] = copy[k];
   }
 };
 
