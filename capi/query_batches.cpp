@@ -71,20 +71,21 @@ constexpr Query distance_query(vesica::batch::Answer answer, vesica::QueryKernel
 
 /// Queries of one number.
 constexpr Query number_query(vesica::batch::Answer answer, vesica::QueryKernels QueryTable::*kernels, Reversal reversal,
-                             vesica::batch::ShapeArea area) {
+                             Known known, vesica::batch::ShapeArea area) {
   return {.results = 1,
           .is_length = false,
           .counts_zero = false,
           .answer = answer,
           .kernels = kernels,
           .reversal = reversal,
-          .known = Known::nothing,
+          .known = known,
           .shape_area = area,
           .relation = nullptr,
           .from_relation = nullptr};
 }
 
-constexpr Query relation = number_query(answer_relation, &QueryTable::relation, Reversal::converse, nullptr);
+constexpr Query relation =
+    number_query(answer_relation, &QueryTable::relation, Reversal::converse, Known::nothing, nullptr);
 constexpr Query contains{.results = 1,
                          .is_length = false,
                          .counts_zero = false,
@@ -107,8 +108,8 @@ constexpr Query depth{.results = 3,
                       .shape_area = nullptr,
                       .relation = nullptr,
                       .from_relation = nullptr};
-constexpr Query area = number_query(answer_area, &QueryTable::area, Reversal::none, nullptr);
-constexpr Query iou = number_query(answer_iou, &QueryTable::iou, Reversal::none, shape_area);
+constexpr Query area = number_query(answer_area, &QueryTable::area, Reversal::none, Known::reach, nullptr);
+constexpr Query iou = number_query(answer_iou, &QueryTable::iou, Reversal::none, Known::reach, shape_area);
 
 int64_t result(const QueryTally& tally) noexcept { return tally.error != 0 ? tally.error : tally.count; }
 

@@ -273,9 +273,10 @@ VESICA_API int32_t vesica_overlap_ellipse_ellipse_f64(const vesica_ellipse_f64 *
  * VESICA_CONTAINS_TOUCH, the same with a and b exchanged; VESICA_CROSS, the two insides have a common point;
  * VESICA_TOUCH, the shapes have one; VESICA_DISJOINT. So a segment's end on another's middle is touch, two segments
  * along one line that overlap in part cross, and a point on a rim is inside with touch.
- * numbers_a, numbers_b: each shape's numbers in its order; they may be the same memory. Exchanging the shapes gives the
- * converse, always. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Exact for every valid shape. Cost: up to twice
- * that of vesica_overlap_f64; where shapes touch or are equal, 0.1 to 5 us. Since 0.1.
+ *
+ * numbers_a, numbers_b: each shape's numbers in its order; they may be the same memory. Returns the relation; exchanging
+ * the shapes gives the converse, always. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Exact for every valid
+ * shape. Cost: up to twice that of vesica_overlap_f64; where shapes touch or are equal, 0.1 to 8 us. Since 0.1.
  */
 VESICA_API int32_t vesica_relation_f64(int32_t kind_a, const double *numbers_a,
                                        int32_t kind_b, const double *numbers_b);
@@ -283,8 +284,8 @@ VESICA_API int32_t vesica_relation_f64(int32_t kind_a, const double *numbers_a,
 /**
  * Does shape a contain all of shape b? Either order of kinds; a shape contains itself, and all it touches from inside.
  *
- * Returns 1 where vesica_relation_f64 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0. Everything else
- * as there. Since 0.1.
+ * Returns 1 where vesica_relation_f64 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0. Everything
+ * else as there. Since 0.1.
  */
 VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const double *numbers_a,
                                        int32_t kind_b, const double *numbers_b);
@@ -299,7 +300,8 @@ VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const double *numbers_a,
  * Places are in order along a's outline: counter-clockwise about its axis from a box's corner C - hx u - hy perp(u),
  * from an ellipse's end C + a u of its axis (a circle's C + (r, 0)); from a segment's first end.
  * Accuracy: within 16 u of the greatest coordinate and size met, u = 2^-53; for two ellipses where they cross. Two that
- * nearly touch, or touch to order k: within 2^(-90/k) of the lesser one's size, along both outlines.
+ * nearly touch, or touch to order k: within 2^(-90/k) of the lesser one's size, along both outlines; differ by a part
+ * e of it all round: within 2^-90 / e.
  * out: untouched on error; may not overlap the numbers. Returns the count. Errors: VESICA_E_NULL, VESICA_E_KIND,
  * VESICA_E_SHAPE, VESICA_E_RANGE (a place is beyond the finite numbers). Cost: 5 to 20 us; disjoint shapes as
  * vesica_overlap_f64. Since 0.1.
@@ -315,13 +317,14 @@ VESICA_API int32_t vesica_crossings_f64(int32_t kind_a, const double *numbers_a,
  * equally right it is one of them. Exchanging the shapes exchanges the points and changes no bit; moving both by the same
  * exact amounts changes no bit of the distance.
  * Accuracy, u = 2^-53 and scale the largest coordinate of the offset of centres or half length: the distance is right to
- * 4 u scale at any aspect ratio up to 1e6, and small ones to 2 u of themselves down to 1e-10 scale; never 0 for disjoint
- * shapes. Closest points lie within 4 u scale of their shapes' outlines, common points within 8 u scale times the greater
- * aspect of both shapes, before the rounding of their coordinates.
+ * 4 u scale at any aspect ratio (longer over shorter size), 1 u scale having been seen; to 2 u of itself where it is above
+ * 1e-10 scale at aspects up to 1e6, above 1e-14 scale at aspects up to 1000; and never 0 for disjoint shapes. Closest points
+ * lie within 4 u scale of their shapes' outlines, common points within 8 u scale of both shapes, before the rounding of
+ * their coordinates.
  * out: untouched on error; may not overlap the numbers. Returns 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE,
- * VESICA_E_RANGE (the distance or a coordinate would leave the finite range). Cost: two rectangles, or an ellipse and a
- * rectangle or circle, about 120 ns, two ellipses 150 ns, thin ones 250 ns; other kinds 0.2 to 0.5 us; ties within rounding,
- * magnitudes beyond 2^+-60 and shapes that cross, up to 3 us. Since 0.1.
+ * VESICA_E_RANGE (the distance or a coordinate would leave the finite range). Cost: 100 to 200 ns for disjoint shapes, the
+ * thinnest ellipses 300 ns; 50 ns where a centre lies in the other shape; 0.3 to 3 us for shapes that cross, for ties
+ * within rounding and for magnitudes beyond 2^+-40. Since 0.1.
  */
 VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
                                       vesica_closest_points_f64 *out);
@@ -340,8 +343,8 @@ VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const double *numbers_a, i
  * times the greater aspect ratio of its outline, before the rounding of its coordinates.
  * out: untouched on error; may not overlap the numbers. Returns 0. Errors: VESICA_E_NULL, VESICA_E_KIND,
  * VESICA_E_SHAPE, VESICA_E_RANGE (a number would leave the finite range). Cost: that of
- * vesica_nearest_f64 for disjoint shapes, about 1 us for nested ones, 0.3 us for a common point; up to 5 us more where it takes
- * exact arithmetic to tell how the shapes relate. Since 0.1.
+ * vesica_nearest_f64 for disjoint shapes, 0.1 to 0.5 us for nested ones, 1 us more for few of them; 0.5 to 2 us for a common
+ * point; up to 5 us more where it takes exact arithmetic to tell how the shapes relate. Since 0.1.
  */
 VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const double *numbers_a,
                                                 int32_t kind_b, const double *numbers_b,
@@ -360,7 +363,7 @@ VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const double *nu
  * 4 u scale at aspect ratios up to 1e6, (x, y) is of length 1 to 3 u and moves b clear but for 4 u scale.
  * out: untouched on error; may not overlap the numbers. Returns 0. Errors: VESICA_E_NULL, VESICA_E_KIND,
  * VESICA_E_SHAPE, VESICA_E_RANGE (the depth would leave the finite range). Cost: about 150 ns for two boxes (points and
- * segments are boxes), about 1 us with an ellipse; up to 5 us where it takes exact arithmetic to tell a depth from 0.
+ * segments are boxes), 0.5 us with an ellipse, 1 us more for few of these; up to 5 us where it takes exact arithmetic to tell a depth from 0.
  * Since 0.1.
  */
 VESICA_API int32_t vesica_depth_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
@@ -789,9 +792,10 @@ VESICA_API int32_t vesica_overlap_ellipse_ellipse_f32(const vesica_ellipse_f32 *
  * VESICA_CONTAINS_TOUCH, the same with a and b exchanged; VESICA_CROSS, the two insides have a common point;
  * VESICA_TOUCH, the shapes have one; VESICA_DISJOINT. So a segment's end on another's middle is touch, two segments
  * along one line that overlap in part cross, and a point on a rim is inside with touch.
- * numbers_a, numbers_b: each shape's numbers in its order; they may be the same memory. Exchanging the shapes gives the
- * converse, always. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Exact for every valid shape. Cost: up to twice
- * that of vesica_overlap_f32; where shapes touch or are equal, 0.1 to 5 us. Since 0.1.
+ *
+ * numbers_a, numbers_b: each shape's numbers in its order; they may be the same memory. Returns the relation; exchanging
+ * the shapes gives the converse, always. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Exact for every valid
+ * shape. Cost: up to twice that of vesica_overlap_f32; where shapes touch or are equal, 0.1 to 8 us. Since 0.1.
  */
 VESICA_API int32_t vesica_relation_f32(int32_t kind_a, const float *numbers_a,
                                        int32_t kind_b, const float *numbers_b);
@@ -799,8 +803,8 @@ VESICA_API int32_t vesica_relation_f32(int32_t kind_a, const float *numbers_a,
 /**
  * Does shape a contain all of shape b? Either order of kinds; a shape contains itself, and all it touches from inside.
  *
- * Returns 1 where vesica_relation_f32 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0. Everything else
- * as there. Since 0.1.
+ * Returns 1 where vesica_relation_f32 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0. Everything
+ * else as there. Since 0.1.
  */
 VESICA_API int32_t vesica_contains_f32(int32_t kind_a, const float *numbers_a,
                                        int32_t kind_b, const float *numbers_b);
@@ -815,7 +819,8 @@ VESICA_API int32_t vesica_contains_f32(int32_t kind_a, const float *numbers_a,
  * Places are in order along a's outline: counter-clockwise about its axis from a box's corner C - hx u - hy perp(u),
  * from an ellipse's end C + a u of its axis (a circle's C + (r, 0)); from a segment's first end.
  * Accuracy: within 16 u of the greatest coordinate and size met, u = 2^-53; for two ellipses where they cross. Two that
- * nearly touch, or touch to order k: within 2^(-90/k) of the lesser one's size, along both outlines.
+ * nearly touch, or touch to order k: within 2^(-90/k) of the lesser one's size, along both outlines; differ by a part
+ * e of it all round: within 2^-90 / e.
  * out: untouched on error; may not overlap the numbers. Returns the count. Errors: VESICA_E_NULL, VESICA_E_KIND,
  * VESICA_E_SHAPE, VESICA_E_RANGE (a place is beyond the finite numbers). Cost: 5 to 20 us; disjoint shapes as
  * vesica_overlap_f32. Since 0.1.

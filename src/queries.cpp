@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "queries.hpp"
 
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -13,46 +14,92 @@ namespace vesica::batch {
 
 namespace {
 
-/// Fills what a column holds beyond its first n numbers.
-void repeat_first(double (&column)[query_block], std::int32_t n) noexcept {
-  for (std::int32_t i = n; i < query_block; ++i) column[i] = column[0];
+/// n rounded up to a multiple of the widest vector's doubles.
+constexpr std::int32_t whole_vectors(std::int32_t n) noexcept {
+  return (n + widest_vector - 1) / widest_vector * widest_vector;
 }
 
-/// A block of shapes of one kind, all numbers as doubles, filled up with the first element.
+/// The radius of a circle about a rectangle's centre that holds it, at most 2^-47 of itself too great. NaN, of which
+/// nothing follows, for a rectangle that is invalid or whose squares are not normal numbers.
+inline double reach_of(double cx, double cy, double ux, double uy, double hx, double hy) noexcept {
+  constexpr double least = 0x1p-400, most = 0x1p400;
+  const double uu = ux * ux + uy * uy, hh = hx * hx + hy * hy, square = uu * hh;
+  const bool usable = (hx >= 0) & (hy >= 0) & (uu >= least) & (uu <= most) & (hh >= least) & (hh <= most);
+  const double zero = 0 * cx + 0 * cy;  // where they are finite
+  return usable ? std::sqrt(square) * (1 + 0x1p-48) + zero : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// A block of shapes of one kind, all numbers as doubles, filled up with the first element to whole vectors.
 struct Operand {
   std::int32_t kind;
+  bool repeated;
   double number[max_fields][query_block];
   double area[query_block] = {};
+  double reach[query_block] = {};
 
   /// Elements [begin, begin + n), or one shape repeated.
   template <class T>
-  void set(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n, ShapeArea shape_area) noexcept {
+  void set(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n, const Query& query) noexcept {
     kind = shapes.kind;
-    if (shapes.stride == 0) n = 1;
+    repeated = shapes.stride == 0;
+    if (repeated) n = 1;
+    // overlap_block() reads whole columns.
+    const std::int32_t end = repeated && query.known == Known::overlap ? query_block : whole_vectors(n);
     for (int k = 0; k < field_count(kind); ++k) {
       const T* from = advance(shapes.field[k], begin * shapes.stride);
       for (std::int32_t i = 0; i < n; ++i) {
         T x;
         std::memcpy(&x, advance(from, i * shapes.stride), sizeof x);
-        number[k][i] = x;
+        number[k][i] = static_cast<double>(x);
       }
-      repeat_first(number[k], n);
+      for (std::int32_t i = n; i < end; ++i) number[k][i] = number[k][0];
     }
-    if (shape_area == nullptr) return;
+    if (query.shape_area != nullptr) set_areas(n, end, query.shape_area);
+    if (query.known == Known::reach && kind == static_cast<std::int32_t>(Kind::rect)) {
+      set_reaches(end, query.shape_area != nullptr);
+    }
+  }
+
+  /// n > 0 elements of another, filled up likewise.
+  void gather(const Operand& from, const std::int32_t* list, std::int32_t n) noexcept {
+    kind = from.kind;
+    repeated = false;
+    const auto pick = [&](const double(&source)[query_block], double(&to)[query_block]) {
+      for (std::int32_t i = 0; i < whole_vectors(n); ++i) to[i] = source[list[i < n ? i : 0]];
+    };
+    for (int k = 0; k < field_count(kind); ++k) pick(from.number[k], number[k]);
+    pick(from.area, area);
+    pick(from.reach, reach);
+  }
+
+  QueryOperand columns() const noexcept {
+    QueryOperand out{{}, area, reach, repeated};
+    for (int k = 0; k < max_fields; ++k) out.number[k] = number[k];
+    return out;
+  }
+
+  void element(std::int32_t i, double (&out)[max_fields]) const noexcept {
+    if (repeated) i = 0;
+    for (int k = 0; k < field_count(kind); ++k) out[k] = number[k][i];
+  }
+
+ private:
+  void set_areas(std::int32_t n, std::int32_t end, ShapeArea shape_area) noexcept {
     for (std::int32_t i = 0; i < n; ++i) {
       double numbers[max_fields];
       element(i, numbers);
       area[i] = shape_area(kind, numbers);
     }
-    repeat_first(area, n);
+    for (std::int32_t i = n; i < end; ++i) area[i] = area[0];
   }
 
-  void columns(const double* (&out)[max_fields]) const noexcept {
-    for (int k = 0; k < max_fields; ++k) out[k] = number[k];
-  }
-
-  void element(std::int32_t i, double (&out)[max_fields]) const noexcept {
-    for (int k = 0; k < field_count(kind); ++k) out[k] = number[k][i];
+  void set_reaches(std::int32_t n, bool with_areas) noexcept {
+    for (std::int32_t i = 0; i < n; ++i) {
+      reach[i] = reach_of(number[0][i], number[1][i], number[2][i], number[3][i], number[4][i], number[5][i]);
+      // Where areas are asked for, one of 0 is an error for some pairs, and one of odd magnitude needs the scalar care.
+      const bool usual = (area[i] >= 0x1p-700) & (area[i] <= 0x1p700);
+      if (with_areas && !usual) reach[i] = std::numeric_limits<double>::quiet_NaN();
+    }
   }
 };
 
@@ -64,9 +111,6 @@ struct Pairs {
   const Operand& first() const noexcept { return reversed() ? b : a; }
   const Operand& second() const noexcept { return reversed() ? a : b; }
 };
-
-/// n rounded up to a multiple of the widest vector's doubles.
-constexpr std::int32_t whole_vectors(std::int32_t n) noexcept { return (n + 7) / 8 * 8; }
 
 using Results = double[max_results][query_block];
 
@@ -89,15 +133,19 @@ void reverse(Reversal reversal, std::int32_t n, Results& results) noexcept {
 template <class Out>
 using Stored = Out[max_results][query_block];
 
-/// Rounds n results once, as the scalar functions do. A float beyond the range is an error.
-std::int32_t store(const Query& query, std::int32_t n, const Results& results, Stored<float>& out) noexcept {
+/// Whether any of n floats is infinite. By their bits: comparisons of floats a compiler would make one by one.
+bool any_infinite(const float* numbers, std::int32_t n) noexcept {
+  std::uint32_t any = 0;
+  for (std::int32_t i = 0; i < n; ++i) any |= (std::bit_cast<std::uint32_t>(numbers[i]) & 0x7fffffffu) == 0x7f800000u;
+  return any != 0;
+}
+
+/// Where rounding to float made a length 0 or left the range: the least float, or an error.
+std::int32_t mend(const Query& query, std::int32_t n, const Results& results, Stored<float>& out) noexcept {
   std::int32_t error = 0;
   for (std::int32_t i = 0; i < n; ++i) {
     bool in_range = true;
-    for (int k = 0; k < query.results; ++k) {
-      out[k][i] = static_cast<float>(results[k][i]);
-      in_range = in_range && !std::isinf(out[k][i]);
-    }
+    for (int k = 0; k < query.results; ++k) in_range = in_range && !std::isinf(out[k][i]);
     const bool lost = query.is_length && out[0][i] == 0 && results[0][i] > 0;
     if (lost) out[0][i] = std::numeric_limits<float>::denorm_min();
     if (in_range) continue;
@@ -105,6 +153,16 @@ std::int32_t store(const Query& query, std::int32_t n, const Results& results, S
     for (int k = 0; k < query.results; ++k) out[k][i] = std::numeric_limits<float>::quiet_NaN();
   }
   return error;
+}
+
+/// Rounds n results once, as the scalar functions do. A float beyond the range is an error.
+std::int32_t store(const Query& query, std::int32_t n, const Results& results, Stored<float>& out) noexcept {
+  bool in_range = true;
+  for (int k = 0; k < query.results; ++k) {
+    for (std::int32_t i = 0; i < n; ++i) out[k][i] = static_cast<float>(results[k][i]);
+    in_range = in_range && !any_infinite(out[k], n);
+  }
+  return in_range && !query.is_length ? 0 : mend(query, n, results, out);
 }
 std::int32_t store(const Query& query, std::int32_t n, const Results& results, Stored<double>& out) noexcept {
   for (int k = 0; k < query.results; ++k) std::memcpy(out[k], results[k], static_cast<std::size_t>(n) * sizeof(double));
@@ -135,6 +193,7 @@ class Engine {
   const Query& query_;
   const KernelTable& kernels_;
   std::int32_t error_ = 0;
+  Operand first_near_, second_near_;
 
   void answer(const Query& query, const Pairs& pairs, Results& results) noexcept {
     if (query.from_relation != nullptr) {
@@ -143,28 +202,63 @@ class Engine {
       return;
     }
     const QueryKernel kernel = (kernels_.queries->*query.kernels)[pairs.first().kind][pairs.second().kind];
-    if (kernel != nullptr) ask_kernel(kernel, query, pairs, results);
+    if (kernel != nullptr && ask_kernel(kernel, query, pairs, results)) return;
     for (std::int32_t i = 0; i < pairs.n; ++i) {
       if (kernel == nullptr || std::isnan(results[0][i])) ask_scalar(query, pairs, i, results);
     }
   }
 
-  void ask_kernel(QueryKernel kernel, const Query& query, const Pairs& pairs, Results& results) noexcept {
+  /// Whether that answered all.
+  bool ask_kernel(QueryKernel kernel, const Query& query, const Pairs& pairs, Results& results) noexcept {
     double known[query_block];
-    QueryColumns asked{};
-    pairs.first().columns(asked.first);
-    pairs.second().columns(asked.second);
-    asked.known = known;
-    asked.first_area = pairs.first().area;
-    asked.second_area = pairs.second().area;
+    const QueryColumns asked{pairs.first().columns(), pairs.second().columns(), known};
     tell(query, pairs, asked, known);
+    if (query.known == Known::reach) {
+      std::int32_t near[query_block];
+      const std::int32_t count = find_near(asked, pairs.n, near);
+      if (2 * count <= pairs.n) return ask_kernel_of(near, count, kernel, pairs, results);
+    }
     double* columns[max_results] = {results[0], results[1], results[2], results[3], results[4]};
     if (pairs.reversed() && query.reversal == Reversal::points) {
       std::swap(columns[1], columns[3]);
       std::swap(columns[2], columns[4]);
     }
-    kernel(asked, whole_vectors(pairs.n), columns);
+    const bool all_settled = kernel(asked, whole_vectors(pairs.n), columns);
     if (pairs.reversed()) reverse(query.reversal, pairs.n, results);
+    return all_settled;
+  }
+
+  /// The pairs whose circles are not certainly apart.
+  std::int32_t find_near(const QueryColumns& asked, std::int32_t n, std::int32_t (&near)[query_block]) noexcept {
+    std::uint8_t apart[query_block];
+    kernels_.queries->apart(asked, whole_vectors(n), apart);
+    std::int32_t count = 0;
+    for (std::int32_t i = 0; i < n; ++i) {
+      near[count] = i;
+      count += 1 - apart[i];
+    }
+    return count;
+  }
+
+  /// Only the listed pairs, put side by side; what shapes that are apart share is 0.
+  bool ask_kernel_of(const std::int32_t* list, std::int32_t count, QueryKernel kernel, const Pairs& pairs,
+                     Results& results) noexcept {
+    for (std::int32_t i = 0; i < pairs.n; ++i) results[0][i] = 0;
+    if (count == 0) return true;
+    const QueryColumns asked{gathered(pairs.first(), list, count, first_near_),
+                             gathered(pairs.second(), list, count, second_near_), first_near_.area};
+    double found[query_block];
+    double* columns[max_results] = {found};
+    const bool all_settled = kernel(asked, whole_vectors(count), columns);
+    for (std::int32_t i = 0; i < count; ++i) results[0][list[i]] = found[i];
+    return all_settled;
+  }
+
+  static QueryOperand gathered(const Operand& from, const std::int32_t* list, std::int32_t count,
+                               Operand& room) noexcept {
+    if (from.repeated) return from.columns();
+    room.gather(from, list, count);
+    return room.columns();
   }
 
   /// Whether they overlap. Errors show again when the scalar function is asked.
@@ -172,7 +266,8 @@ class Engine {
     if (query.known == Known::overlap) {
       std::uint8_t bytes[query_block];
       const std::int32_t n = whole_vectors(pairs.n);
-      overlap_block(kernels_, pairs.first().kind, asked.first, pairs.second().kind, asked.second, n, bytes);
+      overlap_block(kernels_, pairs.first().kind, asked.first.number, pairs.second().kind, asked.second.number, n,
+                    bytes);
       for (std::int32_t i = 0; i < n; ++i) known[i] = bytes[i];
     }
   }
@@ -195,7 +290,7 @@ class Engine {
 
 template <class Out>
 std::int64_t count(const Query& query, const Out* numbers, std::int32_t n) noexcept {
-  std::int64_t count = 0;
+  std::int32_t count = 0;
   for (std::int32_t i = 0; i < n; ++i) count += query.counts_zero ? numbers[i] == 0 : numbers[i] > 0;
   return count;
 }
@@ -215,8 +310,8 @@ QueryTally query_many(const Query& query, const KernelTable& kernels, const Shap
   std::int64_t counted = 0;
   for (std::int64_t begin = 0; begin < n; begin += query_block) {
     pairs.n = block_length(n - begin);
-    if (begin == 0 || a.stride != 0) pairs.a.set(a, begin, pairs.n, query.shape_area);
-    if (begin == 0 || b.stride != 0) pairs.b.set(b, begin, pairs.n, query.shape_area);
+    if (begin == 0 || a.stride != 0) pairs.a.set(a, begin, pairs.n, query);
+    if (begin == 0 || b.stride != 0) pairs.b.set(b, begin, pairs.n, query);
     engine.answer<Out>(pairs, results);
     counted += count(query, results[0], pairs.n);
     for (int k = 0; k < query.results; ++k) {
@@ -236,12 +331,12 @@ QueryTally query_matrix(const Query& query, const KernelTable& kernels, const Sh
   std::int64_t counted = 0;
   for (std::int64_t begin = 0; begin < b.count; begin += query_block) {
     pairs.n = block_length(b.count - begin);
-    pairs.b.set(b, begin, pairs.n, query.shape_area);
+    pairs.b.set(b, begin, pairs.n, query);
     for (std::int64_t row = 0; row < a.count; ++row) {
       Shapes<T> one = a;
       one.stride = 0;
       for (int k = 0; k < field_count(a.kind); ++k) one.field[k] = advance(a.field[k], row * a.stride);
-      pairs.a.set(one, 0, pairs.n, query.shape_area);
+      pairs.a.set(one, 0, pairs.n, query);
       engine.answer<Out>(pairs, results);
       counted += count(query, results[0], pairs.n);
       std::memcpy(out + row * row_stride + begin, results[0], static_cast<std::size_t>(pairs.n) * sizeof(Out));

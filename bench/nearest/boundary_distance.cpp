@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "boundary_distance/reference.hpp"
-#include "nearest/outline_pairs.hpp"
+#include "nearest/outline_columns.hpp"
 #include "nearest/outline_report.hpp"
 
 namespace vesica::bench {
@@ -34,18 +34,19 @@ void report(std::FILE* out, const OutlineRow& row) {
     const auto c = ask(row, p);
     return c.distance + c.ax;
   });
+  const double batch_time =
+      batch_nanoseconds(OutlineColumns(row.kind_a, row.kind_b, pairs), [](const auto& a, const auto& b, auto& c) {
+        vesica_boundary_distance_many_f64(&a, &b, c[0].data(), c[1].data(), c[2].data(), c[3].data(), c[4].data());
+      });
   double worst = 0;
   for (std::size_t i = 0; i < pairs_checked; ++i) worst = std::fmax(worst, error(row, pairs[i]));
-  print_row(out, row, time, worst);
+  print_row(out, row, {time, batch_time, worst});
 }
 
 }  // namespace
 
 void report_boundary_distance(std::FILE* out) {
-  std::fprintf(out,
-               "\nvesica_boundary_distance_f64: ns a call on fresh pairs, and the worst error of %zu in 2^-53 scale\n",
-               pairs_checked);
-  std::fprintf(out, "%-9s%-9s%-12s%7s %9s %8s\n", "a", "b", "pairs", "aspect", "ns", "error");
+  print_head(out, "vesica_boundary_distance_f64");
   for (const Relative relative : {Relative::nested, Relative::disjoint, Relative::crossing}) {
     report(out, {VESICA_RECT, VESICA_RECT, relative, 20});
     report(out, {VESICA_RECT, VESICA_ELLIPSE, relative, 20});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "boundary_distance/reference.hpp"
-#include "nearest/outline_pairs.hpp"
+#include "nearest/outline_columns.hpp"
 #include "nearest/outline_report.hpp"
 
 namespace vesica::bench {
@@ -26,17 +26,19 @@ void report(std::FILE* out, const OutlineRow& row) {
     const auto d = ask(row, p);
     return d.depth + d.x;
   });
+  const double batch_time =
+      batch_nanoseconds(OutlineColumns(row.kind_a, row.kind_b, pairs), [](const auto& a, const auto& b, auto& columns) {
+        vesica_depth_many_f64(&a, &b, columns[0].data(), columns[1].data(), columns[2].data());
+      });
   double worst = 0;
   for (std::size_t i = 0; i < pairs_checked; ++i) worst = std::fmax(worst, error(row, pairs[i]));
-  print_row(out, row, time, worst);
+  print_row(out, row, {time, batch_time, worst});
 }
 
 }  // namespace
 
 void report_depth(std::FILE* out) {
-  std::fprintf(out, "\nvesica_depth_f64: ns a call on fresh pairs, and the worst error of %zu in 2^-53 scale\n",
-               pairs_checked);
-  std::fprintf(out, "%-9s%-9s%-12s%7s %9s %8s\n", "a", "b", "pairs", "aspect", "ns", "error");
+  print_head(out, "vesica_depth_f64");
   report(out, {VESICA_RECT, VESICA_RECT, Relative::overlapping, 20});
   report(out, {VESICA_RECT, VESICA_ELLIPSE, Relative::overlapping, 20});
   report(out, {VESICA_CIRCLE, VESICA_ELLIPSE, Relative::overlapping, 20});

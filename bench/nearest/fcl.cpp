@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// FCL's two GJK solvers on solids whose section with the plane is the shape: an ellipsoid about the ellipse's axis, a box
-/// as thick as its shorter side, a sphere. Mirrored in the plane each solid is itself, so the closest points can be taken
-/// in the plane, and the distance in space is the one asked for. The solver is called directly: the leanest way in.
+/// FCL's two GJK solvers on solids whose section with the plane is the shape: an ellipsoid about the ellipse's axis, a
+/// box as thick as its shorter side, a sphere. Mirrored in the plane each solid is itself, so the closest points can be
+/// taken in the plane, and the distance in space is the one asked for. The solver is called directly: the leanest way
+/// in.
 #include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/ellipsoid.h>
 #include <fcl/geometry/shape/sphere.h>

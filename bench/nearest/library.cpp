@@ -3,6 +3,7 @@
 #include <array>
 
 #include "nearest/contestant.hpp"
+#include "nearest/outline_columns.hpp"
 
 namespace vesica::bench {
 namespace {
@@ -33,17 +34,11 @@ class Calls final : public DistancePairs {
   std::vector<OutlinePair> pairs_;
 };
 
-/// Columns in, columns out, 256 pairs a call.
+/// Columns in, columns out.
 class Batch final : public DistancePairs {
  public:
-  Batch(std::int32_t kind_a, std::int32_t kind_b, std::span<const OutlinePair> pairs) : kinds_{kind_a, kind_b} {
-    for (std::size_t k = 0; k < 6; ++k) {
-      for (const OutlinePair& p : pairs) {
-        columns_[0][k].push_back(p.a[k]);
-        columns_[1][k].push_back(p.b[k]);
-      }
-    }
-  }
+  Batch(std::int32_t kind_a, std::int32_t kind_b, std::span<const OutlinePair> pairs)
+      : columns_(kind_a, kind_b, pairs) {}
 
   double distance(std::size_t pair) override {
     ask(pair, 1);
@@ -56,23 +51,13 @@ class Batch final : public DistancePairs {
   }
 
  private:
-  vesica_shapes_f64 shapes(std::size_t side, std::size_t first, std::size_t count) const {
-    vesica_shapes_f64 s{};
-    s.kind = kinds_[side];
-    s.count = static_cast<std::int64_t>(count);
-    s.stride = sizeof(double);
-    for (std::size_t k = 0; k < 6; ++k) s.field[k] = columns_[side][k].data() + first;
-    return s;
-  }
-
   void ask(std::size_t first, std::size_t count) {
-    const vesica_shapes_f64 a = shapes(0, first, count), b = shapes(1, first, count);
+    const vesica_shapes_f64 a = columns_.shapes(0, first, count), b = columns_.shapes(1, first, count);
     vesica_nearest_many_f64(&a, &b, out_[0].data(), out_[1].data(), out_[2].data(), out_[3].data(), out_[4].data());
   }
 
-  std::array<std::int32_t, 2> kinds_;
-  std::array<std::array<std::vector<double>, 6>, 2> columns_;
-  std::array<std::array<double, 256>, 5> out_{};
+  OutlineColumns columns_;
+  std::array<std::array<double, pairs_a_call>, 5> out_{};
 };
 
 template <class Pairs>

@@ -98,9 +98,22 @@ struct OutlineRow {
   double aspect;
 };
 
-inline void print_row(std::FILE* out, const OutlineRow& row, double time, double error) {
-  std::fprintf(out, "%-9s%-9s%-12s%7.0e %9.0f %8.2f\n", vesica_kind_name(row.kind_a), vesica_kind_name(row.kind_b),
-               name_of(row.relative), row.aspect, time, error);
+/// Nanoseconds a pair, called and in batches, and the worst error in 2^-53 scale.
+struct OutlineFigures {
+  double time, batch_time, error;
+};
+
+inline void print_head(std::FILE* out, const char* name) {
+  std::fprintf(out,
+               "\n%s on fresh pairs: ns a call, ns a pair in batches, their ratio, and the worst error of %zu in 2^-53 "
+               "scale\n",
+               name, pairs_checked);
+  std::fprintf(out, "%-9s%-9s%-12s%7s %9s %9s %7s %8s\n", "a", "b", "pairs", "aspect", "ns", "batch", "ratio", "error");
+}
+inline void print_row(std::FILE* out, const OutlineRow& row, const OutlineFigures& f) {
+  std::fprintf(out, "%-9s%-9s%-12s%7.0e %9.0f %9.1f %7.1f %8.2f\n", vesica_kind_name(row.kind_a),
+               vesica_kind_name(row.kind_b), name_of(row.relative), row.aspect, f.time, f.batch_time,
+               f.time / f.batch_time, f.error);
 }
 
 }  // namespace vesica::bench

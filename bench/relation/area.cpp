@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shared areas of fresh pairs through the shared library, beside the usual rotated-IoU algorithm and Boost.Geometry, with
 // each one's error against 60 digits; then non-maximum suppression.
-//
-// Batches of areas and ratios (the 1,000 x 1,000 matrix) go after report_suppression(), on the same pools.
 #include <vesica.h>
 
 #include <algorithm>
@@ -229,22 +227,6 @@ double milliseconds(const Detections& d, const Suppress& nms, std::int64_t& kept
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-void report_suppression(std::FILE* out) {
-  std::fprintf(out, "\n%-28s %10s %10s %12s %8s\n", "nms/rect/f64/count", "kept", "ms", "textbook ms", "ratio");
-  for (const double side_per_root : {4.0, 1.0}) {
-    for (const std::size_t count : {std::size_t{1000}, std::size_t{10000}}) {
-      Random random(seed_of_run());
-      const Detections d = detections(count, side_per_root * std::sqrt(static_cast<double>(count)), random);
-      std::int64_t kept = 0, kept_by_textbook = 0;
-      const double library = milliseconds(d, suppress, kept);
-      const double textbook = milliseconds(d, suppress_by_textbook, kept_by_textbook);
-      std::fprintf(out, "%-20s%8zu %10" PRId64 " %10.2f %12.1f %8.0f%s\n", side_per_root > 2 ? "sparse" : "crowded",
-                   count, kept, library, textbook, textbook / library,
-                   kept == kept_by_textbook ? "" : "  (it keeps others)");
-    }
-  }
-}
-
 }  // namespace
 
 void report_area(std::FILE* out) {
@@ -264,7 +246,22 @@ void report_area(std::FILE* out) {
   for (const Kinds& kinds : rows) {
     for (const Data data : all_data) report_pair(out, kinds, data);
   }
-  report_suppression(out);
+}
+
+void report_suppression(std::FILE* out) {
+  std::fprintf(out, "\n%-28s %10s %10s %12s %8s\n", "nms/rect/f64/count", "kept", "ms", "textbook ms", "ratio");
+  for (const double side_per_root : {4.0, 1.0}) {
+    for (const std::size_t count : {std::size_t{1000}, std::size_t{10000}}) {
+      Random random(seed_of_run());
+      const Detections d = detections(count, side_per_root * std::sqrt(static_cast<double>(count)), random);
+      std::int64_t kept = 0, kept_by_textbook = 0;
+      const double library = milliseconds(d, suppress, kept);
+      const double textbook = milliseconds(d, suppress_by_textbook, kept_by_textbook);
+      std::fprintf(out, "%-20s%8zu %10" PRId64 " %10.2f %12.1f %8.0f%s\n", side_per_root > 2 ? "sparse" : "crowded",
+                   count, kept, library, textbook, textbook / library,
+                   kept == kept_by_textbook ? "" : "  (it keeps others)");
+    }
+  }
 }
 
 }  // namespace vesica::bench

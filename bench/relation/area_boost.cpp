@@ -35,6 +35,12 @@ Polygon polygon(std::int32_t kind, const Numbers& n) {
   return result;
 }
 
+double shared_area(const Polygon& a, const Polygon& b) {
+  Multipolygon both;
+  boost::geometry::intersection(a, b, both);
+  return boost::geometry::area(both);
+}
+
 }  // namespace
 
 struct BoostPairs::Polygons {
@@ -49,10 +55,31 @@ void BoostPairs::add(std::int32_t kind_a, const Numbers& a, std::int32_t kind_b,
   polygons_->b.push_back(polygon(kind_b, b));
 }
 
-double BoostPairs::area(std::size_t pair) const {
-  Multipolygon both;
-  boost::geometry::intersection(polygons_->a[pair], polygons_->b[pair], both);
-  return boost::geometry::area(both);
+double BoostPairs::area(std::size_t pair) const { return shared_area(polygons_->a[pair], polygons_->b[pair]); }
+
+struct BoostRows::Polygons {
+  std::vector<Polygon> rows, columns;
+  std::vector<double> row_areas, column_areas;
+};
+
+BoostRows::BoostRows() : polygons_(std::make_unique<Polygons>()) {}
+BoostRows::BoostRows(BoostRows&&) noexcept = default;
+BoostRows& BoostRows::operator=(BoostRows&&) noexcept = default;
+BoostRows::~BoostRows() = default;
+
+void BoostRows::add_row(const Numbers& rect) {
+  polygons_->rows.push_back(polygon(VESICA_RECT, rect));
+  polygons_->row_areas.push_back(boost::geometry::area(polygons_->rows.back()));
+}
+
+void BoostRows::add_column(const Numbers& rect) {
+  polygons_->columns.push_back(polygon(VESICA_RECT, rect));
+  polygons_->column_areas.push_back(boost::geometry::area(polygons_->columns.back()));
+}
+
+double BoostRows::iou(std::size_t row, std::size_t column) const {
+  const double both = shared_area(polygons_->rows[row], polygons_->columns[column]);
+  return both / (polygons_->row_areas[row] + polygons_->column_areas[column] - both);
 }
 
 }  // namespace vesica::bench

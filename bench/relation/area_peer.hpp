@@ -22,4 +22,20 @@ class BoostPairs {
   std::unique_ptr<Polygons> polygons_;
 };
 
+/// Rectangles as rows and columns of a matrix of ratios. Areas too are found beforehand.
+class BoostRows {
+ public:
+  BoostRows();
+  BoostRows(BoostRows&&) noexcept;
+  BoostRows& operator=(BoostRows&&) noexcept;
+  ~BoostRows();
+  void add_row(const Numbers& rect);
+  void add_column(const Numbers& rect);
+  double iou(std::size_t row, std::size_t column) const;
+
+ private:
+  struct Polygons;
+  std::unique_ptr<Polygons> polygons_;
+};
+
 }  // namespace vesica::bench

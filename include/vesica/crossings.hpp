@@ -11,7 +11,8 @@
 ///
 /// Accuracy: within 16u of the greatest coordinate and size met, of the place that the stored numbers have, for all
 /// pairs but two ellipses. There that holds where outlines cross; where they nearly touch, or touch to order k, the place
-/// is within 2^(-90/k) of the lesser ellipse's size, along both outlines.
+/// is within 2^(-90/k) of the lesser ellipse's size, along both outlines; where they differ by a part e of it all
+/// round, within 2^-90 / e.
 #pragma once
 
 #include <vesica/crossings/box_box.hpp>

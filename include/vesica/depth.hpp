@@ -20,6 +20,7 @@
 #include <vesica/depth/box_box.hpp>
 #include <vesica/depth/exact_zero.hpp>
 #include <vesica/depth/search.hpp>
+#include <vesica/least/hot_pairs.hpp>
 #include <vesica/overlap.hpp>
 
 namespace vesica {
@@ -56,6 +57,21 @@ std::int32_t depth_of_overlapping(const A& a, const B& b, Penetration<double>& o
   return 0;
 }
 
+/// The pairs whose common case batches answer in lanes have the same core here; false where it is not settled.
+template <class A, class B>
+bool settled_depth(const A&, const B&, Penetration<double>&) noexcept {
+  return false;
+}
+template <class A>
+bool settled_depth(const A& a, const Ellipse<double>& b, Penetration<double>& out) noexcept {
+  if constexpr (closest::is_hot<A, Ellipse<double>>) {
+    const auto hot = least::hot_depth(a, b, false);
+    if (hot.settled) out = {hot.depth, hot.x, hot.y};
+    return hot.settled;
+  }
+  return false;
+}
+
 inline Penetration<double> turned_round(const Penetration<double>& p) noexcept {
   return {p.depth, 0.0 - p.x, 0.0 - p.y};
 }
@@ -82,7 +98,7 @@ std::int32_t depth_or_error(const A<double>& a, const B<double>& b, Penetration<
   } else {
     const std::int32_t overlapping = overlap_or_error(a, b);
     if (overlapping < 0) return overlapping;
-    if (overlapping == 1) return detail::depth_of_overlapping(a, b, out);
+    if (overlapping == 1) return detail::settled_depth(a, b, out) ? 0 : detail::depth_of_overlapping(a, b, out);
     out = {0, 0, 0};
     return 0;
   }

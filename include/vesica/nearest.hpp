@@ -6,13 +6,14 @@
 /// points are one point of both. Which case it is, overlap() decides exactly. Where several pairs of points are equally
 /// close it is one of them.
 ///
-/// Accuracy, u = 2^-53, scale the largest offset of centres or half length: the distance is within 1.25u of itself
-/// plus 2^-100 scale at aspect ratios up to 1e6 (tested; 4u scale is promised), and never rounded to 0 where shapes are
-/// disjoint. Each point is within 4u scale of its shape's outline (a common point: of its shape) at any aspect ratio,
-/// before the rounding of its coordinates.
+/// Accuracy, u = 2^-53, scale the largest coordinate of the offset of centres or half length: the distance is within 4u
+/// scale at any aspect ratio (in tests always within 2u, beyond aspect 1e15 too); within 2u of itself where it is above
+/// 1e-10 scale at aspects up to 1e6, above 1e-14 scale at aspects up to 1000; and never rounded to 0 where shapes are
+/// disjoint. Each closest point is within 4u scale of its shape's outline, a common point within 8u scale of both
+/// shapes, before the rounding of its coordinates.
 ///
 /// Laws, each tested: nearest(b, a) has the same bits with the points exchanged; the distance is unchanged when both
-/// shapes are moved by the same exact amounts.
+/// shapes are moved by the same exact amounts, and is multiplied by a power of two when they are.
 #pragma once
 
 #include <limits>
@@ -29,17 +30,6 @@ struct ClosestPoints {
 };
 
 namespace closest {
-
-template <class A, class B>
-inline constexpr bool is_hot = false;
-template <class T>
-inline constexpr bool is_hot<Rect<T>, Rect<T>> = true;
-template <class T>
-inline constexpr bool is_hot<Rect<T>, Ellipse<T>> = true;
-template <class T>
-inline constexpr bool is_hot<Circle<T>, Ellipse<T>> = true;
-template <class T>
-inline constexpr bool is_hot<Ellipse<T>, Ellipse<T>> = true;
 
 /// Any disjoint pair. steps: how many its search took, which tests look at.
 template <class A, class B>
@@ -78,14 +68,15 @@ VESICA_COLD ClosestPoints<double> general_points(const A& a, const B& b, bool ov
   return overlapping ? common_points(a, b) : disjoint_points(a, b, steps);
 }
 
+/// What batches answer in lanes; false where it is not settled.
 template <class A, class B>
-VESICA_INLINE ClosestPoints<double> closest_points(const A& a, const B& b, bool overlapping) noexcept {
+VESICA_INLINE bool settled_points(const A& a, const B& b, bool overlapping, ClosestPoints<double>& out) noexcept {
   if constexpr (is_hot<A, B>) {
     const HotAnswer<double> hot = hot_answer(a, b, overlapping);
-    if (hot.settled) [[likely]]
-      return {hot.distance, hot.ax, hot.ay, hot.bx, hot.by};
+    if (hot.settled) out = {hot.distance, hot.ax, hot.ay, hot.bx, hot.by};
+    return hot.settled;
   }
-  return general_points(a, b, overlapping);
+  return false;
 }
 
 /// Rounded once; a distance that is not 0 stays so. False where a number would exceed the finite ones.
@@ -114,10 +105,19 @@ VESICA_INLINE std::int32_t nearest_or_error(const A<T>& a, const B<T>& b, Closes
     if (error == 0) out = {found.distance, found.bx, found.by, found.ax, found.ay};
     return error;
   } else {
-    const std::int32_t overlapping = overlap_or_error(a, b);
+    const auto wide_a = widen(a);
+    const auto wide_b = widen(b);
+    // Spares the predicate. What is settled is of moderate, so valid shapes; else the predicate is asked after all.
+    const bool apart = closest::apart_along_offset(wide_a, wide_b);
+    std::int32_t overlapping = apart ? 0 : overlap_or_error(a, b);
     if (overlapping < 0) return overlapping;
-    const bool overlaps = overlapping == 1;
-    return closest::rounded_to(closest::closest_points(widen(a), widen(b), overlaps), overlaps, out) ? 0 : error_range;
+    ClosestPoints<double> found;
+    if (!closest::settled_points(wide_a, wide_b, overlapping == 1, found)) [[unlikely]] {
+      if (apart) overlapping = overlap_or_error(a, b);
+      if (overlapping < 0) return overlapping;
+      found = closest::general_points(wide_a, wide_b, overlapping == 1);
+    }
+    return closest::rounded_to(found, overlapping == 1, out) ? 0 : error_range;
   }
 }
 

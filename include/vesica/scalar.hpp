@@ -103,4 +103,15 @@ inline float flip_sign(float x, float y) noexcept {
 }
 
 }  // namespace lane
+
+namespace detail {
+
+/// Whether all numbers are finite, scalars or lanes: x - x is 0 for a finite x and NaN for any other, and NaN survives
+/// the sum.
+template <class V, class... W>
+VESICA_INLINE constexpr auto all_finite(V first, W... rest) noexcept {
+  return ((first - first) + ... + (rest - rest)) == V(0.0f);
+}
+
+}  // namespace detail
 }  // namespace vesica

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <vesica/area.hpp>
-#include <vesica/depth.hpp>
 #include <vesica/nearest.hpp>
 #include <vesica/relation.hpp>
 
@@ -21,6 +20,7 @@ using PairMask = decltype(Doubles(0.0) < Doubles(0.0));
 struct KnownLanes {
   Doubles overlap;  // 1 or 0
   Doubles area_a, area_b;
+  Doubles reach_a, reach_b;
 };
 
 struct RelationCore {
@@ -58,63 +58,41 @@ struct NearestCore {
   }
 };
 
-/// Outlines of disjoint shapes are as far apart as the shapes; the others are for the scalar function.
-struct BoundaryDistanceCore {
-  static constexpr int results = 5;
-  template <class A, class B>
-  VESICA_INLINE static PairMask evaluate(const A& a, const B& b, const KnownLanes& known, Doubles* out) noexcept {
-    const PairMask overlapping = known.overlap > Doubles(0.0);
-    return and_not(closest_points(a, b, overlapping, out), overlapping);
-  }
-};
+/// Whether the circles about two shapes are apart. The sum r of their radii has 2^-48 of itself to spare, an operation here
+/// errs by 2^-53 of its result: d^2 > r^2 is no matter of rounding.
+VESICA_INLINE PairMask circles_apart(Doubles dx, Doubles dy, Doubles reach) noexcept {
+  return dx * dx + dy * dy > reach * reach;
+}
 
-/// Disjoint shapes have no depth; overlapping rectangles have one in closed form; others are for the scalar function.
-struct DepthCore {
-  static constexpr int results = 3;
-  template <class A, class B>
-  VESICA_INLINE static PairMask evaluate(const A& a, const B& b, const KnownLanes& known, Doubles* out) noexcept {
-    const Doubles zero(0.0);
-    const PairMask overlapping = known.overlap > zero;
-    for (int k = 0; k < 3; ++k) out[k] = zero;
-    if constexpr (ShapeTraits<A>::kind == Kind::rect && ShapeTraits<B>::kind == Kind::rect) {
-      const auto boxes = outline::box_box_depth(outline::box_pair(a, b));
-      out[0] = select(overlapping, boxes.depth, zero);
-      out[1] = select(overlapping, boxes.x, zero);
-      out[2] = select(overlapping, boxes.y, zero);
-      return either(boxes.settled, known.overlap == zero);
-    }
-    return known.overlap == zero;
-  }
-};
-
-/// The area of rectangles that certainly cross or are certainly disjoint.
-VESICA_INLINE PairMask shared_area(const Rect<Doubles>& a, const Rect<Doubles>& b, Doubles& area) noexcept {
-  const PairMask disjoint = pair::filter(a, b).disjoint;
+/// The area of valid rectangles that certainly cross or are certainly disjoint.
+VESICA_INLINE PairMask shared_area(const Rect<Doubles>& a, const Rect<Doubles>& b, const KnownLanes& known,
+                                   Doubles& area) noexcept {
+  const PairMask disjoint = pair::filter(a, b).disjoint, valid = known.reach_a + known.reach_b > Doubles(0.0);
   area = Doubles(0.0);
-  if (all(disjoint)) return disjoint;
+  if (all(both(disjoint, valid))) return disjoint;
   const auto crossing = clip::crossing_area(a, b);
   area = select(disjoint, area, crossing.area);
-  return either(disjoint, crossing.settled);
+  return both(either(disjoint, crossing.settled), valid);
 }
 
 struct AreaCore {
   static constexpr int results = 1;
-  VESICA_INLINE static PairMask evaluate(const Rect<Doubles>& a, const Rect<Doubles>& b, const KnownLanes&,
+  VESICA_INLINE static PairMask evaluate(const Rect<Doubles>& a, const Rect<Doubles>& b, const KnownLanes& known,
                                          Doubles* out) noexcept {
-    return shared_area(a, b, out[0]);
+    return shared_area(a, b, known, out[0]);
   }
 };
 
-/// Areas between 2^-700 and 2^700 need none of the care that iou() takes of their range; the same bits come out.
+/// Areas whose reach is known need none of the care that iou() takes of their range; the same bits come out.
 struct IouCore {
   static constexpr int results = 1;
   VESICA_INLINE static PairMask evaluate(const Rect<Doubles>& a, const Rect<Doubles>& b, const KnownLanes& known,
                                          Doubles* out) noexcept {
     Doubles shared;
-    const PairMask settled = shared_area(a, b, shared);
+    const PairMask settled = shared_area(a, b, known, shared);
     const Doubles most = max(known.area_a, known.area_b), least = min(known.area_a, known.area_b);
     out[0] = shared / (most + (least - shared));
-    return both(settled, both(least >= Doubles(0x1p-700), most <= Doubles(0x1p700)));
+    return settled;
   }
 };
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "kernels/outline_cores.hpp"
 #include "kernels/query_cores.hpp"
 
 namespace vesica {
@@ -22,7 +23,7 @@ VESICA_INLINE Shape<Doubles> load_shape(const double* const* field, std::int32_t
 }
 
 // As check(): finite numbers, no negative size, an axis that is not zero. The filters behind a relation see to it
-// themselves, for every shape.
+// themselves, for every shape; what is known of rectangles says it where areas are asked for.
 VESICA_INLINE PairMask valid(const Circle<Doubles>& s) noexcept {
   const Doubles zero(0.0);
   return both(zero_if_finite(s.cx, s.cy, s.r) == zero, s.r >= zero);
@@ -37,19 +38,37 @@ VESICA_INLINE PairMask valid(const Ellipse<Doubles>& s) noexcept {
 }
 
 template <class Core, template <class> class A, template <class> class B>
-void answer_vectors(const QueryColumns& columns, std::int32_t n, double* const* results) noexcept {
-  constexpr bool sees_validity = std::is_same_v<Core, RelationCore>;
+bool answer_vectors(const QueryColumns& columns, std::int32_t n, double* const* results) noexcept {
+  constexpr bool sees_validity =
+      std::is_same_v<Core, RelationCore> || std::is_same_v<Core, AreaCore> || std::is_same_v<Core, IouCore>;
   const Doubles no_number(std::numeric_limits<double>::quiet_NaN());
+  const std::int32_t step_a = columns.first.repeated ? 0 : 1, step_b = columns.second.repeated ? 0 : 1;
+  PairMask all_settled = Doubles(0.0) == Doubles(0.0);
   for (std::int32_t i = 0; i < n; i += Doubles::width) {
-    const auto a = load_shape<A>(columns.first, i);
-    const auto b = load_shape<B>(columns.second, i);
-    const KnownLanes known{Doubles::load(columns.known + i), Doubles::load(columns.first_area + i),
-                           Doubles::load(columns.second_area + i)};
+    const std::int32_t at_a = i * step_a, at_b = i * step_b;
+    const auto a = load_shape<A>(columns.first.number, at_a);
+    const auto b = load_shape<B>(columns.second.number, at_b);
+    const KnownLanes known{Doubles::load(columns.known + i), Doubles::load(columns.first.area + at_a),
+                           Doubles::load(columns.second.area + at_b), Doubles::load(columns.first.reach + at_a),
+                           Doubles::load(columns.second.reach + at_b)};
     Doubles out[Core::results];
     PairMask settled = Core::evaluate(a, b, known, out);
     if constexpr (!sees_validity) settled = both(settled, both(valid(a), valid(b)));
+    all_settled = both(all_settled, settled);
     out[0] = select(settled, out[0], no_number);
     for (int k = 0; k < Core::results; ++k) out[k].store(results[k] + i);
+  }
+  return all(all_settled);
+}
+
+inline void find_apart(const QueryColumns& columns, std::int32_t n, std::uint8_t* out) noexcept {
+  const std::int32_t step_a = columns.first.repeated ? 0 : 1, step_b = columns.second.repeated ? 0 : 1;
+  for (std::int32_t i = 0; i < n; i += Doubles::width) {
+    const auto a = [&](const double* column) { return Doubles::load(column + i * step_a); };
+    const auto b = [&](const double* column) { return Doubles::load(column + i * step_b); };
+    const Doubles dx = b(columns.second.number[0]) - a(columns.first.number[0]);
+    const Doubles dy = b(columns.second.number[1]) - a(columns.first.number[1]);
+    store_bytes(circles_apart(dx, dy, a(columns.first.reach) + b(columns.second.reach)), out + i);
   }
 }
 
@@ -81,6 +100,7 @@ consteval QueryTable make_query_table() noexcept {
   fill_hot_pairs<DepthCore>(table.depth);
   fill<AreaCore, Rect, Rect>(table.area);
   fill<IouCore, Rect, Rect>(table.iou);
+  table.apart = find_apart;
   return table;
 }
 

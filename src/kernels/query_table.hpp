@@ -15,17 +15,30 @@ inline constexpr int max_results = 5;
 /// Pairs a kernel works on at a time, a multiple of every vector's width.
 inline constexpr std::int32_t query_block = 128;
 
-/// Columns of n numbers, n a multiple of the vector's width.
+/// The widest vector's doubles.
+inline constexpr std::int32_t widest_vector = 8;
+
+/// One side's columns of n numbers, n a multiple of the vector's width; a shape that is repeated has but widest_vector.
+struct QueryOperand {
+  const double* number[max_fields];
+  const double* area;   // where the query asks for it; any numbers elsewhere
+  const double* reach;  // the same: the radius of a circle about the centre, 2^-48 to spare. NaN for an invalid shape
+  bool repeated;
+};
+
 struct QueryColumns {
-  const double *first[max_fields], *second[max_fields];  // the shapes' numbers, by field
-  const double* known;                                   // 1 where the shapes overlap, 0 elsewhere, where asked for
-  const double *first_area, *second_area;                // where the query asks for them; any numbers elsewhere
+  QueryOperand first, second;
+  const double* known;  // 1 where the shapes overlap, 0 elsewhere, where asked for
 };
 
 /// Fills results[k][i] for i < n. Where a kernel cannot answer, or a shape is invalid, results[0][i] is NaN, and the
-/// caller asks the scalar function. A kernel and the scalar function are instances of one template without fused
-/// operations, so that they give the same bits.
-using QueryKernel = void (*)(const QueryColumns& columns, std::int32_t n, double* const* results) noexcept;
+/// caller asks the scalar function; returns whether there is none such. A kernel and the scalar function are instances of
+/// one template without fused operations, so that they give the same bits.
+using QueryKernel = bool (*)(const QueryColumns& columns, std::int32_t n, double* const* results) noexcept;
+
+/// Writes 1 to out[i] where the circles of the columns' reach are certainly apart, else 0, for i < n; n as above. The shapes'
+/// first two numbers must be their centres.
+using ApartKernel = void (*)(const QueryColumns& columns, std::int32_t n, std::uint8_t* out) noexcept;
 
 /// By the two kinds in the order of shapes; null where the scalar function does it all.
 using QueryKernels = QueryKernel[kind_count][kind_count];
@@ -37,6 +50,7 @@ struct QueryTable {
   QueryKernels depth;
   QueryKernels area;
   QueryKernels iou;
+  ApartKernel apart;
 };
 
 extern const QueryTable kernels_portable_queries;

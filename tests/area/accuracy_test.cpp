@@ -10,6 +10,7 @@
 #include "area/hard_pairs.hpp"
 #include "area/reference.hpp"
 #include "properties/generators.hpp"
+#include "relation/nesting.hpp"
 
 namespace {
 
@@ -76,6 +77,18 @@ TEST(AreaAccuracy, Workloads) {
       Worst worst;
       for (int i = 0; i < 60 * repeat(); ++i) worst.ask(stream.next());
       worst.report(kind_a, kind_b, name(workload));
+    }
+  });
+}
+
+TEST(AreaAccuracy, NestedShapes) {
+  for_areal_kinds([](int kind_a, int kind_b) {
+    for (const relations::Nesting nesting : relations::all_nestings) {
+      if (!relations::exists(nesting, kind_a, kind_b)) continue;
+      relations::NestingStream stream(nesting, kind_a, kind_b, Scalar::f64, seed());
+      Worst worst;
+      for (int i = 0; i < 80 * repeat(); ++i) worst.ask(stream.next());
+      worst.report(kind_a, kind_b, relations::name(nesting));
     }
   });
 }

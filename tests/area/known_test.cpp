@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "area/reference.hpp"
@@ -86,6 +87,34 @@ TEST(KnownAreas, AtAnyScale) {
     EXPECT_EQ(iou(box, {VESICA_AABB, {s, s, 3 * s, 3 * s}}), 1.0 / 7);
     EXPECT_EQ(area(circle, {VESICA_CIRCLE, {s, 0, s}}) / (s * s), area(unit_circle, {VESICA_CIRCLE, {1, 0, 1}}));
     EXPECT_EQ(area(circle, box) / (s * s), area(unit_circle, square));
+  }
+}
+
+// A centre moved, an axis turned or a half length changed by one subnormal number: the outlines cross, and yet what is
+// not shared is less than the outline's length times 2^-1000.
+TEST(KnownAreas, OfShapesThatAllButCoincide) {
+  constexpr double tiny = 0x1p-1074;
+  const std::vector<std::pair<Kinded, Kinded>> pairs{
+      {{VESICA_CIRCLE, {0, -tiny, 49}}, {VESICA_CIRCLE, {0, 0, 49}}},
+      {{VESICA_CIRCLE, {0, tiny, 0x1.4p-131}}, {VESICA_ELLIPSE, {0, 0, -0x1.8p-137, 0x1p-136, 0x1p+5, 0x1p+5}}},
+      {{VESICA_ELLIPSE, {0, 0, 1, 0, 3, 2}}, {VESICA_ELLIPSE, {tiny, -tiny, 1, 0, 3, 2}}},
+      {{VESICA_ELLIPSE, {0, 0, 1, 0, 3, 2}}, {VESICA_ELLIPSE, {0, 0, 1, tiny, 3, 2}}},
+      {{VESICA_ELLIPSE, {0, 0, 1, tiny, 4000, 0.5}}, {VESICA_ELLIPSE, {0, tiny, 1, 0, 4000, 0.5}}},
+      {{VESICA_RECT, {0, 0, 1, 0, 3, 2}}, {VESICA_RECT, {0, 0, 1, tiny, 3, 2}}},
+      {{VESICA_AABB, {-3, -2, 3, 2}}, {VESICA_RECT, {0, tiny, 1, 0, 3, 2}}},
+  };
+  for (const auto& [a, b] : pairs) {
+    const auto code = [](const Kinded& s, const Kinded& t) {
+      return vesica_relation_f64(s.kind, s.numbers.data(), t.kind, t.numbers.data());
+    };
+    ASSERT_EQ(code(a, b), VESICA_CROSS);
+    const double whole = shape_area(a);
+    EXPECT_EQ(shape_area(b), whole);
+    for (const double shared : {area(a, b), area(b, a)}) {
+      EXPECT_LE(shared, whole);
+      EXPECT_GE(shared, whole * (1 - 16 * 0x1p-53));
+    }
+    EXPECT_GE(iou(a, b), 1 - 32 * 0x1p-53);
   }
 }
 

@@ -22,6 +22,10 @@ double area(int kind_a, const double* a, int kind_b, const double* b);
 /// value is correctly rounded (but for subnormal areas).
 double shape_area_error_in_places(int kind, const double* numbers, double value);
 
+/// How far two ellipses or circles are from being one, where the first is the unit disc: the offset of centres and what
+/// their matrices differ by. Greater than 1 for other shapes.
+double difference(int kind_a, const double* a, int kind_b, const double* b);
+
 /// How far a point is from an outline, to a few digits, for points near it.
 double distance_to_outline(int kind, const double* numbers, double x, double y);
 

@@ -110,20 +110,16 @@ double refine(const DensePair& f, Bracket& bracket) {
   constexpr double golden = 0.38196601125010515;
   Direction a = bracket.before, b = bracket.after;
   const auto on_chord = [&](double t) { return unit(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)); };
-  Direction low = on_chord(golden), high = on_chord(1 - golden);
-  double f_low = f(low), f_high = f(high), best = bracket.value;
-  for (int i = 0; i < 60; ++i) {
+  double best = bracket.value;
+  // Both points anew each time: kept ones drift from their places on the chord, and the more so the longer they are kept.
+  for (int i = 0; i < 50; ++i) {
+    const Direction low = on_chord(golden), high = on_chord(1 - golden);
+    const double f_low = f(low), f_high = f(high);
     if (std::min(f_low, f_high) < best) {
       best = std::min(f_low, f_high);
       bracket.at = f_low < f_high ? low : high;
     }
-    if (f_low < f_high) {
-      b = high, high = low, f_high = f_low;
-      low = on_chord(golden), f_low = f(low);
-    } else {
-      a = low, low = high, f_low = f_high;
-      high = on_chord(1 - golden), f_high = f(high);
-    }
+    (f_low < f_high ? b : a) = f_low < f_high ? high : low;
   }
   return best;
 }

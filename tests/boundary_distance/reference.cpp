@@ -130,7 +130,28 @@ DenseShape rounded(const Shape& s, const Real& x = 0, const Real& y = 0) {
 /// At a kink bisection would be slow, and try_faces() is exact.
 bool is_face_normal(const DenseShape& s, const Direction& n) {
   const double along = std::abs(s.ux * n.x + s.uy * n.y), across = std::abs(s.ux * n.y - s.uy * n.x);
-  return !s.curved && std::min(along, across) < 1e-9;
+  return !s.curved && std::min(along, across) < 1e-14;
+}
+
+/// Where F is constant but for the rounding of doubles, as for nearly concentric circles, only many digits show where
+/// it is least.
+void add_hidden_minimum(const Shape& a, const Shape& b, int sign, const DensePair& f, std::vector<Bracket>& found) {
+  constexpr int count = 48;
+  Direction n[count];
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 6.283185307179586 * i / count;
+    n[i] = unit(std::cos(angle), std::sin(angle));
+    low = std::min(low, f(n[i])), high = std::max(high, f(n[i]));
+  }
+  if (high - low > 1e-10) return;
+  int best = 0;
+  Real least = derivatives(a, b, sign, n[0].x, n[0].y).value;
+  for (int i = 1; i < count; ++i) {
+    const Real value = derivatives(a, b, sign, n[i].x, n[i].y).value;
+    if (value < least) least = value, best = i;
+  }
+  found.insert(found.begin(), {n[(best + count - 1) % count], n[best], n[(best + 1) % count], least.get_d()});
 }
 
 Least least_of_moderate(const Shape& a, const Shape& b, int sign) {
@@ -138,7 +159,10 @@ Least least_of_moderate(const Shape& a, const Shape& b, int sign) {
   std::vector<Bracket> found = local_minima(f);
   std::vector<double> rough;
   for (Bracket& bracket : found) rough.push_back(refine(f, bracket));
-  const double best_rough = *std::min_element(rough.begin(), rough.end()), slack = 1e-12;
+  const std::size_t seen = found.size();
+  add_hidden_minimum(a, b, sign, f, found);
+  if (found.size() > seen) rough.insert(rough.begin(), found[0].value);
+  const double best_rough = *std::min_element(rough.begin(), rough.end()), slack = 1e-11;
   Least best{real(0), 0, 0};
   std::vector<Direction> done;
   for (std::size_t i = 0; i < found.size(); ++i) {

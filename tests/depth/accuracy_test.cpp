@@ -27,8 +27,12 @@ struct Worst {
 void measure(const Pair& pair, Worst& worst) {
   const auto a = outline_reference::shape(pair.kind_a, pair.a), b = outline_reference::shape(pair.kind_b, pair.b);
   const double scale = outline_reference::scale(a, b);
-  // Beyond: what is promised up to 1e6 only, and where roundoffs of the scale are themselves subnormal.
-  if (!(outline_reference::aspect(a) <= 1e6 && outline_reference::aspect(b) <= 1e6 && scale > 0x1p-960)) return;
+  // Beyond: what is promised up to 1e6 only, and where roundoffs of the scale are subnormal or the scale itself is
+  // infinite.
+  if (!(outline_reference::aspect(a) <= 1e6 && outline_reference::aspect(b) <= 1e6 && scale > 0x1p-960 &&
+        scale <= 0x1p1023)) {
+    return;
+  }
   vesica_penetration_f64 found;
   const int32_t error = vesica_depth_f64(pair.kind_a, pair.a.data(), pair.kind_b, pair.b.data(), &found);
   if (error == VESICA_E_RANGE) return;

@@ -263,6 +263,10 @@ TEST(KnownRelation, EllipseEllipse) {
         {0, 0, 1, 0, 20, 10},
         {{'a', 4, 1, cross}, {'a', 4, -1, inside}, {'a', 0, 1, cross}, {'a', 0, -1, inside}}},
        {contains, {0, 0, 1, 0, 40, 20}, {1, 1, 3, 4, 1, 1}},
+       // An image of two circles about one centre, so that the cubic has a double root and yet nothing touches: in the
+       // units of a, 5 c^2 + 12 c + 8 is the squared distance of (3 c, 2 s) from b's centre (-2, 0), c^2 + s^2 = 1, which
+       // is b's 4/5 at c = -6/5 alone. The exact stage said that they touch.
+       {contains, {-8, -6, 1, 2, 3, 2}, {-10, -10, 0, -2, 1, 1}},
        {contains_touch, {0, 0, 3, 4, 10, 5}, {0, 0, 3, 4, 10, 2}, {{'b', 4, 1, cross}, {'b', 4, -1, contains}}},
        {equal,
         {0, 0, 3, 4, 2, 1},

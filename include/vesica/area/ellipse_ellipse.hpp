@@ -189,8 +189,18 @@ inline double cube_root(double r) noexcept {
   return x;
 }
 
-/// All cuts. On the lower half circle the value is concave along x, f's centre being above; on the upper it is convex,
-/// but concave within +-sqrt(1 - r^(2/3)), r = y p^2 / (p^2 - q^2), where r < 1.
+/// On the lower half circle the value is concave along x, f's centre being above; on the upper it is convex, but concave
+/// within +-sqrt(1 - r^(2/3)), r = y p^2 / (p^2 - q^2), where r < 1: this, and 0 for r >= 1. Where outlines all but
+/// coincide a double would not tell p from q.
+template <class V>
+double reach_of_concave(const Against<V>& f) noexcept {
+  const V one(1.0), ratio = f.q * f.over_p, flatness = (one - ratio) * (one + ratio);
+  if (!(f.y < flatness)) return 0;
+  const double r = rounded(f.y / flatness), root = r > 0 ? cube_root(r) : 0;
+  return root < 1 ? std::sqrt((1 - root) * (1 + root)) : 0;
+}
+
+/// All cuts.
 template <class V>
 Cuts cuts(const Against<V>& f) noexcept {
   const double low = rounded(f.x - f.p), high = rounded(f.x + f.p);
@@ -203,12 +213,11 @@ Cuts cuts(const Against<V>& f) noexcept {
   const auto place = [](const HalfCircle<V>& half, double x) { return Place{x, half.value(x)}; };
   add_crossings(lower, place(lower, from), place(lower, to), -1, all);
   const Place first = place(upper, from), last = place(upper, to);
-  const double ratio = rounded(f.q * f.over_p), r = ratio < 1 ? rounded(f.y) / ((1 - ratio) * (1 + ratio)) : 1;
-  if (!(r < 1)) {
+  const double bend = reach_of_concave(f);
+  if (bend == 0) {
     add_crossings(upper, first, last, 1, all);
     return all;
   }
-  const double root = r > 0 ? cube_root(r) : 0, bend = std::sqrt((1 - root) * (1 + root));
   const Place second = place(upper, clamp(-bend, from, to)), third = place(upper, clamp(bend, from, to));
   add_crossings(upper, first, second, 1, all);
   add_crossings(upper, second, third, -1, all);

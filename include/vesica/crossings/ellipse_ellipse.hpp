@@ -115,13 +115,11 @@ inline void add_half(UnitCircle& circle, double side) noexcept {
   // An end is an extreme where the other's centre is on the line through both, or so near it that no x tells them apart.
   const Form end(f, Real(side), Real(0.0));
   circle.add(side, side, std::fabs(rounded(end.slope)) <= 0x1p-24 * std::fabs(rounded(end.bend)));
-  const double ratio = rounded(f.q * f.over_p), r = ratio < 1 ? rounded(f.y) / ((1 - ratio) * (1 + ratio)) : 1;
-  const double root = r < 1 && r > 0 ? clip::cube_root(r) : 0;
-  const double bend = r < 1 && side > 0 ? std::sqrt((1 - root) * (1 + root)) : 1;
   if (side < 0) {
     add_extreme(circle, side, -1, 1);
     return;
   }
+  const double concave = clip::reach_of_concave(f), bend = concave > 0 ? concave : 1;
   add_extreme(circle, side, bend, 1);
   add_extreme(circle, side, -bend, bend);
   add_extreme(circle, side, -1, -bend);
@@ -132,6 +130,7 @@ inline void add_half(UnitCircle& circle, double side) noexcept {
 struct Candidate {
   double x, side, depth;
   bool extreme;
+  int beside = 0;  ///< which of two crossings about an extreme it is, -1 or 1
 };
 
 struct Candidates {
@@ -176,32 +175,67 @@ inline Candidates extremes(const UnitCircle& circle) noexcept {
   return found;
 }
 
-/// As many places as the census says. Crossings so close that none shows between the extremes are at an extreme, both;
-/// of crossings that do not exist, made by rounding beside a place where the outlines touch, the form is least deep.
+/// As many places as the census says. Crossings so close that none shows between the extremes are about an extreme; of
+/// crossings that do not exist, made by rounding beside a place where the outlines touch, the form is least deep.
 inline Candidates chosen(const UnitCircle& circle, const Census& census) noexcept {
   const Candidates crossing = sign_changes(circle), flat = extremes(circle);
   Candidates all;
   for (int i = 0; i < census.crossing && i < crossing.count; ++i) all.add(crossing.candidate[crossing.count - 1 - i]);
-  for (int i = 0; all.count < census.crossing && flat.count > 0; ++i) all.add(flat.candidate[i / 2 % flat.count]);
+  for (int i = 0; all.count < census.crossing && flat.count > 0; ++i) {
+    Candidate c = flat.candidate[i / 2 % flat.count];
+    c.beside = i % 2 == 0 ? -1 : 1;
+    all.add(c);
+  }
   for (int i = 0; i < census.touching && flat.count > 0; ++i) all.add(flat.candidate[i % flat.count]);
   return all;
 }
 
-/// A point of the circle. Beside x = 1 and x = -1 a double x says little of y: steps of Newton's method along the circle,
-/// to where the form is 1 or to where it is extreme, give both.
-inline clip::Vector<double> point_of_circle(const clip::Against<Real>& f, const Candidate& c) noexcept {
-  Real x(c.x), y = Real(c.side) * sqrt((Real(1.0) - x) * (Real(1.0) + x));
-  for (int i = 0; i < 50; ++i) {
-    const Form form(f, x, y);
-    const Real step = c.extreme ? form.slope / form.bend : form.value / (Real(2.0) * form.slope);
-    const double angle = std::fabs(rounded(step));
-    if (!(angle < 0x1p-20)) break;
-    const Real length = sqrt(Real(1.0) + step * step), turned = (x + y * step) / length;
-    y = (y - x * step) / length;
+/// A point of the circle.
+struct OnCircle {
+  Real x, y;
+
+  /// By the angle whose tangent is given, clockwise.
+  void turn(const Real& tangent) noexcept {
+    const Real length = sqrt(Real(1.0) + tangent * tangent), turned = (x + y * tangent) / length;
+    y = (y - x * tangent) / length;
     x = turned;
-    if (angle < 0x1p-60) break;
   }
-  return {rounded(x), rounded(y)};
+  /// Steps of Newton's method along the circle, to where the form is extreme or to where it is 1.
+  void approach(const clip::Against<Real>& f, bool extreme) noexcept {
+    for (int i = 0; i < 50; ++i) {
+      const Form form(f, x, y);
+      const Real step = extreme ? form.slope / form.bend : form.value / (Real(2.0) * form.slope);
+      const double angle = std::fabs(rounded(step));
+      if (!(angle < 0x1p-20)) break;
+      turn(step);
+      if (angle < 0x1p-60) break;
+    }
+  }
+};
+
+/// From x = 1 or x = -1 onto the half circle that a side has, by the form's parabola, where it has a root on each.
+inline void leave_end(const clip::Against<Real>& f, double side, OnCircle& at) noexcept {
+  const Form form(f, at.x, at.y);
+  if ((rounded(form.value) < 0) == (rounded(form.bend) < 0) || rounded(form.value) == 0) return;
+  const bool ahead = (side > 0) == (rounded(at.x) > 0), positive = rounded(form.bend) > 0;
+  const Real root = sqrt(form.slope * form.slope - form.value * form.bend);
+  at.turn((form.slope - (ahead == positive ? root : -root)) / form.bend);
+}
+
+/// Beside x = 1 and x = -1 a double x says little of y, and may not tell two crossings from the extreme between them: from
+/// there they are as far as the form's parabola says.
+inline clip::Vector<double> point_of_circle(const clip::Against<Real>& f, const Candidate& c) noexcept {
+  const Real x(c.x);
+  OnCircle at{x, Real(c.side) * sqrt((Real(1.0) - x) * (Real(1.0) + x))};
+  if (!c.extreme && rounded(at.y) == 0) leave_end(f, c.side, at);
+  at.approach(f, c.extreme);
+  if (c.beside != 0) {
+    const Form form(f, at.x, at.y);
+    const Real reach = sqrt(-form.value / form.bend);
+    at.turn(c.beside < 0 ? -reach : reach);
+    if (rounded(reach) > 0) at.approach(f, false);
+  }
+  return {rounded(at.x), rounded(at.y)};
 }
 
 /// From the frame of `placed` to the one in which e is the unit disc along its own axes.

@@ -91,6 +91,14 @@ VESICA_COLD inline bool first_in_second(const ContactCubic& p) noexcept {
   return sign_with_root(two * (p.d2 * p.al) + minus_be * p.mu, minus_be, delta) == 0;  // q
 }
 
+/// Whether a double root of p is the greater of its roots, so that p'' > 0 there: x0 = -b / (2a) > -c2 / (3 d2), a > 0
+/// unless the root is triple, and then both sides are 0. Degree 24.
+inline bool double_root_is_greater(const ContactCubic& p) noexcept {
+  const auto a = square(p.c2) - integer(3) * (p.d2 * p.c1);
+  const auto b = p.c1 * p.c2 - integer(9) * (p.d1 * p.d2);
+  return compare(integer(2) * (p.c2 * a), integer(3) * (p.d2 * b)) > 0;
+}
+
 inline void exchange(Number<8>& a, Number<8>& b) noexcept {
   const Number<8> first = a;
   a = b;
@@ -106,9 +114,9 @@ inline void exchange_ellipses(ContactCubic& p) noexcept {
 
 }  // namespace detail
 
-/// How two ellipses relate, neither degenerate. With a multiple root, containment is touching unless one of two
-/// circles' images about one centre lies in the other: only then does the double root belong to the lower two of q's
-/// three, which a contained ellipse has between them.
+/// How two ellipses relate, neither degenerate. With a multiple root, containment is touching unless the ellipses are a
+/// projective image of two circles about one centre, and not only where they have one centre themselves: only then does
+/// the double root belong to the lower two of q's three, which a contained ellipse has y+ between.
 inline Relation relation(const Ellipse& e, const Ellipse& f) noexcept {
   ContactCubic p = contact_cubic(e, f);
   if (p.al.sign == 0) return detail::concentric(p);
@@ -119,7 +127,8 @@ inline Relation relation(const Ellipse& e, const Ellipse& f) noexcept {
   if (order == 0) return Relation::cross;  // only the same ellipse could lie within one of its area
   if (order > 0) detail::exchange_ellipses(p);
   if (!detail::first_in_second(p)) return Relation::cross;
-  const Relation inside = roots > 0 ? Relation::inside : Relation::inside_touch;
+  const bool apart = roots > 0 || detail::double_root_is_greater(p);
+  const Relation inside = apart ? Relation::inside : Relation::inside_touch;
   return order < 0 ? inside : converse(inside);
 }
 

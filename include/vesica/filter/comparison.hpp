@@ -6,15 +6,11 @@
 
 namespace vesica::filter {
 
-/// All numbers finite: x - x is 0 for a finite x and NaN for any other, and NaN survives the sum.
-template <class V, class... W>
-VESICA_INLINE auto finite(V first, W... rest) noexcept {
-  return ((first - first) + ... + (rest - rest)) == V(0.0f);
-}
+using vesica::detail::all_finite;
 
 template <class V>
 VESICA_INLINE auto valid_aabb(const Aabb<V>& s) noexcept {
-  return both(finite(s.min_x, s.min_y, s.max_x, s.max_y), both(s.min_x <= s.max_x, s.min_y <= s.max_y));
+  return both(all_finite(s.min_x, s.min_y, s.max_x, s.max_y), both(s.min_x <= s.max_x, s.min_y <= s.max_y));
 }
 
 template <class Mask>
@@ -42,7 +38,7 @@ VESICA_INLINE auto aabb_aabb_standing(const Aabb<V>& a, const Aabb<V>& b) noexce
   const auto not_inside = farthest_out > zero, not_contains = least_room < zero;
   // Each number is in one of four differences, so these are finite only if all are.
   const auto ordered = both(both(a.min_x <= a.max_x, a.min_y <= a.max_y), both(b.min_x <= b.max_x, b.min_y <= b.max_y));
-  return guarded(both(finite(left, right, low, high), ordered),
+  return guarded(both(all_finite(left, right, low, high), ordered),
                  Standing<decltype(gap > zero)>{gap > zero, gap < zero, farthest_out<zero, least_room> zero,
                                                 both(not_inside, not_contains), not_inside, not_contains});
 }
@@ -50,7 +46,7 @@ VESICA_INLINE auto aabb_aabb_standing(const Aabb<V>& a, const Aabb<V>& b) noexce
 template <class V>
 VESICA_INLINE auto point_aabb_standing(const Point<V>& p, const Aabb<V>& box) noexcept {
   const V room = least(p.x - box.min_x, box.max_x - p.x, p.y - box.min_y, box.max_y - p.y), zero(0.0f);
-  return of_point(guarded(both(valid_aabb(box), finite(p.x, p.y)), room > zero, room < zero));
+  return of_point(guarded(both(valid_aabb(box), all_finite(p.x, p.y)), room > zero, room < zero));
 }
 
 }  // namespace vesica::filter

@@ -70,7 +70,7 @@ template <class V>
 VESICA_INLINE auto disc_aabb_standing(const Circle<V>& disc, const Aabb<V>& box) noexcept {
   // max() may drop a NaN.
   const V width = box.max_x - box.min_x, height = box.max_y - box.min_y;
-  const auto usable = both(at_least(V(0.0f), width, height, disc.r), finite(width, height, disc.cx, disc.cy));
+  const auto usable = both(at_least(V(0.0f), width, height, disc.r), all_finite(width, height, disc.cx, disc.cy));
   return guarded(usable, standing(beyond_reach(nearest_offset(disc, box), disc.r), disc_out_of_aabb(disc, box),
                                   beyond_reach(farthest_offset(disc, box), disc.r)));
 }

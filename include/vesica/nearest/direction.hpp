@@ -226,17 +226,16 @@ struct FoundDirection {
   int steps;
 };
 
-/// The maximiser of phi. A turn that would leave the bracket, or that turns back by more than half of what the one
-/// before turned, gives way to halving the bracket; that ends every search. Lanes that are done stand still.
+/// The maximiser of phi between two directions, from one of them or between. A turn that would leave the bracket, or that
+/// turns back by more than half of what the one before turned, gives way to halving the bracket; that ends every search.
+/// Lanes that are done, some from the start, stand still.
 template <class V, class Shapes>
-VESICA_INLINE FoundDirection<V> farthest_direction(const Shapes& shapes, const Direction<V>& d, V size) noexcept {
+VESICA_INLINE FoundDirection<V> search_between(const Shapes& shapes, const Direction<V>& d, V size, Direction<V> n,
+                                               Bracket<V> bracket, MaskOf<V> done, int step_limit) noexcept {
   const V zero(0.0), half(0.5), one(1.0);
-  Direction<V> n = first_direction(shapes, d);
-  Bracket<V> bracket = first_bracket(d, n);
   V slope_before = zero, tangent_before = zero;
-  auto done = zero > zero;
   int step = 0;
-  for (; step < direction_step_limit && !all(done); ++step) {
+  for (; step < step_limit && !all(done); ++step) {
     const Turn<V> turn = turn_at(shapes, d, size, n);
     const auto rising = turn.slope > zero;
     bracket.low = choose(rising, n, bracket.low);
@@ -255,6 +254,13 @@ VESICA_INLINE FoundDirection<V> farthest_direction(const Shapes& shapes, const D
     done = either(done, turn.last);
   }
   return {n, done, step};
+}
+
+/// The maximiser of phi for disjoint shapes.
+template <class V, class Shapes>
+VESICA_INLINE FoundDirection<V> farthest_direction(const Shapes& shapes, const Direction<V>& d, V size) noexcept {
+  const Direction<V> n = first_direction(shapes, d);
+  return search_between(shapes, d, size, n, first_bracket(d, n), V(0.0) > V(0.0), direction_step_limit);
 }
 
 }  // namespace vesica::closest

@@ -10,8 +10,19 @@
 
 namespace vesica::closest {
 
-/// The answer, where settled; elsewhere (numbers far from 1, no convergence, ties within rounding, a common point that is
-/// no centre) it means nothing.
+template <class A, class B>
+inline constexpr bool is_hot = false;
+template <class T>
+inline constexpr bool is_hot<Rect<T>, Rect<T>> = true;
+template <class T>
+inline constexpr bool is_hot<Rect<T>, Ellipse<T>> = true;
+template <class T>
+inline constexpr bool is_hot<Circle<T>, Ellipse<T>> = true;
+template <class T>
+inline constexpr bool is_hot<Ellipse<T>, Ellipse<T>> = true;
+
+/// The answer, where settled; elsewhere (numbers far from 1, no convergence, ties within rounding, a common point that
+/// is no centre) it means nothing.
 template <class V>
 struct HotAnswer {
   V distance, ax, ay, bx, by;
@@ -134,6 +145,20 @@ VESICA_INLINE HotAnswer<V> apart(const Ellipse<V>& a, const Ellipse<V>& b, const
 template <class V>
 VESICA_INLINE MaskOf<V> moderate(const Circle<V>& c) noexcept {
   return moderate_size(c.r);
+}
+
+/// Whether the direction from centre to centre, where a search begins, shows already that moderate shapes are disjoint:
+/// D.D > h_a + h_b along it, by far more than rounding.
+inline bool apart_along_offset(const Ellipse<double>& a, const Ellipse<double>& b) noexcept {
+  const Vector<double> offsets = offset(a.cx, a.cy, b.cx, b.cy);
+  const Direction<double> d{offsets.x.high, offsets.y.high};
+  const double dd = dot(d, d), ha = sqrt(image(semi_axes(axes(a)), d).square),
+               hb = sqrt(image(semi_axes(axes(b)), d).square);
+  return dd - (ha + hb) > 0x1p-30 * dd;
+}
+template <class A, class B>
+bool apart_along_offset(const A&, const B&) noexcept {
+  return false;
 }
 
 /// overlapping: what the exact predicate says of the pair.

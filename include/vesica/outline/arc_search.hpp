@@ -14,9 +14,7 @@
 /// 40 ns an evaluation. The tests in boundary_distance/ and depth/ fail when one in all their pairs takes a quarter of
 /// the limit below.
 ///
-/// In lanes: each lane needs its arcs in a small array of vectors; a round takes every lane's arc of least bound,
-/// evaluates F once, and puts back up to two. Newton's steps would have to become rounds of the same loop, with the
-/// arc's state (converging or not) beside it. Everything else is plain arithmetic and selects already.
+/// Most pairs with ellipses do not come here: least/hot_pairs.hpp, which batches run in lanes, settles them first.
 #pragma once
 
 #include <vesica/outline/arc_bound.hpp>

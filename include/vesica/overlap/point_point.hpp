@@ -10,7 +10,7 @@ using namespace lane;
 
 template <class V>
 VESICA_INLINE auto filter(const Point<V>& a, const Point<V>& b) noexcept {
-  return filter::compared(filter::finite(a.x, a.y, b.x, b.y), both(a.x == b.x, a.y == b.y));
+  return filter::compared(filter::all_finite(a.x, a.y, b.x, b.y), both(a.x == b.x, a.y == b.y));
 }
 
 inline bool exact(const Point<double>& a, const Point<double>& b) noexcept { return filter(a, b).overlap; }

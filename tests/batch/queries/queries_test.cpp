@@ -13,6 +13,7 @@
 #include "batch/instruction_sets.hpp"
 #include "batch/layout.hpp"
 #include "batch/queries/faces.hpp"
+#include "properties/random.hpp"
 
 namespace {
 
@@ -131,6 +132,60 @@ TEST_P(Queries, HaveTheBitsOfScalarCalls) {
   const auto [kind_a, kind_b] = GetParam();
   check_all<float>(kind_a, kind_b);
   check_all<double>(kind_a, kind_b);
+}
+
+/// A rectangle about 2 wide somewhere in a square; some without area, invalid, or of odd magnitude.
+template <class T>
+Numbers<T> scattered(double width, properties::Random& random) {
+  const double angle = random.between(0, 6.283185307179586);
+  properties::Numbers n{random.between(0, width), random.between(0, width), std::cos(angle),
+                        std::sin(angle),          random.between(0.5, 1.5), random.between(0.5, 1.5)};
+  if (random.chance(0.0625)) {
+    const auto any_field = static_cast<std::size_t>(random.below(6));
+    const double odd[] = {0, -1, 1e-36, 1e36, std::numeric_limits<double>::quiet_NaN(), HUGE_VAL};
+    n[any_field] = odd[random.below(6)];
+    if (random.chance(0.2)) n[4] = n[5] = 0;
+  }
+  if (random.chance(0.05)) n[4] = 0;
+  return to_scalar<T>(n);
+}
+
+// Kernels of areas are asked only of pairs that circles about them do not show to be apart, put side by side, where those
+// are at most half: from hardly any to all.
+template <class T>
+void check_scattered() {
+  properties::Random random(properties::seed());
+  for (const QueryFace<T>& face : query_faces<T>()) {
+    for (const double width : {40.0, 12.0, 6.0, 4.0, 2.0}) {
+      Pairs<T> pairs{VESICA_RECT, VESICA_RECT, {}, {}, {}};
+      for (int i = 0; i < 300; ++i) pairs.add(scattered<T>(width, random), scattered<T>(width, random));
+      check_many(face, pairs, 0, 300, Layout::columns, Layout::odd_records);
+      check_many(face, pairs, 0, 300, Layout::repeated, Layout::columns);
+      check_many(face, pairs, 0, 300, Layout::columns, Layout::repeated);
+      if (face.matrix != nullptr) check_matrix(face, pairs, 0, 20, 270);
+    }
+  }
+}
+TEST(QueriesOfScatteredRectangles, HaveTheBitsOfScalarCalls) {
+  check_scattered<float>();
+  check_scattered<double>();
+}
+
+// Corners that meet on the line between the centres, where circles about both touch as well, and a few places about.
+template <class T>
+void check_corner_to_corner() {
+  for (const QueryFace<T>& face : query_faces<T>()) {
+    Pairs<T> pairs{VESICA_RECT, VESICA_RECT, {}, {}, {}};
+    for (int i = 0; i < 81; ++i) {
+      const T place = std::numeric_limits<T>::epsilon();
+      pairs.add({0, 0, 1, 0, 3, 4}, {T{6} + T(4 * (i % 9 - 4)) * place, T{8} + T(4 * (i / 9 - 4)) * place, 1, 0, 3, 4});
+    }
+    check_many(face, pairs, 0, 81, Layout::columns, Layout::columns);
+  }
+}
+TEST(QueriesOfRectanglesCornerToCorner, HaveTheBitsOfScalarCalls) {
+  check_corner_to_corner<float>();
+  check_corner_to_corner<double>();
 }
 
 std::vector<std::pair<int, int>> ordered_pairs() {

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// The kernels' parts for depths and for distances of outlines, as query_cores.hpp.
+#pragma once
+
+#include <vesica/boundary_distance.hpp>
+#include <vesica/depth.hpp>
+
+#include "kernels/query_cores.hpp"
+
+namespace vesica {
+namespace {
+
+/// The five numbers of a lane's answer, where they are wanted, settled and finite.
+VESICA_INLINE PairMask put(const closest::HotAnswer<Doubles>& c, PairMask wanted, Doubles* out) noexcept {
+  const Doubles points[] = {c.distance, c.ax, c.ay, c.bx, c.by};
+  const PairMask settled =
+      both(both(wanted, c.settled), zero_if_finite(c.distance, c.ax, c.ay, c.bx, c.by) == Doubles(0.0));
+  for (int k = 0; k < 5; ++k) out[k] = select(settled, points[k], out[k]);
+  return settled;
+}
+
+/// The outlines of shapes of which one is strictly inside the other.
+VESICA_INLINE closest::HotAnswer<Doubles> nested_outlines(const Rect<Doubles>& a, const Rect<Doubles>& b,
+                                                          PairMask a_inside, PairMask) noexcept {
+  const auto choose = [&](const Rect<Doubles>& yes, const Rect<Doubles>& no) {
+    const auto pick = [&](Doubles x, Doubles y) { return select(a_inside, x, y); };
+    return Rect<Doubles>{pick(yes.cx, no.cx), pick(yes.cy, no.cy), pick(yes.ux, no.ux),
+                         pick(yes.uy, no.uy), pick(yes.hx, no.hx), pick(yes.hy, no.hy)};
+  };
+  const Rect<Doubles> outer = choose(b, a), inner = choose(a, b);
+  const auto f = outline::nested_boxes(outline::box_pair(outer, inner));
+  const closest::HotAnswer<Doubles> found{f.distance,           outer.cx + f.outer_x, outer.cy + f.outer_y,
+                                          inner.cx + f.inner_x, inner.cy + f.inner_y, f.settled};
+  return closest::choose(a_inside, least::points_exchanged(found), found);
+}
+template <class A>
+VESICA_INLINE closest::HotAnswer<Doubles> nested_outlines(const A& a, const Ellipse<Doubles>& b, PairMask a_inside,
+                                                          PairMask idle) noexcept {
+  return least::hot_nested(a, b, a_inside, idle);
+}
+
+/// Outlines of disjoint shapes are as far apart as the shapes. Nested ones are answered where the filter is certain
+/// that they are; those that cross or touch, with their common point, are for the scalar function.
+struct BoundaryDistanceCore {
+  static constexpr int results = 5;
+  template <class A, class B>
+  VESICA_INLINE static PairMask evaluate(const A& a, const B& b, const KnownLanes& known, Doubles* out) noexcept {
+    const Doubles zero(0.0);
+    const PairMask overlapping = known.overlap > zero, every = zero == zero;
+    PairMask settled = and_not(every, every);
+    for (int k = 0; k < 5; ++k) out[k] = zero;
+    if (!all(overlapping)) settled = and_not(closest_points(a, b, overlapping, out), overlapping);
+    const auto certain = filter::certain_relation(pair::standing(a, b));
+    const PairMask nested = both(overlapping, either(certain.inside, certain.contains)), idle = and_not(every, nested);
+    if (all(idle)) return settled;
+    return either(settled, put(nested_outlines(a, b, certain.inside, idle), nested, out));
+  }
+};
+
+/// Disjoint shapes have no depth.
+struct DepthCore {
+  static constexpr int results = 3;
+  template <class A, class B>
+  VESICA_INLINE static PairMask evaluate(const A& a, const B& b, const KnownLanes& known, Doubles* out) noexcept {
+    const Doubles zero(0.0);
+    const PairMask overlapping = known.overlap > zero, disjoint = known.overlap == zero;
+    for (int k = 0; k < 3; ++k) out[k] = zero;
+    if (all(disjoint)) return disjoint;
+    const auto found = depth(a, b, disjoint);
+    const Doubles numbers[] = {found.depth, found.x, found.y};
+    for (int k = 0; k < 3; ++k) out[k] = select(overlapping, numbers[k], zero);
+    return either(disjoint, both(found.settled, zero_if_finite(out[0], out[1], out[2]) == zero));
+  }
+
+ private:
+  VESICA_INLINE static auto depth(const Rect<Doubles>& a, const Rect<Doubles>& b, PairMask) noexcept {
+    return outline::box_box_depth(outline::box_pair(a, b));
+  }
+  template <class A>
+  VESICA_INLINE static auto depth(const A& a, const Ellipse<Doubles>& b, PairMask idle) noexcept {
+    return least::hot_depth(a, b, idle);
+  }
+};
+
+}  // namespace
+}  // namespace vesica
