@@ -81,7 +81,7 @@ struct Answerer {
       for (std::int32_t i = 0; i < n; ++i) {
         T x;
         std::memcpy(&x, field[k] + (repeated ? 0 : index[i]), sizeof x);
-        out[k][i] = x;
+        out[k][i] = static_cast<double>(x);
       }
     }
   }
@@ -113,12 +113,13 @@ struct Answerer {
 
   /// All elements of a block in double lanes: for blocks of which float lanes left much open, as near contact.
   void redo_in_double(const Block<T>& block, Repeat repeat) noexcept {
+    const BlockKernel<double> general = question.double_pair().general[static_cast<int>(repeat)];
     for (std::int32_t begin = 0; begin < block.count; begin += retry_chunk) {
       const std::int32_t n = block_length(block.count - begin, retry_chunk);
       RetryBlock retry(n);
       widen_stretch(block.first, question.fields_first, repeat == Repeat::first, begin, n, retry.first);
       widen_stretch(block.second, question.fields_second, repeat == Repeat::second, begin, n, retry.second);
-      const BlockResult result = retry.answer(question.double_pair().general[static_cast<int>(repeat)]);
+      const BlockResult result = retry.answer(general);
       tally.overlaps += result.overlaps;
       std::memcpy(block.out + begin, retry.answers, static_cast<std::size_t>(n));
       for (std::int32_t i = 0; i < result.undecided; ++i) resolve(block, repeat, begin + retry.open[i]);

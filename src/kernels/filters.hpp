@@ -11,12 +11,15 @@
 namespace vesica {
 namespace {
 
+/// The pair's own.
 struct General {
   template <class A, class B>
   VESICA_INLINE static auto filter(const A& a, const B& b) noexcept {
     return pair::filter(a, b);
   }
 };
+
+/// For axes of unit length; all but the first stop after their first half.
 struct UnitAxes {
   template <class V>
   VESICA_INLINE static auto filter(const Rect<V>& a, const Rect<V>& b) noexcept {
