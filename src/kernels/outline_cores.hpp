@@ -44,7 +44,8 @@ VESICA_INLINE closest::HotAnswer<Doubles> nested_outlines(const A& a, const Elli
 struct BoundaryDistanceCore {
   static constexpr int results = 5;
   template <class A, class B>
-  VESICA_INLINE static PairMask evaluate(const A& a, const B& b, const KnownLanes& known, Doubles* out) noexcept {
+  VESICA_INLINE static PairMask evaluate(const A& a, const B& b, const KnownLanes<Doubles>& known,
+                                         Doubles* out) noexcept {
     const Doubles zero(0.0);
     const PairMask overlapping = known.overlap > zero, every = zero == zero;
     PairMask settled = and_not(every, every);
@@ -61,7 +62,8 @@ struct BoundaryDistanceCore {
 struct DepthCore {
   static constexpr int results = 3;
   template <class A, class B>
-  VESICA_INLINE static PairMask evaluate(const A& a, const B& b, const KnownLanes& known, Doubles* out) noexcept {
+  VESICA_INLINE static PairMask evaluate(const A& a, const B& b, const KnownLanes<Doubles>& known,
+                                         Doubles* out) noexcept {
     const Doubles zero(0.0);
     const PairMask overlapping = known.overlap > zero, disjoint = known.overlap == zero;
     for (int k = 0; k < 3; ++k) out[k] = zero;

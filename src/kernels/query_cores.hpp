@@ -14,19 +14,21 @@
 namespace vesica {
 namespace {
 
-using PairMask = decltype(Doubles(0.0) < Doubles(0.0));
+using closest::MaskOf;
+using PairMask = MaskOf<Doubles>;
 
 /// What is known of a vector of pairs, where the query asks for it.
+template <class V>
 struct KnownLanes {
-  Doubles overlap;  // 1 or 0
-  Doubles area_a, area_b;
-  Doubles reach_a, reach_b;
+  V overlap;  // 1 or 0
+  V area_a, area_b;
+  V reach_a, reach_b;
 };
 
 struct RelationCore {
   static constexpr int results = 1;
   template <class A, class B>
-  VESICA_INLINE static PairMask evaluate(const A& a, const B& b, const KnownLanes&, Doubles* out) noexcept {
+  VESICA_INLINE static PairMask evaluate(const A& a, const B& b, const KnownLanes<Doubles>&, Doubles* out) noexcept {
     const auto certain = filter::certain_relation(pair::standing(a, b));
     const auto code = [](Relation relation) { return Doubles(static_cast<double>(relation)); };
     const Doubles nested = select(certain.inside, code(Relation::inside), code(Relation::contains));
@@ -36,25 +38,25 @@ struct RelationCore {
 };
 
 /// Zero where all numbers are finite, NaN elsewhere.
-template <class... V>
-VESICA_INLINE Doubles zero_if_finite(V... numbers) noexcept {
-  const Doubles zero(0.0);
-  return ((numbers * zero) + ...);
+template <class V, class... W>
+VESICA_INLINE V zero_if_finite(V first, W... rest) noexcept {
+  const V zero(0.0);
+  return ((first * zero) + ... + (rest * zero));
 }
 
-template <class A, class B>
-VESICA_INLINE PairMask closest_points(const A& a, const B& b, PairMask overlapping, Doubles* out) noexcept {
+template <class V, class A, class B>
+VESICA_INLINE MaskOf<V> closest_points(const A& a, const B& b, MaskOf<V> overlapping, V* out) noexcept {
   const auto hot = closest::hot_answer(a, b, overlapping);
-  const Doubles points[] = {hot.distance, hot.ax, hot.ay, hot.bx, hot.by};
+  const V points[] = {hot.distance, hot.ax, hot.ay, hot.bx, hot.by};
   for (int k = 0; k < 5; ++k) out[k] = points[k];
-  return both(hot.settled, zero_if_finite(hot.distance, hot.ax, hot.ay, hot.bx, hot.by) == Doubles(0.0));
+  return both(hot.settled, zero_if_finite(hot.distance, hot.ax, hot.ay, hot.bx, hot.by) == V(0.0));
 }
 
 struct NearestCore {
   static constexpr int results = 5;
-  template <class A, class B>
-  VESICA_INLINE static PairMask evaluate(const A& a, const B& b, const KnownLanes& known, Doubles* out) noexcept {
-    return closest_points(a, b, known.overlap > Doubles(0.0), out);
+  template <class V, class A, class B>
+  VESICA_INLINE static MaskOf<V> evaluate(const A& a, const B& b, const KnownLanes<V>& known, V* out) noexcept {
+    return closest_points(a, b, known.overlap > V(0.0), out);
   }
 };
 
@@ -65,7 +67,7 @@ VESICA_INLINE PairMask circles_apart(Doubles dx, Doubles dy, Doubles reach) noex
 }
 
 /// The area of valid rectangles that certainly cross or are certainly disjoint.
-VESICA_INLINE PairMask shared_area(const Rect<Doubles>& a, const Rect<Doubles>& b, const KnownLanes& known,
+VESICA_INLINE PairMask shared_area(const Rect<Doubles>& a, const Rect<Doubles>& b, const KnownLanes<Doubles>& known,
                                    Doubles& area) noexcept {
   const PairMask disjoint = pair::filter(a, b).disjoint, valid = known.reach_a + known.reach_b > Doubles(0.0);
   area = Doubles(0.0);
@@ -77,8 +79,8 @@ VESICA_INLINE PairMask shared_area(const Rect<Doubles>& a, const Rect<Doubles>& 
 
 struct AreaCore {
   static constexpr int results = 1;
-  VESICA_INLINE static PairMask evaluate(const Rect<Doubles>& a, const Rect<Doubles>& b, const KnownLanes& known,
-                                         Doubles* out) noexcept {
+  VESICA_INLINE static PairMask evaluate(const Rect<Doubles>& a, const Rect<Doubles>& b,
+                                         const KnownLanes<Doubles>& known, Doubles* out) noexcept {
     return shared_area(a, b, known, out[0]);
   }
 };
@@ -86,8 +88,8 @@ struct AreaCore {
 /// Areas whose reach is known need none of the care that iou() takes of their range; the same bits come out.
 struct IouCore {
   static constexpr int results = 1;
-  VESICA_INLINE static PairMask evaluate(const Rect<Doubles>& a, const Rect<Doubles>& b, const KnownLanes& known,
-                                         Doubles* out) noexcept {
+  VESICA_INLINE static PairMask evaluate(const Rect<Doubles>& a, const Rect<Doubles>& b,
+                                         const KnownLanes<Doubles>& known, Doubles* out) noexcept {
     Doubles shared;
     const PairMask settled = shared_area(a, b, known, shared);
     const Doubles most = max(known.area_a, known.area_b), least = min(known.area_a, known.area_b);

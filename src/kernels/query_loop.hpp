@@ -8,51 +8,54 @@
 
 #include "kernels/outline_cores.hpp"
 #include "kernels/query_cores.hpp"
+#include "lanes/two_vectors.hpp"
 
 namespace vesica {
 namespace {
 
-template <template <class> class Shape, std::size_t... Field>
-VESICA_INLINE Shape<Doubles> load_shape(const double* const* field, std::int32_t i,
-                                        std::index_sequence<Field...>) noexcept {
-  return {Doubles::load(field[Field] + i)...};
+template <template <class> class Shape, class V, std::size_t... Field>
+VESICA_INLINE Shape<V> load_shape(const double* const* field, std::int32_t i, std::index_sequence<Field...>) noexcept {
+  return {V::load(field[Field] + i)...};
 }
-template <template <class> class Shape>
-VESICA_INLINE Shape<Doubles> load_shape(const double* const* field, std::int32_t i) noexcept {
-  return load_shape<Shape>(field, i, std::make_index_sequence<ShapeTraits<Shape<double>>::fields>{});
+template <template <class> class Shape, class V>
+VESICA_INLINE Shape<V> load_shape(const double* const* field, std::int32_t i) noexcept {
+  return load_shape<Shape, V>(field, i, std::make_index_sequence<ShapeTraits<Shape<double>>::fields>{});
 }
 
 // As check(): finite numbers, no negative size, an axis that is not zero. The filters behind a relation see to it
 // themselves, for every shape; what is known of rectangles says it where areas are asked for.
-VESICA_INLINE PairMask valid(const Circle<Doubles>& s) noexcept {
-  const Doubles zero(0.0);
+template <class V>
+VESICA_INLINE MaskOf<V> valid(const Circle<V>& s) noexcept {
+  const V zero(0.0);
   return both(zero_if_finite(s.cx, s.cy, s.r) == zero, s.r >= zero);
 }
-VESICA_INLINE PairMask valid(const Rect<Doubles>& s) noexcept {
-  const Doubles zero(0.0);
-  const PairMask axis = abs(s.ux) + abs(s.uy) > zero;
+template <class V>
+VESICA_INLINE MaskOf<V> valid(const Rect<V>& s) noexcept {
+  const V zero(0.0);
+  const MaskOf<V> axis = abs(s.ux) + abs(s.uy) > zero;
   return both(both(zero_if_finite(s.cx, s.cy, s.ux, s.uy, s.hx, s.hy) == zero, axis), both(s.hx >= zero, s.hy >= zero));
 }
-VESICA_INLINE PairMask valid(const Ellipse<Doubles>& s) noexcept {
-  return valid(Rect<Doubles>{s.cx, s.cy, s.ux, s.uy, s.a, s.b});
+template <class V>
+VESICA_INLINE MaskOf<V> valid(const Ellipse<V>& s) noexcept {
+  return valid(Rect<V>{s.cx, s.cy, s.ux, s.uy, s.a, s.b});
 }
 
-template <class Core, template <class> class A, template <class> class B>
+template <class Core, template <class> class A, template <class> class B, class V>
 bool answer_vectors(const QueryColumns& columns, std::int32_t n, double* const* results) noexcept {
   constexpr bool sees_validity =
       std::is_same_v<Core, RelationCore> || std::is_same_v<Core, AreaCore> || std::is_same_v<Core, IouCore>;
-  const Doubles no_number(std::numeric_limits<double>::quiet_NaN());
+  const V no_number(std::numeric_limits<double>::quiet_NaN());
   const std::int32_t step_a = columns.first.repeated ? 0 : 1, step_b = columns.second.repeated ? 0 : 1;
-  PairMask all_settled = Doubles(0.0) == Doubles(0.0);
-  for (std::int32_t i = 0; i < n; i += Doubles::width) {
+  MaskOf<V> all_settled = V(0.0) == V(0.0);
+  for (std::int32_t i = 0; i < n; i += V::width) {
     const std::int32_t at_a = i * step_a, at_b = i * step_b;
-    const auto a = load_shape<A>(columns.first.number, at_a);
-    const auto b = load_shape<B>(columns.second.number, at_b);
-    const KnownLanes known{Doubles::load(columns.known + i), Doubles::load(columns.first.area + at_a),
-                           Doubles::load(columns.second.area + at_b), Doubles::load(columns.first.reach + at_a),
-                           Doubles::load(columns.second.reach + at_b)};
-    Doubles out[Core::results];
-    PairMask settled = Core::evaluate(a, b, known, out);
+    const auto a = load_shape<A, V>(columns.first.number, at_a);
+    const auto b = load_shape<B, V>(columns.second.number, at_b);
+    const KnownLanes<V> known{V::load(columns.known + i), V::load(columns.first.area + at_a),
+                              V::load(columns.second.area + at_b), V::load(columns.first.reach + at_a),
+                              V::load(columns.second.reach + at_b)};
+    V out[Core::results];
+    MaskOf<V> settled = Core::evaluate(a, b, known, out);
     if constexpr (!sees_validity) settled = both(settled, both(valid(a), valid(b)));
     all_settled = both(all_settled, settled);
     out[0] = select(settled, out[0], no_number);
@@ -72,10 +75,10 @@ inline void find_apart(const QueryColumns& columns, std::int32_t n, std::uint8_t
   }
 }
 
-template <class Core, template <class> class A, template <class> class B>
+template <class Core, template <class> class A, template <class> class B, class V = Doubles>
 constexpr void fill(QueryKernels& kernels) noexcept {
   kernels[static_cast<int>(ShapeTraits<A<double>>::kind)][static_cast<int>(ShapeTraits<B<double>>::kind)] =
-      answer_vectors<Core, A, B>;
+      answer_vectors<Core, A, B, V>;
 }
 
 template <class Core>
@@ -95,7 +98,10 @@ consteval QueryTable make_query_table() noexcept {
   fill<RelationCore, Aabb, Aabb>(table.relation);
   fill<RelationCore, Point, Rect>(table.relation);
   fill<RelationCore, Point, Ellipse>(table.relation);
-  fill_hot_pairs<NearestCore>(table.nearest);
+  fill<NearestCore, Rect, Rect>(table.nearest);
+  fill<NearestCore, Rect, Ellipse, TwoVectors<Doubles>>(table.nearest);
+  fill<NearestCore, Circle, Ellipse, TwoVectors<Doubles>>(table.nearest);
+  fill<NearestCore, Ellipse, Ellipse, TwoVectors<Doubles>>(table.nearest);
   fill_hot_pairs<BoundaryDistanceCore>(table.boundary_distance);
   fill_hot_pairs<DepthCore>(table.depth);
   fill<AreaCore, Rect, Rect>(table.area);

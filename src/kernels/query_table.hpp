@@ -15,8 +15,8 @@ inline constexpr int max_results = 5;
 /// Pairs a kernel works on at a time, a multiple of every vector's width.
 inline constexpr std::int32_t query_block = 128;
 
-/// The widest vector's doubles.
-inline constexpr std::int32_t widest_vector = 8;
+/// The doubles of the widest vectors, two as one.
+inline constexpr std::int32_t widest_vector = 16;
 
 /// One side's columns of n numbers, n a multiple of the vector's width; a shape that is repeated has but widest_vector.
 struct QueryOperand {
