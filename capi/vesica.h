@@ -144,9 +144,9 @@ VESICA_API int32_t vesica_field_count(int32_t kind);
 VESICA_API const char *vesica_kind_name(int32_t kind);
 
 /**
- * Name of the instruction set that batches run on: "sse2", "avx2", "avx512", "neon" or "portable", the best this processor
- * has. VESICA_ISA in the environment, read once when the library is loaded, forces one; a name that is unknown or of a
- * set the processor lacks is ignored. Answers never depend on it. Static storage. Since 0.1.
+ * Name of the instruction set that batches run on: "sse2", "avx2", "avx512", "neon" or "portable", the best this
+ * processor has. VESICA_ISA in the environment, read once when the library is loaded, forces one; a name that is
+ * unknown or of a set the processor lacks is ignored. Answers never depend on it. Static storage. Since 0.1.
  */
 VESICA_API const char *vesica_isa_name(void);
 
@@ -274,9 +274,10 @@ VESICA_API int32_t vesica_overlap_ellipse_ellipse_f64(const vesica_ellipse_f64 *
  * VESICA_TOUCH, the shapes have one; VESICA_DISJOINT. So a segment's end on another's middle is touch, two segments
  * along one line that overlap in part cross, and a point on a rim is inside with touch.
  *
- * numbers_a, numbers_b: each shape's numbers in its order; they may be the same memory. Returns the relation; exchanging
- * the shapes gives the converse, always. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Exact for every valid
- * shape. Cost: up to twice that of vesica_overlap_f64; where shapes touch or are equal, 0.1 to 8 us. Since 0.1.
+ * numbers_a, numbers_b: each shape's numbers in its order; they may be the same memory. Returns the relation;
+ * exchanging the shapes gives the converse, always. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Exact for
+ * every valid shape. Cost: up to twice that of vesica_overlap_f64; where shapes touch or are equal, 0.1 to 8 us.
+ * Since 0.1.
  */
 VESICA_API int32_t vesica_relation_f64(int32_t kind_a, const double *numbers_a,
                                        int32_t kind_b, const double *numbers_b);
@@ -294,9 +295,9 @@ VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const double *numbers_a,
  * The places where the outlines of two shapes of any kinds meet, touching included. Either order of kinds.
  *
  * The outline of a shape with area is the curve around it; a segment, a point, and a shape without area are their own
- * outlines. How many places there are, up to 8, is exact: where outlines touch, to whatever order, is one. A stretch that
- * straight outlines have in common counts as its two end points and sets out->shared; equal boxes have their corners.
- * Equal curves have no single places: the count is 0 and out->shared 1.
+ * outlines. How many places there are, up to 8, is exact: where outlines touch, to whatever order, is one. A stretch
+ * that straight outlines have in common counts as its two end points and sets out->shared; equal boxes have their
+ * corners. Equal curves have no single places: the count is 0 and out->shared 1.
  * Places are in order along a's outline: counter-clockwise about its axis from a box's corner C - hx u - hy perp(u),
  * from an ellipse's end C + a u of its axis (a circle's C + (r, 0)); from a segment's first end.
  * Accuracy: within 16 u of the greatest coordinate and size met, u = 2^-53; for two ellipses where they cross. Two that
@@ -312,19 +313,19 @@ VESICA_API int32_t vesica_crossings_f64(int32_t kind_a, const double *numbers_a,
 /**
  * How far apart are two solid shapes of any kinds, in either order, and which points of them are closest?
  *
- * Disjoint shapes (as vesica_overlap_f64 says, exactly): out->distance > 0, the closest point of a (ax, ay), and that of
- * b (bx, by). Shapes that share a point: distance 0, and both points are one common point. Where several answers are
- * equally right it is one of them. Exchanging the shapes exchanges the points and changes no bit; moving both by the same
- * exact amounts changes no bit of the distance.
- * Accuracy, u = 2^-53 and scale the largest coordinate of the offset of centres or half length: the distance is right to
- * 4 u scale at any aspect ratio (longer over shorter size), 1 u scale having been seen; to 2 u of itself where it is above
- * 1e-10 scale at aspects up to 1e6, above 1e-14 scale at aspects up to 1000; and never 0 for disjoint shapes. Closest points
- * lie within 4 u scale of their shapes' outlines, common points within 8 u scale of both shapes, before the rounding of
- * their coordinates.
- * out: untouched on error; may not overlap the numbers. Returns 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE,
- * VESICA_E_RANGE (the distance or a coordinate would leave the finite range). Cost: 100 to 200 ns for disjoint shapes, the
- * thinnest ellipses 300 ns; 50 ns where a centre lies in the other shape; 0.3 to 3 us for shapes that cross, for ties
- * within rounding and for magnitudes beyond 2^+-40. Since 0.1.
+ * Disjoint shapes (as vesica_overlap_f64 says, exactly): out->distance > 0, the closest point of a (ax, ay), and that
+ * of b (bx, by). Shapes that share a point: distance 0, and both points are one common point. Where several answers are
+ * equally right it is one of them. Exchanging the shapes exchanges the points and changes no bit; moving both by the
+ * same exact amounts changes no bit of the distance.
+ * Accuracy, u = 2^-53 and scale the largest coordinate of the offset of centres or half length: the distance is right
+ * to 4 u scale at any aspect ratio (longer over shorter size), 1 u scale having been seen; to 2 u of itself where it is
+ * above 1e-10 scale at aspects up to 1e6, above 1e-14 scale at aspects up to 1000; and never 0 for disjoint shapes.
+ * Closest points lie within 4 u scale of their shapes' outlines, common points within 8 u scale of both shapes, before
+ * the rounding of their coordinates.
+ * out: untouched on error; may not overlap the numbers. Returns 0. Errors: VESICA_E_NULL, VESICA_E_KIND,
+ * VESICA_E_SHAPE, VESICA_E_RANGE (the distance or a coordinate would leave the finite range). Cost: 100 to 200 ns for
+ * disjoint shapes, the thinnest ellipses 300 ns; 50 ns where a centre lies in the other shape; 0.3 to 3 us for shapes
+ * that cross, for ties within rounding and for magnitudes beyond 2^+-40. Since 0.1.
  */
 VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
                                       vesica_closest_points_f64 *out);
@@ -332,19 +333,19 @@ VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const double *numbers_a, i
 /**
  * Distance between the outlines of two shapes of any kinds, in either order, and where they come closest.
  *
- * The outline of a shape with area is the curve around it; of a point, a segment or any shape with a zero size it is all
- * of the shape. Outlines that share a point: distance 0, and (ax, ay) = (bx, by) is a point of both, rounded. Disjoint
- * shapes: as vesica_nearest_f64. One shape strictly inside the other: the least distance over the whole outline, never
- * a local minimum, and the closest point on each. Where several pairs of points are equally close it is one of them.
- * Which case it is, is decided exactly (vesica_relation_f64). Exchanging the shapes exchanges the points and changes no
- * bit; moving both by the same exact amounts leaves every bit of the distance.
- * Accuracy, u = 2^-53 and scale the largest coordinate of the offset of centres or half length: the distance is right to
- * 4 u scale at aspect ratios up to 1e6, and never rounded to 0 where outlines are apart; each point is within 4 u scale
- * times the greater aspect ratio of its outline, before the rounding of its coordinates.
+ * The outline of a shape with area is the curve around it; of a point, a segment or any shape with a zero size it is
+ * all of the shape. Outlines that share a point: distance 0, and (ax, ay) = (bx, by) is a point of both, rounded.
+ * Disjoint shapes: as vesica_nearest_f64. One shape strictly inside the other: the least distance over the whole
+ * outline, never a local minimum, and the closest point on each. Where several pairs of points are equally close it is
+ * one of them. Which case it is, is decided exactly (vesica_relation_f64). Exchanging the shapes exchanges the points
+ * and changes no bit; moving both by the same exact amounts leaves every bit of the distance.
+ * Accuracy, u = 2^-53 and scale the largest coordinate of the offset of centres or half length: the distance is right
+ * to 4 u scale at aspect ratios up to 1e6, and never rounded to 0 where outlines are apart; each point is within 4 u
+ * scale times the greater aspect ratio of its outline, before the rounding of its coordinates.
  * out: untouched on error; may not overlap the numbers. Returns 0. Errors: VESICA_E_NULL, VESICA_E_KIND,
  * VESICA_E_SHAPE, VESICA_E_RANGE (a number would leave the finite range). Cost: that of
- * vesica_nearest_f64 for disjoint shapes, 0.1 to 0.5 us for nested ones, 1 us more for few of them; 0.5 to 2 us for a common
- * point; up to 5 us more where it takes exact arithmetic to tell how the shapes relate. Since 0.1.
+ * vesica_nearest_f64 for disjoint shapes, 0.1 to 0.5 us for nested ones, 1 us more for few of them; 0.5 to 2 us for a
+ * common point; up to 5 us more where it takes exact arithmetic to tell how the shapes relate. Since 0.1.
  */
 VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const double *numbers_a,
                                                 int32_t kind_b, const double *numbers_b,
@@ -353,18 +354,19 @@ VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const double *nu
 /**
  * Penetration depth of two shapes of any kinds, in either order: how far must b be moved so that they only touch?
  *
- * out->depth is the least length of a translation of b after which a line has a on its one side and b on its other, both
- * up to the line itself; moving b by depth along the unit vector (x, y) does it. Disjoint shapes: all three are 0.
+ * out->depth is the least length of a translation of b after which a line has a on its one side and b on its other,
+ * both up to the line itself; moving b by depth along the unit vector (x, y) does it. Disjoint shapes: all three are 0.
  * Overlapping shapes always get a direction, and depth 0 exactly where they have such a line already: shapes that touch
  * from outside, a point on an outline, and points or segments along one line. Otherwise depth > 0, however small.
- * Where several directions do equally well it is one of them. Exchanging the shapes turns the direction round and changes
- * no other bit (two equal shapes in one place excepted); moving both by the same exact amounts changes no bit at all.
+ * Where several directions do equally well it is one of them. Exchanging the shapes turns the direction round and
+ * changes no other bit (two equal shapes in one place excepted); moving both by the same exact amounts changes no bit
+ * at all.
  * Accuracy, u = 2^-53 and scale the largest coordinate of the offset of centres or half length: depth is right to
  * 4 u scale at aspect ratios up to 1e6, (x, y) is of length 1 to 3 u and moves b clear but for 4 u scale.
  * out: untouched on error; may not overlap the numbers. Returns 0. Errors: VESICA_E_NULL, VESICA_E_KIND,
  * VESICA_E_SHAPE, VESICA_E_RANGE (the depth would leave the finite range). Cost: about 150 ns for two boxes (points and
- * segments are boxes), 0.5 us with an ellipse, 1 us more for few of these; up to 5 us where it takes exact arithmetic to tell a depth from 0.
- * Since 0.1.
+ * segments are boxes), 0.5 us with an ellipse, 1 us more for few of these; up to 5 us where it takes exact arithmetic
+ * to tell a depth from 0. Since 0.1.
  */
 VESICA_API int32_t vesica_depth_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
                                     vesica_penetration_f64 *out);
@@ -383,9 +385,9 @@ VESICA_API int32_t vesica_shape_area_f64(int32_t kind, const double *numbers, do
  * Area of the intersection of two shapes of any kinds, in either order.
  *
  * Shapes that are disjoint, that touch (as vesica_relation_f64 says) or of which one has no area share exactly 0; where
- * one contains the other, exactly the vesica_shape_area_f64 of the inner one. Never more than the area of either, and more
- * than 0 wherever insides meet, unless that underflows. Exchanging the shapes changes no bit, nor does scaling both by a
- * power of two, but for its square.
+ * one contains the other, exactly the vesica_shape_area_f64 of the inner one. Never more than the area of either, and
+ * more than 0 wherever insides meet, unless that underflows. Exchanging the shapes changes no bit, nor does scaling
+ * both by a power of two, but for its square.
  * Accuracy: within 64 u of the lesser shape's area times the larger of the two aspects (longer size over shorter; for
  * aspects up to 10^4), u = 2^-53, however near the outlines are to touching or coinciding and however different the
  * sizes are.
@@ -400,8 +402,8 @@ VESICA_API int32_t vesica_area_f64(int32_t kind_a, const double *numbers_a,
  * Intersection over union (Jaccard index) of two shapes: their vesica_area_f64 over the area of both together.
  *
  * From 0 to 1: exactly 1 for equal shapes, exactly 0 for shapes that share no area. Nothing overflows or underflows on
- * the way, whatever the sizes. Accuracy: that of the area, over the area of the union. Exchanging the shapes, or scaling
- * both by a power of two, changes no bit.
+ * the way, whatever the sizes. Accuracy: that of the area, over the area of the union. Exchanging the shapes, or
+ * scaling both by a power of two, changes no bit.
  * out: untouched on error; may not overlap the numbers. Returns 0. Errors: VESICA_E_NULL, VESICA_E_KIND,
  * VESICA_E_SHAPE, VESICA_E_ARGUMENT (neither shape has an area; with one that has, the ratio is 0). Cost: that of
  * vesica_area_f64 and two of vesica_shape_area_f64. Since 0.1.
@@ -498,8 +500,8 @@ VESICA_API int32_t vesica_ellipse_from_matrix_f64(double cx, double cy, double m
  * An array of shapes of one kind, however it lies in memory: records, packed or padded, or a column a number.
  *
  * Element i has its number k at field[k] + i * stride bytes, k in the order of the shape. stride is a record's size for
- * records, sizeof(double) for columns, 0 to repeat one shape, negative to run backwards. Fields beyond the kind's are not
- * looked at. Numbers need no alignment. reserved must be 0.
+ * records, sizeof(double) for columns, 0 to repeat one shape, negative to run backwards. Fields beyond the kind's are
+ * not looked at. Numbers need no alignment. reserved must be 0.
  */
 typedef struct {
     int32_t kind;
@@ -510,10 +512,11 @@ typedef struct {
 } vesica_shapes_f64;
 
 /**
- * Fills *out for `count` records that start at base, each a vesica_<kind>_f64 followed by whatever else the record holds.
+ * Fills *out for `count` records that start at base, each a vesica_<kind>_f64 followed by whatever else the record
+ * holds.
  *
- * stride: bytes from one record to the next; base: the first record's shape. Returns 0. Errors: VESICA_E_NULL (base may be
- * NULL where count is 0), VESICA_E_KIND, VESICA_E_ARGUMENT (negative count). Since 0.1.
+ * stride: bytes from one record to the next; base: the first record's shape. Returns 0. Errors: VESICA_E_NULL (base may
+ * be NULL where count is 0), VESICA_E_KIND, VESICA_E_ARGUMENT (negative count). Since 0.1.
  */
 VESICA_API int32_t vesica_shapes_from_records_f64(int32_t kind, int64_t count, const void *base, ptrdiff_t stride,
                                                   vesica_shapes_f64 *out);
@@ -534,10 +537,10 @@ VESICA_API int64_t vesica_overlap_many_f64(const vesica_shapes_f64 *a, const ves
 /**
  * Overlap of every a with every b: out[i * row_stride + j] = 1 where a[i] and b[j] share a point, else 0.
  *
- * row_stride: bytes from one row of answers to the next, at least b's count unless a's count is at most 1 (negative: the
- * rows run backwards in memory). Returns how many are 1. Everything else, errors included, as vesica_overlap_many_f64;
- * VESICA_E_ARGUMENT also when rows would overlap or lie beyond the address space. Cost: as one shape against many,
- * however large the arrays are. Since 0.1.
+ * row_stride: bytes from one row of answers to the next, at least b's count unless a's count is at most 1 (negative:
+ * the rows run backwards in memory). Returns how many are 1. Everything else, errors included, as
+ * vesica_overlap_many_f64; VESICA_E_ARGUMENT also when rows would overlap or lie beyond the address space. Cost: as one
+ * shape against many, however large the arrays are. Since 0.1.
  */
 VESICA_API int64_t vesica_overlap_matrix_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, uint8_t *out,
                                              ptrdiff_t row_stride);
@@ -545,11 +548,11 @@ VESICA_API int64_t vesica_overlap_matrix_f64(const vesica_shapes_f64 *a, const v
 /**
  * Which of many does one shape overlap? Writes their indices, ascending, to out[0], out[1] ...
  *
- * one: an array of count 1. capacity: room in out, in indices; it may be 0, and out NULL with it. Returns how many there
- * are, also beyond the capacity; where room is left after the last index, the next entry is -1.
+ * one: an array of count 1. capacity: room in out, in indices; it may be 0, and out NULL with it. Returns how many
+ * there are, also beyond the capacity; where room is left after the last index, the next entry is -1.
  * An invalid element is not selected, the indices of valid ones are written, and the call returns VESICA_E_SHAPE: then
- * -1 or the capacity ends them. Other errors as vesica_overlap_many_f64; VESICA_E_ARGUMENT also when one's count is not 1
- * or the capacity is negative. Since 0.1.
+ * -1 or the capacity ends them. Other errors as vesica_overlap_many_f64; VESICA_E_ARGUMENT also when one's count is not
+ * 1 or the capacity is negative. Since 0.1.
  */
 VESICA_API int64_t vesica_overlap_select_f64(const vesica_shapes_f64 *one, const vesica_shapes_f64 *many, int64_t *out,
                                              int64_t capacity);
@@ -569,10 +572,10 @@ VESICA_API int64_t vesica_nms_scratch(int64_t count);
  * alignment and content. keep: room for as many indices as there are shapes; the kept ones, in the order of their
  * scores; what follows them is not written. *kept: how many. No output may overlap another or the input.
  * Returns 0. A shape that is invalid, or whose score is NaN, is left out as if it were not there, keep and *kept are
- * written, and the call returns VESICA_E_SHAPE. Before anything is written: VESICA_E_NULL (with no shapes, only shapes and
- * kept are looked at), VESICA_E_KIND (also for points and segments), VESICA_E_ARGUMENT (as vesica_overlap_many_f64 of the
- * array; the threshold; too little scratch). Cost: sorting, and an IoU for each pair of a kept shape and one whose bounds
- * meet its own: 10,000 scattered rectangles about 15 ms. Since 0.1.
+ * written, and the call returns VESICA_E_SHAPE. Before anything is written: VESICA_E_NULL (with no shapes, only shapes
+ * and kept are looked at), VESICA_E_KIND (also for points and segments), VESICA_E_ARGUMENT (as vesica_overlap_many_f64
+ * of the array; the threshold; too little scratch). Cost: sorting, and an IoU for each pair of a kept shape and one
+ * whose bounds meet its own: 10,000 scattered rectangles about 15 ms. Since 0.1.
  */
 VESICA_API int32_t vesica_nms_f64(const vesica_shapes_f64 *shapes, const double *scores, double threshold,
                                   void *scratch, int64_t scratch_size, int64_t *keep, int64_t *kept);
@@ -580,8 +583,8 @@ VESICA_API int32_t vesica_nms_f64(const vesica_shapes_f64 *shapes, const double 
 /**
  * Relation of two arrays in step: out[i] = the code of vesica_relation_f64 for a[i] and b[i].
  *
- * Returns how many are not VESICA_DISJOINT. Everything else, errors included, as vesica_overlap_many_f64; an invalid element
- * gets 0. Answers equal vesica_relation_f64's. Since 0.1.
+ * Returns how many are not VESICA_DISJOINT. Everything else, errors included, as vesica_overlap_many_f64; an invalid
+ * element gets 0. Answers equal vesica_relation_f64's. Since 0.1.
  */
 VESICA_API int64_t vesica_relation_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, uint8_t *out);
 
@@ -611,27 +614,29 @@ VESICA_API int64_t vesica_contains_matrix_f64(const vesica_shapes_f64 *a, const 
 /**
  * Distance and closest points of two arrays in step: vesica_closest_points_f64 as columns.
  *
- * Kinds, counts and errors as vesica_overlap_many_f64; each column holds as many numbers as the larger count, and any but
- * not all of them may be NULL. An invalid element gets NaN in each, every other one the numbers of vesica_nearest_f64, to
- * the bit, and the call returns VESICA_E_SHAPE. Returns how many overlap (distance 0). Since 0.1.
+ * Kinds, counts and errors as vesica_overlap_many_f64; each column holds as many numbers as the larger count, and any
+ * but not all of them may be NULL. An invalid element gets NaN in each, every other one the numbers of
+ * vesica_nearest_f64, to the bit, and the call returns VESICA_E_SHAPE. Returns how many overlap (distance 0).
+ * Since 0.1.
  */
 VESICA_API int64_t vesica_nearest_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, double *distance, double *ax, double *ay, double *bx, double *by);
 
 /**
  * Distance of outlines of two arrays in step: vesica_closest_points_f64 as columns.
  *
- * Kinds, counts and errors as vesica_overlap_many_f64; each column holds as many numbers as the larger count, and any but
- * not all of them may be NULL. An invalid element gets NaN in each, every other one the numbers of vesica_boundary_distance_f64, to
- * the bit, and the call returns VESICA_E_SHAPE. Returns how many outlines meet (distance 0). Since 0.1.
+ * Kinds, counts and errors as vesica_overlap_many_f64; each column holds as many numbers as the larger count, and any
+ * but not all of them may be NULL. An invalid element gets NaN in each, every other one the numbers of
+ * vesica_boundary_distance_f64, to the bit, and the call returns VESICA_E_SHAPE. Returns how many outlines meet
+ * (distance 0). Since 0.1.
  */
 VESICA_API int64_t vesica_boundary_distance_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, double *distance, double *ax, double *ay, double *bx, double *by);
 
 /**
  * Penetration depth of two arrays in step: vesica_penetration_f64 as columns.
  *
- * Kinds, counts and errors as vesica_overlap_many_f64; each column holds as many numbers as the larger count, and any but
- * not all of them may be NULL. An invalid element gets NaN in each, every other one the numbers of vesica_depth_f64, to
- * the bit, and the call returns VESICA_E_SHAPE. Returns how many depths are positive. Since 0.1.
+ * Kinds, counts and errors as vesica_overlap_many_f64; each column holds as many numbers as the larger count, and any
+ * but not all of them may be NULL. An invalid element gets NaN in each, every other one the numbers of
+ * vesica_depth_f64, to the bit, and the call returns VESICA_E_SHAPE. Returns how many depths are positive. Since 0.1.
  */
 VESICA_API int64_t vesica_depth_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, double *depth, double *x, double *y);
 
@@ -656,13 +661,14 @@ VESICA_API int64_t vesica_area_matrix_f64(const vesica_shapes_f64 *a, const vesi
  * Intersection over union of two arrays in step: out[i] = that of a[i] and b[i].
  *
  * Kinds, counts and errors as vesica_overlap_many_f64. An invalid element gets NaN, every other one the number of
- * vesica_iou_f64, to the bit, and the call returns VESICA_E_SHAPE. A pair without any area gets NaN, and the call returns VESICA_E_ARGUMENT if nothing is invalid.
- * Returns how many are positive. Since 0.1.
+ * vesica_iou_f64, to the bit, and the call returns VESICA_E_SHAPE. A pair without any area gets NaN, and the call
+ * returns VESICA_E_ARGUMENT if nothing is invalid. Returns how many are positive. Since 0.1.
  */
 VESICA_API int64_t vesica_iou_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, double *out);
 
 /**
- * Intersection over union of every a with every b: out[i * row_stride + j] = that of a[i] and b[j]. row_stride counts numbers.
+ * Intersection over union of every a with every b: out[i * row_stride + j] = that of a[i] and b[j]. row_stride counts
+ * numbers.
  *
  * Everything else as vesica_iou_many_f64 and vesica_overlap_matrix_f64. Since 0.1.
  */
@@ -793,9 +799,10 @@ VESICA_API int32_t vesica_overlap_ellipse_ellipse_f32(const vesica_ellipse_f32 *
  * VESICA_TOUCH, the shapes have one; VESICA_DISJOINT. So a segment's end on another's middle is touch, two segments
  * along one line that overlap in part cross, and a point on a rim is inside with touch.
  *
- * numbers_a, numbers_b: each shape's numbers in its order; they may be the same memory. Returns the relation; exchanging
- * the shapes gives the converse, always. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Exact for every valid
- * shape. Cost: up to twice that of vesica_overlap_f32; where shapes touch or are equal, 0.1 to 8 us. Since 0.1.
+ * numbers_a, numbers_b: each shape's numbers in its order; they may be the same memory. Returns the relation;
+ * exchanging the shapes gives the converse, always. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Exact for
+ * every valid shape. Cost: up to twice that of vesica_overlap_f32; where shapes touch or are equal, 0.1 to 8 us.
+ * Since 0.1.
  */
 VESICA_API int32_t vesica_relation_f32(int32_t kind_a, const float *numbers_a,
                                        int32_t kind_b, const float *numbers_b);
@@ -813,9 +820,9 @@ VESICA_API int32_t vesica_contains_f32(int32_t kind_a, const float *numbers_a,
  * The places where the outlines of two shapes of any kinds meet, touching included. Either order of kinds.
  *
  * The outline of a shape with area is the curve around it; a segment, a point, and a shape without area are their own
- * outlines. How many places there are, up to 8, is exact: where outlines touch, to whatever order, is one. A stretch that
- * straight outlines have in common counts as its two end points and sets out->shared; equal boxes have their corners.
- * Equal curves have no single places: the count is 0 and out->shared 1.
+ * outlines. How many places there are, up to 8, is exact: where outlines touch, to whatever order, is one. A stretch
+ * that straight outlines have in common counts as its two end points and sets out->shared; equal boxes have their
+ * corners. Equal curves have no single places: the count is 0 and out->shared 1.
  * Places are in order along a's outline: counter-clockwise about its axis from a box's corner C - hx u - hy perp(u),
  * from an ellipse's end C + a u of its axis (a circle's C + (r, 0)); from a segment's first end.
  * Accuracy: within 16 u of the greatest coordinate and size met, u = 2^-53; for two ellipses where they cross. Two that
@@ -829,8 +836,9 @@ VESICA_API int32_t vesica_crossings_f32(int32_t kind_a, const float *numbers_a,
                                         int32_t kind_b, const float *numbers_b, vesica_crossing_points_f32 *out);
 
 /**
- * Distance of two solid shapes of any kinds, in either order, and their closest points. Everything as vesica_nearest_f64,
- * which computes it; each number is then rounded to float once, and a distance above 0 stays above 0. Since 0.1.
+ * Distance of two solid shapes of any kinds, in either order, and their closest points. Everything as
+ * vesica_nearest_f64, which computes it; each number is then rounded to float once, and a distance above 0 stays above
+ * 0. Since 0.1.
  */
 VESICA_API int32_t vesica_nearest_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b, const float *numbers_b,
                                       vesica_closest_points_f32 *out);
@@ -845,8 +853,8 @@ VESICA_API int32_t vesica_boundary_distance_f32(int32_t kind_a, const float *num
                                                 vesica_closest_points_f32 *out);
 
 /**
- * Penetration depth of two shapes of any kinds, in either order. Everything as vesica_depth_f64, which computes it; each
- * number is then rounded to float once, and a depth above 0 stays above 0. Since 0.1.
+ * Penetration depth of two shapes of any kinds, in either order. Everything as vesica_depth_f64, which computes it;
+ * each number is then rounded to float once, and a depth above 0 stays above 0. Since 0.1.
  */
 VESICA_API int32_t vesica_depth_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b, const float *numbers_b,
                                     vesica_penetration_f32 *out);
@@ -865,9 +873,9 @@ VESICA_API int32_t vesica_shape_area_f32(int32_t kind, const float *numbers, flo
  * Area of the intersection of two shapes of any kinds, in either order.
  *
  * Shapes that are disjoint, that touch (as vesica_relation_f32 says) or of which one has no area share exactly 0; where
- * one contains the other, exactly the vesica_shape_area_f32 of the inner one. Never more than the area of either, and more
- * than 0 wherever insides meet, unless that underflows. Exchanging the shapes changes no bit, nor does scaling both by a
- * power of two, but for its square.
+ * one contains the other, exactly the vesica_shape_area_f32 of the inner one. Never more than the area of either, and
+ * more than 0 wherever insides meet, unless that underflows. Exchanging the shapes changes no bit, nor does scaling
+ * both by a power of two, but for its square.
  * Accuracy: within 64 u of the lesser shape's area times the larger of the two aspects (longer size over shorter; for
  * aspects up to 10^4), u = 2^-53, however near the outlines are to touching or coinciding and however different the
  * sizes are; then rounded to float.
@@ -882,8 +890,8 @@ VESICA_API int32_t vesica_area_f32(int32_t kind_a, const float *numbers_a,
  * Intersection over union (Jaccard index) of two shapes: their vesica_area_f32 over the area of both together.
  *
  * From 0 to 1: exactly 1 for equal shapes, exactly 0 for shapes that share no area. Nothing overflows or underflows on
- * the way, whatever the sizes. Accuracy: that of the area, over the area of the union. Exchanging the shapes, or scaling
- * both by a power of two, changes no bit.
+ * the way, whatever the sizes. Accuracy: that of the area, over the area of the union. Exchanging the shapes, or
+ * scaling both by a power of two, changes no bit.
  * out: untouched on error; may not overlap the numbers. Returns 0. Errors: VESICA_E_NULL, VESICA_E_KIND,
  * VESICA_E_SHAPE, VESICA_E_ARGUMENT (neither shape has an area; with one that has, the ratio is 0). Cost: that of
  * vesica_area_f32 and two of vesica_shape_area_f32. Since 0.1.
@@ -980,8 +988,8 @@ VESICA_API int32_t vesica_ellipse_from_matrix_f32(float cx, float cy, float mxx,
  * An array of shapes of one kind, however it lies in memory: records, packed or padded, or a column a number.
  *
  * Element i has its number k at field[k] + i * stride bytes, k in the order of the shape. stride is a record's size for
- * records, sizeof(float) for columns, 0 to repeat one shape, negative to run backwards. Fields beyond the kind's are not
- * looked at. Numbers need no alignment. reserved must be 0.
+ * records, sizeof(float) for columns, 0 to repeat one shape, negative to run backwards. Fields beyond the kind's are
+ * not looked at. Numbers need no alignment. reserved must be 0.
  */
 typedef struct {
     int32_t kind;
@@ -992,10 +1000,11 @@ typedef struct {
 } vesica_shapes_f32;
 
 /**
- * Fills *out for `count` records that start at base, each a vesica_<kind>_f32 followed by whatever else the record holds.
+ * Fills *out for `count` records that start at base, each a vesica_<kind>_f32 followed by whatever else the record
+ * holds.
  *
- * stride: bytes from one record to the next; base: the first record's shape. Returns 0. Errors: VESICA_E_NULL (base may be
- * NULL where count is 0), VESICA_E_KIND, VESICA_E_ARGUMENT (negative count). Since 0.1.
+ * stride: bytes from one record to the next; base: the first record's shape. Returns 0. Errors: VESICA_E_NULL (base may
+ * be NULL where count is 0), VESICA_E_KIND, VESICA_E_ARGUMENT (negative count). Since 0.1.
  */
 VESICA_API int32_t vesica_shapes_from_records_f32(int32_t kind, int64_t count, const void *base, ptrdiff_t stride,
                                                   vesica_shapes_f32 *out);
@@ -1016,10 +1025,10 @@ VESICA_API int64_t vesica_overlap_many_f32(const vesica_shapes_f32 *a, const ves
 /**
  * Overlap of every a with every b: out[i * row_stride + j] = 1 where a[i] and b[j] share a point, else 0.
  *
- * row_stride: bytes from one row of answers to the next, at least b's count unless a's count is at most 1 (negative: the
- * rows run backwards in memory). Returns how many are 1. Everything else, errors included, as vesica_overlap_many_f32;
- * VESICA_E_ARGUMENT also when rows would overlap or lie beyond the address space. Cost: as one shape against many,
- * however large the arrays are. Since 0.1.
+ * row_stride: bytes from one row of answers to the next, at least b's count unless a's count is at most 1 (negative:
+ * the rows run backwards in memory). Returns how many are 1. Everything else, errors included, as
+ * vesica_overlap_many_f32; VESICA_E_ARGUMENT also when rows would overlap or lie beyond the address space. Cost: as one
+ * shape against many, however large the arrays are. Since 0.1.
  */
 VESICA_API int64_t vesica_overlap_matrix_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, uint8_t *out,
                                              ptrdiff_t row_stride);
@@ -1027,11 +1036,11 @@ VESICA_API int64_t vesica_overlap_matrix_f32(const vesica_shapes_f32 *a, const v
 /**
  * Which of many does one shape overlap? Writes their indices, ascending, to out[0], out[1] ...
  *
- * one: an array of count 1. capacity: room in out, in indices; it may be 0, and out NULL with it. Returns how many there
- * are, also beyond the capacity; where room is left after the last index, the next entry is -1.
+ * one: an array of count 1. capacity: room in out, in indices; it may be 0, and out NULL with it. Returns how many
+ * there are, also beyond the capacity; where room is left after the last index, the next entry is -1.
  * An invalid element is not selected, the indices of valid ones are written, and the call returns VESICA_E_SHAPE: then
- * -1 or the capacity ends them. Other errors as vesica_overlap_many_f32; VESICA_E_ARGUMENT also when one's count is not 1
- * or the capacity is negative. Since 0.1.
+ * -1 or the capacity ends them. Other errors as vesica_overlap_many_f32; VESICA_E_ARGUMENT also when one's count is not
+ * 1 or the capacity is negative. Since 0.1.
  */
 VESICA_API int64_t vesica_overlap_select_f32(const vesica_shapes_f32 *one, const vesica_shapes_f32 *many, int64_t *out,
                                              int64_t capacity);
@@ -1045,10 +1054,10 @@ VESICA_API int64_t vesica_overlap_select_f32(const vesica_shapes_f32 *one, const
  * alignment and content. keep: room for as many indices as there are shapes; the kept ones, in the order of their
  * scores; what follows them is not written. *kept: how many. No output may overlap another or the input.
  * Returns 0. A shape that is invalid, or whose score is NaN, is left out as if it were not there, keep and *kept are
- * written, and the call returns VESICA_E_SHAPE. Before anything is written: VESICA_E_NULL (with no shapes, only shapes and
- * kept are looked at), VESICA_E_KIND (also for points and segments), VESICA_E_ARGUMENT (as vesica_overlap_many_f32 of the
- * array; the threshold; too little scratch). Cost: sorting, and an IoU for each pair of a kept shape and one whose bounds
- * meet its own: 10,000 scattered rectangles about 15 ms. Since 0.1.
+ * written, and the call returns VESICA_E_SHAPE. Before anything is written: VESICA_E_NULL (with no shapes, only shapes
+ * and kept are looked at), VESICA_E_KIND (also for points and segments), VESICA_E_ARGUMENT (as vesica_overlap_many_f32
+ * of the array; the threshold; too little scratch). Cost: sorting, and an IoU for each pair of a kept shape and one
+ * whose bounds meet its own: 10,000 scattered rectangles about 15 ms. Since 0.1.
  */
 VESICA_API int32_t vesica_nms_f32(const vesica_shapes_f32 *shapes, const float *scores, float threshold,
                                   void *scratch, int64_t scratch_size, int64_t *keep, int64_t *kept);
@@ -1056,8 +1065,8 @@ VESICA_API int32_t vesica_nms_f32(const vesica_shapes_f32 *shapes, const float *
 /**
  * Relation of two arrays in step: out[i] = the code of vesica_relation_f32 for a[i] and b[i].
  *
- * Returns how many are not VESICA_DISJOINT. Everything else, errors included, as vesica_overlap_many_f32; an invalid element
- * gets 0. Answers equal vesica_relation_f32's. Since 0.1.
+ * Returns how many are not VESICA_DISJOINT. Everything else, errors included, as vesica_overlap_many_f32; an invalid
+ * element gets 0. Answers equal vesica_relation_f32's. Since 0.1.
  */
 VESICA_API int64_t vesica_relation_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, uint8_t *out);
 
@@ -1087,27 +1096,29 @@ VESICA_API int64_t vesica_contains_matrix_f32(const vesica_shapes_f32 *a, const 
 /**
  * Distance and closest points of two arrays in step: vesica_closest_points_f32 as columns.
  *
- * Kinds, counts and errors as vesica_overlap_many_f32; each column holds as many numbers as the larger count, and any but
- * not all of them may be NULL. An invalid element gets NaN in each, every other one the numbers of vesica_nearest_f32, to
- * the bit, and the call returns VESICA_E_SHAPE. Returns how many overlap (distance 0). Since 0.1.
+ * Kinds, counts and errors as vesica_overlap_many_f32; each column holds as many numbers as the larger count, and any
+ * but not all of them may be NULL. An invalid element gets NaN in each, every other one the numbers of
+ * vesica_nearest_f32, to the bit, and the call returns VESICA_E_SHAPE. Returns how many overlap (distance 0).
+ * Since 0.1.
  */
 VESICA_API int64_t vesica_nearest_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, float *distance, float *ax, float *ay, float *bx, float *by);
 
 /**
  * Distance of outlines of two arrays in step: vesica_closest_points_f32 as columns.
  *
- * Kinds, counts and errors as vesica_overlap_many_f32; each column holds as many numbers as the larger count, and any but
- * not all of them may be NULL. An invalid element gets NaN in each, every other one the numbers of vesica_boundary_distance_f32, to
- * the bit, and the call returns VESICA_E_SHAPE. Returns how many outlines meet (distance 0). Since 0.1.
+ * Kinds, counts and errors as vesica_overlap_many_f32; each column holds as many numbers as the larger count, and any
+ * but not all of them may be NULL. An invalid element gets NaN in each, every other one the numbers of
+ * vesica_boundary_distance_f32, to the bit, and the call returns VESICA_E_SHAPE. Returns how many outlines meet
+ * (distance 0). Since 0.1.
  */
 VESICA_API int64_t vesica_boundary_distance_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, float *distance, float *ax, float *ay, float *bx, float *by);
 
 /**
  * Penetration depth of two arrays in step: vesica_penetration_f32 as columns.
  *
- * Kinds, counts and errors as vesica_overlap_many_f32; each column holds as many numbers as the larger count, and any but
- * not all of them may be NULL. An invalid element gets NaN in each, every other one the numbers of vesica_depth_f32, to
- * the bit, and the call returns VESICA_E_SHAPE. Returns how many depths are positive. Since 0.1.
+ * Kinds, counts and errors as vesica_overlap_many_f32; each column holds as many numbers as the larger count, and any
+ * but not all of them may be NULL. An invalid element gets NaN in each, every other one the numbers of
+ * vesica_depth_f32, to the bit, and the call returns VESICA_E_SHAPE. Returns how many depths are positive. Since 0.1.
  */
 VESICA_API int64_t vesica_depth_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, float *depth, float *x, float *y);
 
@@ -1132,13 +1143,14 @@ VESICA_API int64_t vesica_area_matrix_f32(const vesica_shapes_f32 *a, const vesi
  * Intersection over union of two arrays in step: out[i] = that of a[i] and b[i].
  *
  * Kinds, counts and errors as vesica_overlap_many_f32. An invalid element gets NaN, every other one the number of
- * vesica_iou_f32, to the bit, and the call returns VESICA_E_SHAPE. A pair without any area gets NaN, and the call returns VESICA_E_ARGUMENT if nothing is invalid.
- * Returns how many are positive. Since 0.1.
+ * vesica_iou_f32, to the bit, and the call returns VESICA_E_SHAPE. A pair without any area gets NaN, and the call
+ * returns VESICA_E_ARGUMENT if nothing is invalid. Returns how many are positive. Since 0.1.
  */
 VESICA_API int64_t vesica_iou_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, float *out);
 
 /**
- * Intersection over union of every a with every b: out[i * row_stride + j] = that of a[i] and b[j]. row_stride counts numbers.
+ * Intersection over union of every a with every b: out[i * row_stride + j] = that of a[i] and b[j]. row_stride counts
+ * numbers.
  *
  * Everything else as vesica_iou_many_f32 and vesica_overlap_matrix_f32. Since 0.1.
  */

@@ -5,8 +5,8 @@
  *
  * For teaching, for comparison, and for approximate work with a known bound. To know whether two shapes overlap, call
  * vesica_overlap: it is exact, and mostly faster. Methods called exact here evaluate an exact formula in the given
- * scalar's rounded arithmetic: near contact they may err, and README's table counts how often. Approximate methods answer
- * VESICA_YES, VESICA_NO or VESICA_UNCERTAIN, never a guess.
+ * scalar's rounded arithmetic: near contact they may err, and README's table counts how often. Approximate methods
+ * answer VESICA_YES, VESICA_NO or VESICA_UNCERTAIN, never a guess.
  *
  * The rules of vesica.h hold: negative VESICA_E_ errors, nothing written on error, no state, no allocation.
  */

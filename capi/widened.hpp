@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Queries that take longer than a conversion, on float shapes: a float is a double exactly, so one function serves both.
+// Queries that take longer than a conversion, on float shapes: a float is a double exactly, so one function serves
+// both.
 #pragma once
 
 #include "by_kind.hpp"

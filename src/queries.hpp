@@ -15,12 +15,12 @@ using Answer = std::int32_t (*)(std::int32_t kind_a, const double* a, std::int32
 /// The area of a shape given by kind and flat numbers; NaN for one that is invalid or whose area is beyond the range.
 using ShapeArea = double (*)(std::int32_t kind, const double* numbers) noexcept;
 
-/// What a query's kernel must know of each pair: nothing; whether the shapes overlap, as 1 or 0; of rectangles, a circle
-/// about each.
+/// What a query's kernel must know of each pair: nothing; whether the shapes overlap, as 1 or 0; of rectangles, a
+/// circle about each.
 enum class Known { nothing, overlap, reach };
 
-/// How the results for (b, a) become those for (a, b): not at all; (distance, ax, ay, bx, by) with the points exchanged;
-/// (depth, x, y) with the direction turned round; a relation's code by its converse.
+/// How the results for (b, a) become those for (a, b): not at all; (distance, ax, ay, bx, by) with the points
+/// exchanged; (depth, x, y) with the direction turned round; a relation's code by its converse.
 enum class Reversal { none, points, direction, converse };
 
 struct Query {

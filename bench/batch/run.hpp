@@ -43,8 +43,8 @@ template <class T>
 Result run_near(const Spec& spec);
 Result run_two_threads(const Spec& spec);
 
-/// Tests a pass in cache: 16 KiB a column. All columns together stay in the second-level cache, as a caller's own would,
-/// and a pass is long enough for the clock.
+/// Tests a pass in cache: 16 KiB a column. All columns together stay in the second-level cache, as a caller's own
+/// would, and a pass is long enough for the clock.
 template <class T>
 inline constexpr std::size_t batch_length = 16384 / sizeof(T);
 

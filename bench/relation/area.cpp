@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shared areas of fresh pairs through the shared library, beside the usual rotated-IoU algorithm and Boost.Geometry, with
-// each one's error against 60 digits; then non-maximum suppression.
+// Shared areas of fresh pairs through the shared library, beside the usual rotated-IoU algorithm and Boost.Geometry,
+// with each one's error against 60 digits; then non-maximum suppression.
 #include <vesica.h>
 
 #include <algorithm>

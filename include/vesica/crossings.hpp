@@ -10,8 +10,8 @@
 /// -hx u - hy perp u of a box, from the end of the axis +u of an ellipse (+x of a circle); from a segment's first end.
 ///
 /// Accuracy: within 16u of the greatest coordinate and size met, of the place that the stored numbers have, for all
-/// pairs but two ellipses. There that holds where outlines cross; where they nearly touch, or touch to order k, the place
-/// is within 2^(-90/k) of the lesser ellipse's size, along both outlines; where they differ by a part e of it all
+/// pairs but two ellipses. There that holds where outlines cross; where they nearly touch, or touch to order k, the
+/// place is within 2^(-90/k) of the lesser ellipse's size, along both outlines; where they differ by a part e of it all
 /// round, within 2^-90 / e.
 #pragma once
 
@@ -67,7 +67,8 @@ std::int32_t store(const CrossingPoints<double>& found, CrossingPoints<T>& out) 
 
 }  // namespace crossing
 
-/// The number of places where two outlines meet, up to 8, with the places in `out`; shapes of any kinds, in either order.
+/// The number of places where two outlines meet, up to 8, with the places in `out`; shapes of any kinds, in either
+/// order.
 /// Errors: error_shape, error_range (a place is beyond the finite numbers); on error `out` is untouched. Floats are the
 /// double places, rounded.
 template <template <class> class A, template <class> class B, class T>

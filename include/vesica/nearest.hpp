@@ -95,8 +95,9 @@ VESICA_INLINE bool rounded_to(const ClosestPoints<double>& c, bool overlapping, 
 
 }  // namespace closest
 
-/// Writes the distance of two shapes of any kinds, in either order, and their closest points. Returns 0, error_shape when
-/// either is invalid, or error_range when a number would exceed the largest finite one; on error `out` is untouched.
+/// Writes the distance of two shapes of any kinds, in either order, and their closest points. Returns 0, error_shape
+/// when either is invalid, or error_range when a number would exceed the largest finite one; on error `out` is
+/// untouched.
 template <template <class> class A, template <class> class B, class T>
 VESICA_INLINE std::int32_t nearest_or_error(const A<T>& a, const B<T>& b, ClosestPoints<T>& out) noexcept {
   if constexpr (!detail::in_order<A<T>, B<T>>) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Greedy non-maximum suppression: of shapes with scores, in the order of their scores, each is kept unless its iou() with
-/// one kept before exceeds a threshold.
+/// Greedy non-maximum suppression: of shapes with scores, in the order of their scores, each is kept unless its iou()
+/// with one kept before exceeds a threshold.
 ///
 /// What a kept shape suppresses is marked at once. Only shapes whose bounds meet its own are asked, and those that can
 /// are found by a binary search: all are sorted by the left side of their bounds.

@@ -15,8 +15,8 @@
 #error "Vesica needs arithmetic in the operands' own precision: on 32-bit x86 compile with -msse2 -mfpmath=sse."
 #endif
 
-/// Filters are one expression spread over several functions: a call in the middle costs as much as the filter does. What
-/// they leave undecided is out of the way.
+/// Filters are one expression spread over several functions: a call in the middle costs as much as the filter does.
+/// What they leave undecided is out of the way.
 #if defined(__GNUC__)
 #define VESICA_INLINE [[gnu::always_inline]] inline
 #define VESICA_COLD [[gnu::noinline, gnu::cold]]
@@ -54,8 +54,8 @@ struct ScalarTraits<float> {
 
 namespace lane {
 
-// max and min as SSE has them: NaN in either argument yields the second. Filters do not rely on it, NaN must reach a bound
-// by addition; but src/kernels/unit_contact_cubic.hpp does, and says so.
+// max and min as SSE has them: NaN in either argument yields the second. Filters do not rely on it, NaN must reach a
+// bound by addition; but src/kernels/unit_contact_cubic.hpp does, and says so.
 constexpr double max(double a, double b) noexcept { return a > b ? a : b; }
 constexpr double min(double a, double b) noexcept { return a < b ? a : b; }
 constexpr float max(float a, float b) noexcept { return a > b ? a : b; }

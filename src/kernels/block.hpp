@@ -70,8 +70,9 @@ class Verdicts {
   const Second& second_;
 };
 
-/// Of a filter in two halves, each a long chain of operations: the first for the next vector is done with the second for
-/// this one, or the processor would wait for either chain while the operations that could fill in are out of its sight.
+/// Of a filter in two halves, each a long chain of operations: the first for the next vector is done with the second
+/// for this one, or the processor would wait for either chain while the operations that could fill in are out of its
+/// sight.
 template <class Filter, class First, class Second>
 requires HalfDone<decltype(Filter::filter(std::declval<First>().at(0), std::declval<Second>().at(0)))>
 class Verdicts<Filter, First, Second> {
@@ -126,7 +127,8 @@ template <class Filter, template <class> class A, template <class> class B, clas
   return {overlaps, static_cast<std::int32_t>(list - block.undecided)};
 }
 
-/// Copies `rest` elements, fewer than a vector, so that nothing beyond the arrays is read; lanes without one repeat the first.
+/// Copies `rest` elements, fewer than a vector, so that nothing beyond the arrays is read; lanes without one repeat the
+/// first.
 template <template <class> class Shape, class T>
 [[gnu::noinline]] void copy_rest(const T* const* field, std::int32_t begin, std::int32_t rest,
                                  T (*copy)[LanesOf<T>::width], const T** copied) noexcept {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What each query's kernel computes for one vector of pairs: the core's templates, as the scalar functions use them.
 //
-// evaluate(a, b, known, out) writes the results and returns where they hold: elsewhere the scalar function is asked, which
-// takes the same first step and then goes on.
+// evaluate(a, b, known, out) writes the results and returns where they hold: elsewhere the scalar function is asked,
+// which takes the same first step and then goes on.
 #pragma once
 
 #include <vesica/area.hpp>
@@ -60,8 +60,8 @@ struct NearestCore {
   }
 };
 
-/// Whether the circles about two shapes are apart. The sum r of their radii has 2^-48 of itself to spare, an operation here
-/// errs by 2^-53 of its result: d^2 > r^2 is no matter of rounding.
+/// Whether the circles about two shapes are apart. The sum r of their radii has 2^-48 of itself to spare, an operation
+/// here errs by 2^-53 of its result: d^2 > r^2 is no matter of rounding.
 VESICA_INLINE PairMask circles_apart(Doubles dx, Doubles dy, Doubles reach) noexcept {
   return dx * dx + dy * dy > reach * reach;
 }

@@ -32,12 +32,12 @@ struct QueryColumns {
 };
 
 /// Fills results[k][i] for i < n. Where a kernel cannot answer, or a shape is invalid, results[0][i] is NaN, and the
-/// caller asks the scalar function; returns whether there is none such. A kernel and the scalar function are instances of
-/// one template without fused operations, so that they give the same bits.
+/// caller asks the scalar function; returns whether there is none such. A kernel and the scalar function are instances
+/// of one template without fused operations, so that they give the same bits.
 using QueryKernel = bool (*)(const QueryColumns& columns, std::int32_t n, double* const* results) noexcept;
 
-/// Writes 1 to out[i] where the circles of the columns' reach are certainly apart, else 0, for i < n; n as above. The shapes'
-/// first two numbers must be their centres.
+/// Writes 1 to out[i] where the circles of the columns' reach are certainly apart, else 0, for i < n; n as above. The
+/// shapes' first two numbers must be their centres.
 using ApartKernel = void (*)(const QueryColumns& columns, std::int32_t n, std::uint8_t* out) noexcept;
 
 /// By the two kinds in the order of shapes; null where the scalar function does it all.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two ellipses, or a circle and an ellipse, of unit axes but for rounding and not thin: errors are then small beside the
-// polynomial's own two parts, and no sums of magnitudes are formed to bound them.
+// Two ellipses, or a circle and an ellipse, of unit axes but for rounding and not thin: errors are then small beside
+// the polynomial's own two parts, and no sums of magnitudes are formed to bound them.
 #pragma once
 
 #include <vesica/filter/box.hpp>
@@ -11,9 +11,9 @@
 namespace vesica::filter {
 
 /// The contact cubic of filter/contact_cubic.hpp in its two parts: overlap iff
-/// p(x) = (g + x)(d1 + mu x + d2 x^2) - x (al + be x) >= 0 for all x > 0. All are positive, and each has a relative error
-/// of at most 37u, al and be of 62u. For by the guard ratios k of half lengths are below 17, axes' squares V, W within 14u
-/// of 1, their cosine and sine c, s off by 2u, and coordinates x0, x1 along them by 3u |v||D|:
+/// p(x) = (g + x)(d1 + mu x + d2 x^2) - x (al + be x) >= 0 for all x > 0. All are positive, and each has a relative
+/// error of at most 37u, al and be of 62u. For by the guard ratios k of half lengths are below 17, axes' squares V, W
+/// within 14u of 1, their cosine and sine c, s off by 2u, and coordinates x0, x1 along them by 3u |v||D|:
 ///   d1 = (a b V)^2: 31u
 ///   mu = c^2 P + s^2 R: 11u, and 4u |c s|(P + R). |c s| <= mu / (2 sqrt(P R)), and (P + R) / 2 <= 6.1 sqrt(P R), R / P
 ///   being from 2 / k^2 to (k^4 + 1) / (2 k^2): 36u
@@ -27,10 +27,10 @@ struct UnitCubic {
 
 /// -p(t) at a t >= 0 that nearly minimises a lower estimate of p, against its error.
 ///
-/// With q(x) = (g + x)(d1 + mu x + d2 x^2) - (1 + r) x (al + be x), 112u <= r <= 225u, whose coefficients are off by 2u of
-/// their parts, p >= (1 - 40u) q. t minimises q but for an error that enters squared, as filter/contact_cubic.hpp shows:
-/// by 7u h, where h = (g + t)(d1 + mu t + d2 t^2) + t (al + be t). Evaluation errs by 8u h. So p(t) is at most 70u h above the
-/// value, and q nowhere more than (225 + 2 + 7 + 8)u h below it.
+/// With q(x) = (g + x)(d1 + mu x + d2 x^2) - (1 + r) x (al + be x), 112u <= r <= 225u, whose coefficients are off by 2u
+/// of their parts, p >= (1 - 40u) q. t minimises q but for an error that enters squared, as filter/contact_cubic.hpp
+/// shows: by 7u h, where h = (g + t)(d1 + mu t + d2 t^2) + t (al + be t). Evaluation errs by 8u h. So p(t) is at most
+/// 70u h above the value, and q nowhere more than (225 + 2 + 7 + 8)u h below it.
 template <class V>
 VESICA_INLINE auto decide(const UnitCubic<V>& p) noexcept {
   const V zero(0.0f), three_d2 = V(3.0f) * p.d2;
@@ -42,9 +42,9 @@ VESICA_INLINE auto decide(const UnitCubic<V>& p) noexcept {
   return decided_by_gap<9>(p.usable, rate * t - above, above);
 }
 
-/// Half lengths from 2^-6 to 2^10 (double: the 8th powers) and the other of each ellipse within 17 times. Then d1, d2 are
-/// from 2^-41 to 2^49, mu is below 2^58, and what underflows is far below d1. Where an offset or t is so large that anything
-/// overflows, t or the gap is infinite or NaN, which max(zero, x) keeps, and decides nothing.
+/// Half lengths from 2^-6 to 2^10 (double: the 8th powers) and the other of each ellipse within 17 times. Then d1, d2
+/// are from 2^-41 to 2^49, mu is below 2^58, and what underflows is far below d1. Where an offset or t is so large that
+/// anything overflows, t or the gap is infinite or NaN, which max(zero, x) keeps, and decides nothing.
 template <class V>
 VESICA_INLINE void require_moderate(Guard<V>& guard, const Ellipse<V>& e) noexcept {
   using T = typename Element<V>::Type;

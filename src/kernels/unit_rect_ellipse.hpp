@@ -9,11 +9,11 @@
 
 namespace vesica::filter {
 
-/// The two segments of filter/box_ellipse.hpp in the box's frame, with the axes u, v taken to be of length 1: their squares
-/// U, V are within 14u of 1. `bound` is for the error of the gap along either.
+/// The two segments of filter/box_ellipse.hpp in the box's frame, with the axes u, v taken to be of length 1: their
+/// squares U, V are within 14u of 1. `bound` is for the error of the gap along either.
 ///
-/// Let Q = p00 + p11, T = |kx| + |ky| + hx + hy, m >= 0 the gap along a segment, at distance x from the centre. Whichever
-/// answer were wrong, m^2 <= det (p00 - x^2) for one of the segments, computed or true, so that
+/// Let Q = p00 + p11, T = |kx| + |ky| + hx + hy, m >= 0 the gap along a segment, at distance x from the centre.
+/// Whichever answer were wrong, m^2 <= det (p00 - x^2) for one of the segments, computed or true, so that
 /// m <= a b sqrt(Q) <= a b (a + b) and x^2 <= p00. To first order, units of u,
 ///   k: 3T; h U and the difference: x errs by 15T; c, s by 2; p00, p11 by 8Q, p01 by 5Q
 ///   p00 y: 8Q y + 3Q T + Q y; p01 x, |p01| <= Q / 2: 5.5Q x + 7.5Q T; p00 h U: 23Q h; two differences: 2Q (y + x/2 + h)

@@ -12,12 +12,13 @@ namespace vesica::filter {
 ///
 /// Let H be the sum of the four half extents. No r_i exceeds 2H. Whichever answer were wrong, both projections p_i
 /// would be within their r_i, computed or true, so |u||D| <= sqrt(8) H. With stored axes p errs by 3u |u||D| <= 8.5u H,
-/// and r with the subtraction by 6u (hx U + (gx + gy) |u||w|) <= 12u H: 20.5u H; 32u H leaves room for second order, and
-/// is a power of two.
+/// and r with the subtraction by 6u (hx U + (gx + gy) |u||w|) <= 12u H: 20.5u H; 32u H leaves room for second order,
+/// and is a power of two.
 ///
 /// The bound is formed as 8H, which overflows where an r could, and a gap counts up to 2^106 (f64: 2^973). So no NaN or
-/// overflow can have been lost in a maximum: a centre that is not finite, or too far, leaves no p finite; of finite numbers
-/// at most one product u_i D_j overflows, as |u|^2 < 2, and its infinity stays; an axis that is not finite is out of range.
+/// overflow can have been lost in a maximum: a centre that is not finite, or too far, leaves no p finite; of finite
+/// numbers at most one product u_i D_j overflows, as |u|^2 < 2, and its infinity stays; an axis that is not finite is
+/// out of range.
 template <class V>
 VESICA_INLINE auto unit_box_box(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
   using T = typename Element<V>::Type;

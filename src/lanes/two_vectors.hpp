@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two vectors as one. Each operation is done on both, and neither waits for the other: for chains of divisions and roots,
-// of which a processor would otherwise have too few in sight.
+// Two vectors as one. Each operation is done on both, and neither waits for the other: for chains of divisions and
+// roots, of which a processor would otherwise have too few in sight.
 #pragma once
 
 namespace vesica {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far areas are from a reference of 60 digits and more, in units of u x aspect x the lesser shape's area, u = 2^-53.
-// The header promises 64 for aspects of up to 10^4. The worst of each kind of pair and case is printed.
+// How far areas are from a reference of 60 digits and more, in units of u x aspect x the lesser shape's area, u =
+// 2^-53. The header promises 64 for aspects of up to 10^4. The worst of each kind of pair and case is printed.
 #include <gtest/gtest.h>
 #include <vesica.h>
 

@@ -23,8 +23,8 @@ void trim(Polynomial& f) {
 
 Vector image(const Ellipse& e, const Vector& direction) { return to_disc(e, e.centre + direction); }
 
-/// f's outline is C + P cos + Q sin; with t the tangent of half the angle, times 1 + t^2, quadratics in t. Where they are
-/// on e's disc's rim is a quartic, of a lower degree where t = infinity is one of the places.
+/// f's outline is C + P cos + Q sin; with t the tangent of half the angle, times 1 + t^2, quadratics in t. Where they
+/// are on e's disc's rim is a quartic, of a lower degree where t = infinity is one of the places.
 Meeting meeting(const Ellipse& e, const Ellipse& f) {
   const Vector c = to_disc(e, f.centre), p = image(e, f.p), q = image(e, f.q);
   const mpz_class radius = cross(e.p, e.q);

@@ -235,8 +235,8 @@ Real shared(Shape a, Shape b) {
   b.centre = b.centre - a.centre;
   a.centre = {0, 0};
   if (!a.round && !b.round) return whole_area(a) < whole_area(b) ? clipped(b, a) : clipped(a, b);
-  // Of ellipses that are all but one, the places where they cross are lost in rounding, and each arc might count for both
-  // or for neither. They share all but 2 g of the lesser, whatever the aspect.
+  // Of ellipses that are all but one, the places where they cross are lost in rounding, and each arc might count for
+  // both or for neither. They share all but 2 g of the lesser, whatever the aspect.
   if (a.round && b.round && difference_of(a, b) < Real("1e-40")) return std::min(whole_area(a), whole_area(b));
   return (a.round ? along_arcs(a, b) : along_edges(a, b)) + (b.round ? along_arcs(b, a) : along_edges(b, a));
 }

@@ -11,8 +11,8 @@ struct Deviation {
   double share;         ///< the shared area over the lesser shape's
 };
 
-/// Valid shapes with area, kinds and numbers as in vesica.h, which overlap and of which neither is more than 10^15 times
-/// as long as the other. Milliseconds.
+/// Valid shapes with area, kinds and numbers as in vesica.h, which overlap and of which neither is more than 10^15
+/// times as long as the other. Milliseconds.
 Deviation deviation(int kind_a, const double* a, int kind_b, const double* b, double value);
 
 /// The shared area, rounded.

@@ -114,8 +114,8 @@ properties::Numbers unit_shape(int kind, properties::Scalar scalar, properties::
   return properties::nearest_shape(scalar, kind, {x, y, std::cos(angle), std::sin(angle), longer, shorter});
 }
 
-/// Moves b straight away from a to where they just touch; rounding and up to 16 places of one number then put some of them
-/// apart and join others, all well within what the quick filter's bound must cover.
+/// Moves b straight away from a to where they just touch; rounding and up to 16 places of one number then put some of
+/// them apart and join others, all well within what the quick filter's bound must cover.
 properties::Numbers brought_to_contact(properties::Scalar scalar, const Case& kinds, const properties::Numbers& a,
                                        properties::Numbers b, properties::Random& draw) {
   const double angle = draw.between(0, 6.2831853), x = b[0], y = b[1];

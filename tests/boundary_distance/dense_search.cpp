@@ -111,7 +111,8 @@ double refine(const DensePair& f, Bracket& bracket) {
   Direction a = bracket.before, b = bracket.after;
   const auto on_chord = [&](double t) { return unit(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)); };
   double best = bracket.value;
-  // Both points anew each time: kept ones drift from their places on the chord, and the more so the longer they are kept.
+  // Both points anew each time: kept ones drift from their places on the chord, and the more so the longer they are
+  // kept.
   for (int i = 0; i < 50; ++i) {
     const Direction low = on_chord(golden), high = on_chord(1 - golden);
     const double f_low = f(low), f_high = f(high);

@@ -213,8 +213,8 @@ struct PairNames {
 
 TYPED_TEST_SUITE_P(Verdicts);
 
-// Each number of its own magnitude, sizes and axes too: almost always out of one guard or another. This finds values that
-// overflow under a finite bound and products that underflow unnoticed.
+// Each number of its own magnitude, sizes and axes too: almost always out of one guard or another. This finds values
+// that overflow under a finite bound and products that underflow unnoticed.
 TYPED_TEST_P(Verdicts, OverTheWholeRange) {
   const int cases = (this->is_float ? 60'000 : 20'000) * properties::repeat();
   for (int i = 0; i < cases; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Pairs of a rectangle and an ellipse whose answer is known, for every method on them. All numbers are small integers or
-/// short binary fractions, at which the methods do not round.
+/// Pairs of a rectangle and an ellipse whose answer is known, for every method on them. All numbers are small integers
+/// or short binary fractions, at which the methods do not round.
 #pragma once
 
 #include "methods/typed_method.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// As printed the test misjudged pairs in which a small rectangle lies beside a skewed ellipse: it looked at the corner in
-// the quadrant of the ellipse's centre, and another corner's arc applied. Both printed forms stand here, for the record.
+// As printed the test misjudged pairs in which a small rectangle lies beside a skewed ellipse: it looked at the corner
+// in the quadrant of the ellipse's centre, and another corner's arc applied. Both printed forms stand here, for the
+// record.
 #include <cstdio>
 #include <vesica/methods/rect_ellipse_minkowski_sum.hpp>
 

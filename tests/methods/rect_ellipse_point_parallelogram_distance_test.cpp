@@ -135,7 +135,8 @@ TEST(RectEllipsePointParallelogramDistance, LeastLevelOfTheOutline) {
   }
 }
 
-// The rectangle reaches to twice the largest number; an ellipse that leans over there has its metric-closest point there.
+// The rectangle reaches to twice the largest number; an ellipse that leans over there has its metric-closest point
+// there.
 TEST(RectEllipsePointParallelogramDistance, PointBeyondTheRange) {
   constexpr double largest = std::numeric_limits<double>::max();
   const vesica_rect_f64 rect{largest, 0, 1, 0, largest, 1};

@@ -50,8 +50,8 @@ Vector foot(const Vector& g, const Vector& h) {
   return g + t * along;
 }
 
-/// The convex set of all differences of points of b and a: its distance from the origin is wanted. Directions low and high
-/// hold the best one between them, as the slopes there say.
+/// The convex set of all differences of points of b and a: its distance from the origin is wanted. Directions low and
+/// high hold the best one between them, as the slopes there say.
 class Search {
  public:
   Search(const Shape& a, const Shape& b) : a_(a), b_(b), d_(b.centre - a.centre) {
@@ -99,8 +99,8 @@ class Search {
   Distance best_{real(0), real(0)};
 };
 
-/// Distance of (x, y) from the outline of (x/a)^2 + (y/b)^2 = 1, x, y >= 0: the foot is (a^2 x / (t + a^2), b^2 y / (t + b^2))
-/// with the largest t that puts it on the outline, found by halving.
+/// Distance of (x, y) from the outline of (x/a)^2 + (y/b)^2 = 1, x, y >= 0: the foot is (a^2 x / (t + a^2), b^2 y / (t
+/// + b^2)) with the largest t that puts it on the outline, found by halving.
 Real from_ellipse(const Real& a, const Real& b, const Real& x, const Real& y) {
   if (b > a) return from_ellipse(b, a, y, x);
   const Real aa = a * a, bb = b * b;
@@ -118,8 +118,8 @@ Real from_ellipse(const Real& a, const Real& b, const Real& x, const Real& y) {
   return length({a * w.x - x, b * w.y - y});
 }
 
-/// At most that distance, negative inside. Points of the outline at hand (straight along either axis, and the vertices) and
-/// the first order along the slope, where that is far below the least radius of curvature, spare the search.
+/// At most that distance, negative inside. Points of the outline at hand (straight along either axis, and the vertices)
+/// and the first order along the slope, where that is far below the least radius of curvature, spare the search.
 Real beyond_ellipse(const Real& a, const Real& b, const Real& x, const Real& y, const Real& enough) {
   const Vector w{x / a, y / b}, slope{w.x / a, w.y / b};
   const Real excess = dot(w, w) - 1;

@@ -27,8 +27,8 @@ Shape shape(int kind, const properties::Numbers& numbers);
 /// Sets the precision of all numbers made from now on: enough for the magnitudes of a pair.
 void set_precision(const properties::Pair& pair);
 
-/// A distance between its bounds: the width of a gap between two lines that separate the shapes, and the distance of two
-/// points of them.
+/// A distance between its bounds: the width of a gap between two lines that separate the shapes, and the distance of
+/// two points of them.
 struct Distance {
   Real lower, upper;
   /// Whether the bounds agree to 2^-80 of themselves.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The regression corpus asked for relations: each row against the oracle, against its own expected answer (no overlap, a
-// distance or an area says something about the relation), and where the reported relation is known, against that.
+// The regression corpus asked for relations: each row against the oracle, against its own expected answer (no overlap,
+// a distance or an area says something about the relation), and where the reported relation is known, against that.
 #include <gtest/gtest.h>
 #include <vesica.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// |computed - exact| <= bound for what the filters of relations estimate, in float and in double; and what nesting() is sure
-// of is so, with exact roots and quotients and with ones as rough as lanes may have. The truth is computed from the stored
-// numbers in exact integers; the inputs are searched for the worst.
+// |computed - exact| <= bound for what the filters of relations estimate, in float and in double; and what nesting() is
+// sure of is so, with exact roots and quotients and with ones as rough as lanes may have. The truth is computed from
+// the stored numbers in exact integers; the inputs are searched for the worst.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -301,8 +301,8 @@ struct Rough {
   friend Rough rough_quotient(Rough a, Rough b) { return Rough(a.v / b.v * (1 + QuotientSide * most)); }
 };
 
-/// How far the filter's numbers say that the first ellipse lies within the second, or that neither lies in the other, by
-/// the bounds they must exceed to say so for certain.
+/// How far the filter's numbers say that the first ellipse lies within the second, or that neither lies in the other,
+/// by the bounds they must exceed to say so for certain.
 template <class V>
 struct Claims {
   double within, neither;

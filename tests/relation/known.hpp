@@ -25,8 +25,8 @@ struct Case {
   std::vector<Nudge> nudges = {};
 };
 
-/// Each case and each of its nudges: lengths times powers of two over the whole range, sizes or axes scaled, in double and
-/// float, in both orders, by vesica_relation and vesica_contains.
+/// Each case and each of its nudges: lengths times powers of two over the whole range, sizes or axes scaled, in double
+/// and float, in both orders, by vesica_relation and vesica_contains.
 void expect_cases(int kind_a, int kind_b, const std::vector<Case>& cases);
 
 }  // namespace known

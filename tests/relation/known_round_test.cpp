@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Known relations of circles and ellipses. The ellipse with half lengths 80 and 45 about the origin has the rational point
-// (64, 27) with normal (3, 4); that with 10 and 5 has the points (+-6, +-4).
+// Known relations of circles and ellipses. The ellipse with half lengths 80 and 45 about the origin has the rational
+// point (64, 27) with normal (3, 4); that with 10 and 5 has the points (+-6, +-4).
 #include <gtest/gtest.h>
 #include <vesica.h>
 
@@ -264,8 +264,8 @@ TEST(KnownRelation, EllipseEllipse) {
         {{'a', 4, 1, cross}, {'a', 4, -1, inside}, {'a', 0, 1, cross}, {'a', 0, -1, inside}}},
        {contains, {0, 0, 1, 0, 40, 20}, {1, 1, 3, 4, 1, 1}},
        // An image of two circles about one centre, so that the cubic has a double root and yet nothing touches: in the
-       // units of a, 5 c^2 + 12 c + 8 is the squared distance of (3 c, 2 s) from b's centre (-2, 0), c^2 + s^2 = 1, which
-       // is b's 4/5 at c = -6/5 alone. The exact stage said that they touch.
+       // units of a, 5 c^2 + 12 c + 8 is the squared distance of (3 c, 2 s) from b's centre (-2, 0), c^2 + s^2 = 1,
+       // which is b's 4/5 at c = -6/5 alone. The exact stage said that they touch.
        {contains, {-8, -6, 1, 2, 3, 2}, {-10, -10, 0, -2, 1, 1}},
        {contains_touch, {0, 0, 3, 4, 10, 5}, {0, 0, 3, 4, 10, 2}, {{'b', 4, 1, cross}, {'b', 4, -1, contains}}},
        {equal,

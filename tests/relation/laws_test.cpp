@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The laws of relation and containment, asked of the library alone. Every change below is exact on the stored numbers, so
-// answers must be equal, not close:
+// The laws of relation and containment, asked of the library alone. Every change below is exact on the stored numbers,
+// so answers must be equal, not close:
 //   converse       relation(b, a) is the converse of relation(a, b)
 //   containment    contains(a, b) iff relation(a, b) is contains, contains_touch or equal; then they overlap
 //   overlap        overlap(a, b) iff relation(a, b) is not disjoint

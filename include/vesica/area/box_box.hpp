@@ -51,8 +51,8 @@ VESICA_INLINE V reciprocal(V x) noexcept {
   return clamp(V(1.0) / x, V(-0x1p1000), V(0x1p1000));
 }
 
-/// The integral of clamped y dx along (x0 + t mx, y0 + t my), low <= t <= high, x clamped too. t runs through where x is
-/// inside, in up to three parts: y below, y inside, y above, or the other way round.
+/// The integral of clamped y dx along (x0 + t mx, y0 + t my), low <= t <= high, x clamped too. t runs through where x
+/// is inside, in up to three parts: y below, y inside, y above, or the other way round.
 template <class V>
 VESICA_INLINE V clamped_integral(const Extents<V>& e, const Direction<V>& d, V x0, V y0, V low, V high) noexcept {
   const V t0 = (-e.ex - x0) * d.over_x, t1 = (e.ex - x0) * d.over_x;
@@ -95,7 +95,8 @@ inline bool precedes(const filter::Box<double>& a, const filter::Box<double>& b)
 }
 
 /// Which of two shapes goes first, so that an exchange of the arguments, or another scale, changes no bit: the one of
-/// lesser area; of equals the one to the left, or the lower one. Equals about one centre lanes leave to the scalar call.
+/// lesser area; of equals the one to the left, or the lower one. Equals about one centre lanes leave to the scalar
+/// call.
 template <class Mask>
 struct Order {
   Mask first, known;
@@ -145,11 +146,11 @@ VESICA_INLINE auto in_clip_range(const filter::Box<V>& a, const filter::Box<V>& 
 /// are left.
 ///
 /// In the units used, in which a's corners are at (ex, ey) and a squared length of 1 is U W^2, let T be the sum of the
-/// terms of w.D, w x D and of b's sizes times W, R = |c| + |s| >= |u||w|, and E = u T R (ex + ey), u = 2^-53. A line of b
-/// is at most 7u T / |w| from its place, and four lines of at most 2 |u| (hx + hy) run within the first box; the
+/// terms of w.D, w x D and of b's sizes times W, R = |c| + |s| >= |u||w|, and E = u T R (ex + ey), u = 2^-53. A line of
+/// b is at most 7u T / |w| from its place, and four lines of at most 2 |u| (hx + hy) run within the first box; the
 /// integral's own rounding is less: so the error is below 64 E, and where the area is further than that from 0 and from
-/// the lesser shape's, the boxes cross. Observed on 80,000 pairs of aspects to 10^4 and sizes to 30-fold: at most 2.3 E.
-/// The promised 64u aspect * area are 2.6 E or more where T R <= 48 max(ex, ey), that is for sizes to about 10-fold.
+/// the lesser shape's, the boxes cross. Observed on 80,000 pairs of aspects to 10^4 and sizes to 30-fold: at most 2.3
+/// E. The promised 64u aspect * area are 2.6 E or more where T R <= 48 max(ex, ey), that is for sizes to about 10-fold.
 template <class V>
 VESICA_INLINE auto crossing_area(const filter::Box<V>& a, const filter::Box<V>& b,
                                  const filter::Centre<V>& offset) noexcept {
@@ -185,8 +186,8 @@ inline double bounded(const Measure& m, int exponent, double bound) noexcept {
   return clamp(vesica::detail::scale(m.value, m.exponent - exponent), -bound, bound);
 }
 
-/// A line w.X = 4 passes by a box in units of its own: no X is longer than 2, no w than 2^(1/2). No line need be further
-/// off, and integrals along lines much further off would keep few digits.
+/// A line w.X = 4 passes by a box in units of its own: no X is longer than 2, no w than 2^(1/2). No line need be
+/// further off, and integrals along lines much further off would keep few digits.
 inline constexpr double out_of_sight = 4;
 
 /// A box's axis and sizes as doubles, its axis about 1 and its longer side about 1: one length is 2^exponent.

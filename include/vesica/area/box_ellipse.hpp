@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The area that a box and an ellipse share, in the frame in which the ellipse is the unit disc about the origin and the
-/// box a parallelogram.
+/// The area that a box and an ellipse share, in the frame in which the ellipse is the unit disc about the origin and
+/// the box a parallelogram.
 #pragma once
 
 #include <vesica/area/box_box.hpp>

@@ -63,9 +63,9 @@ inline double angle(double y, double x) noexcept {
 }
 
 /// The area between an arc of the unit circle of at most half a turn and its chord: (w - sin w) / 2 for the arc's
-/// angle w, given the squares of numbers in the ratio of sin (w / 2) to cos (w / 2). The lengths of the difference and of
-/// the sum of the arc's end points are such. Relative error below 2^-49 for a shallow segment, and absolute below 2^-51
-/// for any.
+/// angle w, given the squares of numbers in the ratio of sin (w / 2) to cos (w / 2). The lengths of the difference and
+/// of the sum of the arc's end points are such. Relative error below 2^-49 for a shallow segment, and absolute below
+/// 2^-51 for any.
 inline double segment_area(double sine_squared, double cosine_squared) noexcept {
   if (sine_squared <= tan_eighth * tan_eighth * cosine_squared) {
     if (sine_squared == 0) return 0;

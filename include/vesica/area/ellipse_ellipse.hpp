@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The area that two ellipses share, in the frame in which the one of lesser area is the unit disc and the axes of the
-/// other lie along x and y. Across that frame the shared region is cut into slices, each under one arc and above another.
+/// other lie along x and y. Across that frame the shared region is cut into slices, each under one arc and above
+/// another.
 ///
 /// Why slices: each is a trapezium and two segments, none of them negative, taken between points that lie on their own
 /// arcs. A cut that is a little off its crossing costs the gap there times how far it is off, so tangent, osculating
-/// and nearly equal outlines, whose crossings no arithmetic can find well, do no harm. And an arc above or below a slice
-/// is less than half a turn, so no angle has to be told from its complement.
+/// and nearly equal outlines, whose crossings no arithmetic can find well, do no harm. And an arc above or below a
+/// slice is less than half a turn, so no angle has to be told from its complement.
 #pragma once
 
 #include <vesica/area/box_ellipse.hpp>
 
 namespace vesica::clip {
 
-/// The other ellipse in the unit disc's frame: centre (x, y) in the first quadrant, half lengths p >= q along x and y; and
-/// by how much areas are smaller there.
+/// The other ellipse in the unit disc's frame: centre (x, y) in the first quadrant, half lengths p >= q along x and y;
+/// and by how much areas are smaller there.
 template <class V>
 struct Against {
   V x, y, p, q, scale;
@@ -111,8 +112,8 @@ struct HalfCircle {
   }
 };
 
-/// Where the value changes its sign between two places at which it has different ones: Newton's method from the secant's
-/// place, the interval halved where a step would leave it or does not shrink.
+/// Where the value changes its sign between two places at which it has different ones: Newton's method from the
+/// secant's place, the interval halved where a step would leave it or does not shrink.
 template <class V>
 double crossing(const HalfCircle<V>& half, double low, double at_low, double high, double at_high) noexcept {
   double x = low - at_low * ((high - low) / (at_high - at_low)), last_angle = 4;
@@ -189,9 +190,9 @@ inline double cube_root(double r) noexcept {
   return x;
 }
 
-/// On the lower half circle the value is concave along x, f's centre being above; on the upper it is convex, but concave
-/// within +-sqrt(1 - r^(2/3)), r = y p^2 / (p^2 - q^2), where r < 1: this, and 0 for r >= 1. Where outlines all but
-/// coincide a double would not tell p from q.
+/// On the lower half circle the value is concave along x, f's centre being above; on the upper it is convex, but
+/// concave within +-sqrt(1 - r^(2/3)), r = y p^2 / (p^2 - q^2), where r < 1: this, and 0 for r >= 1. Where outlines all
+/// but coincide a double would not tell p from q.
 template <class V>
 double reach_of_concave(const Against<V>& f) noexcept {
   const V one(1.0), ratio = f.q * f.over_p, flatness = (one - ratio) * (one + ratio);

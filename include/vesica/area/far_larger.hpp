@@ -69,8 +69,8 @@ inline double area_in_half_plane(const Oval<double>& e, const HalfPlane& h) noex
   return d > 0 ? pi_high - cap : cap;
 }
 
-/// A box's edges in the frame in which a smaller ellipse is the unit disc, from exact distances. unit: the exponent of the
-/// ellipse's units, axis that of the box's axis in its own.
+/// A box's edges in the frame in which a smaller ellipse is the unit disc, from exact distances. unit: the exponent of
+/// the ellipse's units, axis that of the box's axis in its own.
 inline Lines exact_lines(const exact::Box& box, const exact::Ellipse& e, const filter::Box<double>& box_in_units,
                          const Oval<double>& e_in_units, int unit) noexcept {
   const exact::Length dx = box.cx - e.cx, dy = box.cy - e.cy;

@@ -7,8 +7,8 @@
 
 namespace vesica::crossing {
 
-/// The frame in which the ellipse is the disc of radius a b V about the origin: lengths along its axis times b, across it
-/// times a.
+/// The frame in which the ellipse is the disc of radius a b V about the origin: lengths along its axis times b, across
+/// it times a.
 struct DiscFrame {
   const exact::Ellipse& e;
   exact::Number<4> radius;

@@ -23,8 +23,9 @@ inline bool has_triple_root(const exact::ContactCubic& p) noexcept {
   return (exact::square(p.c2) - exact::integer(3) * (p.d2 * p.c1)).sign == 0;
 }
 
-/// With the double root x0 = -B / (2A) of p, whether S1 + x0 S2 has rank 1: d2 x0^2 + mu x0 + d1 = 0. Of nested ellipses,
-/// these touch at two places. p'(x0) = c1 + 2 c2 x0 + 3 d2 x0^2 = 0 makes it (3 mu - 2 c2) x0 = c1 - 3 d1: degree 24.
+/// With the double root x0 = -B / (2A) of p, whether S1 + x0 S2 has rank 1: d2 x0^2 + mu x0 + d1 = 0. Of nested
+/// ellipses, these touch at two places. p'(x0) = c1 + 2 c2 x0 + 3 d2 x0^2 = 0 makes it (3 mu - 2 c2) x0 = c1 - 3 d1:
+/// degree 24.
 inline bool has_rank_one(const exact::ContactCubic& p) noexcept {
   const auto a = exact::square(p.c2) - exact::integer(3) * (p.d2 * p.c1);
   const auto b = p.c1 * p.c2 - exact::integer(9) * (p.d1 * p.d2);
@@ -60,8 +61,8 @@ inline Census census(const exact::Ellipse& e, const exact::Ellipse& f) noexcept 
 
 using Real = clip::DoubleDouble;
 
-/// The circle cut where the other's quadratic form, along it, rises or falls no more: at most 4 such places, and its ends
-/// x = 1 and x = -1, in order round it from x = 1.
+/// The circle cut where the other's quadratic form, along it, rises or falls no more: at most 4 such places, and its
+/// ends x = 1 and x = -1, in order round it from x = 1.
 struct Cut {
   double x, side;
   double value;  ///< the form less 1: outside the other positive, inside negative
@@ -112,7 +113,8 @@ struct Form {
 /// Half the circle from x = 1 (upper) or from x = -1 (lower), in the parts between which the slope is monotone.
 inline void add_half(UnitCircle& circle, double side) noexcept {
   const auto& f = circle.f;
-  // An end is an extreme where the other's centre is on the line through both, or so near it that no x tells them apart.
+  // An end is an extreme where the other's centre is on the line through both, or so near it that no x tells them
+  // apart.
   const Form end(f, Real(side), Real(0.0));
   circle.add(side, side, std::fabs(rounded(end.slope)) <= 0x1p-24 * std::fabs(rounded(end.bend)));
   if (side < 0) {
@@ -222,8 +224,8 @@ inline void leave_end(const clip::Against<Real>& f, double side, OnCircle& at) n
   at.turn((form.slope - (ahead == positive ? root : -root)) / form.bend);
 }
 
-/// Beside x = 1 and x = -1 a double x says little of y, and may not tell two crossings from the extreme between them: from
-/// there they are as far as the form's parabola says.
+/// Beside x = 1 and x = -1 a double x says little of y, and may not tell two crossings from the extreme between them:
+/// from there they are as far as the form's parabola says.
 inline clip::Vector<double> point_of_circle(const clip::Against<Real>& f, const Candidate& c) noexcept {
   const Real x(c.x);
   OnCircle at{x, Real(c.side) * sqrt((Real(1.0) - x) * (Real(1.0) + x))};
@@ -249,8 +251,8 @@ inline clip::Vector<double> turned_back(const clip::Placed<Real>& p, const clip:
 inline clip::Oval<double> stored(const vesica::Circle<double>& s) noexcept { return {1, 0, s.r, s.r}; }
 inline clip::Oval<double> stored(const vesica::Ellipse<double>& s) noexcept { return {s.ux, s.uy, s.a, s.b}; }
 
-/// Ellipses so thin or so different in size that their numbers have left the range: the lesser is its longer axis, as far
-/// as anybody could tell, or less, its centre.
+/// Ellipses so thin or so different in size that their numbers have left the range: the lesser is its longer axis, as
+/// far as anybody could tell, or less, its centre.
 inline void add_places_of_axis(const exact::Ellipse& e, const exact::Ellipse& f, int count, Found& found) noexcept {
   exact::Box axis = exact::as_box(e);
   (exact::compare(e.a, e.b) < 0 ? axis.hx : axis.hy) = {};

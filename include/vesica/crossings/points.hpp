@@ -73,8 +73,8 @@ struct Found {
 
 using Position = exact::Number<2>;
 
-/// A box's corners in order, counter-clockwise: 4, 2 of one without width or height, 1 of a point. Edge i runs from corner
-/// i to the next; 2 corners have one edge.
+/// A box's corners in order, counter-clockwise: 4, 2 of one without width or height, 1 of a point. Edge i runs from
+/// corner i to the next; 2 corners have one edge.
 struct Corners {
   Position x[4], y[4];
   int count, edges;

@@ -156,8 +156,9 @@ VESICA_INLINE Heron<V> heron(const Polynomial<4, V>& a, const Polynomial<4, V>& 
 /// Beyond this many pieces the degree 6 tells little that the degree 4 does not.
 inline constexpr int heron_pieces = 7;
 
-// Where the circle of directions is cut on either side of the minimum: tangents of half the angles (8 to 165 degrees; 45
-// to 170), chosen by trial on random pairs. Functions, so that objects for different instruction sets share no symbol.
+// Where the circle of directions is cut on either side of the minimum: tangents of half the angles (8 to 165 degrees;
+// 45 to 170), chosen by trial on random pairs. Functions, so that objects for different instruction sets share no
+// symbol.
 constexpr Cuts<11> cuts_of_sum() noexcept {
   return Cuts<11>({.07, .16, .28, .42, .6, .81, 1.07, 1.48, 2.14, 3.5, 7.6});
 }

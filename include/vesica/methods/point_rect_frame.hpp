@@ -2,8 +2,8 @@
 /// Point in rectangle.
 ///
 /// Idea: turn the system so that the rectangle lies along the axes; the point is then compared with its half extents.
-/// Source: "Rectangle intersection at 60fps" (blitcurve). Differs: nothing is turned by an angle; the axis as stored gives
-/// the two coordinates, in its own unit of length. Touching counts.
+/// Source: "Rectangle intersection at 60fps" (blitcurve). Differs: nothing is turned by an angle; the axis as stored
+/// gives the two coordinates, in its own unit of length. Touching counts.
 /// Cost: about 10 ns. May err within a few roundings of the outline.
 #pragma once
 

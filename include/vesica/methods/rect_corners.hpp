@@ -31,8 +31,8 @@ Point<T> point_of(const Rect<T>& r, T s, T t) noexcept {
 /// Writes x0 y0 ... x3 y3, counter-clockwise where y points up: the corners with signs (-, -), (+, -), (+, +), (-, +)
 /// along and across the axis, the order that rect_from_corners() reads.
 ///
-/// Each coordinate is right to 3 roundoffs of |c| + |hx u| + |hy u|. Returns 0, error_shape, or error_range when a corner
-/// is beyond the finite numbers; on error `out` is untouched.
+/// Each coordinate is right to 3 roundoffs of |c| + |hx u| + |hy u|. Returns 0, error_shape, or error_range when a
+/// corner is beyond the finite numbers; on error `out` is untouched.
 template <class T>
 std::int32_t rect_corners(const Rect<T>& rect, T (&out)[8]) noexcept {
   if (check(rect) != 0) return error_shape;

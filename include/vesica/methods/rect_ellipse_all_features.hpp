@@ -2,15 +2,15 @@
 /// Rectangle against ellipse by all features.
 ///
 /// Idea: the shapes overlap iff a vertex of the rectangle is in the ellipse, or an edge meets the ellipse, or the
-/// ellipse, missing the outline, lies inside, and then its centre does. Source: David Eberly, "Intersection of Rectangle
-/// and Ellipse" (2015), section 2.
-/// Wrong in print: the loop over the vertices picks axes and extents by its counters, where the first and the second are
-/// meant: two of its points are no vertices, the other two are the same vertex (21% of random pairs misjudged).
+/// ellipse, missing the outline, lies inside, and then its centre does. Source: David Eberly, "Intersection of
+/// Rectangle and Ellipse" (2015), section 2.
+/// Wrong in print: the loop over the vertices picks axes and extents by its counters, where the first and the second
+/// are meant: two of its points are no vertices, the other two are the same vertex (21% of random pairs misjudged).
 /// Differs: the four vertices of the signs (-1, -1) ... (1, 1); the discriminant in the form that does not cancel; no
 /// division (rect_ellipse_metric.hpp).
-/// Cost: 4 vertices, 4 edges and a point, all always: a jump on fresh data costs more than it saves. About 25 ns. May err within a few roundings of contact.
-/// An ellipse of half length 0, or so small (about 2^-176 of the largest length, float 2^-22) that squares underflow, is
-/// left to the exact overlap().
+/// Cost: 4 vertices, 4 edges and a point, all always: a jump on fresh data costs more than it saves. About 25 ns. May
+/// err within a few roundings of contact. An ellipse of half length 0, or so small (about 2^-176 of the largest length,
+/// float 2^-22) that squares underflow, is left to the exact overlap().
 #pragma once
 
 #include <vesica/methods/rect_ellipse_metric.hpp>

@@ -2,15 +2,15 @@
 /// Rectangle against ellipse by closest features.
 ///
 /// Idea: the lines through the edges cut the plane into nine regions. With the ellipse's centre in the middle one they
-/// overlap; beside an edge only that edge and its ends can be met first, off a corner only two edges and three vertices.
-/// Source: David Eberly, "Intersection of Rectangle and Ellipse" (2015), section 3.
-/// Wrong in print: the comparisons that select the region stand the wrong way round, the second sign of a vertex is made
-/// from a bit worth 2 as if it were worth 1 (3 where 1 is meant), and of three vertices also the two that no edge joins
-/// are tried as an edge. Differs: the signs of the region name vertices and edges themselves, so there is no table of
-/// cases; no division (rect_ellipse_metric.hpp).
+/// overlap; beside an edge only that edge and its ends can be met first, off a corner only two edges and three
+/// vertices. Source: David Eberly, "Intersection of Rectangle and Ellipse" (2015), section 3.
+/// Wrong in print: the comparisons that select the region stand the wrong way round, the second sign of a vertex is
+/// made from a bit worth 2 as if it were worth 1 (3 where 1 is meant), and of three vertices also the two that no edge
+/// joins are tried as an edge. Differs: the signs of the region name vertices and edges themselves, so there is no
+/// table of cases; no division (rect_ellipse_metric.hpp).
 /// Cost: a point, 3 vertices and 2 edges; about 25 ns. May err within a few roundings of contact.
-/// An ellipse of half length 0, or so small (about 2^-176 of the largest length, float 2^-22) that squares underflow, is
-/// left to the exact overlap().
+/// An ellipse of half length 0, or so small (about 2^-176 of the largest length, float 2^-22) that squares underflow,
+/// is left to the exact overlap().
 #pragma once
 
 #include <vesica/methods/rect_ellipse_metric.hpp>

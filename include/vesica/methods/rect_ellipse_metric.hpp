@@ -78,7 +78,8 @@ VESICA_INLINE Metric<T> metric(const RescaledPair<T>& p, const Stretch<T>& by) n
   m.k1 = p.ux * p.dy - p.uy * p.dx;
   m.e0 = p.h0 * uu;
   m.e1 = p.h1 * uu;
-  // The smallest number formed, r^2 |f|^2, is at least 2^-36 (2^-288) times the fourth power of the smaller half length.
+  // The smallest number formed, r^2 |f|^2, is at least 2^-36 (2^-288) times the fourth power of the smaller half
+  // length.
   m.usable = p.g0 >= Traits::power(-22 * Traits::range) && p.g1 >= Traits::power(-22 * Traits::range);
   return m;
 }

@@ -2,15 +2,15 @@
 /// Rectangle against ellipse as the distance of a point to a parallelogram.
 ///
 /// Idea: stretched until the ellipse is a disc, the rectangle is a parallelogram, and its distance to the disc's centre
-/// is compared with the radius. In the ellipse's own measure: minimise its level function Q(X) = |X - K|^2 - 1, in units
-/// in which the ellipse's outline has |X - K| = 1, over the edges that the centre can see. Source: David Eberly,
+/// is compared with the radius. In the ellipse's own measure: minimise its level function Q(X) = |X - K|^2 - 1, in
+/// units in which the ellipse's outline has |X - K| = 1, over the edges that the centre can see. Source: David Eberly,
 /// "Intersection of Rectangle and Ellipse" (2015), section 4. The shapes overlap iff the least level c_min <= 0; the
 /// point P that has it is then common to both.
-/// Wrong in print: nothing, but the minimum within an edge, (q0 q2 - q1^2) / q2, cancels; here it is a squared cross product
-/// (rect_ellipse_metric.hpp).
+/// Wrong in print: nothing, but the minimum within an edge, (q0 q2 - q1^2) / q2, cancels; here it is a squared cross
+/// product (rect_ellipse_metric.hpp).
 /// Cost: at most two edges, 5 divisions; about 50 ns. c_min may err by a few roundings of its terms, and so the answer
-/// within that of contact. For an ellipse of half length 0, or so small (about 2^-176 of the largest length, float 2^-22)
-/// that squares underflow, the answer is that of the exact overlap(), and c_min is put on its side of 0.
+/// within that of contact. For an ellipse of half length 0, or so small (about 2^-176 of the largest length, float
+/// 2^-22) that squares underflow, the answer is that of the exact overlap(), and c_min is put on its side of 0.
 #pragma once
 
 #include <limits>
@@ -79,7 +79,8 @@ VESICA_INLINE Foot<T> nearest_of_disc(const Metric<T>& m, T sx, T sy, T& level) 
   return best;
 }
 
-/// A point s along and t across the rectangle's axis, and where it lies from the ellipse's centre, its longer axis on x.
+/// A point s along and t across the rectangle's axis, and where it lies from the ellipse's centre, its longer axis on
+/// x.
 template <class T>
 struct Place {
   T s, t;
@@ -149,9 +150,9 @@ T agreeing(T level, std::int32_t overlap) noexcept {
 
 /// 1 when they overlap (out.c_min <= 0), 0 when not.
 ///
-/// With the ellipse's centre in the rectangle P is that centre and c_min -1. A segment (a or b = 0) has a finite level on
-/// its own line only: c_min may be infinite, and P is then the limit of ever thinner ellipses. Errors, which leave `out`
-/// untouched: error_shape, error_range (a coordinate of P is beyond the finite numbers).
+/// With the ellipse's centre in the rectangle P is that centre and c_min -1. A segment (a or b = 0) has a finite level
+/// on its own line only: c_min may be infinite, and P is then the limit of ever thinner ellipses. Errors, which leave
+/// `out` untouched: error_shape, error_range (a coordinate of P is beyond the finite numbers).
 template <class T>
 std::int32_t point_parallelogram_distance(const Rect<T>& rect, const Ellipse<T>& ellipse,
                                           MetricClosest<T>& out) noexcept {

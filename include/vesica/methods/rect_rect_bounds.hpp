@@ -5,9 +5,9 @@
 /// Source: "Rectangle intersection at 60fps" (blitcurve). In print the boxes' answer may be mistaken for the
 /// rectangles'; here boxes that meet say no more than uncertain.
 /// Differs: half widths carry a bound on their rounding, so a `no` is true of the stored numbers.
-/// Cost: about 5 ns. Never errs. Bound: uncertain means that the boxes meet, or their centres are along both coordinates
-/// apart by less than the sum of their half widths and 22 roundoffs of it (and 9 of the smallest numbers), or that the
-/// sum is beyond the finite numbers.
+/// Cost: about 5 ns. Never errs. Bound: uncertain means that the boxes meet, or their centres are along both
+/// coordinates apart by less than the sum of their half widths and 22 roundoffs of it (and 9 of the smallest numbers),
+/// or that the sum is beyond the finite numbers.
 #pragma once
 
 #include <cmath>
@@ -23,9 +23,9 @@ namespace detail {
 /// Whether two intervals about centres, with half lengths p0 q0 + p1 q1 and r0 s0 + r1 s1, are certainly apart. All but
 /// the centres are at least 0.
 ///
-/// The sum of four products has a relative error of 4 roundoffs, the difference of the centres 1, the factor below 2; and
-/// each product may lose half the smallest number. What overflows is not finite, and claims nothing: a difference beyond
-/// the range does exceed a finite sum.
+/// The sum of four products has a relative error of 4 roundoffs, the difference of the centres 1, the factor below 2;
+/// and each product may lose half the smallest number. What overflows is not finite, and claims nothing: a difference
+/// beyond the range does exceed a finite sum.
 template <class T>
 bool apart(T from, T to, T p0, T q0, T p1, T q1, T r0, T s0, T r1, T s1) noexcept {
   const T reach = (p0 * q0 + p1 * q1) + (r0 * s0 + r1 * s1);

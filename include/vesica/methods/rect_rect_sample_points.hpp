@@ -3,14 +3,15 @@
 ///
 /// Idea: a corner of one, or one of k points spaced evenly along the middle of its long side, that lies in the other
 /// proves that they overlap. Source: "Rectangle intersection at 60fps" (blitcurve).
-/// Wrong in print: that one rectangle's samples make the answer exact once its width w > l / (k + 1). They do not, for any
-/// k: the other's corner may stand between them (a quarter of such overlaps is missed one way round).
-/// Differs: both ways round are tried. That missed none of 4 million random overlaps whose widths both keep the condition,
-/// contacts apart; but it is measured, not proved, so no point inside is `uncertain`, never a no. A point counts as inside
-/// only by more than the rounding of its place, so a `yes` is true of the stored numbers. Touching is uncertain.
-/// Cost: 2 (4 + k) points at worst: about 30 ns, and 2 ns for each k. Never errs. Bound: with k >= 1, uncertain means that of neither
-/// rectangle's middle line (the longer one, of length l) a stretch of l / (k + 1) lies in the other rectangle made smaller
-/// by 50 roundoffs of the sum of distance and sizes.
+/// Wrong in print: that one rectangle's samples make the answer exact once its width w > l / (k + 1). They do not, for
+/// any k: the other's corner may stand between them (a quarter of such overlaps is missed one way round).
+/// Differs: both ways round are tried. That missed none of 4 million random overlaps whose widths both keep the
+/// condition, contacts apart; but it is measured, not proved, so no point inside is `uncertain`, never a no. A point
+/// counts as inside only by more than the rounding of its place, so a `yes` is true of the stored numbers. Touching is
+/// uncertain.
+/// Cost: 2 (4 + k) points at worst: about 30 ns, and 2 ns for each k. Never errs. Bound: with k >= 1, uncertain means
+/// that of neither rectangle's middle line (the longer one, of length l) a stretch of l / (k + 1) lies in the other
+/// rectangle made smaller by 50 roundoffs of the sum of distance and sizes.
 #pragma once
 
 #include <vesica/methods/rescaled_pair.hpp>
@@ -36,9 +37,9 @@ struct SampleFrame {
 
 /// From a rectangle of axis u and sizes h0, h1 to one of axis w and sizes g0, g1, whose centre is at d.
 ///
-/// With N = |d||w| + (h0 + h1) |u||w| + (g0 + g1) w.w in sums of absolute components, the coordinates of a sample have an
-/// error of at most 7 roundoffs of N (d 1, its products 2, c and n 2 and their products 1, the sums 2), e0 and e1 of 3;
-/// numbers that underflow cost less than the 100th (800th) power of 1/2.
+/// With N = |d||w| + (h0 + h1) |u||w| + (g0 + g1) w.w in sums of absolute components, the coordinates of a sample have
+/// an error of at most 7 roundoffs of N (d 1, its products 2, c and n 2 and their products 1, the sums 2), e0 and e1 of
+/// 3; numbers that underflow cost less than the 100th (800th) power of 1/2.
 template <class T>
 VESICA_INLINE SampleFrame<T> sample_frame(T dx, T dy, T ux, T uy, T h0, T h1, T wx, T wy, T g0, T g1) noexcept {
   using Traits = ScalarTraits<T>;
@@ -49,8 +50,8 @@ VESICA_INLINE SampleFrame<T> sample_frame(T dx, T dy, T ux, T uy, T h0, T h1, T 
           wx * uy - wy * ux,    g0 * ww - error,   g1 * ww - error};
 }
 
-/// Whether one of the samples of a rectangle of half extents h0, h1 is in the other one. Each |s| <= h0, |t| <= h1 in spite
-/// of rounding, so every sample is a point of its rectangle.
+/// Whether one of the samples of a rectangle of half extents h0, h1 is in the other one. Each |s| <= h0, |t| <= h1 in
+/// spite of rounding, so every sample is a point of its rectangle.
 template <class T>
 bool holds_a_sample(const SampleFrame<T>& f, T h0, T h1, std::int32_t k) noexcept {
   const bool corner =

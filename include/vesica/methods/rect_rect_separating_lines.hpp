@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Rectangle against rectangle by separating lines, from centre, angle and size.
 ///
-/// Idea: move and turn both so that one stands at the origin along the axes. Its four edges' lines are then x = +-w/2 and
-/// y = +-h/2; when all corners of the other lie beyond one of them, that line separates the two. Then the other way round.
-/// Eight lines are enough. Source: "Rectangle intersection at 60fps" (blitcurve).
+/// Idea: move and turn both so that one stands at the origin along the axes. Its four edges' lines are then x = +-w/2
+/// and y = +-h/2; when all corners of the other lie beyond one of them, that line separates the two. Then the other way
+/// round. Eight lines are enough. Source: "Rectangle intersection at 60fps" (blitcurve).
 /// Wrong in print: step 6 says that without a separating line they do not intersect; they do. There, rectangles that
 /// touch do not intersect; here touching is overlap, so a corner on the line is not beyond it.
-/// Differs: each angle is turned into cosine and sine once, and those are combined, where print takes the cosine and sine
-/// of a difference of angles, which loses digits when the angles are large.
+/// Differs: each angle is turned into cosine and sine once, and those are combined, where print takes the cosine and
+/// sine of a difference of angles, which loses digits when the angles are large.
 /// Cost: about 20 ns; from angles 40 ns more. May err within a few roundings of contact.
 #pragma once
 
@@ -16,8 +16,8 @@
 
 namespace vesica::methods {
 
-/// A rectangle as centre, angle (radians, counter-clockwise from +x where y points up), width along the angle and height
-/// across it. Valid when finite, with width and height >= 0: any combination of the numbers is a rectangle.
+/// A rectangle as centre, angle (radians, counter-clockwise from +x where y points up), width along the angle and
+/// height across it. Valid when finite, with width and height >= 0: any combination of the numbers is a rectangle.
 template <class T>
 struct TurnedRect {
   T cx, cy, angle, width, height;

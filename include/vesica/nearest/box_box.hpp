@@ -24,8 +24,8 @@ struct VertexCandidate {
   V i, j, squared;
 };
 
-/// One of the two axes of a box, and the vertex of another, which lies at k in its frame: hx, hy its half sizes, c and s
-/// the dot and cross product of the box's axis with the other's. `across`: the axis is perp(u). A vertex is chosen by
+/// One of the two axes of a box, and the vertex of another, which lies at k in its frame: hx, hy its half sizes, c and
+/// s the dot and cross product of the box's axis with the other's. `across`: the axis is perp(u). A vertex is chosen by
 /// exact signs; where an edge is parallel to the face, the end nearer the box's middle.
 template <class V>
 VESICA_INLINE VertexCandidate<V> farthest_vertex(V kx, V ky, V c, V s, V hx, V hy, V ex, V ey, bool across) noexcept {

@@ -20,10 +20,10 @@ struct Feature {
 /// +x and +y can be closest.
 ///
 /// Where a gap is seen along a face's normal, the support point of the ellipse above the face, beyond its one end or
-/// beyond its other tells: this face, or the vertex to that side (or the other face, likewise). Where none is seen along
-/// either, the vertex is the point of the box that is closest in the ellipse's own metric: the normal there separates
-/// the two, and so does every direction from it to the best one, so no face's normal lies between (the regions are
-/// those of D. Eberly, "Intersection of Rectangle and Ellipse", Geometric Tools).
+/// beyond its other tells: this face, or the vertex to that side (or the other face, likewise). Where none is seen
+/// along either, the vertex is the point of the box that is closest in the ellipse's own metric: the normal there
+/// separates the two, and so does every direction from it to the best one, so no face's normal lies between (the
+/// regions are those of D. Eberly, "Intersection of Rectangle and Ellipse", Geometric Tools).
 template <class V>
 VESICA_INLINE Feature<V> closest_feature(const Box<V>& box, const Axes<V>& e, V dx, V dy) noexcept {
   const V zero(0.0), one(1.0);
@@ -45,8 +45,8 @@ VESICA_INLINE Feature<V> closest_feature(const Box<V>& box, const Axes<V>& e, V 
   return {flip_sign(select(face_x, one, i), kx), flip_sign(select(face_y, one, j), ky), face_x, face_y};
 }
 
-/// What a disjoint box and ellipse answer: the distance, the place in the box, the offset from the ellipse's centre, and
-/// the unit vector from the box to the ellipse.
+/// What a disjoint box and ellipse answer: the distance, the place in the box, the offset from the ellipse's centre,
+/// and the unit vector from the box to the ellipse.
 template <class V>
 struct BoxEllipse {
   Twofold<V> distance;
@@ -56,8 +56,9 @@ struct BoxEllipse {
 };
 
 /// The distance of an ellipse from one feature of a box; d from the box's centre to the ellipse's. The ellipse may not
-/// contain the feature's vertex. search: farthest_direction() or another with its arguments. Settled where the direction found lies between the normals of the vertex's faces, or
-/// the foot in the face: then nothing of the box is closer.
+/// contain the feature's vertex. search: farthest_direction() or another with its arguments. Settled where the
+/// direction found lies between the normals of the vertex's faces, or the foot in the face: then nothing of the box is
+/// closer.
 template <class V, class Search>
 VESICA_INLINE BoxEllipse<V> feature_ellipse(const Box<V>& box, const Axes<V>& e, const Vector<V>& d, V size,
                                             const Feature<V>& f, const Search& search, int& steps) noexcept {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A point of both of two placed shapes that overlap. Nothing here asks whether: where rounding leaves no point in both,
-/// it is one that is in them to rounding.
+/// A point of both of two placed shapes that overlap. Nothing here asks whether: where rounding leaves no point in
+/// both, it is one that is in them to rounding.
 ///
-/// A centre that the other shape holds is such a point. So is a shape too small to matter. Where neither centre is held,
-/// neither shape contains the other, and their outlines meet.
+/// A centre that the other shape holds is such a point. So is a shape too small to matter. Where neither centre is
+/// held, neither shape contains the other, and their outlines meet.
 #pragma once
 
 #include <vesica/nearest/disjoint.hpp>
@@ -29,8 +29,8 @@ struct Common {
 
 inline constexpr Contact middle_of_shape{{0, 0}, 0, 0};
 
-/// Of a segment from (x, y), along (dx, dy), the place 0 <= t <= 1 deepest inside |x| <= hx, |y| <= hy, and how far it is
-/// outside (negative inside). The depth is the largest of four straight functions of t, so it is least at an end or
+/// Of a segment from (x, y), along (dx, dy), the place 0 <= t <= 1 deepest inside |x| <= hx, |y| <= hy, and how far it
+/// is outside (negative inside). The depth is the largest of four straight functions of t, so it is least at an end or
 /// where two of them meet.
 struct Deepest {
   double t, outside;
@@ -115,8 +115,8 @@ inline Common common_of_box_and_ellipse(const Box<double>& box, const Placed& el
   return {true, on_box(box, at)};
 }
 
-/// Shrunk about their centres by one factor s < 1, two overlapping ellipses touch in one point. s is the greatest value of
-/// n.D / (h1(n) + h2(n)) over all n, has no other maximum, and is stationary where D = s (x1(n) + x2(n)).
+/// Shrunk about their centres by one factor s < 1, two overlapping ellipses touch in one point. s is the greatest value
+/// of n.D / (h1(n) + h2(n)) over all n, has no other maximum, and is stationary where D = s (x1(n) + x2(n)).
 inline Direction<double> common_normal(const TwoEllipses<double>& e, const Direction<double>& d, double size) noexcept {
   Direction<double> n = d;
   Bracket<double> bracket{{d.y, -d.x}, {-d.y, d.x}};
@@ -153,8 +153,8 @@ inline Common common_of_ellipses(const Axes<double>& a, const Axes<double>& b, c
 
 inline Common exchanged(const Common& c) noexcept { return {!c.of_a, c.contact}; }
 
-/// Of a circle and another shape that does not hold its centre: the other's closest point to that centre; of two circles a
-/// point of the line between the centres.
+/// Of a circle and another shape that does not hold its centre: the other's closest point to that centre; of two
+/// circles a point of the line between the centres.
 inline Common common_with_circle(const PlacedPair& p) noexcept {
   const double dx = p.d.x.high, dy = p.d.y.high;
   if (p.b.radius > 0) {

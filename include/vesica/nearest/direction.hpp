@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The normal along which an ellipse is farthest from a point outside it, or from another ellipse.
 ///
-/// phi(n) = n.D - sum of h(n), with h the support functions, is the width of the gap seen along the unit vector n. It is
-/// concave wherever it is positive, and its maximum is the distance. With g = D - sum of x(n), x the support points:
-/// phi' = n x g, phi'' = -(phi + sum of rho), rho the radii of curvature. Within a quarter turn of the maximum phi' points
-/// to it also where phi is negative: g lies beyond the line that is the distance away.
+/// phi(n) = n.D - sum of h(n), with h the support functions, is the width of the gap seen along the unit vector n. It
+/// is concave wherever it is positive, and its maximum is the distance. With g = D - sum of x(n), x the support points:
+/// phi' = n x g, phi'' = -(phi + sum of rho), rho the radii of curvature. Within a quarter turn of the maximum phi'
+/// points to it also where phi is negative: g lies beyond the line that is the distance away.
 #pragma once
 
 #include <vesica/nearest/support.hpp>
@@ -75,9 +75,10 @@ VESICA_INLINE Direction<V> about_unit(V x, V y) noexcept {
   return {x * scale, y * scale};
 }
 
-/// At the maximum D = sum of x + d n = (sum of S / h + d) n, so n is the adjugate of that matrix applied to D; the adjugate
-/// of a 2 x 2 matrix is linear in it. With h and d as n = D has them this gives a much better n, cheaply. It is to that
-/// side of D to which phi' at D points (D x n is that slope), within a quarter turn of D: the maximum is there too.
+/// At the maximum D = sum of x + d n = (sum of S / h + d) n, so n is the adjugate of that matrix applied to D; the
+/// adjugate of a 2 x 2 matrix is linear in it. With h and d as n = D has them this gives a much better n, cheaply. It
+/// is to that side of D to which phi' at D points (D x n is that slope), within a quarter turn of D: the maximum is
+/// there too.
 template <class V>
 VESICA_INLINE Direction<V> first_direction(const OneEllipse<V>& s, const Direction<V>& d) noexcept {
   const V dd = dot(d, d), square = image(s.sa, d).square, h = sqrt(square);
@@ -94,8 +95,8 @@ VESICA_INLINE Direction<V> first_direction(const TwoEllipses<V>& s, const Direct
   return about_unit((a.x * ka + b.x * kb) + d.x * phi, (a.y * ka + b.y * kb) + d.y * phi);
 }
 
-/// An ellipse's part in g, phi'' and phi''', all but g times |N|. rho = (a b u.u)^2 / h^3 for a unit normal; with c = h' / h
-/// = (n x S n) / h^2 its derivatives are -3 rho c and 3 rho (1 - rho / h + 4 c^2).
+/// An ellipse's part in g, phi'' and phi''', all but g times |N|. rho = (a b u.u)^2 / h^3 for a unit normal; with c =
+/// h' / h = (n x S n) / h^2 its derivatives are -3 rho c and 3 rho (1 - rho / h + 4 c^2).
 template <class V>
 struct Pull {
   V x, y, bend, third, fourth;
@@ -129,8 +130,8 @@ struct Turn {
   MaskOf<V> sane, last;
 };
 
-/// A turn t is the last when the slope it will leave, at most about 8 t^4 (phi'''^2 / (4 phi'') + |phi''''| / 4), is below
-/// this share of the shapes' size, or when it is beneath what a direction can resolve.
+/// A turn t is the last when the slope it will leave, at most about 8 t^4 (phi'''^2 / (4 phi'') + |phi''''| / 4), is
+/// below this share of the shapes' size, or when it is beneath what a direction can resolve.
 inline constexpr double slope_left = 0x1p-54, last_tangent = 0x1p-50;
 
 template <class V, class Shapes>
@@ -226,9 +227,9 @@ struct FoundDirection {
   int steps;
 };
 
-/// The maximiser of phi between two directions, from one of them or between. A turn that would leave the bracket, or that
-/// turns back by more than half of what the one before turned, gives way to halving the bracket; that ends every search.
-/// Lanes that are done, some from the start, stand still.
+/// The maximiser of phi between two directions, from one of them or between. A turn that would leave the bracket, or
+/// that turns back by more than half of what the one before turned, gives way to halving the bracket; that ends every
+/// search. Lanes that are done, some from the start, stand still.
 template <class V, class Shapes>
 VESICA_INLINE FoundDirection<V> search_between(const Shapes& shapes, const Direction<V>& d, V size, Direction<V> n,
                                                Bracket<V> bracket, MaskOf<V> done, int step_limit) noexcept {

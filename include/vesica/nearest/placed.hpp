@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Any two shapes, brought to one form, one place and one scale.
 ///
-/// A shape is a box or an ellipse about a centre; a circle is a point that reaches r farther. Of stored coordinates only
-/// differences are formed, as exactly as two doubles hold them, so that moving both shapes by the same exact amount
-/// changes nothing. Lengths come in a power of two near the largest of them: what is smaller by more than the range of
-/// double is lost, and nothing that the accuracy speaks of.
+/// A shape is a box or an ellipse about a centre; a circle is a point that reaches r farther. Of stored coordinates
+/// only differences are formed, as exactly as two doubles hold them, so that moving both shapes by the same exact
+/// amount changes nothing. Lengths come in a power of two near the largest of them: what is smaller by more than the
+/// range of double is lost, and nothing that the accuracy speaks of.
 #pragma once
 
 #include <vesica/nearest/box_box.hpp>

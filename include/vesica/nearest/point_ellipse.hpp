@@ -6,8 +6,8 @@
 
 namespace vesica::closest {
 
-/// The distance from a point to an ellipse that it lies outside of, d from the point to the ellipse's centre. Half lengths
-/// must be positive. steps: how many the search took, which tests look at.
+/// The distance from a point to an ellipse that it lies outside of, d from the point to the ellipse's centre. Half
+/// lengths must be positive. steps: how many the search took, which tests look at.
 template <class V>
 VESICA_INLINE ClosestOffsets<V> point_ellipse(const Axes<V>& e, const Vector<V>& d, V size, int& steps) noexcept {
   const OneEllipse<V> shape{e, semi_axes(e)};

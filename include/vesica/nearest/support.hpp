@@ -77,8 +77,9 @@ VESICA_INLINE Support<V> no_support() noexcept {
 }
 
 /// What two shapes a distance apart answer: the distance, and the closest points as offsets from the shapes' own
-/// centres, and the unit vector from a to b. `settled` tells where the search ended well; elsewhere the rest means nothing.
-/// Of shapes that are nearly in contact the distance may be 0 or below, by less than some 2^-100 of their size.
+/// centres, and the unit vector from a to b. `settled` tells where the search ended well; elsewhere the rest means
+/// nothing. Of shapes that are nearly in contact the distance may be 0 or below, by less than some 2^-100 of their
+/// size.
 template <class V>
 struct ClosestOffsets {
   Twofold<V> distance;
@@ -93,8 +94,8 @@ inline constexpr double settled_slope = 0x1p-46;
 /// they are farthest apart: phi(n) = n.D - h_a(n) - h_b(n) never exceeds the distance and is stationary there, so it is
 /// evaluated in twice the precision at N as it stands. One step of Newton's method then takes out what N lacks:
 /// phi' = n x g with g = D - x_a - x_b, phi'' = -(phi + curvatures). It moves the points along their outlines.
-/// d: from a's centre to b's. size: about that of the shapes and of d. smooth: 1, or 0 where a is a vertex of the face whose
-/// normal N is: then N lacks nothing, and the point of a is for the caller to find.
+/// d: from a's centre to b's. size: about that of the shapes and of d. smooth: 1, or 0 where a is a vertex of the face
+/// whose normal N is: then N lacks nothing, and the point of a is for the caller to find.
 template <class V, class F>
 VESICA_INLINE ClosestOffsets<V> separation(const Vector<V>& d, const Normal<V, F>& n, const Support<V>& a,
                                            const Support<V>& b, V size, V smooth = V(1.0)) noexcept {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Pairs of shapes about a contact, the same to the bit on every platform: made from integers by + - * / and sqrt, which
-/// IEEE 754 rounds in one way only, and by no function of the mathematics library.
+/// Pairs of shapes about a contact, the same to the bit on every platform: made from integers by + - * / and sqrt,
+/// which IEEE 754 rounds in one way only, and by no function of the mathematics library.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ struct Pair {
   Numbers<T> a, b;
 };
 
-/// Some thousand pairs of two kinds, in groups. For a group one number of a random pair is bisected to where the library's
-/// answer changes; the pair is taken with that number and with its up to 64 neighbours to either side.
+/// Some thousand pairs of two kinds, in groups. For a group one number of a random pair is bisected to where the
+/// library's answer changes; the pair is taken with that number and with its up to 64 neighbours to either side.
 template <class T>
 std::vector<Pair<T>> contacts(int kind_a, int kind_b);
 

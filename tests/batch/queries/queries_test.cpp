@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Queries of whole arrays, through the library on the instruction set that VESICA_ISA names: whatever the layout and the
-// length, every number has the bits of the scalar function's.
+// Queries of whole arrays, through the library on the instruction set that VESICA_ISA names: whatever the layout and
+// the length, every number has the bits of the scalar function's.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -150,8 +150,8 @@ Numbers<T> scattered(double width, properties::Random& random) {
   return to_scalar<T>(n);
 }
 
-// Kernels of areas are asked only of pairs that circles about them do not show to be apart, put side by side, where those
-// are at most half: from hardly any to all.
+// Kernels of areas are asked only of pairs that circles about them do not show to be apart, put side by side, where
+// those are at most half: from hardly any to all.
 template <class T>
 void check_scattered() {
   properties::Random random(properties::seed());
