@@ -13,8 +13,7 @@ namespace {
 /// The five numbers of a lane's answer, where they are wanted, settled and finite.
 VESICA_INLINE PairMask put(const closest::HotAnswer<Doubles>& c, PairMask wanted, Doubles* out) noexcept {
   const Doubles points[] = {c.distance, c.ax, c.ay, c.bx, c.by};
-  const PairMask settled =
-      both(both(wanted, c.settled), zero_if_finite(c.distance, c.ax, c.ay, c.bx, c.by) == Doubles(0.0));
+  const PairMask settled = both(both(wanted, c.settled), detail::all_finite(c.distance, c.ax, c.ay, c.bx, c.by));
   for (int k = 0; k < 5; ++k) out[k] = select(settled, points[k], out[k]);
   return settled;
 }
@@ -71,7 +70,7 @@ struct DepthCore {
     const auto found = depth(a, b, disjoint);
     const Doubles numbers[] = {found.depth, found.x, found.y};
     for (int k = 0; k < 3; ++k) out[k] = select(overlapping, numbers[k], zero);
-    return either(disjoint, both(found.settled, zero_if_finite(out[0], out[1], out[2]) == zero));
+    return either(disjoint, both(found.settled, detail::all_finite(out[0], out[1], out[2])));
   }
 
  private:

@@ -37,19 +37,12 @@ struct RelationCore {
   }
 };
 
-/// Zero where all numbers are finite, NaN elsewhere.
-template <class V, class... W>
-VESICA_INLINE V zero_if_finite(V first, W... rest) noexcept {
-  const V zero(0.0);
-  return ((first * zero) + ... + (rest * zero));
-}
-
 template <class V, class A, class B>
 VESICA_INLINE MaskOf<V> closest_points(const A& a, const B& b, MaskOf<V> overlapping, V* out) noexcept {
   const auto hot = closest::hot_answer(a, b, overlapping);
   const V points[] = {hot.distance, hot.ax, hot.ay, hot.bx, hot.by};
   for (int k = 0; k < 5; ++k) out[k] = points[k];
-  return both(hot.settled, zero_if_finite(hot.distance, hot.ax, hot.ay, hot.bx, hot.by) == V(0.0));
+  return both(hot.settled, detail::all_finite(hot.distance, hot.ax, hot.ay, hot.bx, hot.by));
 }
 
 struct NearestCore {

@@ -27,13 +27,13 @@ VESICA_INLINE Shape<V> load_shape(const double* const* field, std::int32_t i) no
 template <class V>
 VESICA_INLINE MaskOf<V> valid(const Circle<V>& s) noexcept {
   const V zero(0.0);
-  return both(zero_if_finite(s.cx, s.cy, s.r) == zero, s.r >= zero);
+  return both(detail::all_finite(s.cx, s.cy, s.r), s.r >= zero);
 }
 template <class V>
 VESICA_INLINE MaskOf<V> valid(const Rect<V>& s) noexcept {
   const V zero(0.0);
   const MaskOf<V> axis = abs(s.ux) + abs(s.uy) > zero;
-  return both(both(zero_if_finite(s.cx, s.cy, s.ux, s.uy, s.hx, s.hy) == zero, axis), both(s.hx >= zero, s.hy >= zero));
+  return both(both(detail::all_finite(s.cx, s.cy, s.ux, s.uy, s.hx, s.hy), axis), both(s.hx >= zero, s.hy >= zero));
 }
 template <class V>
 VESICA_INLINE MaskOf<V> valid(const Ellipse<V>& s) noexcept {
