@@ -35,7 +35,7 @@ int32_t vesica_depth_f32(int32_t kind_a, const float* numbers_a, int32_t kind_b,
         const int32_t error = vesica::capi::output_by_kind<DepthQuery>(kind_a, a, kind_b, b, &found);
         if (error != 0) return error;
         vesica::Penetration<float> r;
-        if (!vesica::detail::rounded_to(found, r)) return VESICA_E_RANGE;
+        if (!vesica::detail::depth::rounded_to(found, r)) return VESICA_E_RANGE;
         *out = {r.depth, r.x, r.y};
         return 0;
       });

@@ -210,13 +210,15 @@ std::int32_t shared_measure(const A& a, const B& b, detail::area::Measure& out) 
 }
 
 /// shared / (a + b - shared), in an order in which nothing exceeds 1.
-inline double ratio_of_union(const detail::area::Measure& shared, const detail::area::Measure& a, const detail::area::Measure& b) noexcept {
-  const detail::area::Measure most = detail::area::standard(detail::area::less(a, b) ? b : a), lesser = detail::area::least(a, b);
+inline double ratio_of_union(const detail::area::Measure& shared, const detail::area::Measure& a,
+                             const detail::area::Measure& b) noexcept {
+  const detail::area::Measure most = detail::area::standard(detail::area::less(a, b) ? b : a),
+                              lesser = detail::area::least(a, b);
   const detail::area::Measure part = detail::area::standard(shared);
   const int unit = most.exponent;
   const double rest = detail::area::in_units(lesser, unit) - detail::area::in_units(part, unit);
   const double all = most.value + rest;
-  return scale(part.value / all, part.exponent - unit);
+  return arithmetic::scale(part.value / all, part.exponent - unit);
 }
 
 }  // namespace detail

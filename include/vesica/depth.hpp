@@ -19,8 +19,8 @@
 #include <limits>
 #include <vesica/depth/box_box.hpp>
 #include <vesica/depth/exact_zero.hpp>
+#include <vesica/depth/lane_pairs.hpp>
 #include <vesica/depth/search.hpp>
-#include <vesica/least/lane_pairs.hpp>
 #include <vesica/overlap.hpp>
 
 namespace vesica {
@@ -32,25 +32,25 @@ struct Penetration {
   T x, y;   ///< unit vector along which b must move; 0 for disjoint shapes
 };
 
-namespace detail {
+namespace detail::depth {
 
 /// Below this share of the pair's scale a computed depth or distance does not show its sign.
 inline constexpr double surely_positive = 0x1p-48;
 
 template <class A, class B>
 std::int32_t depth_of_overlapping(const A& a, const B& b, Penetration<double>& out) noexcept {
-  const outline::Form f = outline::form(a), g = outline::form(b);
+  const Form f = support_minimum::form(a), g = support_minimum::form(b);
   if (!f.curved && !g.curved) {
-    const auto d = outline::box_box_depth(outline::box_pair(f, g));
+    const auto d = box_box_depth(box_pair(f, g));
     if (d.settled) {
       out = {d.depth, d.x, d.y};
       return 0;
     }
   }
-  const outline::Depth d = outline::searched_depth(f, g);
+  const Depth d = searched_depth(f, g);
   Penetration<double> result{0, d.direction.x + 0.0, d.direction.y + 0.0};  // no -0
-  if (d.value > surely_positive || !exact::has_no_depth(exact::form(a), exact::form(b))) {
-    result.depth = std::fmax(scale(d.value, d.exponent), std::numeric_limits<double>::denorm_min());
+  if (d.value > surely_positive || !has_no_depth(exact::form(a), exact::form(b))) {
+    result.depth = std::fmax(arithmetic::scale(d.value, d.exponent), std::numeric_limits<double>::denorm_min());
   }
   if (!all_finite(result.depth)) return error_range;
   out = result;
@@ -64,8 +64,8 @@ bool settled_depth(const A&, const B&, Penetration<double>&) noexcept {
 }
 template <class A>
 bool settled_depth(const A& a, const Ellipse<double>& b, Penetration<double>& out) noexcept {
-  if constexpr (detail::nearest::has_lanes<A, Ellipse<double>>) {
-    const auto lanes = least::lane_depth(a, b, false);
+  if constexpr (nearest::has_lanes<A, Ellipse<double>>) {
+    const auto lanes = lane_depth(a, b, false);
     if (lanes.settled) out = {lanes.depth, lanes.x, lanes.y};
     return lanes.settled;
   }
@@ -85,7 +85,7 @@ inline bool rounded_to(const Penetration<double>& p, Penetration<float>& out) no
   return true;
 }
 
-}  // namespace detail
+}  // namespace detail::depth
 
 /// Writes the depth of two shapes of any kinds, in either order. Returns 0, error_shape when either is invalid, or
 /// error_range when the depth exceeds the largest finite number; on error `out` is untouched.
@@ -93,12 +93,13 @@ template <template <class> class A, template <class> class B>
 std::int32_t depth_or_error(const A<double>& a, const B<double>& b, Penetration<double>& out) noexcept {
   if constexpr (!detail::in_order<A<double>, B<double>>) {
     const std::int32_t error = depth_or_error(b, a, out);
-    if (error == 0) out = detail::turned_round(out);
+    if (error == 0) out = detail::depth::turned_round(out);
     return error;
   } else {
     const std::int32_t overlapping = overlap_or_error(a, b);
     if (overlapping < 0) return overlapping;
-    if (overlapping == 1) return detail::settled_depth(a, b, out) ? 0 : detail::depth_of_overlapping(a, b, out);
+    if (overlapping == 1)
+      return detail::depth::settled_depth(a, b, out) ? 0 : detail::depth::depth_of_overlapping(a, b, out);
     out = {0, 0, 0};
     return 0;
   }
@@ -109,7 +110,7 @@ std::int32_t depth_or_error(const A<float>& a, const B<float>& b, Penetration<fl
   Penetration<double> wide;
   const std::int32_t error = depth_or_error(widen(a), widen(b), wide);
   if (error != 0) return error;
-  return detail::rounded_to(wide, out) ? 0 : error_range;
+  return detail::depth::rounded_to(wide, out) ? 0 : error_range;
 }
 
 /// The depth of two shapes of any kinds, in either order. With an invalid shape (see check()) or beyond the range it is

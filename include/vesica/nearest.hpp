@@ -38,7 +38,7 @@ ClosestPoints<double> disjoint_points(const A& a, const B& b, int& steps) noexce
   const Closest c = closest(p, steps);
   const Located first = located(a, p.a, c.a, p.exponent), second = located(b, p.b, c.b, p.exponent);
   const Located on_a = located_beside(a, p.a, c.a, first, second), on_b = located_beside(b, p.b, c.b, second, first);
-  const double distance = scale(rounded(c.distance), p.exponent);
+  const double distance = arithmetic::scale_far(rounded(c.distance), p.exponent);
   return {distance, on_a.x, on_a.y, on_b.x, on_b.y};
 }
 

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <limits>
-#include <vesica/area/double_double.hpp>
 #include <vesica/area/measure.hpp>
 #include <vesica/check.hpp>
 #include <vesica/exact/form.hpp>
@@ -29,7 +28,8 @@ inline bool is_flat(const Circle<double>& s) noexcept { return s.r == 0; }
 inline bool is_flat(const Ellipse<double>& s) noexcept { return s.a == 0 || s.b == 0; }
 
 inline Sizes sizes(const Aabb<double>& s) noexcept {
-  return {difference<DoubleDouble>(s.max_x, s.min_x), difference<DoubleDouble>(s.max_y, s.min_y), 0.5, 0, false};
+  return {arithmetic::difference<DoubleDouble>(s.max_x, s.min_x),
+          arithmetic::difference<DoubleDouble>(s.max_y, s.min_y), 0.5, 0, false};
 }
 inline Sizes sizes(const Rect<double>& s) noexcept { return {s.hx, s.hy, s.ux, s.uy, false}; }
 inline Sizes sizes(const Circle<double>& s) noexcept { return {s.r, s.r, 1, 0, true}; }
@@ -37,7 +37,8 @@ inline Sizes sizes(const Ellipse<double>& s) noexcept { return {s.a, s.b, s.ux, 
 
 /// The area to 2^-98 of itself, for numbers in the range of in_area_range().
 inline DoubleDouble area_estimate(const Sizes& s) noexcept {
-  const directed::Pair xx = directed::product(s.ux, s.ux), yy = directed::product(s.uy, s.uy);
+  const arithmetic::Pair<double> xx = arithmetic::two_product_fused(s.ux, s.ux),
+                                 yy = arithmetic::two_product_fused(s.uy, s.uy);
   const DoubleDouble squared_axis = DoubleDouble(xx.high, xx.low) + DoubleDouble(yy.high, yy.low);
   const DoubleDouble factor = s.round ? DoubleDouble(pi_high, pi_low) : DoubleDouble(4);
   return s.size_0 * s.size_1 * squared_axis * factor;
@@ -80,13 +81,13 @@ inline Measure exact_area(const exact::Ellipse& s) noexcept {
 
 /// x * 2^-exponent for the exponents of doubles.
 inline DoubleDouble scaled_down(const DoubleDouble& x, int exponent) noexcept {
-  return {vesica::detail::scale(x.high, -exponent), vesica::detail::scale(x.low, -exponent)};
+  return {arithmetic::scale(x.high, -exponent), arithmetic::scale(x.low, -exponent)};
 }
 
 /// The same shape with sizes and the longer part of its axis in [1/2, 1), and the exponent this took.
 inline int standardise(Sizes& s) noexcept {
-  using vesica::detail::exponent_of;
-  using vesica::detail::scale;
+  using arithmetic::exponent_of;
+  using arithmetic::scale;
   const int e0 = exponent_of(s.size_0.high), e1 = exponent_of(s.size_1.high);
   const int axis = exponent_of(std::fmax(std::fabs(s.ux), std::fabs(s.uy)));
   s.size_0 = scaled_down(s.size_0, e0);

@@ -79,12 +79,12 @@ VESICA_INLINE V clipped_area(const Extents<V>& e, const Strips<V>& b) noexcept {
 
 /// The exponent of an axis: times 2^-exponent, its longer part is in [1/2, 1).
 inline int axis_exponent(double ux, double uy) noexcept {
-  return vesica::detail::exponent_of(std::fmax(std::fabs(ux), std::fabs(uy)));
+  return arithmetic::exponent_of(std::fmax(std::fabs(ux), std::fabs(uy)));
 }
 
 /// An order of two shapes about one centre by what they are: an axis's power of two may be in the axis or in the sizes.
 inline bool precedes(const filter::Box<double>& a, const filter::Box<double>& b) noexcept {
-  using vesica::detail::scale;
+  using arithmetic::scale;
   const int i = axis_exponent(a.ux, a.uy), j = axis_exponent(b.ux, b.uy);
   const double numbers_a[] = {scale(a.hx, i), scale(a.hy, i), scale(a.ux, -i), scale(a.uy, -i)};
   const double numbers_b[] = {scale(b.hx, j), scale(b.hy, j), scale(b.ux, -j), scale(b.uy, -j)};
@@ -183,7 +183,7 @@ VESICA_INLINE auto crossing_area(const Rect<V>& a, const Rect<V>& b) noexcept {
 
 /// m * 2^-exponent, kept within bounds so that no product overflows.
 inline double bounded(const Measure& m, int exponent, double bound) noexcept {
-  return clamp(vesica::detail::scale(m.value, m.exponent - exponent), -bound, bound);
+  return clamp(arithmetic::scale(m.value, m.exponent - exponent), -bound, bound);
 }
 
 /// A line w.X = 4 passes by a box in units of its own: no X is longer than 2, no w than 2^(1/2). No line need be
@@ -197,7 +197,7 @@ struct UnitBox {
 };
 
 inline UnitBox unit_box(const exact::Box& s) noexcept {
-  using vesica::detail::scale;
+  using arithmetic::scale;
   const Measure ux = exact::rounded(s.ux), uy = exact::rounded(s.uy), hx = exact::rounded(s.hx),
                 hy = exact::rounded(s.hy);
   const auto exponent = [](const Measure& m) { return m.value == 0 ? -10000 : m.exponent; };

@@ -185,7 +185,7 @@ void add_crossings(const HalfCircle<V>& half, const Place& low, const Place& hig
 
 /// r^(1/3) for 0 < r < 1, to a few digits and more: it only parts intervals.
 inline double cube_root(double r) noexcept {
-  double x = vesica::detail::power_of_two(vesica::detail::exponent_of(r) / 3);
+  double x = arithmetic::power_of_two(arithmetic::exponent_of(r) / 3);
   for (int i = 0; i < 6; ++i) x = (2 * x + r / (x * x)) / 3;
   return x;
 }

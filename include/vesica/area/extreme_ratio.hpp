@@ -41,11 +41,11 @@ inline HalfPlane tangent_half_plane(const exact::Ellipse& e, const exact::Length
   const int axis = later(e.ux, e.uy), length = later(e.a, e.b);
   const auto part = [](const exact::Length& x, int exponent) {
     const Measure m = exact::rounded(x);
-    return vesica::detail::scale(m.value, m.exponent - exponent);
+    return arithmetic::scale(m.value, m.exponent - exponent);
   };
   const double vx = part(e.ux, axis), vy = part(e.uy, axis), a = part(e.a, length), b = part(e.b, length);
-  const double x = vesica::detail::scale(k0.value / r.value, k0.exponent - r.exponent);
-  const double y = vesica::detail::scale(k1.value / r.value, k1.exponent - r.exponent);
+  const double x = arithmetic::scale(k0.value / r.value, k0.exponent - r.exponent);
+  const double y = arithmetic::scale(k1.value / r.value, k1.exponent - r.exponent);
   const double vv = vx * vx + vy * vy, n0 = x / (a * vv), n1 = y / (b * vv);
   const double wx = n0 * vx - n1 * vy, wy = n0 * vy + n1 * vx, longer = std::fmax(std::fabs(wx), std::fabs(wy));
   const Measure distance{-0.5 * value.value / (r.value * r.value * longer), value.exponent - 2 * r.exponent};

@@ -29,12 +29,12 @@ inline double reach_y(const filter::Corners<double>& p) noexcept { return std::f
 
 template <class V>
 filter::Centre<V> lifted(const filter::Centre<double>& p, const Lift& lift) noexcept {
-  using vesica::detail::scale;
+  using arithmetic::scale;
   return {V(scale(p.x, lift.x)), V(scale(p.y, lift.y))};
 }
 template <class V>
 filter::Corners<V> lifted(const filter::Corners<double>& p, const Lift& lift) noexcept {
-  using vesica::detail::scale;
+  using arithmetic::scale;
   return {V(scale(p.x0, lift.x)), V(scale(p.y0, lift.y)), V(scale(p.x1, lift.x)), V(scale(p.y1, lift.y))};
 }
 
@@ -49,19 +49,19 @@ inline Lengths lengths(const Aabb<double>& s, const Lift& lift) noexcept {
 /// Moves the axis's power of two into the sizes.
 inline void standardise_axis(Lengths& s) noexcept {
   const int axis = axis_exponent(s.ux, s.uy);
-  s.ux = vesica::detail::scale(s.ux, -axis);
-  s.uy = vesica::detail::scale(s.uy, -axis);
+  s.ux = arithmetic::scale(s.ux, -axis);
+  s.uy = arithmetic::scale(s.uy, -axis);
   s.exponent_0 += axis;
   s.exponent_1 += axis;
 }
 
 inline int top_exponent(const Lengths& s) noexcept {
-  const int e0 = s.exponent_0 + vesica::detail::exponent_of(s.size_0.high);
-  const int e1 = s.exponent_1 + vesica::detail::exponent_of(s.size_1.high);
+  const int e0 = s.exponent_0 + arithmetic::exponent_of(s.size_0.high);
+  const int e1 = s.exponent_1 + arithmetic::exponent_of(s.size_1.high);
   return e0 > e1 ? e0 : e1;
 }
 
-inline double scaled_to(double x, int exponent) noexcept { return vesica::detail::scale(x, exponent); }
+inline double scaled_to(double x, int exponent) noexcept { return arithmetic::scale(x, exponent); }
 inline DoubleDouble scaled_to(const DoubleDouble& x, int exponent) noexcept {
   return {scaled_to(x.high, exponent), scaled_to(x.low, exponent)};
 }

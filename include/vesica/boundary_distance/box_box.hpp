@@ -2,9 +2,11 @@
 /// The outlines of two boxes, one strictly inside the other, for scalars and for lanes.
 #pragma once
 
-#include <vesica/outline/box_faces.hpp>
+#include <vesica/support_minimum/box_faces.hpp>
 
-namespace vesica::outline {
+namespace vesica::detail::boundary_distance {
+
+using namespace support_minimum;
 
 /// The distance, and the closest points as offsets from the centres of their boxes; where not settled, ask the general
 /// search.
@@ -50,4 +52,4 @@ VESICA_INLINE NestedBoxes<V> nested_boxes(const BoxPair<V>& p) noexcept {
           both(in_range(p), clear)};
 }
 
-}  // namespace vesica::outline
+}  // namespace vesica::detail::boundary_distance

@@ -2,19 +2,21 @@
 /// The distance between the outlines of two shapes of any form, one strictly inside the other.
 #pragma once
 
-#include <vesica/outline/frame.hpp>
+#include <vesica/support_minimum/frame.hpp>
 
-namespace vesica::outline {
+namespace vesica::detail::boundary_distance {
+
+using namespace support_minimum;
 
 /// In units of 2^exponent: the distance, and the closest points as seen from the centres of their shapes.
 struct Nested {
   double distance;
-  Vector outer, inner;
+  PlaneVector outer, inner;
   int exponent;
 };
 
 /// The point of a box's outline closest to a point inside, given the face's normal; in the box's frame.
-inline Vector foot_on_face(const CentredShape& box, const Vector& n, const Vector& p) noexcept {
+inline PlaneVector foot_on_face(const CentredShape& box, const PlaneVector& n, const PlaneVector& p) noexcept {
   const double x = lane::min(lane::max(p.x, -box.a), box.a), y = lane::min(lane::max(p.y, -box.b), box.b);
   if (lane::abs(n.x) > lane::abs(n.y)) return {n.x < 0 ? -box.a : box.a, y};
   return {x, n.y < 0 ? -box.b : box.b};
@@ -38,11 +40,11 @@ inline Nested nested_distance(const Form& outer, const Form& inner) noexcept {
   const Objective objective = frame.objective(-1);
   const Sample at = minimise(objective).at;
   const double turn = last_turn(objective, at);
-  const Vector along = turn * perp(at.n);
-  const Vector q = furthest(objective.second, at.n) + at.radius2 * along;
-  const Vector p = objective.first.curved ? furthest(objective.first, at.n) + at.radius1 * along
-                                          : foot_on_face(objective.first, at.n, frame.offset() + q);
+  const PlaneVector along = turn * perp(at.n);
+  const PlaneVector q = furthest(objective.second, at.n) + at.radius2 * along;
+  const PlaneVector p = objective.first.curved ? furthest(objective.first, at.n) + at.radius1 * along
+                                               : foot_on_face(objective.first, at.n, frame.offset() + q);
   return {frame.value(at.n, -1) + 0.5 * at.slope * turn, frame.world(p), frame.world(q), pair.exponent};
 }
 
-}  // namespace vesica::outline
+}  // namespace vesica::detail::boundary_distance

@@ -62,7 +62,7 @@ inline Roots roots_inside(const exact::Number<8>& square, const exact::Number<8>
   // Everything over the square's coefficient: t^2 + 2 b t + c, with c and the discriminant each rounded once.
   const double half = quotient(b, a), product = quotient(c, a);
   const Scaled d = exact::rounded(discriminant);
-  const double squared = vesica::detail::scale(d.value / (a.value * a.value), d.exponent - 2 * a.exponent);
+  const double squared = arithmetic::scale(d.value / (a.value * a.value), d.exponent - 2 * a.exponent);
   const double root = std::sqrt(squared);
   const double low = half > 0 ? -(half + root) : product / (root - half);
   const double high = half > 0 ? product / -(half + root) : root - half;
@@ -79,7 +79,7 @@ inline Found crossings(const exact::Box& box, const exact::Ellipse& ellipse) noe
   const int unit = exact::rounded(frame.radius).exponent;
   const auto part = [unit](const exact::Number<4>& x) {
     const Scaled s = exact::rounded(x);
-    return vesica::detail::scale(s.value, s.exponent - unit);
+    return arithmetic::scale(s.value, s.exponent - unit);
   };
   for (int i = 0; i < corners.count; ++i) {
     corner[i].set(frame, corners.x[i], corners.y[i]);

@@ -3,9 +3,11 @@
 /// lanes. Their Minkowski sum has no other face normals, flat boxes included.
 #pragma once
 
-#include <vesica/outline/box_faces.hpp>
+#include <vesica/support_minimum/box_faces.hpp>
 
-namespace vesica::outline {
+namespace vesica::detail::depth {
+
+using namespace support_minimum;
 
 /// How far the second box is to be moved and along which unit vector; where not settled, ask the general search.
 template <class V>
@@ -59,4 +61,4 @@ VESICA_INLINE BoxDepth<V> box_box_depth(const BoxPair<V>& given) noexcept {
           both(in_range(given), clear)};
 }
 
-}  // namespace vesica::outline
+}  // namespace vesica::detail::depth

@@ -2,15 +2,17 @@
 /// How deep two shapes of any form overlap, by search over all directions.
 #pragma once
 
-#include <vesica/outline/frame.hpp>
-#include <vesica/outline/order.hpp>
+#include <vesica/support_minimum/frame.hpp>
+#include <vesica/support_minimum/order.hpp>
 
-namespace vesica::outline {
+namespace vesica::detail::depth {
+
+using namespace support_minimum;
 
 /// In units of 2^exponent; the unit vector along which the second shape is to be moved.
 struct Depth {
   double value;
-  Vector direction;
+  PlaneVector direction;
   int exponent;
 };
 
@@ -21,9 +23,9 @@ inline Depth searched_depth(const Form& a, const Form& b) noexcept {
   const bool exchange = out_of_order(a, b, given);
   const PlacedPair pair = exchange ? exchanged(given) : given;
   const Frame frame(pair);
-  const Vector n = minimise(frame.objective(1)).at.n;
-  const Vector direction = unit(frame.world(n));
+  const PlaneVector n = minimise(frame.objective(1)).at.n;
+  const PlaneVector direction = unit(frame.world(n));
   return {frame.value(n, 1), exchange ? -direction : direction, pair.exponent};
 }
 
-}  // namespace vesica::outline
+}  // namespace vesica::detail::depth

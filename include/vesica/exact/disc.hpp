@@ -3,7 +3,7 @@
 #pragma once
 
 #include <vesica/exact/form.hpp>
-#include <vesica/relation/code.hpp>
+#include <vesica/relation_code.hpp>
 
 namespace vesica::exact {
 

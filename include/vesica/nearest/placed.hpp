@@ -7,9 +7,9 @@
 /// range of double is lost, and nothing that the accuracy speaks of.
 #pragma once
 
+#include <vesica/arithmetic/scaled.hpp>
 #include <vesica/nearest/box_box.hpp>
 #include <vesica/shapes.hpp>
-#include <vesica/spectrum.hpp>
 
 namespace vesica::detail::nearest {
 
@@ -70,15 +70,8 @@ struct PlacedPair {
   int exponent;
 };
 
-using detail::exponent_of;
-
-/// x * 2^exponent, of lengths that may themselves be beyond the range of double.
-inline double scale(double x, int exponent) noexcept {
-  return detail::scale(detail::scale(x, exponent / 2), exponent - exponent / 2);
-}
-
 inline Twofold<double> scaled(const Twofold<double>& x, int exponent) noexcept {
-  return {scale(x.high, exponent), scale(x.low, exponent)};
+  return {scale_far(x.high, exponent), scale_far(x.low, exponent)};
 }
 
 /// Exponent of a length; very small for 0.
@@ -98,7 +91,7 @@ inline constexpr double thinnest = 0x1p-52, smallest = 0x1p-120;
 inline Placed placed(const Form& f, int unit) noexcept {
   const int k = axis_exponent(f);
   Placed p{{{scaled(f.box.u.x, -k), scaled(f.box.u.y, -k)}, scaled(f.box.hx, k - unit), scaled(f.box.hy, k - unit)},
-           scale(f.radius, -unit),
+           scale_far(f.radius, -unit),
            f.curved};
   if (!p.curved) return p;
   double &a = p.box.hx.high, &b = p.box.hy.high;
@@ -160,7 +153,7 @@ struct Located {
 
 /// From a centre that is stored.
 inline Located located(double cx, double cy, const Contact& c, int exponent) noexcept {
-  return {cx + scale(c.x, exponent), cy + scale(c.y, exponent)};
+  return {cx + scale_far(c.x, exponent), cy + scale_far(c.y, exponent)};
 }
 inline Located located(const Point<double>& s, const Placed&, const Contact&, int) noexcept { return {s.x, s.y}; }
 inline Located located(const Circle<double>& s, const Placed&, const Contact& c, int exponent) noexcept {

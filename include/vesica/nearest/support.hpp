@@ -3,9 +3,11 @@
 /// along a normal, from theirs.
 #pragma once
 
-#include <vesica/nearest/twofold.hpp>
+#include <vesica/arithmetic/twofold.hpp>
 
 namespace vesica::detail::nearest {
+
+using namespace arithmetic;
 
 /// Whether a loop over lanes may end; the lanes of a vector bring their own.
 constexpr bool all(bool mask) noexcept { return mask; }
@@ -106,8 +108,7 @@ VESICA_INLINE ClosestOffsets<V> separation(const Vector<V>& d, const Normal<V, F
   const V turn = slope / select(bend > zero, bend, one);
   const Twofold<V> phi = factor(dot(n.vector, factor(d)) - (a.height + b.height)) * factor(n.inverse_length);
   const V move_a = a.curvature * turn, move_b = b.curvature * turn;
-  const auto converged =
-      either(smooth == zero, both(bend > zero, abs(slope) <= V(settled_slope) * (size + curvature)));
+  const auto converged = either(smooth == zero, both(bend > zero, abs(slope) <= V(settled_slope) * (size + curvature)));
   const Twofold<V> distance{phi.high, phi.low + V(0.5) * (slope * turn)};
   return {distance,
           a.x - move_a * n.unit.y,

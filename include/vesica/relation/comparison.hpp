@@ -3,7 +3,7 @@
 #pragma once
 
 #include <vesica/filter/comparison.hpp>
-#include <vesica/relation/code.hpp>
+#include <vesica/relation_code.hpp>
 #include <vesica/shapes.hpp>
 
 namespace vesica::detail::relation {

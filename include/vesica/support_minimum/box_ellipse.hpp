@@ -4,10 +4,9 @@
 /// or L < 0, of degree 4 in the tangent of half an angle.
 #pragma once
 
-#include <vesica/least/two_ellipses.hpp>
-#include <vesica/nearest/box_ellipse.hpp>
+#include <vesica/support_minimum/two_ellipses.hpp>
 
-namespace vesica::least {
+namespace vesica::detail::support_minimum {
 
 /// A pair in the frame of the rectangle, mirrored so that the ellipse's centre d is in the first quadrant. Lengths are
 /// in units of 1 / |u|.
@@ -33,7 +32,7 @@ VESICA_INLINE MirroredPair<V> mirrored_pair(const Box<V>& box, const Axes<V>& e,
 
 /// Along the faces that lead to the ellipse, along the ellipse's axes and half way between them, and diagonally.
 template <class V>
-VESICA_INLINE Samples<8, V> samples(const MirroredPair<V>& p, const Form<V>& s) noexcept {
+VESICA_INLINE Samples<8, V> samples(const MirroredPair<V>& p, const QuadraticForm<V>& s) noexcept {
   const V zero(0.0), one(1.0), half(0.7071067811865476);
   const V scale = one / sqrt(p.e.ux * p.e.ux + p.e.uy * p.e.uy), oblique = scale / sqrt(p.e.a * p.e.a + p.e.b * p.e.b);
   const V bx = p.e.b * p.e.ux, by = p.e.b * p.e.uy, ax = p.e.a * p.e.uy, ay = p.e.a * p.e.ux;
@@ -66,7 +65,7 @@ struct CornerStart {
 
 /// A face's normal rules in two quarters: the one is taken in which F falls, if it does.
 template <class V>
-VESICA_INLINE CornerStart<V> corner_start(const MirroredPair<V>& p, const Form<V>& s,
+VESICA_INLINE CornerStart<V> corner_start(const MirroredPair<V>& p, const QuadraticForm<V>& s,
                                           const Samples<8, V>& all_samples) noexcept {
   const V zero(0.0), one(1.0);
   const Start<V> from = start(all_samples);
@@ -91,7 +90,7 @@ struct Quarter {
   Polynomial<2, V> clear;
 };
 template <class V>
-VESICA_INLINE Quarter<V> quarter(const Form<V>& s, V least, V dx, V dy) noexcept {
+VESICA_INLINE Quarter<V> quarter(const QuadraticForm<V>& s, V least, V dx, V dy) noexcept {
   const Polynomial<2, V> l = disc_by_half_angle(least, dx, dy);
   return {form_by_half_angle(s.xx, s.xy, s.yy) - square(l), {{-l.c[0], -l.c[1], -l.c[2]}}};
 }
@@ -131,8 +130,8 @@ VESICA_INLINE MaskOf<V> either_positive(const Polynomial<4, V>& p, const Polynom
 
 /// Whether F is nowhere less than `least`, its value along a face's normal, or a local minimum in the direction n.
 template <class V>
-VESICA_INLINE MaskOf<V> is_least_of_corners(const MirroredPair<V>& p, const Form<V>& s, const CornerStart<V>& at,
-                                            const Direction<V>& n, V least) noexcept {
+VESICA_INLINE MaskOf<V> is_least_of_corners(const MirroredPair<V>& p, const QuadraticForm<V>& s,
+                                            const CornerStart<V>& at, const Direction<V>& n, V least) noexcept {
   const V zero(0.0), one(1.0);
   const auto face = either(at.face_x, at.face_y), never = zero > zero;
   const V length = least + (p.hx + p.hy) + (p.d.x + p.d.y), size = (s.xx + s.yy) + length * length;
@@ -143,8 +142,8 @@ VESICA_INLINE MaskOf<V> is_least_of_corners(const MirroredPair<V>& p, const Form
   const V ahead = abs(n.y) / (one + abs(n.x)), aside = abs(n.x) / (one + abs(n.y));
   const V x_main = select(main, ahead, select(at.face_x, zero, one));
   const Quarter<V> q_main = quarter(s, least, p.d.x - p.hx, p.d.y - p.hy);
-  const Quarter<V> q_after = quarter(Form<V>{s.yy, -s.xy, s.xx}, least, p.d.y - p.hy, -(p.d.x + p.hx));
-  const Quarter<V> q_before = quarter(Form<V>{s.xx, -s.xy, s.yy}, least, p.d.x - p.hx, -(p.d.y + p.hy));
+  const Quarter<V> q_after = quarter(QuadraticForm<V>{s.yy, -s.xy, s.xx}, least, p.d.y - p.hy, -(p.d.x + p.hx));
+  const Quarter<V> q_before = quarter(QuadraticForm<V>{s.xx, -s.xy, s.yy}, least, p.d.x - p.hx, -(p.d.y + p.hy));
   constexpr auto evenly = cut_evenly();
   constexpr auto near_first = cut_near_first();
   const auto proved_main = either_positive(deflated(q_main.room, x_main, face, main), q_main.clear, margin, evenly);
@@ -163,7 +162,7 @@ VESICA_INLINE BoxEllipse<V> deepest(const Box<V>& box, const Axes<V>& e, const V
                                     MaskOf<V> idle) noexcept {
   const V one(1.0);
   const MirroredPair<V> p = mirrored_pair(box, e, d.x.high, d.y.high);
-  const Form<V> s = form(semi_axes(p.e), Direction<V>{one, V(0.0)});
+  const QuadraticForm<V> s = quadratic_form(semi_axes(p.e), Direction<V>{one, V(0.0)});
   const CornerStart<V> at = corner_start(p, s, samples(p, s));
   const auto face = either(at.face_x, at.face_y);
   const V ux = box.u.x.high, uy = box.u.y.high, length = sqrt(ux * ux + uy * uy);
@@ -258,7 +257,7 @@ template <class V>
 VESICA_INLINE MaskOf<V> is_nearest_corner(const FoldedCorners<V>& c, const NearestCorner<V>& best, V a, V b,
                                           V least) noexcept {
   const V zero(0.0), length = least + (a + b), margin = V(4 * coefficient_margin) * (length * length);
-  const Form<V> s{a * a, zero, b * b};
+  const QuadraticForm<V> s{a * a, zero, b * b};
   constexpr auto near_first = cut_near_first();
   MaskOf<V> proved = zero == zero;
   for (int v = 0; v < 4; ++v) {
@@ -312,4 +311,4 @@ VESICA_INLINE ClosestOffsets<V> closest_inside(const Axes<V>& given, const Box<V
   return result;
 }
 
-}  // namespace vesica::least
+}  // namespace vesica::detail::support_minimum

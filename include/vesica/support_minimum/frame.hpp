@@ -4,20 +4,20 @@
 /// keeps its relative accuracy where its terms cancel.
 #pragma once
 
-#include <vesica/outline/arc_search.hpp>
-#include <vesica/outline/placed_pair.hpp>
+#include <vesica/support_minimum/arc_search.hpp>
+#include <vesica/support_minimum/placed_pair.hpp>
 
-namespace vesica::outline {
+namespace vesica::detail::support_minimum {
 
 /// F(n) = h1(n) + sign h2(n) - n.D, D the offset of centres. With sign 1 that is how far the second shape must move
 /// along n until n separates the two; with sign -1 how far the second stays behind the first along n.
 class Frame {
  public:
   explicit Frame(const PlacedPair& pair) noexcept : pair_(pair) {
-    const Vector &u = pair.first.u, &w = pair.second.u;
-    uu_ = outline::dot(u.x, u.y, u.x, u.y);
-    axis_ = {outline::dot(u.x, u.y, w.x, w.y), outline::cross(u.x, u.y, w.x, w.y)};
-    offset_ = {outline::dot(u.x, u.y, pair.d), outline::cross(u.x, u.y, pair.d)};
+    const PlaneVector &u = pair.first.u, &w = pair.second.u;
+    uu_ = support_minimum::dot(u.x, u.y, u.x, u.y);
+    axis_ = {support_minimum::dot(u.x, u.y, w.x, w.y), support_minimum::cross(u.x, u.y, w.x, w.y)};
+    offset_ = {support_minimum::dot(u.x, u.y, pair.d), support_minimum::cross(u.x, u.y, pair.d)};
   }
 
   /// F for minimise(). All lengths are below 4.
@@ -29,12 +29,13 @@ class Frame {
   }
 
   /// F(n) for a direction of about unit length. Right to 2u of itself and 2^-100.
-  double value(const Vector& n, double sign) const noexcept {
-    const Twofold<double> first = uu_ * height(pair_.first, {{n.x, 0}, {n.y, 0}});
-    const Twofold<double> second =
-        height(pair_.second, {outline::dot(n.x, n.y, axis_), -outline::cross(n.x, n.y, axis_)});
-    const Twofold<double> all = (first + (sign < 0 ? -second : second)) - outline::dot(n.x, n.y, offset_);
-    return rounded(all) / lane::sqrt(rounded(uu_ * outline::dot(n.x, n.y, n.x, n.y)));
+  double value(const PlaneVector& n, double sign) const noexcept {
+    const FastDoubleDouble<double> first = uu_ * height(pair_.first, {{n.x, 0}, {n.y, 0}});
+    const FastDoubleDouble<double> second =
+        height(pair_.second, {support_minimum::dot(n.x, n.y, axis_), -support_minimum::cross(n.x, n.y, axis_)});
+    const FastDoubleDouble<double> all =
+        (first + (sign < 0 ? -second : second)) - support_minimum::dot(n.x, n.y, offset_);
+    return rounded(all) / lane::sqrt(rounded(uu_ * support_minimum::dot(n.x, n.y, n.x, n.y)));
   }
 
   /// The first shape where the frame's unit is the length of its own axis.
@@ -45,40 +46,40 @@ class Frame {
   }
   /// There, from the first centre: the point (s, t) of the second shape in the frame in which that reaches from -1 to
   /// 1.
-  Vector second_by_axis(double s, double t) const noexcept {
+  PlaneVector second_by_axis(double s, double t) const noexcept {
     const double along = s * pair_.second.a, across = t * pair_.second.b;
-    const TwofoldVector<double> p{offset_.x + (axis_.x * along - axis_.y * across),
-                                  offset_.y + (axis_.y * along + axis_.x * across)};
+    const DoubleDoubleVector<double> p{offset_.x + (axis_.x * along - axis_.y * across),
+                                       offset_.y + (axis_.y * along + axis_.x * across)};
     return {rounded(p.x), rounded(p.y)};
   }
   /// The second shape's half axes, and its centre.
-  Vector second_along() const noexcept { return pair_.second.a * Vector{axis_.x.high, axis_.y.high}; }
-  Vector second_across() const noexcept { return pair_.second.b * Vector{-axis_.y.high, axis_.x.high}; }
-  Vector offset_by_axis() const noexcept { return {offset_.x.high, offset_.y.high}; }
+  PlaneVector second_along() const noexcept { return pair_.second.a * PlaneVector{axis_.x.high, axis_.y.high}; }
+  PlaneVector second_across() const noexcept { return pair_.second.b * PlaneVector{-axis_.y.high, axis_.x.high}; }
+  PlaneVector offset_by_axis() const noexcept { return {offset_.x.high, offset_.y.high}; }
 
   /// Out of the frame.
-  Vector world(const Vector& n) const noexcept { return out_of_frame(pair_.first.centred.axis, n); }
+  PlaneVector world(const PlaneVector& n) const noexcept { return out_of_frame(pair_.first.centred.axis, n); }
   /// The second centre, from the first, in the frame.
-  Vector offset() const noexcept {
+  PlaneVector offset() const noexcept {
     const double length = lane::sqrt(uu_.high);
     return {offset_.x.high / length, offset_.y.high / length};
   }
 
  private:
   /// The support function for the normal v, in the shape's frame and in the unit of its axis.
-  static Twofold<double> height(const PlacedShape& s, const TwofoldVector<double>& v) noexcept {
-    const Twofold<double> p = v.x * s.a, q = v.y * s.b;
+  static FastDoubleDouble<double> height(const PlacedShape& s, const DoubleDoubleVector<double>& v) noexcept {
+    const FastDoubleDouble<double> p = v.x * s.a, q = v.y * s.b;
     if (!s.centred.curved) return magnitude(p) + magnitude(q);
     // The squares of a very thin shape's numbers would underflow.
     const bool thin = lane::max(lane::abs(p.high), lane::abs(q.high)) < 0x1p-400;
     const double lift = thin ? 0x1p600 : 1;
-    const Twofold<double> x = p * lift, y = q * lift;
+    const FastDoubleDouble<double> x = p * lift, y = q * lift;
     return root(x * x + y * y) * (1 / lift);
   }
 
   const PlacedPair& pair_;
-  Twofold<double> uu_;
-  TwofoldVector<double> axis_, offset_;  // times |u|: the second shape's axis, and D
+  FastDoubleDouble<double> uu_;
+  DoubleDoubleVector<double> axis_, offset_;  // times |u|: the second shape's axis, and D
 };
 
-}  // namespace vesica::outline
+}  // namespace vesica::detail::support_minimum

@@ -18,10 +18,9 @@
 /// general way.
 #pragma once
 
-#include <vesica/least/positive.hpp>
-#include <vesica/nearest/ellipse_ellipse.hpp>
+#include <vesica/support_minimum/positive_polynomial.hpp>
 
-namespace vesica::least {
+namespace vesica::detail::support_minimum {
 
 /// b inside a.
 template <class V>
@@ -99,12 +98,12 @@ VESICA_INLINE Start<V> start(const Samples<count, V>& s) noexcept {
 
 /// A symmetric matrix.
 template <class V>
-struct Form {
+struct QuadraticForm {
   V xx, xy, yy;
 };
 /// S of an ellipse in the frame whose first axis is the unit vector n.
 template <class V>
-VESICA_INLINE Form<V> form(const SemiAxes<V>& e, const Direction<V>& n) noexcept {
+VESICA_INLINE QuadraticForm<V> quadratic_form(const SemiAxes<V>& e, const Direction<V>& n) noexcept {
   const V p = e.x0 * n.x + e.y0 * n.y, q = e.x1 * n.x + e.y1 * n.y;
   const V s = e.y0 * n.x - e.x0 * n.y, t = e.y1 * n.x - e.x1 * n.y;
   return {p * p + q * q, p * s + q * t, s * s + t * t};
@@ -169,7 +168,7 @@ template <class V>
 VESICA_INLINE MaskOf<V> is_least_of_sum(const TwoEllipses<V>& s, const Direction<V>& d, const Direction<V>& n,
                                         V least) noexcept {
   const V zero(0.0), one(1.0), two(2.0);
-  const Form<V> a = form(s.sa, n), b = form(s.sb, n);
+  const QuadraticForm<V> a = quadratic_form(s.sa, n), b = quadratic_form(s.sb, n);
   const V dx = dot(n, d), dy = cross(n, d);
   const Level<V> lev = level(least, dx, dy, (a.xx + a.yy) + (b.xx + b.yy));
   const Polynomial<4, V> ll = square(lev.l);
@@ -207,7 +206,7 @@ VESICA_INLINE MaskOf<V> is_least_of_sum(const TwoEllipses<V>& s, const Direction
 template <class V>
 VESICA_INLINE MaskOf<V> is_least_of_difference(const TwoEllipses<V>& s, const Direction<V>& d, const Direction<V>& n,
                                                V least) noexcept {
-  const Form<V> a = form(s.sa, n), b = form(s.sb, n);
+  const QuadraticForm<V> a = quadratic_form(s.sa, n), b = quadratic_form(s.sb, n);
   const Level<V> lev = level(least, dot(n, d), cross(n, d), (a.xx + a.yy) + (b.xx + b.yy));
   const Heron<V> terms =
       heron(form_by_half_angle(a.xx, a.xy, a.yy), form_by_half_angle(b.xx, b.xy, b.yy), square(lev.l));
@@ -276,4 +275,4 @@ VESICA_INLINE ClosestOffsets<V> closest_inside(const Axes<V>& a, const Axes<V>& 
   return result;
 }
 
-}  // namespace vesica::least
+}  // namespace vesica::detail::support_minimum

@@ -2,22 +2,17 @@
 /// How far the second of two boxes reaches beyond the faces of the first, for scalars and for lanes.
 #pragma once
 
-#include <vesica/outline/twofold.hpp>
 #include <vesica/shapes.hpp>
+#include <vesica/support_minimum/double_double_vector.hpp>
+#include <vesica/support_minimum/from_nearest.hpp>
 
-namespace vesica::outline {
-
-/// A box's numbers but its place: axis, and half extents along and across it in the axis's length.
-template <class V>
-struct Axes {
-  V ux, uy, a, b;
-};
+namespace vesica::detail::support_minimum {
 
 /// Two boxes by axis and half extents, and the offset from the first centre to the second.
 template <class V>
 struct BoxPair {
   Axes<V> first, second;
-  TwofoldVector<V> d;
+  DoubleDoubleVector<V> d;
 };
 
 template <class V>
@@ -34,7 +29,7 @@ struct Face {
 
 /// That over |N|, rounded: for comparing faces. Off by at most 10u of the pair's scale.
 template <class V>
-VESICA_INLINE V rough_reach(const Face<V>& f, const Axes<V>& other, const TwofoldVector<V>& d, V sign) noexcept {
+VESICA_INLINE V rough_reach(const Face<V>& f, const Axes<V>& other, const DoubleDoubleVector<V>& d, V sign) noexcept {
   using namespace lane;
   const V nn = f.x * f.x + f.y * f.y;
   const V along = abs(f.x * other.ux + f.y * other.uy), across = abs(f.x * other.uy - f.y * other.ux);
@@ -49,12 +44,12 @@ struct Reach {
 };
 
 template <class V>
-VESICA_INLINE Reach<V> reach(const Face<V>& f, const Axes<V>& other, const TwofoldVector<V>& d, V sign) noexcept {
+VESICA_INLINE Reach<V> reach(const Face<V>& f, const Axes<V>& other, const DoubleDoubleVector<V>& d, V sign) noexcept {
   using namespace lane;
-  const Twofold<V> nn = dot(f.x, f.y, f.x, f.y), apart = dot(f.x, f.y, d);
-  const Twofold<V> along = magnitude(dot(f.x, f.y, other.ux, other.uy)) * other.a;
-  const Twofold<V> across = magnitude(cross(f.x, f.y, other.ux, other.uy)) * other.b;
-  const Twofold<V> all = (nn * f.own + (along + across) * sign) - magnitude(apart);
+  const FastDoubleDouble<V> nn = dot(f.x, f.y, f.x, f.y), apart = dot(f.x, f.y, d);
+  const FastDoubleDouble<V> along = magnitude(dot(f.x, f.y, other.ux, other.uy)) * other.a;
+  const FastDoubleDouble<V> across = magnitude(cross(f.x, f.y, other.ux, other.uy)) * other.b;
+  const FastDoubleDouble<V> all = (nn * f.own + (along + across) * sign) - magnitude(apart);
   return {rounded(all) / sqrt(rounded(nn)), rounded(apart)};
 }
 
@@ -101,4 +96,4 @@ VESICA_INLINE V size_of(const BoxPair<V>& p) noexcept {
   return (first + second) + (abs(p.d.x.high) + abs(p.d.y.high));
 }
 
-}  // namespace vesica::outline
+}  // namespace vesica::detail::support_minimum

@@ -7,11 +7,9 @@
 /// means, which changes coefficients by positive factors only.
 #pragma once
 
-#include <vesica/nearest/support.hpp>
+#include <vesica/support_minimum/from_nearest.hpp>
 
-namespace vesica::least {
-
-using namespace detail::nearest;
+namespace vesica::detail::support_minimum {
 
 constexpr double binomial(int n, int k) noexcept {
   double b = 1;
@@ -27,7 +25,7 @@ struct Polynomial {
 
 // Everything below is written out by templates: loops over coefficients would stay loops, and the coefficients in
 // memory.
-namespace detail {
+namespace coefficients {
 
 template <int k, int i, int m, int n, class V>
 VESICA_INLINE V convolution(const Polynomial<m, V>& p, const Polynomial<n, V>& q) noexcept {
@@ -83,12 +81,12 @@ VESICA_INLINE V least_coefficient(const Polynomial<degree, V>& p) noexcept {
   }
 }
 
-}  // namespace detail
+}  // namespace coefficients
 
 template <int m, int n, class V>
 VESICA_INLINE Polynomial<m + n, V> operator*(const Polynomial<m, V>& p, const Polynomial<n, V>& q) noexcept {
   Polynomial<m + n, V> product;
-  detail::multiply<0>(p, q, product);
+  coefficients::multiply<0>(p, q, product);
   return product;
 }
 template <class V>
@@ -122,7 +120,7 @@ VESICA_INLINE Polynomial<2, V> disc_by_half_angle(V radius, V x, V y) noexcept {
 template <int degree, class V>
 VESICA_INLINE Polynomial<degree, V> bernstein(const Polynomial<degree, V>& p, double side, V margin) noexcept {
   Polynomial<degree, V> out;
-  detail::set_bernstein<0>(p, V(side), margin, out);
+  coefficients::set_bernstein<0>(p, V(side), margin, out);
   return out;
 }
 
@@ -147,13 +145,13 @@ struct Cuts {
 /// the least coefficient of the other is returned.
 template <int degree, class V>
 VESICA_INLINE V cut(Polynomial<degree, V>& p, const double* powers) noexcept {
-  detail::stretch<1>(p, powers);
-  return detail::collapse<degree>(p, p.c[0]);
+  coefficients::stretch<1>(p, powers);
+  return coefficients::collapse<degree>(p, p.c[0]);
 }
 
 template <int degree, class V>
 VESICA_INLINE V least_coefficient(const Polynomial<degree, V>& p) noexcept {
-  return detail::least_coefficient<degree>(p);
+  return coefficients::least_coefficient<degree>(p);
 }
 
-}  // namespace vesica::least
+}  // namespace vesica::detail::support_minimum

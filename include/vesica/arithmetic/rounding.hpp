@@ -8,36 +8,14 @@
 #include <cstdint>
 #include <limits>
 #include <type_traits>
-#include <vesica/scalar.hpp>
+#include <vesica/arithmetic/error_free.hpp>
 
-namespace vesica::directed {
+namespace vesica::detail::arithmetic {
 
 /// The numbers within `error` of high + low. An infinite or NaN error says that nothing is known.
 struct Estimate {
   double high, low, error;
 };
-
-/// high + low, exactly.
-struct Pair {
-  double high, low;
-};
-
-/// a + b (Knuth's TwoSum), exact unless it overflows.
-inline Pair sum(double a, double b) noexcept {
-  const double high = a + b, part = high - a;
-  return {high, (a - (high - part)) + (b - part)};
-}
-
-/// a * b, exact when 2^-960 <= |a b| <= 2^1000, or a or b is 0.
-inline Pair product(double a, double b) noexcept {
-#if defined(FP_FAST_FMA)
-  // A fused operation cannot be fused again: should a compiler contract, this product stays rounded.
-  const double high = std::fma(a, b, 0.0);
-#else
-  const double high = a * b;
-#endif
-  return {high, std::fma(a, b, -high)};
-}
 
 /// The position of a number among the numbers of its type in ascending order; both zeros share one.
 template <class T>
@@ -57,7 +35,7 @@ T at_rank(Integer position) noexcept {
 
 /// c + e.
 inline Estimate add(double c, const Estimate& e) noexcept {
-  const Pair top = sum(c, e.high), rest = sum(top.low, e.low);
+  const Pair<double> top = two_sum(c, e.high), rest = two_sum(top.low, e.low);
   return {top.high, rest.high, (std::fabs(rest.low) + e.error) * (1 + 0x1p-50)};
 }
 
@@ -65,7 +43,7 @@ inline Estimate add(double c, const Estimate& e) noexcept {
 inline bool round_up(const Estimate& e, double& out) noexcept {
   // The number is q and an error above `nearest`, and |q| is at most half the way to the next double on q's side.
   // So an error below |q| leaves it strictly between `nearest` and that next double.
-  const auto [nearest, q] = sum(e.high, e.low);
+  const auto [nearest, q] = two_sum(e.high, e.low);
   if (!(e.error < std::fabs(q) || e.error == 0)) return false;
   out = q > 0 ? at_rank<double>(rank(nearest) + 1) : nearest;
   return true;
@@ -103,4 +81,4 @@ bool round_up_to(double x, T& out) noexcept {
   return true;
 }
 
-}  // namespace vesica::directed
+}  // namespace vesica::detail::arithmetic

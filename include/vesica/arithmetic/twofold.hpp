@@ -4,11 +4,9 @@
 /// where two large numbers all but cancel. No fused operation is used: the same bits on every instruction set.
 #pragma once
 
-#include <vesica/scalar.hpp>
+#include <vesica/arithmetic/error_free.hpp>
 
-namespace vesica::detail::nearest {
-
-using namespace lane;
+namespace vesica::detail::arithmetic {
 
 /// high + low. low is some roundoffs of high, or of what cancelled into it: the two are not brought apart after each
 /// operation, which halves the time from operands to result. A result's error is a few 2^-106 of its largest term.
@@ -22,11 +20,11 @@ VESICA_INLINE V rounded(const Twofold<V>& x) noexcept {
   return x.high + x.low;
 }
 
-/// a + b exactly (D. E. Knuth's TwoSum).
+/// a + b exactly.
 template <class V>
 VESICA_INLINE Twofold<V> exact_sum(V a, V b) noexcept {
-  const V high = a + b, part = high - a;
-  return {high, (a - (high - part)) + (b - part)};
+  const Pair<V> sum = two_sum(a, b);
+  return {sum.high, sum.low};
 }
 template <class V>
 VESICA_INLINE Twofold<V> exact_difference(V a, V b) noexcept {
@@ -39,41 +37,26 @@ VESICA_INLINE Twofold<V> renormalised(const Twofold<V>& x) noexcept {
   return exact_sum(x.high, x.low);
 }
 
-/// A number as a factor: its upper and lower 26 bits apart (G. W. Veltkamp). |high| < 2^990.
-template <class V>
-struct Factor {
-  V high, upper, lower;
-};
-/// The same of a Twofold.
+/// A Twofold as a factor (see Factor).
 template <class V>
 struct TwofoldFactor {
   V high, upper, lower, low;
 };
 
 template <class V>
-VESICA_INLINE Factor<V> factor(V x) noexcept {
-  const V spread = V(0x1p27 + 1) * x, upper = spread - (spread - x);
-  return {x, upper, x - upper};
-}
-template <class V>
 VESICA_INLINE TwofoldFactor<V> factor(const Twofold<V>& x) noexcept {
   const Factor<V> f = factor(x.high);
   return {f.high, f.upper, f.lower, x.low};
 }
 
-/// The highs' product is exact (T. J. Dekker) unless it underflows: then all that is lost is beneath 2^-1020.
-template <class V, class A, class B>
-VESICA_INLINE Twofold<V> exact_product(const A& a, const B& b) noexcept {
-  const V high = a.high * b.high;
-  return {high, (((a.upper * b.upper - high) + a.upper * b.lower) + a.lower * b.upper) + a.lower * b.lower};
-}
 template <class V>
 VESICA_INLINE Twofold<V> operator*(const Factor<V>& a, const Factor<V>& b) noexcept {
-  return exact_product<V>(a, b);
+  const Pair<V> p = two_product<V>(a, b);
+  return {p.high, p.low};
 }
 template <class V>
 VESICA_INLINE Twofold<V> operator*(const Factor<V>& a, const TwofoldFactor<V>& b) noexcept {
-  const Twofold<V> p = exact_product<V>(a, b);
+  const Pair<V> p = two_product<V>(a, b);
   return {p.high, p.low + a.high * b.low};
 }
 template <class V>
@@ -82,22 +65,18 @@ VESICA_INLINE Twofold<V> operator*(const TwofoldFactor<V>& a, const Factor<V>& b
 }
 template <class V>
 VESICA_INLINE Twofold<V> operator*(const TwofoldFactor<V>& a, const TwofoldFactor<V>& b) noexcept {
-  const Twofold<V> p = exact_product<V>(a, b);
+  const Pair<V> p = two_product<V>(a, b);
   return {p.high, p.low + ((a.high * b.low + a.low * b.high) + a.low * b.low)};
 }
 
-template <class V, class A>
-VESICA_INLINE Twofold<V> exact_square(const A& a) noexcept {
-  const V high = a.high * a.high, middle = a.upper * a.lower;
-  return {high, ((a.upper * a.upper - high) + (middle + middle)) + a.lower * a.lower};
-}
 template <class V>
 VESICA_INLINE Twofold<V> square(const Factor<V>& a) noexcept {
-  return exact_square<V>(a);
+  const Pair<V> p = two_square<V>(a);
+  return {p.high, p.low};
 }
 template <class V>
 VESICA_INLINE Twofold<V> square(const TwofoldFactor<V>& a) noexcept {
-  const Twofold<V> p = exact_square<V>(a);
+  const Pair<V> p = two_square<V>(a);
   const V cross = a.high * a.low;
   return {p.high, p.low + ((cross + cross) + a.low * a.low)};
 }
@@ -200,4 +179,4 @@ VESICA_INLINE auto cross(const VectorFactor<F>& a, const VectorFactor<G>& b) noe
   return a.x * b.y - a.y * b.x;
 }
 
-}  // namespace vesica::detail::nearest
+}  // namespace vesica::detail::arithmetic

@@ -3,45 +3,19 @@
 /// magnitude: a power of two is kept apart from each number until the very end.
 #pragma once
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
+#include <vesica/arithmetic/scaled.hpp>
 
-namespace vesica::detail {
-
-/// value * 2^exponent.
-struct Scaled {
-  double value;
-  int exponent;
-};
-
-/// 2^exponent for an exponent of at most +-1000.
-inline double power_of_two(int exponent) noexcept {
-  return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
-}
-
-/// x * 2^exponent: one rounding, and any exponent, for x in [2^-20, 2^20] or 0; for any other x an exponent of at
-/// most +-2000, and results below 2^-1022 may be rounded twice. Unlike the C library's ldexp it leaves errno alone.
-inline double scale(double x, int exponent) noexcept {
-  const int clamped = exponent < -2000 ? -2000 : exponent > 2000 ? 2000 : exponent;
-  return x * power_of_two(clamped / 2) * power_of_two(clamped - clamped / 2);
-}
-
-/// The exponent e with 2^(e-1) <= |x| < 2^e; 0 for 0.
-inline int exponent_of(double x) noexcept {
-  int exponent;
-  std::frexp(x, &exponent);
-  return exponent;
-}
+namespace vesica::detail::arithmetic {
 
 /// A vector as unit vector and length; (1, 0) and 0 for the zero vector.
-struct Direction {
+struct UnitAndLength {
   double x, y;
   Scaled length;
 };
 
 /// (x, y) * 2^exponent taken apart. All three numbers are right to 3 units in the last place.
-inline Direction direction(double x, double y, int exponent = 0) noexcept {
+inline UnitAndLength unit_and_length(double x, double y, int exponent = 0) noexcept {
   if (x == 0 && y == 0) return {1, 0, {0, 0}};
   const int own = exponent_of(std::fmax(std::fabs(x), std::fabs(y)));
   const double scaled_x = scale(x, -own), scaled_y = scale(y, -own);
@@ -86,7 +60,7 @@ inline Definite spectrum(double xx, double xy, double yy, Spectrum& out) noexcep
   if (det < 0) return Definite::no;
   // Twice the eigenvector's angle is that of (xx - yy, 2 xy), whose length is the eigenvalues' difference.
   const int k = exponent_of(std::fmax(std::fabs(xx - yy), std::fabs(xy)));
-  const Direction twice = direction(scale(xx - yy, -k), 2 * scale(xy, -k), k);
+  const UnitAndLength twice = unit_and_length(scale(xx - yy, -k), 2 * scale(xy, -k), k);
   halve_angle(twice.x, twice.y, xy, out);
   if (xy == 0) {  // spares the nicest matrices the detour
     const Scaled root_x{std::sqrt(x), i}, root_y{std::sqrt(y), j};
@@ -102,4 +76,4 @@ inline Definite spectrum(double xx, double xy, double yy, Spectrum& out) noexcep
   return det > 0 ? Definite::positive : Definite::semi;
 }
 
-}  // namespace vesica::detail
+}  // namespace vesica::detail::arithmetic

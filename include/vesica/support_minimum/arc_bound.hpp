@@ -2,14 +2,14 @@
 /// What the values, slopes and curvatures of a function at both ends of an arc of directions say about it in between.
 #pragma once
 
-#include <vesica/outline/direction.hpp>
+#include <vesica/support_minimum/plane_vector.hpp>
 
-namespace vesica::outline {
+namespace vesica::detail::support_minimum {
 
 /// A combination F = h1 + sign h2 + n.e of support functions at one unit normal: its value, its derivative by the
 /// angle, and the radii of curvature of the two shapes (0 for a box: between the normals of its faces a corner rules).
 struct Sample {
-  Vector n;
+  PlaneVector n;
   double value, slope, radius1, radius2;
 };
 
@@ -70,9 +70,9 @@ inline double lower_bound(const Sample& a, const Sample& b, const Range& curvatu
   const double rise = curvature.low * (sin_t * sin_t / (1 + cos_t));
   const double along = lane::max(a.value - b.value * cos_t - rise + b.slope * sin_t, 0.0);
   const double across = a.slope + (curvature.low - b.value) * sin_t - b.slope * cos_t;
-  Vector meeting{cos_t, sin_t};
+  PlaneVector meeting{cos_t, sin_t};
   if (across < 0) {
-    const Vector m = unit({-across, along});
+    const PlaneVector m = unit({-across, along});
     if (cross(m, meeting) > 0) meeting = m;
   }
   const double back_cos = cos_t * meeting.x + sin_t * meeting.y, back_sin = sin_t * meeting.x - cos_t * meeting.y;
@@ -80,4 +80,4 @@ inline double lower_bound(const Sample& a, const Sample& b, const Range& curvatu
                    least(b.value, -b.slope, curvature.low, back_cos, back_sin));
 }
 
-}  // namespace vesica::outline
+}  // namespace vesica::detail::support_minimum

@@ -17,15 +17,15 @@
 /// Most pairs with ellipses do not come here: least/lane_pairs.hpp, which batches run in lanes, settles them first.
 #pragma once
 
-#include <vesica/outline/arc_bound.hpp>
-#include <vesica/outline/support.hpp>
+#include <vesica/support_minimum/arc_bound.hpp>
+#include <vesica/support_minimum/support.hpp>
 
-namespace vesica::outline {
+namespace vesica::detail::support_minimum {
 
 struct Objective {
   CentredShape first, second;
   double sign;  ///< 1, or -1
-  Vector e;
+  PlaneVector e;
   double tolerance;  ///< F may be missed by this much: its own rounding
 };
 
@@ -43,7 +43,7 @@ inline constexpr int polish_limit = 12;
 /// Between two samples; `e` includes the corners of boxes.
 struct Arc {
   Sample a, b;
-  Vector e;
+  PlaneVector e;
   double bound;
 };
 
@@ -51,7 +51,7 @@ class ArcSearch {
  public:
   explicit ArcSearch(const Objective& objective) noexcept : objective_(objective) {
     const bool centred = objective.e.x == 0 && objective.e.y == 0;
-    away_ = centred ? Vector{1, 0} : unit_of_any(-objective.e);
+    away_ = centred ? PlaneVector{1, 0} : unit_of_any(-objective.e);
   }
 
   Minimum run() noexcept {
@@ -81,14 +81,14 @@ class ArcSearch {
   bool may_improve(double bound) const noexcept { return bound < minimum_.at.value - objective_.tolerance; }
 
   /// Grows with the angle from -perp(away_) on, 0 to 2 over the half circle, without a jump anywhere near its ends.
-  double place_of(const Vector& n) const noexcept {
+  double place_of(const PlaneVector& n) const noexcept {
     const double up = lane::positive_part(dot(n, away_)), along = cross(n, away_), wide = lane::abs(along);
     return along > 0 ? up / (up + wide) : 1 + wide / (up + wide);
   }
 
   /// Puts a line's direction on the searched half circle among the cuts, which are in order of angle.
-  void cut(const Vector& line) noexcept {
-    const Vector n = dot(line, away_) < 0 ? -line : line;
+  void cut(const PlaneVector& line) noexcept {
+    const PlaneVector n = dot(line, away_) < 0 ? -line : line;
     const double place = place_of(n);
     int i = cut_count_++;
     for (; i > 0 && place < places_[i - 1]; --i) {
@@ -110,7 +110,7 @@ class ArcSearch {
   /// first shape S1 = diag(d, g) and S2 = (p, q; q, w): d q x^2 + (d w - g p) x y - g q y^2 = 0.
   void cut_at_extreme_ratios() noexcept {
     const CentredShape &f = objective_.first, &s = objective_.second;
-    const Vector r = into_frame(f.axis, s.axis);
+    const PlaneVector r = into_frame(f.axis, s.axis);
     const double c = r.x * r.x, t = r.y * r.y, aa = s.a * s.a, bb = s.b * s.b, d = f.a * f.a, g = f.b * f.b;
     const double p = aa * c + bb * t, w = aa * t + bb * c, q = (s.a - s.b) * (s.a + s.b) * (r.x * r.y);
     const double k = d * w - g * p, l = 2 * (d * q), m = 2 * (g * q), root = lane::sqrt(k * k + l * m);
@@ -123,28 +123,28 @@ class ArcSearch {
   }
 
   /// F of the curved shapes alone.
-  Sample curved(const Vector& n) noexcept {
+  Sample curved(const PlaneVector& n) noexcept {
     if (++minimum_.evaluations >= evaluation_limit) minimum_.settled = false;
     Sample s{n, 0, 0, 0, 0};
     if (objective_.first.curved) add(ellipse_support(objective_.first, n), 1, s, s.radius1);
     if (objective_.second.curved) add(ellipse_support(objective_.second, n), objective_.sign, s, s.radius2);
     return s;
   }
-  static void add(const Support& part, double sign, Sample& s, double& radius) noexcept {
+  static void add(const SupportValues& part, double sign, Sample& s, double& radius) noexcept {
     s.value += sign * part.height;
     s.slope += sign * part.slope;
     radius = part.radius;
   }
 
-  static Sample with_offset(Sample s, const Vector& e) noexcept {
+  static Sample with_offset(Sample s, const PlaneVector& e) noexcept {
     s.value += dot(s.n, e);
     s.slope += dot(perp(s.n), e);
     return s;
   }
-  Sample evaluate(const Vector& n, const Vector& e) noexcept { return with_offset(curved(n), e); }
+  Sample evaluate(const PlaneVector& n, const PlaneVector& e) noexcept { return with_offset(curved(n), e); }
 
   /// Keeps the least value.
-  Sample complete(const Sample& of_curved, const Vector& e) noexcept {
+  Sample complete(const Sample& of_curved, const PlaneVector& e) noexcept {
     const Sample s = with_offset(of_curved, e);
     if (s.value < minimum_.at.value) {
       minimum_.at = s;
@@ -152,10 +152,10 @@ class ArcSearch {
     }
     return s;
   }
-  Sample sample(const Vector& n, const Vector& e) noexcept { return complete(curved(n), e); }
+  Sample sample(const PlaneVector& n, const PlaneVector& e) noexcept { return complete(curved(n), e); }
 
-  Vector with_corners(const Vector& direction) const noexcept {
-    Vector e = objective_.e;
+  PlaneVector with_corners(const PlaneVector& direction) const noexcept {
+    PlaneVector e = objective_.e;
     if (!objective_.first.curved) e = e + corner(objective_.first, direction);
     if (!objective_.second.curved) e = e + objective_.sign * corner(objective_.second, direction);
     return e;
@@ -166,7 +166,7 @@ class ArcSearch {
     last.n = perp(away_);
     for (int i = 0; i <= cut_count_; ++i) {
       const Sample to = i < cut_count_ ? curved(cuts_[i]) : last;
-      const Vector e = with_corners(from.n + to.n);
+      const PlaneVector e = with_corners(from.n + to.n);
       put({complete(from, e), complete(to, e), e, 0});
       from = to;
     }
@@ -192,12 +192,12 @@ class ArcSearch {
     return arc;
   }
 
-  static bool between(const Vector& a, const Vector& n, const Vector& b) noexcept {
+  static bool between(const PlaneVector& a, const PlaneVector& n, const PlaneVector& b) noexcept {
     return cross(a, n) > 0 && cross(n, b) > 0;
   }
 
   void split(const Arc& arc) noexcept {
-    const Vector n = middle(arc.a, arc.b);
+    const PlaneVector n = middle(arc.a, arc.b);
     if (!between(arc.a.n, n, arc.b.n)) return;
     const Sample s = sample(n, arc.e);
     put({arc.a, s, arc.e, 0});
@@ -205,20 +205,21 @@ class ArcSearch {
   }
 
   /// Where the radius of curvature varies much along an arc it is halved in its logarithm, else the angle.
-  Vector middle(const Sample& a, const Sample& b) const noexcept {
+  PlaneVector middle(const Sample& a, const Sample& b) const noexcept {
     const double ratio1 = ratio(a.radius1, b.radius1), ratio2 = ratio(a.radius2, b.radius2);
-    const Vector half = unit(a.n + b.n);
+    const PlaneVector half = unit(a.n + b.n);
     if (lane::max(ratio1, ratio2) < 8) return half;
-    const Vector n = ratio1 < ratio2 ? mean_height(objective_.second, a.n, b.n, half)
-                                     : mean_height(objective_.first, a.n, b.n, half);
+    const PlaneVector n = ratio1 < ratio2 ? mean_height(objective_.second, a.n, b.n, half)
+                                          : mean_height(objective_.first, a.n, b.n, half);
     return between(a.n, n, b.n) ? n : half;
   }
   static double ratio(double x, double y) noexcept { return x > 0 && y > 0 ? lane::max(x, y) / lane::min(x, y) : 1; }
   /// The direction in the quadrant of `near` whose squared height is the geometric mean of two others'.
-  static Vector mean_height(const CentredShape& s, const Vector& a, const Vector& b, const Vector& near) noexcept {
+  static PlaneVector mean_height(const CentredShape& s, const PlaneVector& a, const PlaneVector& b,
+                                 const PlaneVector& near) noexcept {
     const double square = ellipse_support(s, a).height * ellipse_support(s, b).height;
     const double d = s.a * s.a - square, g = square - s.b * s.b;
-    const Vector quadrant = into_frame(s.axis, near);
+    const PlaneVector quadrant = into_frame(s.axis, near);
     if (!(d * g > 0)) return near;
     const double size = lane::max(lane::abs(d), lane::abs(g));
     const double x = lane::sqrt(lane::abs(g) / size), y = lane::sqrt(lane::abs(d) / size);
@@ -227,7 +228,9 @@ class ArcSearch {
 
   /// The minimum of the circle that F's value, slope and curvature describe: exact for circles, else Newton's step to
   /// first order. k = F'' > 0.
-  static Vector towards_minimum(const Sample& s, double k) noexcept { return unit(k * s.n + -(s.slope * perp(s.n))); }
+  static PlaneVector towards_minimum(const Sample& s, double k) noexcept {
+    return unit(k * s.n + -(s.slope * perp(s.n)));
+  }
 
   /// The one minimum of an arc on which F is convex: falling at a, rising at b. A step that would leave the arc, and
   /// every third that fails to halve it, splits it instead. Ends where a step would gain less than F's rounding.
@@ -237,7 +240,7 @@ class ArcSearch {
     int slow = 0;
     while (minimum_.settled) {
       const double k = s.radius1 + objective_.sign * s.radius2 - s.value;
-      Vector n = k > 0 ? towards_minimum(s, k) : s.n;
+      PlaneVector n = k > 0 ? towards_minimum(s, k) : s.n;
       const bool inside = between(a.n, n, b.n);
       const bool last = k > 0 && s.slope * (s.slope / k) < objective_.tolerance / 8;
       if (last && !inside) return;
@@ -260,7 +263,7 @@ class ArcSearch {
       const Sample& s = minimum_.at;
       const double k = s.radius1 + objective_.sign * s.radius2 - s.value;
       if (!(k > 0) || s.slope == 0) return;
-      const Vector n = towards_minimum(s, k), e = with_corners(n);
+      const PlaneVector n = towards_minimum(s, k), e = with_corners(n);
       if (e.x != e_.x || e.y != e_.y) return;
       const Sample next = evaluate(n, e_);
       const bool better = lane::abs(next.slope) <= lane::abs(s.slope) / 2;
@@ -270,17 +273,17 @@ class ArcSearch {
   }
 
   const Objective& objective_;
-  Vector away_;
-  Vector cuts_[6];
+  PlaneVector away_;
+  PlaneVector cuts_[6];
   double places_[6];
   int cut_count_ = 0;
   Arc arcs_[arc_limit];
   int arc_count_ = 0;
   Minimum minimum_{{{1, 0}, 0x1p1000, 0, 0, 0}, 0, 0, true};
-  Vector e_{0, 0};  // with the corners at the minimum
+  PlaneVector e_{0, 0};  // with the corners at the minimum
 };
 
 /// Sizes and e must be at most about 2^20, the sizes of curved shapes at least 2^-250.
 inline Minimum minimise(const Objective& objective) noexcept { return ArcSearch(objective).run(); }
 
-}  // namespace vesica::outline
+}  // namespace vesica::detail::support_minimum
