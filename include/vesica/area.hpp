@@ -25,9 +25,6 @@ namespace vesica {
 
 namespace detail::area {
 
-inline Oval<double> oval(const Circle<double>& s) noexcept { return {1, 0, s.r, s.r}; }
-inline Oval<double> oval(const Ellipse<double>& s) noexcept { return {s.ux, s.uy, s.a, s.b}; }
-
 template <class Shape>
 inline constexpr bool is_box = ShapeTraits<Shape>::kind == Kind::aabb || ShapeTraits<Shape>::kind == Kind::rect;
 template <class Shape>
@@ -48,14 +45,9 @@ VESICA_INLINE Settled<double, bool> crossing_area(const filter::Box<double>& a, 
   }
 }
 
-inline filter::Box<double> core_form(const Rect<double>& s) noexcept { return filter::box(s); }
-inline filter::Box<double> core_form(const Aabb<double>& s) noexcept { return filter::box(s); }
-inline filter::Box<double> core_form(const Circle<double>& s) noexcept { return {1, 0, s.r, s.r}; }
-inline filter::Box<double> core_form(const Ellipse<double>& s) noexcept { return {s.ux, s.uy, s.a, s.b}; }
-
 template <class A, class B>
 VESICA_INLINE Settled<double, bool> quick_area(const A& a, const B& b) noexcept {
-  return crossing_area<A, B>(core_form(a), core_form(b), filter::offset(filter::place(a), filter::place(b)));
+  return crossing_area<A, B>(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
 }
 
 /// Which of two shapes of a form is to be the frame.
@@ -223,7 +215,7 @@ inline double ratio_of_union(const detail::area::Measure& shared, const detail::
 
 }  // namespace detail
 
-/// The area of the intersection. Any kinds, in either order; points and segments have none. Returns 0, error_shape, or
+/// The checked form: writes the area of the intersection. Any kinds, in either order; points and segments have none. Returns 0, error_shape, or
 /// error_range when the area would be beyond the finite numbers; on error `out` is untouched.
 template <template <class> class A, template <class> class B, class T>
 std::int32_t area_or_error(const A<T>& a, const B<T>& b, T& out) noexcept {
@@ -236,7 +228,8 @@ std::int32_t area_or_error(const A<T>& a, const B<T>& b, T& out) noexcept {
   }
 }
 
-/// The same as a value: 0 where a shape is invalid, the greatest finite number for an area beyond it.
+/// The area of the intersection. For valid shapes: it is 0 where one is invalid, and the greatest finite number for an
+/// area beyond it. area_or_error() is the checked form.
 template <template <class> class A, template <class> class B, class T>
 T area(const A<T>& a, const B<T>& b) noexcept {
   T out = 0;

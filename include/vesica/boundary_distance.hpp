@@ -81,7 +81,7 @@ ClosestPoints<double> closest_outline_points(Relation relation, const A& a, cons
 
 }  // namespace detail::boundary_distance
 
-/// Writes the distance of the outlines of two shapes of any kinds, in either order, and their closest points. Returns
+/// The checked form: writes the distance of the outlines of two shapes of any kinds, in either order, and their closest points. Returns
 /// 0, error_shape when either is invalid, or error_range when a number would exceed the largest finite one; on error
 /// `out` is untouched.
 template <template <class> class A, template <class> class B>
@@ -111,8 +111,8 @@ std::int32_t boundary_distance_or_error(const A<float>& a, const B<float>& b, Cl
   return detail::nearest::rounded_to(wide, wide.distance == 0, out) ? 0 : error_range;
 }
 
-/// The distance of the outlines of two valid shapes and their closest points; NaN where boundary_distance_or_error()
-/// has an error.
+/// The distance of the outlines of two shapes and their closest points. For valid shapes: all numbers are NaN where
+/// boundary_distance_or_error(), the checked form, returns an error.
 template <template <class> class A, template <class> class B, class T>
 ClosestPoints<T> boundary_distance(const A<T>& a, const B<T>& b) noexcept {
   constexpr T none = std::numeric_limits<T>::quiet_NaN();

@@ -67,9 +67,8 @@ std::int32_t store(const CrossingPoints<double>& found, CrossingPoints<T>& out) 
 
 }  // namespace detail::crossings
 
-/// The number of places where two outlines meet, up to 8, with the places in `out`; shapes of any kinds, in either
-/// order.
-/// Errors: error_shape, error_range (a place is beyond the finite numbers); on error `out` is untouched. Floats are the
+/// The checked form: returns the number of places where two outlines meet, up to 8, and writes the places to `out`.
+/// Shapes of any kinds, in either order. Errors: error_shape, error_range (a place is beyond the finite numbers); on error `out` is untouched. Floats are the
 /// double places, rounded.
 template <template <class> class A, template <class> class B, class T>
 std::int32_t crossings_or_error(const A<T>& a, const B<T>& b, CrossingPoints<T>& out) noexcept {
@@ -78,7 +77,8 @@ std::int32_t crossings_or_error(const A<T>& a, const B<T>& b, CrossingPoints<T>&
   return detail::crossings::store(meet == 0 ? CrossingPoints<double>{} : detail::crossings::between(widen(a), widen(b)), out);
 }
 
-/// The same as a value: none where there is an error.
+/// The places where two outlines meet. For valid shapes: there are none where crossings_or_error(), the checked form,
+/// returns an error.
 template <template <class> class A, template <class> class B, class T>
 CrossingPoints<T> crossings(const A<T>& a, const B<T>& b) noexcept {
   CrossingPoints<T> out{};

@@ -87,7 +87,7 @@ inline bool rounded_to(const Penetration<double>& p, Penetration<float>& out) no
 
 }  // namespace detail::depth
 
-/// Writes the depth of two shapes of any kinds, in either order. Returns 0, error_shape when either is invalid, or
+/// The checked form: writes the depth of two shapes of any kinds, in either order. Returns 0, error_shape when either is invalid, or
 /// error_range when the depth exceeds the largest finite number; on error `out` is untouched.
 template <template <class> class A, template <class> class B>
 std::int32_t depth_or_error(const A<double>& a, const B<double>& b, Penetration<double>& out) noexcept {
@@ -113,8 +113,8 @@ std::int32_t depth_or_error(const A<float>& a, const B<float>& b, Penetration<fl
   return detail::depth::rounded_to(wide, out) ? 0 : error_range;
 }
 
-/// The depth of two shapes of any kinds, in either order. With an invalid shape (see check()) or beyond the range it is
-/// that of disjoint shapes.
+/// The depth of two shapes of any kinds, in either order. For valid shapes: it is that of disjoint shapes where
+/// depth_or_error(), the checked form, returns an error.
 template <template <class> class A, template <class> class B, class T>
 Penetration<T> depth(const A<T>& a, const B<T>& b) noexcept {
   Penetration<T> out{0, 0, 0};

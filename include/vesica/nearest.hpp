@@ -95,7 +95,7 @@ VESICA_INLINE bool rounded_to(const ClosestPoints<double>& c, bool overlapping, 
 
 }  // namespace detail::nearest
 
-/// Writes the distance of two shapes of any kinds, in either order, and their closest points. Returns 0, error_shape
+/// The checked form: writes the distance of two shapes of any kinds, in either order, and their closest points. Returns 0, error_shape
 /// when either is invalid, or error_range when a number would exceed the largest finite one; on error `out` is
 /// untouched.
 template <template <class> class A, template <class> class B, class T>
@@ -122,7 +122,8 @@ VESICA_INLINE std::int32_t nearest_or_error(const A<T>& a, const B<T>& b, Closes
   }
 }
 
-/// The distance of two valid shapes and their closest points; NaN where nearest_or_error() has an error.
+/// The distance of two shapes and their closest points. For valid shapes: all numbers are NaN where nearest_or_error(),
+/// the checked form, returns an error.
 template <template <class> class A, template <class> class B, class T>
 ClosestPoints<T> nearest(const A<T>& a, const B<T>& b) noexcept {
   constexpr T none = std::numeric_limits<T>::quiet_NaN();

@@ -48,8 +48,8 @@ inline constexpr bool in_order = ShapeTraits<A>::kind <= ShapeTraits<B>::kind;
 
 }  // namespace detail
 
-/// 1 when the shapes share a point, 0 when not, error_shape when either is invalid: what the C face returns.
-/// Any kinds, in either order. A float is a double exactly, so one path serves both.
+/// The checked form: 1 when the shapes share a point, 0 when not, error_shape when either is invalid, as the C functions
+/// return. Any kinds, in either order. A float is a double exactly, so one path serves both.
 template <template <class> class A, template <class> class B, class T>
 VESICA_INLINE std::int32_t overlap_or_error(const A<T>& a, const B<T>& b) noexcept {
   if constexpr (!detail::in_order<A<T>, B<T>>) {
@@ -64,7 +64,8 @@ VESICA_INLINE std::int32_t overlap_or_error(const A<T>& a, const B<T>& b) noexce
   }
 }
 
-/// Whether two shapes of any kinds, in either order, share a point. An invalid shape (see check()) overlaps nothing.
+/// Whether two shapes of any kinds, in either order, share a point. For valid shapes: an invalid one overlaps nothing.
+/// overlap_or_error() is the checked form.
 template <template <class> class A, template <class> class B, class T>
 VESICA_INLINE bool overlap(const A<T>& a, const B<T>& b) noexcept {
   return overlap_or_error(a, b) == 1;

@@ -68,8 +68,8 @@ VESICA_INLINE auto certain_facts(const A& a, const B& b) noexcept {
 
 }  // namespace detail
 
-/// The relation of a to b as a number of 0 to 7 (see Relation), error_shape when either is invalid: what the C face
-/// returns. Any kinds, in either order.
+/// The checked form: the relation of a to b as a number of 0 to 7 (see Relation), error_shape when either is invalid, as
+/// the C functions return. Any kinds, in either order.
 template <template <class> class A, template <class> class B, class T>
 VESICA_INLINE std::int32_t relation_or_error(const A<T>& a, const B<T>& b) noexcept {
   if constexpr (detail::are_points<A<T>, B<T>>) {
@@ -86,14 +86,15 @@ VESICA_INLINE std::int32_t relation_or_error(const A<T>& a, const B<T>& b) noexc
   }
 }
 
-/// The relation of a to b, shapes of any kinds. An invalid shape (see check()) is disjoint from everything.
+/// The relation of a to b, shapes of any kinds. For valid shapes: an invalid one is disjoint from everything.
+/// relation_or_error() is the checked form.
 template <template <class> class A, template <class> class B, class T>
 VESICA_INLINE Relation relation(const A<T>& a, const B<T>& b) noexcept {
   const std::int32_t answer = relation_or_error(a, b);
   return answer < 0 ? Relation::disjoint : static_cast<Relation>(answer);
 }
 
-/// 1 when a contains all of b, 0 when not, error_shape when either is invalid.
+/// The checked form: 1 when a contains all of b, 0 when not, error_shape when either is invalid.
 template <template <class> class A, template <class> class B, class T>
 VESICA_INLINE std::int32_t contains_or_error(const A<T>& a, const B<T>& b) noexcept {
   if constexpr (detail::are_points<A<T>, B<T>>) {
@@ -107,7 +108,8 @@ VESICA_INLINE std::int32_t contains_or_error(const A<T>& a, const B<T>& b) noexc
   }
 }
 
-/// Whether a contains all of b, shapes of any kinds. An invalid shape contains nothing and is contained in nothing.
+/// Whether a contains all of b, shapes of any kinds. For valid shapes: an invalid one contains nothing and is contained
+/// in nothing. contains_or_error() is the checked form.
 template <template <class> class A, template <class> class B, class T>
 VESICA_INLINE bool contains(const A<T>& a, const B<T>& b) noexcept {
   return contains_or_error(a, b) == 1;

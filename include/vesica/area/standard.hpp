@@ -38,12 +38,24 @@ filter::Corners<V> lifted(const filter::Corners<double>& p, const Lift& lift) no
   return {V(scale(p.x0, lift.x)), V(scale(p.y0, lift.y)), V(scale(p.x1, lift.x)), V(scale(p.y1, lift.y))};
 }
 
-inline Lengths lengths(const Rect<double>& s, const Lift&) noexcept { return {s.ux, s.uy, s.hx, s.hy, 0, 0}; }
-inline Lengths lengths(const Circle<double>& s, const Lift&) noexcept { return {1, 0, s.r, s.r, 0, 0}; }
-inline Lengths lengths(const Ellipse<double>& s, const Lift&) noexcept { return {s.ux, s.uy, s.a, s.b, 0, 0}; }
-inline Lengths lengths(const Aabb<double>& s, const Lift& lift) noexcept {
-  const auto p = lifted<DoubleDouble>(filter::place(s), lift);
-  return {0.5, 0, p.x1 - p.x0, p.y1 - p.y0, -lift.x, -lift.y};
+/// A size as a double-double, and the exponent of its unit: differences are of lifted coordinates.
+struct Size {
+  DoubleDouble value;
+  int exponent;
+};
+inline Size size(const form::Length<double>& l, int) noexcept { return {l.x, 0}; }
+inline Size size(const form::Ratio<double>& r, int) noexcept { return {r.x, 0}; }
+inline Size size(const form::HalfWidth<double>& w, int lift) noexcept {
+  using arithmetic::scale;
+  return {arithmetic::difference<DoubleDouble>(scale(w.to, lift), scale(w.from, lift)), -lift};
+}
+
+template <class Shape>
+Lengths lengths(const Shape& s, const Lift& lift) noexcept {
+  constexpr form::AsStored<double> number;
+  const auto f = form::of(s);
+  const Size x = size(f.hx, lift.x), y = size(f.hy, lift.y);
+  return {number(f.ux), number(f.uy), x.value, y.value, x.exponent, y.exponent};
 }
 
 /// Moves the axis's power of two into the sizes.

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Two shapes as boxes and ellipses of moderate size, seen from each other.
+/// Two shapes as boxes and ellipses of moderate size, seen from each other (form/placement.hpp).
 ///
-/// Only differences of stored coordinates are formed, exactly as far as two numbers hold them, so moving both shapes by
-/// the same exact amount changes nothing. Lengths come in the power of two just above the largest of them: what is
-/// smaller by more than the range of double is lost, and nothing that the queries' accuracy speaks of.
+/// Lengths are measured in the power of two just above the largest of them. A number smaller than that by more than the
+/// range of double underflows to 0; this is far below the error bound.
 #pragma once
 
-#include <vesica/arithmetic/scaled.hpp>
-#include <vesica/shapes.hpp>
+#include <vesica/form/placement.hpp>
 #include <vesica/support_minimum/box_faces.hpp>
 #include <vesica/support_minimum/support.hpp>
 
@@ -22,30 +20,37 @@ struct Form {
   bool curved;
 };
 
-inline Form form(const Point<double>& s) noexcept { return {{s.x, s.y}, {s.x, s.y}, {1, 0}, 0, 0, false}; }
+/// The parts of a form with lengths halved and ratios doubled, which is the same shape, for differences that overflow.
+struct LengthsHalved {
+  double operator()(const form::Difference<double>& d) const noexcept { return 0.5 * d.to - 0.5 * d.from; }
+  double operator()(const form::HalfWidth<double>& w) const noexcept { return 0.5 * w.to - 0.5 * w.from; }
+  double operator()(form::Constant c) const noexcept { return 2 * static_cast<double>(c.x); }
+  double operator()(form::WidthAxis) const noexcept { return 1; }
+};
 
-inline Form form(const Segment<double>& s) noexcept {
-  const PlaneVector from{s.x0, s.y0}, to{s.x1, s.y1}, u{s.x1 - s.x0, s.y1 - s.y0};
-  if (u.x == 0 && u.y == 0) return {from, to, {1, 0}, 0, 0, false};
-  if (lane::abs(u.x) + lane::abs(u.y) <= 0x1p1023) return {from, to, u, 0.5, 0, false};
-  return {from, to, 0.5 * to + -(0.5 * from), 1, 0, false};
+template <class Parts, class Numbers>
+Form form_of(const Parts& f, const Numbers& number) noexcept {
+  const form::Corners<double> p = form::corners(f.place);
+  const double a = number(f.hx), b = number(f.hy);
+  const bool round = f.outline != form::Outline::straight;
+  return {{p.x0, p.y0}, {p.x1, p.y1}, {number(f.ux), number(f.uy)}, a, b, round && a > 0 && b > 0};
 }
 
-inline Form form(const Aabb<double>& s) noexcept {
-  const PlaneVector from{s.min_x, s.min_y}, to{s.max_x, s.max_y}, size{s.max_x - s.min_x, s.max_y - s.min_y};
-  if (size.x + size.y <= 0x1p1023) return {from, to, {0.5, 0}, size.x, size.y, false};
-  const PlaneVector half = 0.5 * to + -(0.5 * from);
-  return {from, to, {1, 0}, half.x, half.y, false};
+inline bool difference_overflows(const form::Corners<double>& p) noexcept {
+  return !(lane::abs(p.x1 - p.x0) + lane::abs(p.y1 - p.y0) <= 0x1p1023);
 }
 
-inline Form form(const Rect<double>& s) noexcept {
-  return {{s.cx, s.cy}, {s.cx, s.cy}, {s.ux, s.uy}, s.hx, s.hy, false};
-}
-
-inline Form form(const Circle<double>& s) noexcept { return {{s.cx, s.cy}, {s.cx, s.cy}, {1, 0}, s.r, s.r, s.r > 0}; }
-
-inline Form form(const Ellipse<double>& s) noexcept {
-  return {{s.cx, s.cy}, {s.cx, s.cy}, {s.ux, s.uy}, s.a, s.b, s.a > 0 && s.b > 0};
+template <class Shape>
+Form form(const Shape& s) noexcept {
+  const auto f = form::of(s);
+  Form g = form_of(f, form::AsStored<double>{});
+  if constexpr (f.axis_may_vanish) {
+    if (g.u.x == 0 && g.u.y == 0) return {g.from, g.to, {1, 0}, 0, 0, false};
+  }
+  if constexpr (f.has_corners) {
+    if (difference_overflows(f.place)) g = form_of(f, LengthsHalved{});
+  }
+  return g;
 }
 
 /// Without an inside: a point or a segment. Its outline is all of it.
@@ -68,11 +73,6 @@ struct PlacedPair {
   int exponent;
 };
 
-/// The sum of two differences, k times.
-inline FastDoubleDouble<double> differences(double to0, double to1, double from0, double from1, double k) noexcept {
-  return sum(k * to0, -(k * from0)) + sum(k * to1, -(k * from1));
-}
-
 /// The offset of centres times 2^-exponent.
 struct Offset {
   FastDoubleDouble<double> x, y;
@@ -80,8 +80,9 @@ struct Offset {
 };
 
 inline Offset offset_of_centres(const Form& a, const Form& b, double k, int exponent) noexcept {
-  return {differences(b.from.x, b.to.x, a.from.x, a.to.x, k), differences(b.from.y, b.to.y, a.from.y, a.to.y, k),
-          exponent};
+  const auto x = form::twice_offset(b.from.x, b.to.x, a.from.x, a.to.x, k);
+  const auto y = form::twice_offset(b.from.y, b.to.y, a.from.y, a.to.y, k);
+  return {{x.high, x.low}, {y.high, y.low}, exponent};
 }
 
 /// Nothing is halved where it might be subnormal; differences that overflow are formed at an eighth.
@@ -92,9 +93,6 @@ inline Offset offset_of_centres(const Form& a, const Form& b) noexcept {
 }
 
 inline double sign(double x) noexcept { return x < 0 ? -1 : x > 0 ? 1 : 0; }
-
-/// Exponent of a size whose axis has the exponent k; very small for 0.
-inline int length_exponent(double size, int k) noexcept { return size == 0 ? -5000 : exponent_of(size) + k; }
 
 inline PlacedShape placed_shape(const Form& f, int k, int unit) noexcept {
   const PlaneVector u{scale(f.u.x, -k), scale(f.u.y, -k)};
@@ -110,14 +108,11 @@ inline PlacedShape placed_shape(const Form& f, int k, int unit) noexcept {
 
 inline PlacedPair place(const Form& first, const Form& second) noexcept {
   const Offset d = offset_of_centres(first, second);
-  const int k1 = exponent_of(lane::max(lane::abs(first.u.x), lane::abs(first.u.y)));
-  const int k2 = exponent_of(lane::max(lane::abs(second.u.x), lane::abs(second.u.y)));
-  const int exponents[6] = {length_exponent(d.x.high, d.exponent), length_exponent(d.y.high, d.exponent),
-                            length_exponent(first.a, k1),          length_exponent(first.b, k1),
-                            length_exponent(second.a, k2),         length_exponent(second.b, k2)};
-  int unit = -5000;
-  for (const int e : exponents) unit = e > unit ? e : unit;
-  if (unit == -5000) unit = 0;
+  const int k1 = form::axis_exponent(first.u.x, first.u.y), k2 = form::axis_exponent(second.u.x, second.u.y);
+  using form::length_exponent;
+  const int unit = form::common_exponent({length_exponent(d.x.high, d.exponent), length_exponent(d.y.high, d.exponent),
+                                          length_exponent(first.a, k1), length_exponent(first.b, k1),
+                                          length_exponent(second.a, k2), length_exponent(second.b, k2)});
   const auto in_unit = [&](const FastDoubleDouble<double>& t) {
     return FastDoubleDouble<double>{scale(t.high, d.exponent - unit), scale(t.low, d.exponent - unit)};
   };
