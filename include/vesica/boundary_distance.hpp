@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 /// boundary_distance(a, b): how far apart are two outlines, and where do they come closest?
 ///
-/// The outline of a shape with area is the curve around it; of a point or a segment (any shape with a zero size) it is
-/// all of it. Outlines that share a point have distance 0, and both closest points are one such point. Disjoint shapes
-/// give what nearest() gives. Of nested shapes the inner one lies strictly inside: then it is the least distance over
-/// the whole outline, never a local minimum. Several pairs of points may be equally close; then it is one of them.
-/// Which case it is, relation() decides exactly.
+/// The outline of a shape with area is the curve around it. The outline of a point, a segment, or any shape with a zero
+/// size is the whole shape. Outlines that share a point have distance 0, and both closest points are one such point.
+/// Disjoint shapes give what nearest() gives. If one shape lies strictly inside the other, the answer is the least
+/// distance over the whole outline, never a local minimum only. If several pairs of points are equally close, the
+/// answer is one of them. relation() decides exactly which case it is.
 ///
 /// Accuracy, u = 2^-53 and scale the largest coordinate of the offset of centres or half length: the distance is right
 /// to 4u scale at aspect ratios up to 1e6, and never rounded to 0 where outlines are apart; each point is within 4u
@@ -56,8 +56,8 @@ inline ClosestPoints<double> closest_points_of_forms(Relation relation, const Fo
   return {0, p.x, p.y, p.x, p.y};
 }
 
-/// The pairs whose common case batches answer in lanes have the same core here, if one is inside the other; false where
-/// it is not settled.
+/// The pairs that batches answer in lanes use the same core here if one shape is inside the other. Returns false where
+/// that core is not settled.
 template <class A, class B>
 bool settled_outlines(const A&, const B&, Relation, ClosestPoints<double>&) noexcept {
   return false;
@@ -81,9 +81,9 @@ ClosestPoints<double> closest_outline_points(Relation relation, const A& a, cons
 
 }  // namespace detail::boundary_distance
 
-/// The checked form: writes the distance of the outlines of two shapes of any kinds, in either order, and their closest points. Returns
-/// 0, error_shape when either is invalid, or error_range when a number would exceed the largest finite one; on error
-/// `out` is untouched.
+/// The checked form: writes the distance of the outlines of two shapes of any kinds, in either order, and their closest
+/// points. Returns 0, error_shape when either is invalid, or error_range when a number would exceed the largest finite
+/// one; on error `out` is untouched.
 template <template <class> class A, template <class> class B>
 std::int32_t boundary_distance_or_error(const A<double>& a, const B<double>& b, ClosestPoints<double>& out) noexcept {
   if constexpr (!detail::in_order<A<double>, B<double>>) {

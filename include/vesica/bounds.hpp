@@ -20,7 +20,7 @@ struct Reach {
   double c, p0, q0, p1, q1;
 };
 
-/// A place to start looking from, without a promise.
+/// A guess for a search to start from; nothing is known of its error.
 inline arithmetic::Estimate unknown(double guess) noexcept {
   return {guess, 0, std::numeric_limits<double>::infinity()};
 }

@@ -72,7 +72,8 @@ inline MeanRect mean_rect(const double (&p)[8]) noexcept {
       arithmetic::unit_and_length(sum_of_four(p[2], -p[0], p[4], -p[6]), sum_of_four(p[3], -p[1], p[5], -p[7]));
   const auto second =
       arithmetic::unit_and_length(sum_of_four(p[6], -p[0], p[4], -p[2]), sum_of_four(p[7], -p[1], p[5], -p[3]));
-  // The longer pair gives the direction, for rounded corners turn it least; of the shorter, the part across counts.
+  // The longer pair gives the direction, since rounded corners turn it least. Of the shorter pair the part across it
+  // counts.
   const arithmetic::Scaled hx = quarter(first.length), hy = quarter(second.length);
   const double across = std::fabs(first.x * second.y - first.y * second.x);
   if (arithmetic::scale(hy.value, hy.exponent - hx.exponent) <= hx.value) {

@@ -8,7 +8,7 @@
 
 namespace vesica {
 
-/// All shapes are closed and solid: they own their outline and what it encloses. A shape is exactly what its
+/// All shapes are closed and solid: their outline and what it encloses belong to them. A shape is exactly what its
 /// stored numbers say. An axis (ux, uy) is a direction and a unit of length, never renormalised;
 /// perp(u) = (-uy, ux). Members stand in the order of the C structs, which these equal byte for byte.
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Shapes that cross one so much larger that two doubles a number do not tell where its outline runs, or that it is
-/// straight as far as they can tell: the outline's place is worked out exactly and rounded once.
+/// A small shape that crosses the outline of an extremely larger one. Double-doubles then cannot tell where the outline
+/// runs, or it is straight as far as they can tell. So the outline's place is computed exactly and rounded once.
 #pragma once
 
 #include <vesica/area/ellipse_ellipse.hpp>
@@ -28,9 +28,9 @@ inline int later(const exact::Length& x, const exact::Length& y) noexcept {
   return s > t ? s : t;
 }
 
-/// The larger ellipse's tangent line where it passes by the point (cx, cy): with F the quadratic form that is 1 on the
-/// outline, F = 1 + (F(c) - 1) + gradient . X + terms of X^2 that a straight outline has none of. F(c) - 1 cancels, and
-/// is exact.
+/// The larger ellipse's outline near the point c = (cx, cy), as a straight line. Let F be the quadratic form that is 1
+/// on the outline; then F(c + X) = F(c) + gradient . X + terms of X^2, which are negligible for a straight outline. The
+/// line is where this is 1. F(c) - 1 cancels, so it is computed exactly.
 inline HalfPlane tangent_half_plane(const exact::Ellipse& e, const exact::Length& cx, const exact::Length& cy,
                                     int unit) noexcept {
   const exact::Length dx = cx - e.cx, dy = cy - e.cy;

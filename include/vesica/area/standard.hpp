@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A pair of shapes of any magnitude in standard units: axes whose longer part is in [1/2, 1), the greatest size in
-/// [1/2, 1). Only powers of two are taken out, so that the same pair at another scale is the same in these units.
+/// A pair of shapes of any magnitude in standard units: the longer component of each axis in [1/2, 1), and the greatest
+/// size in [1/2, 1). Only powers of two are taken out, so the same pair at another scale has the same numbers in these
+/// units.
 #pragma once
 
 #include <vesica/area/box_ellipse.hpp>

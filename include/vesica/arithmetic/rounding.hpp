@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Rounding upward without touching the rounding mode: a real number is known as an unevaluated sum of two doubles
-/// and a bound on what the sum misses; that almost always decides the smallest double at or above it.
+/// Outward rounding without changing the rounding mode. A real number is known as an unevaluated sum of two doubles and
+/// a bound on the error of that sum; this almost always decides the smallest double at or above the number.
 #pragma once
 
 #include <bit>

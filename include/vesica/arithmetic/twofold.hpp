@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Numbers of about twice the precision, as an unevaluated sum of two. The closest features of two shapes are found in
-/// plain arithmetic; the distance is then evaluated in this one, so that it is right to its own last place or two even
-/// where two large numbers all but cancel. No fused operation is used: the same bits on every instruction set.
+/// Twofolds: numbers of about twice the precision, as an unevaluated sum that is not renormalised (compensated
+/// arithmetic). The closest features of two shapes are found in plain arithmetic; the distance is then evaluated in
+/// twofolds, so that it is right to its own last place or two even where two large numbers nearly cancel.
+///
+/// Without renormalising an operation has half the latency of a double-double's (double_double.hpp), but the error of a
+/// result is relative to its largest term. That is enough for a few sums of products. Only plain operations are used,
+/// so every instruction set gives the same bits.
 #pragma once
 
 #include <vesica/arithmetic/error_free.hpp>
 
 namespace vesica::detail::arithmetic {
 
-/// high + low. low is some roundoffs of high, or of what cancelled into it: the two are not brought apart after each
-/// operation, which halves the time from operands to result. A result's error is a few 2^-106 of its largest term.
+/// high + low, where low is a few roundoffs of high or of the terms that cancelled in it. The error of a result is a
+/// few 2^-106 of its largest term.
 template <class V>
 struct Twofold {
   V high, low;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// A point of both outlines, for shapes whose outlines are known to meet (the outline of a point or a segment is all of
-/// it). So this never asks whether, only where: of all candidates the one with the least error is the answer.
+/// it). Since they are known to meet, the candidate with the least error is the answer, whatever its error.
 #pragma once
 
 #include <vesica/boundary_distance/edge.hpp>
@@ -11,9 +11,9 @@ namespace vesica::detail::boundary_distance {
 
 using namespace support_minimum;
 
-/// One step of Newton's method along an edge towards an ellipse's outline, from a crossing that was worked out from the
-/// edge's start and so carries the rounding of all its length: how much of the edge. 0 where the point is not nearly on
-/// the outline, or the edge nearly along it.
+/// One step of Newton's method along an edge towards an ellipse's outline, as a share of the edge. The crossing was
+/// computed from the start of the edge and carries a rounding error relative to its whole length, which this removes.
+/// It is 0 where the point is not close to the outline, or the edge is nearly parallel to it.
 inline double correction(const CentredShape& ellipse, const PlaneVector& p, const PlaneVector& along) noexcept {
   const double x = p.x / ellipse.a, y = p.y / ellipse.b;
   const double excess = (x * x + y * y) - 1, slope = 2 * (x * (along.x / ellipse.a) + y * (along.y / ellipse.b));
@@ -40,11 +40,11 @@ inline PlaneVector common_point_on_box(const Frame& frame) noexcept {
   return corners[edge] + lane::max(lane::min(t, 1.0), 0.0) * along;
 }
 
-/// A common point of two outlines that meet, rounded. It is walked for on one of the two, and so lies within rounding
-/// of that one and within 4u times the pair's scale of the other.
+/// A common point of two outlines that meet, rounded. It is found as a point of one outline, so it is on that one to
+/// rounding, and within 4u times the pair's scale of the other.
 inline PlaneVector common_outline_point(const Form& a, const Form& b) noexcept {
   const PlacedPair given = place(a, b);
-  // The edges of a box are what is walked, so here a box comes second.
+  // The edges of the second shape are walked, so a box comes second.
   const bool exchange = a.curved == b.curved ? out_of_order(a, b, given) : b.curved;
   const PlacedPair pair = exchange ? exchanged(given) : given;
   const Frame frame(pair);

@@ -28,8 +28,9 @@ struct OnEdge {
   double t, error;
 };
 
-/// An edge in the frame of a shape. Candidates are its ends, its crossings with the outline, and where it passes an
-/// ellipse; a crossing that rounding put off the edge has its end instead.
+/// An edge in the frame of a shape. The candidates are its ends, its crossings with the outline, and the point where it
+/// is closest to an ellipse's centre in the ellipse's metric. A crossing that rounding puts beyond an end is left out:
+/// then the end itself is close enough.
 class Edge {
  public:
   Edge(const CentredShape& shape, const PlaneVector& from, const PlaneVector& to) noexcept

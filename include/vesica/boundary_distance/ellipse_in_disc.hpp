@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where the outlines of two ellipses meet, seen where the first is the unit disc.
+/// Where the outlines of two ellipses meet, in the frame in which the first is the unit disc.
 #pragma once
 
 #include <vesica/support_minimum/arc_bound.hpp>
@@ -24,7 +24,7 @@ class EllipseInDisc {
     q_ = mapped(frame.second_across());
   }
 
-  /// Of the common points one; where by rounding there is none, the extreme that is nearly one.
+  /// One of the common points. If rounding leaves none, the extreme point that is closest to the first outline.
   PlaneVector common() const noexcept {
     const PlaneVector axis = principal();
     const PlaneVector a = towards_centre(axis), b = towards_centre(perp(axis));

@@ -22,9 +22,10 @@ inline PlaneVector foot_on_face(const CentredShape& box, const PlaneVector& n, c
   return {x, n.y < 0 ? -box.b : box.b};
 }
 
-/// What is left of the slope at a minimum, as an angle: directions have only so many digits, and where an outline is
-/// nearly straight a turn by the last of them moves its furthest point far. 0 where a point moved along its tangent
-/// would leave its outline by more than rounding, and at a box's face, where the slope is another on either side.
+/// The angle of the last Newton step at a minimum. A direction has a limited number of digits, and where an outline is
+/// nearly straight a change of the last digit moves the furthest point far; this angle moves the point without rounding
+/// the direction. It is 0 where a point moved so far along its tangent would leave its outline by more than rounding,
+/// and at a box's face, where the slope jumps.
 inline double last_turn(const Objective& objective, const Sample& at) noexcept {
   const double k = at.radius1 - at.radius2 - at.value;
   if (!objective.first.curved || !(k > 0)) return 0;
@@ -32,8 +33,9 @@ inline double last_turn(const Objective& objective, const Sample& at) noexcept {
   return radius * (turn * turn) < 0x1p-54 && radius * lane::abs(turn) < 0x1p-20 ? turn : 0;
 }
 
-/// The least over all n of h_outer(n) - h_inner(n) - n.D: how far the inner shape stays behind the outer one. Where
-/// that is least, the furthest points of both along n lie on one line along n (F' = 0), at a box's face by the face.
+/// The least over all n of h_outer(n) - h_inner(n) - n.D: how far the inner shape stays behind the outer one. At the
+/// minimum F' = 0, so the furthest points of both shapes along n lie on one line along n. Where n is the normal of a
+/// box's face, the outer point is the foot of the inner one on that face.
 inline Nested nested_distance(const Form& outer, const Form& inner) noexcept {
   const PlacedPair pair = place(outer, inner);
   const Frame frame(pair);

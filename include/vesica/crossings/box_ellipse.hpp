@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Where the outlines of a box and an ellipse meet. Along an edge P + t E the ellipse's quadratic form less 1 is a
-/// quadratic in t, whose signs at the corners, slopes and discriminant are exact; and so accurate are its roots.
+/// quadratic in t. Its signs at the corners, its slopes and its discriminant are computed exactly, so the number of
+/// roots is exact and the roots are accurate.
 #pragma once
 
 #include <vesica/crossings/points.hpp>

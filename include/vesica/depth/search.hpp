@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How deep two shapes of any form overlap, by search over all directions.
+/// How deep two shapes of any form overlap, by a search over all directions (support_minimum/arc_search.hpp).
 #pragma once
 
 #include <vesica/support_minimum/frame.hpp>
@@ -17,7 +17,7 @@ struct Depth {
 };
 
 /// The least over all n of h1(n) + h2(n) - n.D: how far the second shape must move along n until n separates the two.
-/// It may come out negative by its rounding, and as any negative number for shapes that are apart.
+/// Rounding may make it slightly negative. For disjoint shapes it is negative.
 inline Depth searched_depth(const Form& a, const Form& b) noexcept {
   const PlacedPair given = place(a, b);
   const bool exchange = out_of_order(a, b, given);

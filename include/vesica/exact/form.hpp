@@ -19,11 +19,11 @@ struct Ellipse {
   Length cx, cy, ux, uy, a, b;
 };
 
+inline Length half(double x) noexcept { return from_double(x, -1); }
+
 namespace detail {
 
 namespace parts = vesica::detail::form;
-
-inline Length half(double x) noexcept { return from_double(x, -1); }
 
 inline Length number(const parts::Length<double>& l) noexcept { return from_double(l.x); }
 inline Length number(const parts::Ratio<double>& r) noexcept { return from_double(r.x); }

@@ -3,8 +3,8 @@
 /// along it and hy across it. A new shape needs one function of() here; the exact stage, the filters and the placements
 /// in double follow from it.
 ///
-/// The mapping computes nothing. It names what each number of the form is made of, and each stage turns these parts into
-/// its own numbers: exact ones, rounded ones, lanes of a vector, twofolds or double-doubles.
+/// The mapping computes nothing. It names what each number of the form is made of, and each stage turns these parts
+/// into its own numbers: exact ones, rounded ones, lanes of a vector, twofolds or double-doubles.
 #pragma once
 
 #include <utility>

@@ -85,7 +85,8 @@ inline int largest_exponent(const Form& f) noexcept {
   return longer > r ? longer : r;
 }
 
-/// Ellipses thinner than this are segments to all that can be told of them, those smaller points.
+/// An ellipse thinner than this share of its length is taken for a segment, one smaller than this share of the pair for
+/// a point: the difference is below the error bound.
 inline constexpr double thinnest = 0x1p-52, smallest = 0x1p-120;
 
 inline Placed placed(const Form& f, int unit) noexcept {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How far an ellipse reaches along a direction, and where: its support function. And the distance between two shapes
-/// along a normal, from theirs.
+/// The support function of an ellipse: how far it reaches along a direction, and where. And the distance between two
+/// shapes along a direction, from their support functions.
 #pragma once
 
 #include <vesica/arithmetic/twofold.hpp>
@@ -32,7 +32,7 @@ struct Direction {
   V x, y;
 };
 
-/// A normal N, as long as it comes; its length and the unit vector (rounded).
+/// A normal N of any length; its length and the unit vector, both rounded.
 template <class V, class F>
 struct Normal {
   VectorFactor<F> vector;
@@ -78,10 +78,9 @@ VESICA_INLINE Support<V> no_support() noexcept {
   return {{zero, zero}, zero, zero, zero};
 }
 
-/// What two shapes a distance apart answer: the distance, and the closest points as offsets from the shapes' own
-/// centres, and the unit vector from a to b. `settled` tells where the search ended well; elsewhere the rest means
-/// nothing. Of shapes that are nearly in contact the distance may be 0 or below, by less than some 2^-100 of their
-/// size.
+/// The result for two disjoint shapes: the distance, the closest points as offsets from the shapes' own centres, and
+/// the unit vector from a to b. `settled` tells whether the search converged; if not, the rest means nothing. Of shapes
+/// that are nearly in contact the distance may be 0 or below, by less than some 2^-100 of their size.
 template <class V>
 struct ClosestOffsets {
   Twofold<V> distance;
@@ -89,7 +88,7 @@ struct ClosestOffsets {
   MaskOf<V> settled;
 };
 
-/// A distance is taken for found where the slope that is left is this share of what its terms are made of.
+/// A search has converged where the slope left is below this share of the size of its terms.
 inline constexpr double settled_slope = 0x1p-46;
 
 /// The distance between two shapes along a normal N that points from a to b and that is, nearly, the one along which

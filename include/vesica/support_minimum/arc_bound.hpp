@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the values, slopes and curvatures of a function at both ends of an arc of directions say about it in between.
+/// Lower bounds of a combination of support functions on an arc of directions, from its values, slopes and curvatures
+/// at the ends.
 #pragma once
 
 #include <vesica/support_minimum/plane_vector.hpp>
@@ -18,7 +19,7 @@ struct Range {
 };
 
 /// The products of a number x > 0 and a number k, each between two ends.
-inline Range product(double x0, double x1, double k0, double k1) noexcept {
+inline Range range_of_product(double x0, double x1, double k0, double k1) noexcept {
   using namespace lane;
   const double x_low = min(x0, x1), x_high = max(x0, x1), k_low = min(k0, k1), k_high = max(k0, k1);
   return {k_low * (k_low < 0 ? x_high : x_low), k_high * (k_high < 0 ? x_low : x_high)};
@@ -38,8 +39,8 @@ inline Range curvature(const Sample& a, const Sample& b, double sign) noexcept {
   Range r{r1.low - r2.high, r1.high - r2.low};
   if (r1.low > 0 && r2.low > 0) {
     const double da = a.radius1 - a.radius2, db = b.radius1 - b.radius2;
-    r = common(r, product(a.radius1, b.radius1, da / a.radius1, db / b.radius1));
-    r = common(r, product(a.radius2, b.radius2, da / a.radius2, db / b.radius2));
+    r = common(r, range_of_product(a.radius1, b.radius1, da / a.radius1, db / b.radius1));
+    r = common(r, range_of_product(a.radius2, b.radius2, da / a.radius2, db / b.radius2));
   }
   return r;
 }
@@ -55,12 +56,13 @@ inline double least(double value, double slope, double curvature, double cos_t, 
   return lane::min(value, value + slope * sin_t + k * (sin_t * sin_t / (1 + cos_t)));
 }
 
-/// Shorter arcs hold no direction between their ends.
+/// On a shorter arc there is no representable direction between the ends.
 inline constexpr double shortest_arc = 0x1p-53;
 
-/// A lower bound of F on the arc from a on to b, at most a quarter turn. By Sturm comparison F lies above the g with
-/// g'' + g = low that has F's value and slope at a, and above the one that has them at b (the difference is R - low
-/// folded with a sine): the bound is the least value of the greater of the two.
+/// A lower bound of F on the arc from a to b, which is at most a quarter turn. The search may discard an arc only
+/// because this bound is never too high, so it is proved here: let g solve g'' + g = low with F's value and slope at a.
+/// Then F - g is the convolution of (F'' + F) - low >= 0 with the sine, so F >= g (Sturm comparison); the same holds
+/// for the g that starts at b. The bound is the least value of the greater of the two.
 inline double lower_bound(const Sample& a, const Sample& b, const Range& curvature) noexcept {
   const double cos_t = dot(a.n, b.n), sin_t = cross(a.n, b.n), ends = lane::min(a.value, b.value);
   const bool concave = curvature.high <= ends;

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The least value over all directions of a combination of two support functions, never a local minimum only: both the
-/// depth of an overlap and the distance between nested outlines are one.
+/// The global minimum over all unit directions n of F(n) = h1(n) + sign h2(n) + n.e, where h1 and h2 are support
+/// functions. The depth of an overlap (sign 1) and the distance between nested outlines (sign -1) are such minima.
 ///
-/// F(n) = h1(n) + sign h2(n) + n.e. As a function of the angle F'' + F = radius1 + sign radius2. Between the axes of
-/// both shapes the radii of curvature are monotone, and for sign < 0 between the two directions besides where their
-/// ratio has its extremes; between face normals a box is its corner, which goes into e. So what F and its first two
-/// derivatives are at the ends of an arc bounds F on all of it (arc_bound.hpp). The arc of least bound is refined until
-/// no bound is below the least value met: where F must be convex by safeguarded Newton steps, else by splitting.
-/// h(-n) = h(n), so only the half circle n.e <= 0 is searched.
+/// The method is branch and bound over arcs of directions. As a function of the angle, F'' + F = radius1 + sign radius2
+/// with the radii of curvature of the two outlines. The circle is cut at the axes of both shapes, and for sign -1 also
+/// where the ratio of the radii is extreme: on each arc in between, the radii and their ratio are monotone. Between the
+/// normals of its faces a box is a single corner, which goes into e. So the value and the first two derivatives of F at
+/// the ends of an arc bound F on all of it (arc_bound.hpp). The arc with the least bound is refined until no bound is
+/// below the least value met: by safeguarded Newton steps where F must be convex, else by splitting the arc.
+/// Since h(-n) = h(n), only the half circle n.e <= 0 is searched.
 ///
-/// Measured on nested and overlapping ellipses at aspects up to 1e6, nearly equal, nearly concentric and nearly
-/// osculating ones included: 11 to 23 evaluations on average, 58 at most, never more than 6 arcs at a time. Cost: 30 to
-/// 40 ns an evaluation. The tests in boundary_distance/ and depth/ fail when one in all their pairs takes a quarter of
-/// the limit below.
+/// Measured on nested and overlapping ellipses at aspects up to 1e6, including nearly equal, nearly concentric and
+/// nearly osculating ones: 11 to 23 evaluations on average, 58 at most, never more than 6 arcs at a time, and 30 to 40
+/// ns an evaluation. The tests in boundary_distance/ and depth/ fail if any of their pairs takes a quarter of the limit
+/// below.
 ///
-/// Most pairs with ellipses do not come here: least/lane_pairs.hpp, which batches run in lanes, settles them first.
+/// Most pairs with ellipses do not come here: the cores for lanes (two_ellipses.hpp, box_ellipse.hpp) settle them
+/// first.
 #pragma once
 
 #include <vesica/support_minimum/arc_bound.hpp>
@@ -80,7 +82,7 @@ class ArcSearch {
 
   bool may_improve(double bound) const noexcept { return bound < minimum_.at.value - objective_.tolerance; }
 
-  /// Grows with the angle from -perp(away_) on, 0 to 2 over the half circle, without a jump anywhere near its ends.
+  /// Grows with the angle from -perp(away_) on, from 0 to 2 over the half circle, and is continuous at its ends.
   double place_of(const PlaneVector& n) const noexcept {
     const double up = lane::positive_part(dot(n, away_)), along = cross(n, away_), wide = lane::abs(along);
     return along > 0 ? up / (up + wide) : 1 + wide / (up + wide);
@@ -122,7 +124,7 @@ class ArcSearch {
     if (x != 0 || y != 0) cut(out_of_frame(objective_.first.axis, unit_of_any({x, y})));
   }
 
-  /// F of the curved shapes alone.
+  /// F without the corners of boxes and without e.
   Sample curved(const PlaneVector& n) noexcept {
     if (++minimum_.evaluations >= evaluation_limit) minimum_.settled = false;
     Sample s{n, 0, 0, 0, 0};
@@ -256,8 +258,9 @@ class ArcSearch {
     }
   }
 
-  /// The search ends where F is least up to its rounding; that can leave a slope of the order of its root. Steps that
-  /// halve the slope make the closest points better, while the same corners rule.
+  /// The search ends where F is least up to rounding. The direction may then still be off by the square root of that.
+  /// Further Newton steps improve the closest points; they are taken while each halves the slope and the same corners
+  /// of boxes are the furthest.
   void polish() noexcept {
     for (int i = 0; i < polish_limit; ++i) {
       const Sample& s = minimum_.at;

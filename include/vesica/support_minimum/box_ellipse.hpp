@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// A rectangle and an ellipse that overlap: the depth, and the distance of the outlines where one is inside the other.
-/// As two_ellipses.hpp, but a rectangle is its corners: with a corner v, L = m + n.(D - v) and F >= m where h^2 > L^2
-/// or L < 0, of degree 4 in the tangent of half an angle.
+/// The method is that of two_ellipses.hpp with the corners of the rectangle in the place of one ellipse. For a corner v
+/// and L = m + n.(D - v), F >= m wherever h^2 > L^2 or L < 0. This is of degree 4 in the tangent of half an angle.
 #pragma once
 
 #include <vesica/support_minimum/two_ellipses.hpp>

@@ -16,11 +16,11 @@ struct DoubleDoubleVector {
 /// Of exact vectors, and of an exact one with another.
 template <class V>
 VESICA_INLINE FastDoubleDouble<V> dot(V ux, V uy, V vx, V vy) noexcept {
-  return product(ux, vx) + product(uy, vy);
+  return arithmetic::product(ux, vx) + arithmetic::product(uy, vy);
 }
 template <class V>
 VESICA_INLINE FastDoubleDouble<V> cross(V ux, V uy, V vx, V vy) noexcept {
-  return product(ux, vy) - product(uy, vx);
+  return arithmetic::product(ux, vy) - arithmetic::product(uy, vx);
 }
 template <class V>
 VESICA_INLINE FastDoubleDouble<V> dot(V ux, V uy, const DoubleDoubleVector<V>& v) noexcept {

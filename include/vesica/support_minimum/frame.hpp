@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A pair in the frame of its first shape, and combinations of support functions there: quickly, for a search, and once
-/// more where it ended, to 106 bits. A normal found with an error of e costs an error of e^2 only, so a small answer
-/// keeps its relative accuracy where its terms cancel.
+/// A pair in the frame of its first shape, and combinations of support functions there: in plain arithmetic for the
+/// search, and once in double-doubles for the value at the direction it found. At a minimum an error e of the direction
+/// changes the value by e^2 only. So the double-double value keeps its relative accuracy even where its terms cancel.
 #pragma once
 
 #include <vesica/support_minimum/arc_search.hpp>

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The order in which a pair is worked on, whichever way round it was passed: what makes answers symmetric to the bit.
+/// The order in which the two shapes of a pair are worked on. It does not depend on the order of the arguments, so
+/// (a, b) and (b, a) do the same work and give the same bits.
 #pragma once
 
 #include <vesica/support_minimum/placed_pair.hpp>
 
 namespace vesica::detail::support_minimum {
 
-/// -1, 0 or 1 as the first numbers that differ are in ascending order or not.
+/// Compares two lists of numbers by the first that differ: -1 if x is less there, 1 if y is, 0 if none differ.
 template <int N>
 int compare(const double (&x)[N], const double (&y)[N]) noexcept {
   for (int i = 0; i < N; ++i) {
@@ -15,13 +16,13 @@ int compare(const double (&x)[N], const double (&y)[N]) noexcept {
   return 0;
 }
 
-/// What the rounded sizes of a shape given by two points lack.
+/// The rounding errors of the sizes of a shape that is stored by two points.
 inline PlaneVector rest_of_size(const Form& f) noexcept {
   return {sum(f.to.x, -f.from.x).low, sum(f.to.y, -f.from.y).low};
 }
 
-/// Whether the pair is to be exchanged: boxes come before ellipses, shapes of one form in the order of their sizes and
-/// axes, and equal ones so that the offset leads up or right. Positions enter by their difference only.
+/// Whether the pair is to be exchanged. Boxes come before ellipses. Two of the same form are ordered by their sizes and
+/// axes; if these are equal too, the lower or left one comes first. Only the difference of positions is used.
 inline bool out_of_order(const Form& a, const Form& b, const PlacedPair& p) noexcept {
   if (a.curved != b.curved) return a.curved;
   const int rounded = compare<6>({a.a, a.b, a.u.x, a.u.y, -p.lead.x, -p.lead.y}, {b.a, b.b, b.u.x, b.u.y, 0, 0});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Plane vectors, most of them unit vectors: directions are kept as such and never as angles, so that no answer hangs
-/// on a mathematics library.
+/// Plane vectors. Directions are kept as unit vectors and never as angles, so no answer depends on the trigonometric
+/// functions of a mathematics library.
 #pragma once
 
 #include <vesica/scalar.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Polynomials that are shown to be positive: by Bernstein coefficients, piece by piece.
+/// Certificates that a polynomial is positive: its Bernstein coefficients on each piece of an interval.
 ///
 /// A polynomial whose Bernstein coefficients on an interval are positive is positive there (R. T. Farouki, "The
 /// Bernstein polynomial basis: A centennial retrospective", CAGD 29 (2012) 379). Here x = Y / X runs over a ray of

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// SupportValues functions of the two forms all shapes take: boxes and ellipses about the origin.
+/// Support functions of boxes and ellipses about the origin, the two forms that every shape has.
 #pragma once
 
 #include <vesica/support_minimum/plane_vector.hpp>

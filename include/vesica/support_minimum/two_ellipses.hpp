@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The least over all directions n of F(n) = h_a(n) + h_b(n) - n.D, the depth of two ellipses that overlap, or of
-/// F(n) = h_a(n) - h_b(n) - n.D, the distance of the outlines where b is inside a: for scalars and for lanes.
+/// The global minimum over all directions n of F(n) = h_a(n) + h_b(n) - n.D, the depth of two ellipses that overlap, or
+/// of F(n) = h_a(n) - h_b(n) - n.D, the distance of the outlines where b is inside a: for scalars and for lanes.
 ///
-/// From the best of eight directions, the normals in which one of the ellipses is special, a local minimum m is found
-/// as in nearest/direction.hpp (F is -phi there, also for nested ellipses with a sign). Then it is proved to be the
-/// least: with A = h_a^2, B = h_b^2 and L = m + n.D, all three polynomials in the tangent x of half the angle from the
-/// minimum,
+/// A search starts from the best of eight directions, along and between the axes of the ellipses, and finds a local
+/// minimum m as in nearest/direction.hpp (F is -phi there). A certificate then proves that m is the global minimum;
+/// only then is the answer settled. With A = h_a^2, B = h_b^2 and L = m + n.D, all three polynomials in the tangent x
+/// of half the angle from the minimum,
 ///   P = 4 A B - (L^2 - A - B)^2 = (h_a + h_b + L) (h_a + h_b - L) (L + h_a - h_b) (L - h_a + h_b),
 /// which has a double zero at x = 0 (Heron's formula for a triangle with the sides h_a, h_b and L). For the sum, F >= m
 /// wherever P / x^2 > 0, and also where L^2 < A + B + 2 G, G the quadratic form of the geometric mean of the two
@@ -13,9 +13,9 @@
 /// matrices", LAA 26 (1979) 203). n.D < 0 needs no proof, for F(n) >= F(-n) there. For the difference, -P / x^2 > 0 all
 /// round shows it: the factors of -P other than F - m are positive at the minimum, and then stay so.
 ///
-/// Proofs fail where two minima are nearly equal, or a very thin ellipse turns between two cuts: for less than 1% of
-/// random pairs at aspects up to 5, 4% up to 20, 20% up to 1000 (tests/depth/core_test.cpp prints it). These take the
-/// general way.
+/// The certificate fails where two minima are nearly equal, or where a very thin ellipse turns between two cuts: for
+/// less than 1% of random pairs at aspects up to 5, 4% up to 20, 20% up to 1000 (tests/depth/core_test.cpp prints it).
+/// The search over arcs (arc_search.hpp) then answers.
 #pragma once
 
 #include <vesica/support_minimum/positive_polynomial.hpp>
@@ -221,16 +221,16 @@ VESICA_INLINE MaskOf<V> is_least_of_difference(const TwoEllipses<V>& s, const Di
   return sure > V(0.0);
 }
 
-/// Where F hardly bends at its minimum, near the evolute, a direction is found to half its digits or fewer. What is
-/// left to turn from n to (nx, ny) must not change the length of a vector, nor leave an outline of radius `curvature`
-/// by its tangent, by more than rounding.
+/// Near the evolute F is nearly flat at its minimum, and the direction is known to half its digits or fewer. This tells
+/// whether the last turn, from n to `to`, is small enough: a vector turned so far must keep its length, and a point
+/// moved so far along the tangent of an outline of radius `curvature` must stay on it, both to rounding.
 template <class V>
 VESICA_INLINE MaskOf<V> turns_little(const Direction<V>& n, const Direction<V>& to, V curvature, V size) noexcept {
   const V turn = cross(n, to), squared = turn * turn;
   return both(squared <= V(0x1p-55), curvature * squared <= V(0x1p-56) * size);
 }
 
-/// A search that takes more is for the general way; random pairs take 3 to 8.
+/// A search that takes more steps is left to arc_search.hpp; random pairs take 3 to 8.
 inline constexpr int step_limit = 16;
 
 /// Two ellipses that overlap, d from a's centre to b's: `distance` is minus the depth, and b has to move along the unit
