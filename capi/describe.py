@@ -34,7 +34,7 @@ NOT_CONSTANTS = {"VESICA_H", "VESICA_METHODS_H", "VESICA_API"}
 PART = re.compile(r"^(" + "|".join(PARTS) + "): ", re.M)
 HEADING = re.compile(r"/\* ---- (?P<title>.*?) ----(?P<parts>.*?)\*/", re.S)
 REFERENCE = re.compile(r"As (vesica_\w+_f64)(, rounded to float)?\.")
-ROUNDED = " Each number is computed in double, within these bounds, and then rounded to float once."
+ROUNDED = "\nEach number is computed in double, within these bounds, and then rounded to float once."
 DEFINITION = re.compile(r"^ - (Bounds on computed numbers use u.*?)(?=^ - |\Z)", re.M | re.S)
 CONSTANT = re.compile(r"#define (?P<name>[A-Z]\w*) +\(?(?P<value>-?\d+)\)?(?: */\*\*<(?P<comment>.*?)\*/)?\n", re.S)
 STRUCT = re.compile(r"typedef struct \{(?P<body>[^{}]*)\} (?P<name>\w+);")
@@ -182,8 +182,8 @@ def complete(found, definition):
             entry["comment"] = in_float(entries[reference[1]]["comment"], reference[2])
     for entry in found["functions"]:
         parts = parted(entry["comment"])
-        if re.search(r"\bu\b", parts.get("Accuracy", "")):
-            parts["Accuracy"] += " " + definition
+        if re.search(r"\d u\b", parts.get("Accuracy", "")):
+            parts["Accuracy"] += "\n" + definition
         since = re.fullmatch(r"(\d+\.\d+)\.", parts.get("Since", ""))
         if since is None:
             raise HeaderError(f"{entry['name']}: neither its comment nor its heading says since when it is there")

@@ -576,9 +576,9 @@ VESICA_API int64_t vesica_area_many_f64(const vesica_shapes_f64 *a, const vesica
  */
 VESICA_API int64_t vesica_iou_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, double *out);
 
-/* ---- Every a with every b, double: out[i * row_stride + j] is the result for a[i] and b[j] ----
- * Requires: row_stride, which counts elements of out, is at least b's count unless a's count is at most 1. It may be
- * negative: then the rows run backwards in memory.
+/* ---- Every a with every b, double ----
+ * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+ * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
  * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
  * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
  * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
@@ -653,7 +653,7 @@ VESICA_API int64_t vesica_nms_scratch(int64_t count);
  * vesica_iou_f64 with every shape kept before is at most the threshold.
  *
  * Equal scores go by index, and infinite scores are legal. At threshold 1 all shapes are kept.
- * Requires: shapes, of one kind with area (VESICA_CIRCLE ... VESICA_ELLIPSE); scores, one for each; threshold from 0 to
+ * Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to
  * 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
  * Returns: 0. keep has the indices of the kept shapes in the order of their scores, and *kept how many they are. What
  * follows them in keep is not written.
