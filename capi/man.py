@@ -96,8 +96,7 @@ def overview(header, text, description):
     opening = describe.words(re.match(r"/\*(.*?)\*/", text, re.S)[1])
     title, *rest = (part for part in re.split(r"\n\s*\n", opening) if not part.startswith("SPDX-"))
     lines = titled(name, title.split(": ", 1)[1].rstrip("."), description["version"])
-    lines += [".SH LIBRARY", "Vesica (\\fIlibvesica\\fR, \\fI\\-lvesica\\fR)", ".SH SYNOPSIS"]
-    lines += literal([f"#include <{header}>"]) + [".SH DESCRIPTION"]
+    lines += library(header) + [".SH SYNOPSIS", *literal([f"#include <{header}>"]), ".SH DESCRIPTION"]
     for number, part in enumerate(re.split(r"\n(?= *- )", "\n\n".join(rest))):
         for again, paragraph in enumerate(re.split(r"\n\s*\n", part)):
             bullet = re.match(r" *- ", paragraph)
@@ -124,12 +123,11 @@ def pages():
     """{name: lines} of all pages."""
     description = describe.describe()
     texts = {header: (describe.HERE / header).read_text(encoding="utf-8") for header in describe.HEADERS}
-    constants = {entry["function"]: entry for entry in description["constants"]}
-    result = {entry["name"]: page(entry, description, constants, texts[entry["header"]])
-              for entry in description["functions"]}
-    exported = set(re.findall(r"^\s+(vesica_\w+);", (describe.HERE / "vesica.map").read_text(encoding="utf-8"), re.M))
+    result = {entry["name"]: page(entry, description) for entry in description["functions"]}
+    maps = "".join((describe.HERE / name).read_text(encoding="utf-8") for name in describe.MAPS.values())
+    exported = set(re.findall(r"^\s+(vesica_\w+);", maps, re.M))
     if exported != set(result):
-        raise describe.HeaderError(f"in only one of the map and the headers: {sorted(exported ^ set(result))}")
+        raise describe.HeaderError(f"in only one of the maps and the headers: {sorted(exported ^ set(result))}")
     result.update((pathlib.PurePath(header).stem, overview(header, text, description))
                   for header, text in texts.items())
     return result
