@@ -36,7 +36,7 @@ int32_t vesica_boundary_distance_f32(int32_t kind_a, const float* numbers_a, int
         const int32_t error = vesica::capi::output_by_kind<BoundaryDistanceQuery>(kind_a, a, kind_b, b, &found);
         if (error != 0) return error;
         vesica::ClosestPoints<float> r;
-        if (!vesica::closest::rounded_to(found, found.distance == 0, r)) return VESICA_E_RANGE;
+        if (!vesica::detail::nearest::rounded_to(found, found.distance == 0, r)) return VESICA_E_RANGE;
         *out = {r.distance, r.ax, r.ay, r.bx, r.by};
         return 0;
       });

@@ -30,7 +30,7 @@ Result run_matrix_1e5(const Spec& spec) {
   const Memory<std::uint8_t> out = allocate<std::uint8_t>(bytes);
   std::fill_n(out.get(), bytes, std::uint8_t{0});
   Batch<T> hot(spec.kind_a, spec.kind_b, batch_length<T>);
-  const Memory<std::uint8_t> hot_out = allocate<std::uint8_t>(rows_in_cache * batch_length<T>);
+  const Memory<std::uint8_t> lane_out = allocate<std::uint8_t>(rows_in_cache * batch_length<T>);
 
   std::size_t slice = 0;
   std::int64_t hits = 0, slices = 0;
@@ -44,13 +44,13 @@ Result run_matrix_1e5(const Spec& spec) {
     return found.overlaps;
   };
   const Pass in_cache = [&] {
-    return batch::matrix<T>(*spec.isa->kernels, hot.a.shapes(rows_in_cache), hot.b.shapes(batch_length<T>),
-                            hot_out.get(), batch_length<T>)
+    return batch::matrix<T>(*spec.isa->kernels, lanes.a.shapes(rows_in_cache), lanes.b.shapes(batch_length<T>),
+                            lane_out.get(), batch_length<T>)
         .overlaps;
   };
   const auto draw = [&](std::uint64_t round) {
     fill(a, pool.a, stretch_of_round(round, pool.a.capacity(), 1).a);
-    hot.draw(pool, round, rows_in_cache, batch_length<T>);
+    lanes.draw(pool, round, rows_in_cache, batch_length<T>);
   };
   const auto times = contest(draw, {in_slices, in_cache}, {.seconds = 0.5, .rounds = 15, .long_passes = true});
 

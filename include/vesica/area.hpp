@@ -16,14 +16,14 @@
 #include <vesica/area/box_box.hpp>
 #include <vesica/area/box_ellipse.hpp>
 #include <vesica/area/ellipse_ellipse.hpp>
-#include <vesica/area/far_larger.hpp>
+#include <vesica/area/extreme_ratio.hpp>
 #include <vesica/area/standard.hpp>
 #include <vesica/relation.hpp>
 #include <vesica/shape_area.hpp>
 
 namespace vesica {
 
-namespace clip {
+namespace detail::area {
 
 inline Oval<double> oval(const Circle<double>& s) noexcept { return {1, 0, s.r, s.r}; }
 inline Oval<double> oval(const Ellipse<double>& s) noexcept { return {s.ux, s.uy, s.a, s.b}; }
@@ -131,7 +131,7 @@ Measure precise_area(const A& a, const B& b, const Measure& area_a, const Measur
 /// Insides that meet share something, if less than can be told; and never more than the lesser has.
 inline Measure between_bounds(const Measure& area, const Measure& least) noexcept {
   if (!(area.value > 0)) return {least.value, least.exponent - 120};
-  return clip::least(area, least);
+  return detail::area::least(area, least);
 }
 
 /// What iou() and area() need to know of a pair: the shared area and, unless it is 0, that of each shape.
@@ -185,36 +185,36 @@ VESICA_COLD std::int32_t shares_by_relation(const A& a, const B& b, Shares& out)
   return 0;
 }
 
-}  // namespace clip
+}  // namespace detail::area
 
 namespace detail {
 
 /// The shared area of valid shapes as a measure; 0 or error_shape.
 template <class A, class B>
-std::int32_t shared_measure(const A& a, const B& b, clip::Measure& out) noexcept {
-  if constexpr (clip::has_area<A> && clip::has_area<B>) {
-    if (pair::filter(a, b).disjoint) {
+std::int32_t shared_measure(const A& a, const B& b, detail::area::Measure& out) noexcept {
+  if constexpr (detail::area::has_area<A> && detail::area::has_area<B>) {
+    if (detail::overlap::filter(a, b).disjoint) {
       out = {0, 0};
       return 0;
     }
-    const auto quick = clip::quick_area(a, b);
+    const auto quick = detail::area::quick_area(a, b);
     if (quick.settled) [[likely]] {
       out = {quick.area, 0};
       return 0;
     }
   }
-  clip::Shares shares;
-  const std::int32_t error = clip::shares_by_relation(a, b, shares);
+  detail::area::Shares shares;
+  const std::int32_t error = detail::area::shares_by_relation(a, b, shares);
   if (error == 0) out = shares.shared;
   return error;
 }
 
 /// shared / (a + b - shared), in an order in which nothing exceeds 1.
-inline double ratio_of_union(const clip::Measure& shared, const clip::Measure& a, const clip::Measure& b) noexcept {
-  const clip::Measure most = clip::standard(clip::less(a, b) ? b : a), lesser = clip::least(a, b);
-  const clip::Measure part = clip::standard(shared);
+inline double ratio_of_union(const detail::area::Measure& shared, const detail::area::Measure& a, const detail::area::Measure& b) noexcept {
+  const detail::area::Measure most = detail::area::standard(detail::area::less(a, b) ? b : a), lesser = detail::area::least(a, b);
+  const detail::area::Measure part = detail::area::standard(shared);
   const int unit = most.exponent;
-  const double rest = clip::in_units(lesser, unit) - clip::in_units(part, unit);
+  const double rest = detail::area::in_units(lesser, unit) - detail::area::in_units(part, unit);
   const double all = most.value + rest;
   return scale(part.value / all, part.exponent - unit);
 }
@@ -228,9 +228,9 @@ std::int32_t area_or_error(const A<T>& a, const B<T>& b, T& out) noexcept {
   if constexpr (!detail::in_order<A<T>, B<T>>) {
     return area_or_error(b, a, out);
   } else {
-    clip::Measure area;
+    detail::area::Measure area;
     const std::int32_t error = detail::shared_measure(widen(a), widen(b), area);
-    return error != 0 ? error : clip::store(area, out);
+    return error != 0 ? error : detail::area::store(area, out);
   }
 }
 

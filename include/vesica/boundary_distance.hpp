@@ -19,7 +19,7 @@
 #include <vesica/boundary_distance/box_box.hpp>
 #include <vesica/boundary_distance/common_point.hpp>
 #include <vesica/boundary_distance/nested.hpp>
-#include <vesica/least/hot_pairs.hpp>
+#include <vesica/least/lane_pairs.hpp>
 #include <vesica/nearest.hpp>
 #include <vesica/relation.hpp>
 
@@ -64,12 +64,12 @@ bool settled_outlines(const A&, const B&, Relation, ClosestPoints<double>&) noex
 }
 template <class A>
 bool settled_outlines(const A& a, const Ellipse<double>& b, Relation relation, ClosestPoints<double>& out) noexcept {
-  if constexpr (closest::is_hot<A, Ellipse<double>>) {
+  if constexpr (detail::nearest::has_lanes<A, Ellipse<double>>) {
     const bool inside = relation == Relation::inside;
     if (!inside && relation != Relation::contains) return false;
-    const auto hot = least::hot_nested(a, b, inside, false);
-    if (hot.settled) out = {hot.distance, hot.ax, hot.ay, hot.bx, hot.by};
-    return hot.settled;
+    const auto lanes = least::lane_nested(a, b, inside, false);
+    if (lanes.settled) out = {lanes.distance, lanes.ax, lanes.ay, lanes.bx, lanes.by};
+    return lanes.settled;
   }
   return false;
 }
@@ -94,7 +94,7 @@ std::int32_t boundary_distance_or_error(const A<double>& a, const B<double>& b, 
     if (!detail::settled_outlines(a, b, static_cast<Relation>(relation), found)) {
       found = detail::closest_outline_points(static_cast<Relation>(relation), outline::form(a), outline::form(b));
     }
-    return closest::rounded_to(found, found.distance == 0, out) ? 0 : error_range;
+    return detail::nearest::rounded_to(found, found.distance == 0, out) ? 0 : error_range;
   }
 }
 
@@ -103,7 +103,7 @@ std::int32_t boundary_distance_or_error(const A<float>& a, const B<float>& b, Cl
   ClosestPoints<double> wide;
   const std::int32_t error = boundary_distance_or_error(widen(a), widen(b), wide);
   if (error != 0) return error;
-  return closest::rounded_to(wide, wide.distance == 0, out) ? 0 : error_range;
+  return detail::nearest::rounded_to(wide, wide.distance == 0, out) ? 0 : error_range;
 }
 
 /// The distance of the outlines of two valid shapes and their closest points; NaN where boundary_distance_or_error()

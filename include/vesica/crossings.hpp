@@ -23,7 +23,7 @@
 
 namespace vesica {
 
-namespace crossing {
+namespace detail::crossings {
 
 template <class Shape>
 inline constexpr bool is_round = ShapeTraits<Shape>::kind == Kind::circle || ShapeTraits<Shape>::kind == Kind::ellipse;
@@ -47,8 +47,8 @@ CrossingPoints<double> between(const A& a, const B& b) noexcept {
     }
     if (exact::degenerate(form_a)) return crossings(exact::as_box(form_a), form_b).in_order(false);
     if (exact::degenerate(form_b)) return crossings(exact::as_box(form_b), form_a).in_order(true);
-    const Census census = crossing::census(form_a, form_b);
-    const bool a_is_less = !clip::less(clip::shape_measure(b), clip::shape_measure(a));
+    const Census census = detail::crossings::census(form_a, form_b);
+    const bool a_is_less = !detail::area::less(detail::area::shape_measure(b), detail::area::shape_measure(a));
     return a_is_less ? places(a, b, census).in_order(false) : places(b, a, census).in_order(true);
   }
 }
@@ -65,7 +65,7 @@ std::int32_t store(const CrossingPoints<double>& found, CrossingPoints<T>& out) 
   return found.count;
 }
 
-}  // namespace crossing
+}  // namespace detail::crossings
 
 /// The number of places where two outlines meet, up to 8, with the places in `out`; shapes of any kinds, in either
 /// order.
@@ -75,7 +75,7 @@ template <template <class> class A, template <class> class B, class T>
 std::int32_t crossings_or_error(const A<T>& a, const B<T>& b, CrossingPoints<T>& out) noexcept {
   const std::int32_t meet = overlap_or_error(a, b);
   if (meet < 0) return meet;
-  return crossing::store(meet == 0 ? CrossingPoints<double>{} : crossing::between(widen(a), widen(b)), out);
+  return detail::crossings::store(meet == 0 ? CrossingPoints<double>{} : detail::crossings::between(widen(a), widen(b)), out);
 }
 
 /// The same as a value: none where there is an error.

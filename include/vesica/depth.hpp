@@ -20,7 +20,7 @@
 #include <vesica/depth/box_box.hpp>
 #include <vesica/depth/exact_zero.hpp>
 #include <vesica/depth/search.hpp>
-#include <vesica/least/hot_pairs.hpp>
+#include <vesica/least/lane_pairs.hpp>
 #include <vesica/overlap.hpp>
 
 namespace vesica {
@@ -64,10 +64,10 @@ bool settled_depth(const A&, const B&, Penetration<double>&) noexcept {
 }
 template <class A>
 bool settled_depth(const A& a, const Ellipse<double>& b, Penetration<double>& out) noexcept {
-  if constexpr (closest::is_hot<A, Ellipse<double>>) {
-    const auto hot = least::hot_depth(a, b, false);
-    if (hot.settled) out = {hot.depth, hot.x, hot.y};
-    return hot.settled;
+  if constexpr (detail::nearest::has_lanes<A, Ellipse<double>>) {
+    const auto lanes = least::lane_depth(a, b, false);
+    if (lanes.settled) out = {lanes.depth, lanes.x, lanes.y};
+    return lanes.settled;
   }
   return false;
 }

@@ -9,26 +9,26 @@ namespace vesica {
 namespace detail {
 
 /// For valid shapes with the shared area known and of which not both have none.
-inline double iou_of(const clip::Measure& shared, const clip::Measure& a, const clip::Measure& b) noexcept {
+inline double iou_of(const detail::area::Measure& shared, const detail::area::Measure& a, const detail::area::Measure& b) noexcept {
   return shared.value == 0 ? 0 : ratio_of_union(shared, a, b);
 }
 
 template <class A, class B>
 std::int32_t iou_of_pair(const A& a, const B& b, double& out) noexcept {
-  if constexpr (clip::has_area<A> && clip::has_area<B>) {
-    if (pair::filter(a, b).disjoint) {
-      if (clip::is_flat(a) && clip::is_flat(b)) return error_argument;
+  if constexpr (detail::area::has_area<A> && detail::area::has_area<B>) {
+    if (detail::overlap::filter(a, b).disjoint) {
+      if (detail::area::is_flat(a) && detail::area::is_flat(b)) return error_argument;
       out = 0;
       return 0;
     }
-    const auto quick = clip::quick_area(a, b);
+    const auto quick = detail::area::quick_area(a, b);
     if (quick.settled) [[likely]] {
-      out = iou_of({quick.area, 0}, clip::shape_measure(a), clip::shape_measure(b));
+      out = iou_of({quick.area, 0}, detail::area::shape_measure(a), detail::area::shape_measure(b));
       return 0;
     }
   }
-  clip::Shares shares;
-  const std::int32_t error = clip::shares_by_relation(a, b, shares);
+  detail::area::Shares shares;
+  const std::int32_t error = detail::area::shares_by_relation(a, b, shares);
   if (error != 0) return error;
   if (shares.a.value == 0 && shares.b.value == 0) return error_argument;
   out = shares.equal ? 1 : iou_of(shares.shared, shares.a, shares.b);

@@ -18,7 +18,7 @@
 
 #include <limits>
 #include <vesica/nearest/common_point.hpp>
-#include <vesica/nearest/hot_pairs.hpp>
+#include <vesica/nearest/lane_pairs.hpp>
 #include <vesica/overlap.hpp>
 
 namespace vesica {
@@ -29,7 +29,7 @@ struct ClosestPoints {
   T distance, ax, ay, bx, by;
 };
 
-namespace closest {
+namespace detail::nearest {
 
 /// Any disjoint pair. steps: how many its search took, which tests look at.
 template <class A, class B>
@@ -71,10 +71,10 @@ VESICA_COLD ClosestPoints<double> general_points(const A& a, const B& b, bool ov
 /// What batches answer in lanes; false where it is not settled.
 template <class A, class B>
 VESICA_INLINE bool settled_points(const A& a, const B& b, bool overlapping, ClosestPoints<double>& out) noexcept {
-  if constexpr (is_hot<A, B>) {
-    const HotAnswer<double> hot = hot_answer(a, b, overlapping);
-    if (hot.settled) out = {hot.distance, hot.ax, hot.ay, hot.bx, hot.by};
-    return hot.settled;
+  if constexpr (has_lanes<A, B>) {
+    const LaneAnswer<double> lanes = lane_answer(a, b, overlapping);
+    if (lanes.settled) out = {lanes.distance, lanes.ax, lanes.ay, lanes.bx, lanes.by};
+    return lanes.settled;
   }
   return false;
 }
@@ -93,7 +93,7 @@ VESICA_INLINE bool rounded_to(const ClosestPoints<double>& c, bool overlapping, 
   return true;
 }
 
-}  // namespace closest
+}  // namespace detail::nearest
 
 /// Writes the distance of two shapes of any kinds, in either order, and their closest points. Returns 0, error_shape
 /// when either is invalid, or error_range when a number would exceed the largest finite one; on error `out` is
@@ -109,16 +109,16 @@ VESICA_INLINE std::int32_t nearest_or_error(const A<T>& a, const B<T>& b, Closes
     const auto wide_a = widen(a);
     const auto wide_b = widen(b);
     // Spares the predicate. What is settled is of moderate, so valid shapes; else the predicate is asked after all.
-    const bool apart = closest::apart_along_offset(wide_a, wide_b);
+    const bool apart = detail::nearest::apart_along_offset(wide_a, wide_b);
     std::int32_t overlapping = apart ? 0 : overlap_or_error(a, b);
     if (overlapping < 0) return overlapping;
     ClosestPoints<double> found;
-    if (!closest::settled_points(wide_a, wide_b, overlapping == 1, found)) [[unlikely]] {
+    if (!detail::nearest::settled_points(wide_a, wide_b, overlapping == 1, found)) [[unlikely]] {
       if (apart) overlapping = overlap_or_error(a, b);
       if (overlapping < 0) return overlapping;
-      found = closest::general_points(wide_a, wide_b, overlapping == 1);
+      found = detail::nearest::general_points(wide_a, wide_b, overlapping == 1);
     }
-    return closest::rounded_to(found, overlapping == 1, out) ? 0 : error_range;
+    return detail::nearest::rounded_to(found, overlapping == 1, out) ? 0 : error_range;
   }
 }
 

@@ -40,7 +40,7 @@ namespace detail {
 template <class A, class B>
 VESICA_COLD std::int32_t decide_undecided(const A& a, const B& b) noexcept {
   if (check(a) != 0 || check(b) != 0) return error_shape;
-  return pair::exact(widen(a), widen(b)) ? 1 : 0;
+  return detail::overlap::exact(widen(a), widen(b)) ? 1 : 0;
 }
 
 template <class A, class B>
@@ -55,7 +55,7 @@ VESICA_INLINE std::int32_t overlap_or_error(const A<T>& a, const B<T>& b) noexce
   if constexpr (!detail::in_order<A<T>, B<T>>) {
     return overlap_or_error(b, a);
   } else {
-    const auto verdict = pair::filter(widen(a), widen(b));
+    const auto verdict = detail::overlap::filter(widen(a), widen(b));
     // 1, 0 or -1 for undecided, by arithmetic: a jump on the answer itself could not be predicted.
     const std::int32_t answer = 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
     if (answer >= 0) [[likely]]

@@ -40,7 +40,7 @@ template <class A, class B>
 VESICA_COLD std::int32_t decide_relation(const A& a, const B& b) noexcept {
   if (check(a) != 0 || check(b) != 0) return error_shape;
   if constexpr (is_compared<A> && is_compared<B>) {
-    return static_cast<std::int32_t>(relation_of::aabb_aabb(relation_of::as_aabb(a), relation_of::as_aabb(b)));
+    return static_cast<std::int32_t>(detail::relation::aabb_aabb(detail::relation::as_aabb(a), detail::relation::as_aabb(b)));
   } else {
     return static_cast<std::int32_t>(exact::relate(exact::relation_form(widen(a)), exact::relation_form(widen(b))));
   }
@@ -58,11 +58,11 @@ VESICA_COLD std::int32_t decide_containment(const A& a, const B& b) noexcept {
 
 /// What the pair's filter knows about a and b, of kinds in either order.
 template <class A, class B>
-VESICA_INLINE auto standing(const A& a, const B& b) noexcept {
+VESICA_INLINE auto certain_facts(const A& a, const B& b) noexcept {
   if constexpr (in_order<A, B>) {
-    return pair::standing(widen(a), widen(b));
+    return detail::relation::certain_facts(widen(a), widen(b));
   } else {
-    return pair::standing(widen(b), widen(a)).exchanged();
+    return detail::relation::certain_facts(widen(b), widen(a)).exchanged();
   }
 }
 
@@ -76,7 +76,7 @@ VESICA_INLINE std::int32_t relation_or_error(const A<T>& a, const B<T>& b) noexc
     const std::int32_t same = overlap_or_error(a, b);
     return same > 0 ? static_cast<std::int32_t>(Relation::equal) : same;
   } else {
-    const auto certain = filter::certain_relation(detail::standing(a, b));
+    const auto certain = filter::certain_relation(detail::certain_facts(a, b));
     // By arithmetic, as in overlap: at most one of them is certain, and -1 stands for none.
     const std::int32_t answer = std::int32_t{certain.disjoint} + 3 * std::int32_t{certain.cross} +
                                 4 * std::int32_t{certain.inside} + 6 * std::int32_t{certain.contains} - 1;
@@ -99,7 +99,7 @@ VESICA_INLINE std::int32_t contains_or_error(const A<T>& a, const B<T>& b) noexc
   if constexpr (detail::are_points<A<T>, B<T>>) {
     return overlap_or_error(a, b);
   } else {
-    const auto certain = filter::certain_containment(detail::standing(a, b));
+    const auto certain = filter::certain_containment(detail::certain_facts(a, b));
     const std::int32_t answer = 2 * std::int32_t{certain.overlap} + std::int32_t{certain.disjoint} - 1;
     if (answer >= 0) [[likely]]
       return answer;

@@ -12,7 +12,7 @@
 
 namespace vesica {
 
-namespace clip {
+namespace detail::area {
 
 /// Two sizes and an axis with area = factor * size_0 * size_1 * (ux^2 + uy^2), the factor being 4 or pi. The sizes of
 /// an AABB are its half widths, not rounded: the halves are in the axis.
@@ -121,7 +121,7 @@ std::int32_t store(const Measure& m, T& out) noexcept {
   return 0;
 }
 
-}  // namespace clip
+}  // namespace detail::area
 
 /// The area of a shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment; the nearest
 /// double to the true area (a float: that double rounded), also among the subnormal ones but for a second rounding.
@@ -130,7 +130,7 @@ std::int32_t store(const Measure& m, T& out) noexcept {
 template <template <class> class Shape, class T>
 std::int32_t shape_area_or_error(const Shape<T>& s, T& out) noexcept {
   if (check(s) != 0) return error_shape;
-  return clip::store(clip::shape_measure(widen(s)), out);
+  return detail::area::store(detail::area::shape_measure(widen(s)), out);
 }
 
 /// The same as a value: 0 for an invalid shape, the greatest finite number for an area beyond it.

@@ -15,7 +15,7 @@ namespace {
 struct General {
   template <class A, class B>
   VESICA_INLINE static auto filter(const A& a, const B& b) noexcept {
-    return pair::filter(a, b);
+    return detail::overlap::filter(a, b);
   }
 };
 

@@ -11,7 +11,7 @@ namespace vesica {
 namespace {
 
 /// The five numbers of a lane's answer, where they are wanted, settled and finite.
-VESICA_INLINE PairMask put(const closest::HotAnswer<Doubles>& c, PairMask wanted, Doubles* out) noexcept {
+VESICA_INLINE PairMask put(const detail::nearest::LaneAnswer<Doubles>& c, PairMask wanted, Doubles* out) noexcept {
   const Doubles points[] = {c.distance, c.ax, c.ay, c.bx, c.by};
   const PairMask settled = both(both(wanted, c.settled), detail::all_finite(c.distance, c.ax, c.ay, c.bx, c.by));
   for (int k = 0; k < 5; ++k) out[k] = select(settled, points[k], out[k]);
@@ -19,7 +19,7 @@ VESICA_INLINE PairMask put(const closest::HotAnswer<Doubles>& c, PairMask wanted
 }
 
 /// The outlines of shapes of which one is strictly inside the other.
-VESICA_INLINE closest::HotAnswer<Doubles> nested_outlines(const Rect<Doubles>& a, const Rect<Doubles>& b,
+VESICA_INLINE detail::nearest::LaneAnswer<Doubles> nested_outlines(const Rect<Doubles>& a, const Rect<Doubles>& b,
                                                           PairMask a_inside, PairMask) noexcept {
   const auto choose = [&](const Rect<Doubles>& yes, const Rect<Doubles>& no) {
     const auto pick = [&](Doubles x, Doubles y) { return select(a_inside, x, y); };
@@ -28,14 +28,14 @@ VESICA_INLINE closest::HotAnswer<Doubles> nested_outlines(const Rect<Doubles>& a
   };
   const Rect<Doubles> outer = choose(b, a), inner = choose(a, b);
   const auto f = outline::nested_boxes(outline::box_pair(outer, inner));
-  const closest::HotAnswer<Doubles> found{f.distance,           outer.cx + f.outer_x, outer.cy + f.outer_y,
+  const detail::nearest::LaneAnswer<Doubles> found{f.distance,           outer.cx + f.outer_x, outer.cy + f.outer_y,
                                           inner.cx + f.inner_x, inner.cy + f.inner_y, f.settled};
-  return closest::choose(a_inside, least::points_exchanged(found), found);
+  return detail::nearest::choose(a_inside, least::points_exchanged(found), found);
 }
 template <class A>
-VESICA_INLINE closest::HotAnswer<Doubles> nested_outlines(const A& a, const Ellipse<Doubles>& b, PairMask a_inside,
+VESICA_INLINE detail::nearest::LaneAnswer<Doubles> nested_outlines(const A& a, const Ellipse<Doubles>& b, PairMask a_inside,
                                                           PairMask idle) noexcept {
-  return least::hot_nested(a, b, a_inside, idle);
+  return least::lane_nested(a, b, a_inside, idle);
 }
 
 /// Outlines of disjoint shapes are as far apart as the shapes. Nested ones are answered where the filter is certain
@@ -50,7 +50,7 @@ struct BoundaryDistanceCore {
     PairMask settled = and_not(every, every);
     for (int k = 0; k < 5; ++k) out[k] = zero;
     if (!all(overlapping)) settled = and_not(closest_points(a, b, overlapping, out), overlapping);
-    const auto certain = filter::certain_relation(pair::standing(a, b));
+    const auto certain = filter::certain_relation(detail::relation::certain_facts(a, b));
     const PairMask nested = both(overlapping, either(certain.inside, certain.contains)), idle = and_not(every, nested);
     if (all(idle)) return settled;
     return either(settled, put(nested_outlines(a, b, certain.inside, idle), nested, out));
@@ -79,7 +79,7 @@ struct DepthCore {
   }
   template <class A>
   VESICA_INLINE static auto depth(const A& a, const Ellipse<Doubles>& b, PairMask idle) noexcept {
-    return least::hot_depth(a, b, idle);
+    return least::lane_depth(a, b, idle);
   }
 };
 

@@ -14,7 +14,7 @@
 namespace vesica {
 namespace {
 
-using closest::MaskOf;
+using detail::nearest::MaskOf;
 using PairMask = MaskOf<Doubles>;
 
 /// What is known of a vector of pairs, where the query asks for it.
@@ -29,7 +29,7 @@ struct RelationCore {
   static constexpr int results = 1;
   template <class A, class B>
   VESICA_INLINE static PairMask evaluate(const A& a, const B& b, const KnownLanes<Doubles>&, Doubles* out) noexcept {
-    const auto certain = filter::certain_relation(pair::standing(a, b));
+    const auto certain = filter::certain_relation(detail::relation::certain_facts(a, b));
     const auto code = [](Relation relation) { return Doubles(static_cast<double>(relation)); };
     const Doubles nested = select(certain.inside, code(Relation::inside), code(Relation::contains));
     out[0] = select(certain.disjoint, code(Relation::disjoint), select(certain.cross, code(Relation::cross), nested));
@@ -39,10 +39,10 @@ struct RelationCore {
 
 template <class V, class A, class B>
 VESICA_INLINE MaskOf<V> closest_points(const A& a, const B& b, MaskOf<V> overlapping, V* out) noexcept {
-  const auto hot = closest::hot_answer(a, b, overlapping);
-  const V points[] = {hot.distance, hot.ax, hot.ay, hot.bx, hot.by};
+  const auto lanes = detail::nearest::lane_answer(a, b, overlapping);
+  const V points[] = {lanes.distance, lanes.ax, lanes.ay, lanes.bx, lanes.by};
   for (int k = 0; k < 5; ++k) out[k] = points[k];
-  return both(hot.settled, detail::all_finite(hot.distance, hot.ax, hot.ay, hot.bx, hot.by));
+  return both(lanes.settled, detail::all_finite(lanes.distance, lanes.ax, lanes.ay, lanes.bx, lanes.by));
 }
 
 struct NearestCore {
@@ -62,10 +62,10 @@ VESICA_INLINE PairMask circles_apart(Doubles dx, Doubles dy, Doubles reach) noex
 /// The area of valid rectangles that certainly cross or are certainly disjoint.
 VESICA_INLINE PairMask shared_area(const Rect<Doubles>& a, const Rect<Doubles>& b, const KnownLanes<Doubles>& known,
                                    Doubles& area) noexcept {
-  const PairMask disjoint = pair::filter(a, b).disjoint, valid = known.reach_a + known.reach_b > Doubles(0.0);
+  const PairMask disjoint = detail::overlap::filter(a, b).disjoint, valid = known.reach_a + known.reach_b > Doubles(0.0);
   area = Doubles(0.0);
   if (all(both(disjoint, valid))) return disjoint;
-  const auto crossing = clip::crossing_area(a, b);
+  const auto crossing = detail::area::crossing_area(a, b);
   area = select(disjoint, area, crossing.area);
   return both(either(disjoint, crossing.settled), valid);
 }

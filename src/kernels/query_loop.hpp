@@ -82,7 +82,7 @@ constexpr void fill(QueryKernels& kernels) noexcept {
 }
 
 template <class Core>
-constexpr void fill_hot_pairs(QueryKernels& kernels) noexcept {
+constexpr void fill_lane_pairs(QueryKernels& kernels) noexcept {
   fill<Core, Rect, Rect>(kernels);
   fill<Core, Rect, Ellipse>(kernels);
   fill<Core, Circle, Ellipse>(kernels);
@@ -92,7 +92,7 @@ constexpr void fill_hot_pairs(QueryKernels& kernels) noexcept {
 /// Everything this instruction set offers, laid down at compile time.
 consteval QueryTable make_query_table() noexcept {
   QueryTable table{};
-  fill_hot_pairs<RelationCore>(table.relation);
+  fill_lane_pairs<RelationCore>(table.relation);
   fill<RelationCore, Circle, Circle>(table.relation);
   fill<RelationCore, Circle, Rect>(table.relation);
   fill<RelationCore, Aabb, Aabb>(table.relation);
@@ -102,8 +102,8 @@ consteval QueryTable make_query_table() noexcept {
   fill<NearestCore, Rect, Ellipse, TwoVectors<Doubles>>(table.nearest);
   fill<NearestCore, Circle, Ellipse, TwoVectors<Doubles>>(table.nearest);
   fill<NearestCore, Ellipse, Ellipse, TwoVectors<Doubles>>(table.nearest);
-  fill_hot_pairs<BoundaryDistanceCore>(table.boundary_distance);
-  fill_hot_pairs<DepthCore>(table.depth);
+  fill_lane_pairs<BoundaryDistanceCore>(table.boundary_distance);
+  fill_lane_pairs<DepthCore>(table.depth);
   fill<AreaCore, Rect, Rect>(table.area);
   fill<IouCore, Rect, Rect>(table.iou);
   table.apart = find_apart;

@@ -64,7 +64,7 @@ void depths(const char* what, double aspect, double share) {
     const B b = draw<B>(random, aspect, 1);
     if (!overlap(a, b)) continue;
     ++tally.pairs;
-    const auto found = least::hot_depth(a, b, false);
+    const auto found = least::lane_depth(a, b, false);
     if (!found.settled) continue;
     ++tally.settled;
     const auto d = outline::searched_depth(outline::form(a), outline::form(b));
@@ -91,7 +91,7 @@ void nested(const char* what, double aspect, bool a_inside, double share) {
     }
     if (relation(a, b) != wanted) continue;
     ++tally.pairs;
-    const auto found = least::hot_nested(a, b, a_inside, false);
+    const auto found = least::lane_nested(a, b, a_inside, false);
     if (!found.settled) continue;
     ++tally.settled;
     const auto f = outline::form(a), g = outline::form(b);

@@ -29,7 +29,7 @@ using properties::Random;
 struct PairFilter {
   template <class A, class B>
   static auto verdict(const A& a, const B& b) {
-    return pair::filter(a, b);
+    return detail::overlap::filter(a, b);
   }
 };
 struct UnitAxesFilter {
@@ -71,7 +71,7 @@ struct PairOf {
     if constexpr (compared(ShapeTraits<First>::kind) && compared(ShapeTraits<Second>::kind)) {
       return exact::overlap(exact::form(widen(a)), exact::form(widen(b)));
     } else {
-      return pair::exact(widen(a), widen(b));
+      return detail::overlap::exact(widen(a), widen(b));
     }
   }
 };

@@ -16,7 +16,7 @@ using properties::Random;
 using properties::Scalar;
 
 constexpr int allowed = 48;
-static_assert(allowed < vesica::closest::direction_step_limit);
+static_assert(allowed < vesica::detail::nearest::direction_step_limit);
 
 template <class Shape>
 Shape to_shape(const properties::Numbers& n) {
@@ -34,7 +34,7 @@ int steps_of(const Pair& p) {
   const B b = to_shape<B>(p.b);
   if (vesica::overlap_or_error(a, b) != 0) return 0;
   int steps = 0;
-  vesica::closest::disjoint_points(a, b, steps);
+  vesica::detail::nearest::disjoint_points(a, b, steps);
   return steps;
 }
 

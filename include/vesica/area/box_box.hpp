@@ -10,7 +10,7 @@
 #include <vesica/exact/rounded.hpp>
 #include <vesica/filter/box.hpp>
 
-namespace vesica::clip {
+namespace vesica::detail::area {
 
 using namespace lane;  // for scalars; lanes of a vector bring the same names by argument-dependent lookup
 
@@ -230,4 +230,4 @@ inline Measure crossing_area_exact(const exact::Box& a, const exact::Box& b) noe
   return {clipped_area(e, strips) / (vv * w2 * w2), 2 * frame.exponent};
 }
 
-}  // namespace vesica::clip
+}  // namespace vesica::detail::area

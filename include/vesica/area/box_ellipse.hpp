@@ -6,7 +6,7 @@
 #include <vesica/area/box_box.hpp>
 #include <vesica/area/circular_segment.hpp>
 
-namespace vesica::clip {
+namespace vesica::detail::area {
 
 /// An ellipse's axis and half lengths.
 template <class V>
@@ -221,4 +221,4 @@ inline Settled<double, bool> crossing_area(const filter::Box<double>& box, const
   return {area * p.scale, area > error && least - area > error};
 }
 
-}  // namespace vesica::clip
+}  // namespace vesica::detail::area

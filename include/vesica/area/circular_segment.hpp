@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vesica/area/double_double.hpp>
 
-namespace vesica::clip {
+namespace vesica::detail::area {
 
 /// The tangents of pi / 8 and 3 pi / 8. Arguments are reduced to the interval up to the first.
 inline constexpr double tan_eighth = 0x1.a827999fcef32p-2, tan_three_eighths = 0x1.3504f333f9de6p+1;
@@ -76,4 +76,4 @@ inline double segment_area(double sine_squared, double cosine_squared) noexcept 
   return angle(sine, cosine) - sine * cosine / (sine_squared + cosine_squared);
 }
 
-}  // namespace vesica::clip
+}  // namespace vesica::detail::area

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vesica/directed.hpp>
 
-namespace vesica::clip {
+namespace vesica::detail::area {
 
 using lane::abs;
 using lane::sqrt;
@@ -78,4 +78,4 @@ inline DoubleDouble difference<DoubleDouble>(double a, double b) noexcept {
   return {d.high, d.low};
 }
 
-}  // namespace vesica::clip
+}  // namespace vesica::detail::area

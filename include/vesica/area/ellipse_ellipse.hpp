@@ -11,7 +11,7 @@
 
 #include <vesica/area/box_ellipse.hpp>
 
-namespace vesica::clip {
+namespace vesica::detail::area {
 
 /// The other ellipse in the unit disc's frame: centre (x, y) in the first quadrant, half lengths p >= q along x and y;
 /// and by how much areas are smaller there.
@@ -317,4 +317,4 @@ inline Settled<double, bool> crossing_area(const Oval<double>& e, const Oval<dou
   return crossing_area_in_order(e, f, d);
 }
 
-}  // namespace vesica::clip
+}  // namespace vesica::detail::area

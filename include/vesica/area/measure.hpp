@@ -4,7 +4,7 @@
 
 #include <vesica/spectrum.hpp>
 
-namespace vesica::clip {
+namespace vesica::detail::area {
 
 /// value * 2^exponent. The value is 0 or in a range whose squares and quotients are normal numbers.
 using Measure = vesica::detail::Scaled;
@@ -40,4 +40,4 @@ inline bool less(const Measure& a, const Measure& b) noexcept {
 /// The lesser of two measures that are not negative.
 inline Measure least(const Measure& a, const Measure& b) noexcept { return less(b, a) ? b : a; }
 
-}  // namespace vesica::clip
+}  // namespace vesica::detail::area

@@ -5,7 +5,7 @@
 
 #include <vesica/area/box_ellipse.hpp>
 
-namespace vesica::clip {
+namespace vesica::detail::area {
 
 /// An axis and two sizes, each size times a power of two of its own.
 struct Lengths {
@@ -112,4 +112,4 @@ Oval<V> oval(const filter::Box<V>& s) noexcept {
   return {s.ux, s.uy, s.hx, s.hy};
 }
 
-}  // namespace vesica::clip
+}  // namespace vesica::detail::area

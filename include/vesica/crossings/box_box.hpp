@@ -4,7 +4,7 @@
 
 #include <vesica/crossings/points.hpp>
 
-namespace vesica::crossing {
+namespace vesica::detail::crossings {
 
 /// Twice the area of an edge and a point, positive to the left.
 inline exact::Number<4> side(const Edge& e, const Position& x, const Position& y) noexcept {
@@ -79,4 +79,4 @@ inline Found crossings(const exact::Box& box_a, const exact::Box& box_b) noexcep
   return found;
 }
 
-}  // namespace vesica::crossing
+}  // namespace vesica::detail::crossings

@@ -5,7 +5,7 @@
 
 #include <vesica/crossings/points.hpp>
 
-namespace vesica::crossing {
+namespace vesica::detail::crossings {
 
 /// The frame in which the ellipse is the disc of radius a b V about the origin: lengths along its axis times b, across
 /// it times a.
@@ -101,4 +101,4 @@ inline Found crossings(const exact::Box& box, const exact::Ellipse& ellipse) noe
   return found;
 }
 
-}  // namespace vesica::crossing
+}  // namespace vesica::detail::crossings

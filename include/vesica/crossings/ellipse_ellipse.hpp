@@ -9,7 +9,7 @@
 #include <vesica/crossings/box_ellipse.hpp>
 #include <vesica/exact/ellipse_ellipse.hpp>
 
-namespace vesica::crossing {
+namespace vesica::detail::crossings {
 
 /// Places at which the outlines cross, and at which they touch. Where they touch and cross at once (osculation) they
 /// cross.
@@ -59,7 +59,7 @@ inline Census census(const exact::Ellipse& e, const exact::Ellipse& f) noexcept 
   return has_triple_root(p) ? Census{2, 0, false} : Census{2, 1, false};
 }
 
-using Real = clip::DoubleDouble;
+using Real = detail::area::DoubleDouble;
 
 /// The circle cut where the other's quadratic form, along it, rises or falls no more: at most 4 such places, and its
 /// ends x = 1 and x = -1, in order round it from x = 1.
@@ -70,19 +70,19 @@ struct Cut {
 };
 
 struct UnitCircle {
-  const clip::Against<Real>& f;
+  const detail::area::Against<Real>& f;
   Cut cut[12];
   int count = 0;
 
   void add(double x, double side, bool extreme) noexcept {
-    const double value = clip::HalfCircle<Real>{f, side}.value(x);
+    const double value = detail::area::HalfCircle<Real>{f, side}.value(x);
     cut[count++] = {x, side, value, extreme};
   }
 };
 
 /// The place between two where the slope, monotone there, changes its sign, if it does.
 inline void add_extreme(UnitCircle& circle, double side, double low, double high) noexcept {
-  const clip::HalfCircle<Real> half{circle.f, side};
+  const detail::area::HalfCircle<Real> half{circle.f, side};
   double at_low = half.slope(low), at_high = half.slope(high);
   if (!(low < high) || (at_low < 0) == (at_high < 0)) return;
   double from = low, to = high;
@@ -102,7 +102,7 @@ inline void add_extreme(UnitCircle& circle, double side, double low, double high
 /// derivative by the angle.
 struct Form {
   Real value, slope, bend;
-  Form(const clip::Against<Real>& f, const Real& x, const Real& y) noexcept {
+  Form(const detail::area::Against<Real>& f, const Real& x, const Real& y) noexcept {
     const Real z0 = (x - f.x) * f.over_p, z1 = (y - f.y) * f.over_q, d0 = -(y * f.over_p), d1 = x * f.over_q;
     value = z0 * z0 + z1 * z1 - Real(1.0);
     slope = z0 * d0 + z1 * d1;
@@ -121,7 +121,7 @@ inline void add_half(UnitCircle& circle, double side) noexcept {
     add_extreme(circle, side, -1, 1);
     return;
   }
-  const double concave = clip::reach_of_concave(f), bend = concave > 0 ? concave : 1;
+  const double concave = detail::area::reach_of_concave(f), bend = concave > 0 ? concave : 1;
   add_extreme(circle, side, bend, 1);
   add_extreme(circle, side, -bend, bend);
   add_extreme(circle, side, -1, -bend);
@@ -158,9 +158,9 @@ inline Candidates sign_changes(const UnitCircle& circle) noexcept {
     const Cut &p = circle.cut[i], &q = circle.cut[i + 1 == circle.count ? 0 : i + 1];
     if ((p.value < 0) == (q.value < 0)) continue;
     // A part that ends at x = 1 or x = -1 is on the half it begins on.
-    const clip::HalfCircle<Real> half{circle.f, p.side};
+    const detail::area::HalfCircle<Real> half{circle.f, p.side};
     const Cut &low = p.x < q.x ? p : q, &high = p.x < q.x ? q : p;
-    const double x = low.x < high.x ? clip::crossing(half, low.x, low.value, high.x, high.value) : low.x;
+    const double x = low.x < high.x ? detail::area::crossing(half, low.x, low.value, high.x, high.value) : low.x;
     found.add({x, p.side, std::fmin(std::fabs(p.value), std::fabs(q.value)), false});
   }
   found.sort_by_depth();
@@ -203,7 +203,7 @@ struct OnCircle {
     x = turned;
   }
   /// Steps of Newton's method along the circle, to where the form is extreme or to where it is 1.
-  void approach(const clip::Against<Real>& f, bool extreme) noexcept {
+  void approach(const detail::area::Against<Real>& f, bool extreme) noexcept {
     for (int i = 0; i < 50; ++i) {
       const Form form(f, x, y);
       const Real step = extreme ? form.slope / form.bend : form.value / (Real(2.0) * form.slope);
@@ -216,7 +216,7 @@ struct OnCircle {
 };
 
 /// From x = 1 or x = -1 onto the half circle that a side has, by the form's parabola, where it has a root on each.
-inline void leave_end(const clip::Against<Real>& f, double side, OnCircle& at) noexcept {
+inline void leave_end(const detail::area::Against<Real>& f, double side, OnCircle& at) noexcept {
   const Form form(f, at.x, at.y);
   if ((rounded(form.value) < 0) == (rounded(form.bend) < 0) || rounded(form.value) == 0) return;
   const bool ahead = (side > 0) == (rounded(at.x) > 0), positive = rounded(form.bend) > 0;
@@ -226,7 +226,7 @@ inline void leave_end(const clip::Against<Real>& f, double side, OnCircle& at) n
 
 /// Beside x = 1 and x = -1 a double x says little of y, and may not tell two crossings from the extreme between them:
 /// from there they are as far as the form's parabola says.
-inline clip::Vector<double> point_of_circle(const clip::Against<Real>& f, const Candidate& c) noexcept {
+inline detail::area::Vector<double> point_of_circle(const detail::area::Against<Real>& f, const Candidate& c) noexcept {
   const Real x(c.x);
   OnCircle at{x, Real(c.side) * sqrt((Real(1.0) - x) * (Real(1.0) + x))};
   if (!c.extreme && rounded(at.y) == 0) leave_end(f, c.side, at);
@@ -241,15 +241,15 @@ inline clip::Vector<double> point_of_circle(const clip::Against<Real>& f, const 
 }
 
 /// From the frame of `placed` to the one in which e is the unit disc along its own axes.
-inline clip::Vector<double> turned_back(const clip::Placed<Real>& p, const clip::Vector<double>& at) noexcept {
+inline detail::area::Vector<double> turned_back(const detail::area::Placed<Real>& p, const detail::area::Vector<double>& at) noexcept {
   const double s = p.exchange ? at.y : at.x, t = p.exchange ? at.x : at.y;
   const double x = rounded(p.x) < 0 ? -s : s, y = rounded(p.y) < 0 ? -t : t;
   const double cosine = rounded(p.cosine), sine = rounded(p.sine);
   return {cosine * x + sine * y, cosine * y - sine * x};
 }
 
-inline clip::Oval<double> stored(const vesica::Circle<double>& s) noexcept { return {1, 0, s.r, s.r}; }
-inline clip::Oval<double> stored(const vesica::Ellipse<double>& s) noexcept { return {s.ux, s.uy, s.a, s.b}; }
+inline detail::area::Oval<double> stored(const vesica::Circle<double>& s) noexcept { return {1, 0, s.r, s.r}; }
+inline detail::area::Oval<double> stored(const vesica::Ellipse<double>& s) noexcept { return {s.ux, s.uy, s.a, s.b}; }
 
 /// Ellipses so thin or so different in size that their numbers have left the range: the lesser is its longer axis, as
 /// far as anybody could tell, or less, its centre.
@@ -269,20 +269,20 @@ Found places(const E& e, const F& f, const Census& census) noexcept {
   Found found;
   found.shared = census.equal;
   if (census.crossing + census.touching == 0) return found;
-  const auto pair = clip::standard_pair<Real>(e, f);
-  const auto placed = clip::placed(clip::oval(pair.a), clip::oval(pair.b), pair.offset);
+  const auto pair = detail::area::standard_pair<Real>(e, f);
+  const auto placed = detail::area::placed(detail::area::oval(pair.a), detail::area::oval(pair.b), pair.offset);
   UnitCircle circle{placed.against, {}, 0};
   add_half(circle, 1);
   add_half(circle, -1);
   const Candidates all = chosen(circle, census);
-  const clip::Oval<double> own = stored(e);
+  const detail::area::Oval<double> own = stored(e);
   const filter::Centre<double> centre = filter::place(e);
   const auto other = [](const filter::Box<Real>& s) {
     return filter::Box<double>{rounded(s.ux), rounded(s.uy), rounded(s.hx), rounded(s.hy)};
   };
   const filter::Box<double> s = other(pair.a), t = other(pair.b);
   for (int i = 0; i < all.count; ++i) {
-    const clip::Vector<double> k = turned_back(placed, point_of_circle(placed.against, all.candidate[i]));
+    const detail::area::Vector<double> k = turned_back(placed, point_of_circle(placed.against, all.candidate[i]));
     const double x = centre.x + (own.ux * (own.a * k.x) - own.uy * (own.b * k.y));
     const double y = centre.y + (own.uy * (own.a * k.x) + own.ux * (own.b * k.y));
     const double off_x = s.ux * (s.hx * k.x) - s.uy * (s.hy * k.y) - rounded(pair.offset.x);
@@ -295,4 +295,4 @@ Found places(const E& e, const F& f, const Census& census) noexcept {
   return found;
 }
 
-}  // namespace vesica::crossing
+}  // namespace vesica::detail::crossings

@@ -16,7 +16,7 @@ struct CrossingPoints {
   T x[8], y[8];
 };
 
-namespace crossing {
+namespace detail::crossings {
 
 using Scaled = vesica::detail::Scaled;
 
@@ -109,5 +109,5 @@ struct Edge {
   double length() const noexcept { return std::fabs(nearest(dx)) + std::fabs(nearest(dy)); }
 };
 
-}  // namespace crossing
+}  // namespace detail::crossings
 }  // namespace vesica

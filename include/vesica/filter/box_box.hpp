@@ -3,7 +3,7 @@
 #pragma once
 
 #include <vesica/filter/box.hpp>
-#include <vesica/filter/standing.hpp>
+#include <vesica/filter/certain_facts.hpp>
 
 namespace vesica::filter {
 
@@ -70,9 +70,9 @@ VESICA_INLINE auto box_box(const Box<V>& a, const Box<V>& b, const Centre<V>& d)
 
 /// Crossing and disjoint as above; each box's own axes tell what reaches out of it.
 template <class V>
-VESICA_INLINE auto box_box_standing(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
+VESICA_INLINE auto box_box_certain_facts(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
   const BoxBox<V> axes = separating_axes(a, b, d);
-  auto s = standing(axes.gap_a, axes.a_out_of_b, axes.b_out_of_a);
+  auto s = certain_facts(axes.gap_a, axes.a_out_of_b, axes.b_out_of_a);
   s.disjoint = either(s.disjoint, certainly_positive(axes.gap_b));
   s.crossing = both(s.crossing, certainly_negative(axes.gap_b));
   return guarded(box_box_usable(axes, a, b), s);

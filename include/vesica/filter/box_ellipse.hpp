@@ -3,7 +3,7 @@
 #pragma once
 
 #include <vesica/filter/box.hpp>
-#include <vesica/filter/standing.hpp>
+#include <vesica/filter/certain_facts.hpp>
 
 namespace vesica::filter {
 
@@ -128,13 +128,13 @@ VESICA_INLINE auto box_ellipse(const Box<V>& box, const Ellipse<V>& ellipse, con
 /// The same guard, and errors of the same limit. Then (a b V)^2 >= 2^-50 and p00 + p11 >= 2^-30 are normal in every
 /// bound, and X0^2, X1^2 and the squared room are below 2^20 times bounds that are finite.
 template <class V>
-VESICA_INLINE auto box_ellipse_standing(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
+VESICA_INLINE auto box_ellipse_certain_facts(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
   const BoxFrame<V> frame = box_frame(box, ellipse, d);
   const BoxEllipse<V> edges = visible_edges(frame, ellipse);
   const Estimate<V> least{min(edges.misses_x, edges.misses_y), edges.error};
   const Estimate<V> box_out = box_out_of_ellipse(frame, box, ellipse, d), ellipse_out = ellipse_out_of_box(frame);
   const auto finite = both(box_out.error <= guard_power<V, 100>(), ellipse_out.error <= guard_power<V, 100>());
-  return guarded(both(box_ellipse_usable(edges, box, ellipse), finite), standing(least, box_out, ellipse_out));
+  return guarded(both(box_ellipse_usable(edges, box, ellipse), finite), certain_facts(least, box_out, ellipse_out));
 }
 
 }  // namespace vesica::filter

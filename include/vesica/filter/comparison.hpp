@@ -2,7 +2,7 @@
 /// Pairs that comparisons of stored numbers decide: nothing is rounded, so every valid input is decided here.
 #pragma once
 
-#include <vesica/filter/standing.hpp>
+#include <vesica/filter/certain_facts.hpp>
 
 namespace vesica::filter {
 
@@ -30,7 +30,7 @@ VESICA_INLINE V greatest(V a, V b, V c, V d) noexcept {
 /// By differences, none of which is rounded to 0. Where one that matters is 0, shapes touch in one way or another, or
 /// have no width: left undecided.
 template <class V>
-VESICA_INLINE auto aabb_aabb_standing(const Aabb<V>& a, const Aabb<V>& b) noexcept {
+VESICA_INLINE auto aabb_aabb_certain_facts(const Aabb<V>& a, const Aabb<V>& b) noexcept {
   const V zero(0.0f);
   const V gap = greatest(a.min_x - b.max_x, b.min_x - a.max_x, a.min_y - b.max_y, b.min_y - a.max_y);
   const V left = b.min_x - a.min_x, right = a.max_x - b.max_x, low = b.min_y - a.min_y, high = a.max_y - b.max_y;
@@ -39,12 +39,12 @@ VESICA_INLINE auto aabb_aabb_standing(const Aabb<V>& a, const Aabb<V>& b) noexce
   // Each number is in one of four differences, so these are finite only if all are.
   const auto ordered = both(both(a.min_x <= a.max_x, a.min_y <= a.max_y), both(b.min_x <= b.max_x, b.min_y <= b.max_y));
   return guarded(both(all_finite(left, right, low, high), ordered),
-                 Standing<decltype(gap > zero)>{gap > zero, gap < zero, farthest_out<zero, least_room> zero,
+                 CertainFacts<decltype(gap > zero)>{gap > zero, gap < zero, farthest_out<zero, least_room> zero,
                                                 both(not_inside, not_contains), not_inside, not_contains});
 }
 
 template <class V>
-VESICA_INLINE auto point_aabb_standing(const Point<V>& p, const Aabb<V>& box) noexcept {
+VESICA_INLINE auto point_aabb_certain_facts(const Point<V>& p, const Aabb<V>& box) noexcept {
   const V room = least(p.x - box.min_x, box.max_x - p.x, p.y - box.min_y, box.max_y - p.y), zero(0.0f);
   return of_point(guarded(both(valid_aabb(box), all_finite(p.x, p.y)), room > zero, room < zero));
 }

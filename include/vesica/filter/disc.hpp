@@ -28,11 +28,11 @@ VESICA_INLINE auto disc_disc(const Centre<V>& d, V radius_a, V radius_b) noexcep
 /// One disc contains the other iff the centres are at most as far apart as the radii differ, and its radius is the
 /// greater.
 template <class V>
-VESICA_INLINE auto disc_disc_standing(const Centre<V>& d, V radius_a, V radius_b) noexcept {
+VESICA_INLINE auto disc_disc_certain_facts(const Centre<V>& d, V radius_a, V radius_b) noexcept {
   const Estimate<V> gap = beyond_reach(d, radius_a + radius_b), out = beyond_reach(d, radius_a - radius_b);
   const auto usable = at_least(V(0.0f), radius_a, radius_b);
   return guarded(usable,
-                 standing(guarded(usable, gap), certainly_negative(out), certainly_positive(out), radius_a > radius_b));
+                 certain_facts(guarded(usable, gap), certainly_negative(out), certainly_positive(out), radius_a > radius_b));
 }
 
 /// The nearest point of an AABB differs from the centre in each coordinate by a single rounded difference, or not.
@@ -67,11 +67,11 @@ VESICA_INLINE Estimate<V> disc_out_of_aabb(const Circle<V>& disc, const Aabb<V>&
 }
 
 template <class V>
-VESICA_INLINE auto disc_aabb_standing(const Circle<V>& disc, const Aabb<V>& box) noexcept {
+VESICA_INLINE auto disc_aabb_certain_facts(const Circle<V>& disc, const Aabb<V>& box) noexcept {
   // max() may drop a NaN.
   const V width = box.max_x - box.min_x, height = box.max_y - box.min_y;
   const auto usable = both(at_least(V(0.0f), width, height, disc.r), all_finite(width, height, disc.cx, disc.cy));
-  return guarded(usable, standing(beyond_reach(nearest_offset(disc, box), disc.r), disc_out_of_aabb(disc, box),
+  return guarded(usable, certain_facts(beyond_reach(nearest_offset(disc, box), disc.r), disc_out_of_aabb(disc, box),
                                   beyond_reach(farthest_offset(disc, box), disc.r)));
 }
 
@@ -124,12 +124,12 @@ VESICA_INLINE Estimate<V> disc_out_of_box(const Box<V>& b, const Centre<V>& d, V
 
 /// The guard of disc_box(), where the farthest corner's bound is the greatest of three.
 template <class V>
-VESICA_INLINE auto disc_box_standing(const Box<V>& b, const Centre<V>& d, V radius) noexcept {
+VESICA_INLINE auto disc_box_certain_facts(const Box<V>& b, const Centre<V>& d, V radius) noexcept {
   const V uu = b.ux * b.ux + b.uy * b.uy;
   const Estimate<V> box_out = box_out_of_disc(b, d, radius, uu);
   const auto usable = both(in_range(uu, guard_power<V, -20>(), guard_power<V, 20>()),
                            both(at_least(V(0.0f), b.hx, b.hy, radius), box_out.error <= guard_power<V, 100>()));
-  return guarded(usable, standing(disc_beyond_box(b, d, radius, uu), disc_out_of_box(b, d, radius, uu), box_out));
+  return guarded(usable, certain_facts(disc_beyond_box(b, d, radius, uu), disc_out_of_box(b, d, radius, uu), box_out));
 }
 
 }  // namespace vesica::filter

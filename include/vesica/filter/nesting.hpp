@@ -3,7 +3,7 @@
 #pragma once
 
 #include <vesica/filter/contact_cubic.hpp>
-#include <vesica/filter/standing.hpp>
+#include <vesica/filter/certain_facts.hpp>
 
 namespace vesica::filter {
 
@@ -110,29 +110,29 @@ VESICA_INLINE Pencil<V> exchanged_where(Mask mask, Pencil<V> s) noexcept {
 
 /// first_greater: the pencil's first ellipse has the greater area.
 template <class Mask, class V>
-VESICA_INLINE Standing<Mask> standing(const Pencil<V>& s, Mask first_greater) noexcept {
+VESICA_INLINE CertainFacts<Mask> certain_facts(const Pencil<V>& s, Mask first_greater) noexcept {
   const Nesting<V> n = nesting(exchanged_where(first_greater, s));
-  return standing(decide(s.contact), certainly_nested(n), certainly_not_nested(n), first_greater);
+  return certain_facts(decide(s.contact), certainly_nested(n), certainly_not_nested(n), first_greater);
 }
 
 /// The guard of the overlap filter. c1, c2 are sums with terms of 2^-36 and more (double: 2^-288): where they do not
 /// vanish but for rounding, their squares and products with d2 are normal; y+ is at least sqrt(det1 / det2), beside
 /// which what underflows in y otherwise is below 2^-38.
 template <class V>
-VESICA_INLINE auto ellipse_ellipse_standing(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
+VESICA_INLINE auto ellipse_ellipse_certain_facts(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy, ww = f.ux * f.ux + f.uy * f.uy;
   const Pencil<V> s = pencil(e, f, offset(place(e), place(f)), vv, ww);
-  return guarded(ellipse_ellipse_usable(s.contact, e, f, vv, ww), standing(s, s.det1 > s.det2));
+  return guarded(ellipse_ellipse_usable(s.contact, e, f, vv, ww), certain_facts(s, s.det1 > s.det2));
 }
 
 /// a: the circle; b: the ellipse, which is the pencil's first. Guard: radius and half lengths at least 2^-5, the
 /// squared axis 2^-8 (double: the 8th powers), so that the terms of c1 and c2 are again 2^-36 and more.
 template <class V>
-VESICA_INLINE auto circle_ellipse_standing(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
+VESICA_INLINE auto circle_ellipse_certain_facts(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy, rr = disc.r * disc.r;
   const Pencil<V> s = pencil(disc, e, offset(place(disc), place(e)), vv);
   const auto sizes = both(at_least(guard_power<V, -5>(), e.a, e.b, disc.r), vv >= guard_power<V, -8>());
-  return guarded(both(sizes, totals_in_range(s.contact)), standing(s, s.det1 > rr * rr).exchanged());
+  return guarded(both(sizes, totals_in_range(s.contact)), certain_facts(s, s.det1 > rr * rr).exchanged());
 }
 
 }  // namespace vesica::filter

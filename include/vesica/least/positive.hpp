@@ -11,7 +11,7 @@
 
 namespace vesica::least {
 
-using namespace closest;
+using namespace detail::nearest;
 
 constexpr double binomial(int n, int k) noexcept {
   double b = 1;

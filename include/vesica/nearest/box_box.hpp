@@ -10,7 +10,7 @@
 #include <vesica/nearest/direction.hpp>
 #include <vesica/nearest/point_box.hpp>
 
-namespace vesica::closest {
+namespace vesica::detail::nearest {
 
 /// Twofold signs without zeros in doubt: c = u.w and s = u x w, right to their last place.
 template <class V>
@@ -141,4 +141,4 @@ VESICA_INLINE BoxBox<V> box_box(const Box<V>& a, const Box<V>& b, const Vector<V
   return choose(face_is_a, as_a, as_b, both(found.settled, proved));
 }
 
-}  // namespace vesica::closest
+}  // namespace vesica::detail::nearest

@@ -6,7 +6,7 @@
 #include <vesica/nearest/box_box.hpp>
 #include <vesica/nearest/point_ellipse.hpp>
 
-namespace vesica::closest {
+namespace vesica::detail::nearest {
 
 /// A face or a vertex of a box: a vertex (signs of its half extents), and whether it stands for the face across x, or
 /// across y, that it belongs to.
@@ -111,4 +111,4 @@ VESICA_INLINE BoxEllipse<V> box_ellipse(const Box<V>& box, const Axes<V>& e, con
   return feature_ellipse(box, e, d, size, closest_feature(box, e, d.x.high, d.y.high), search, steps);
 }
 
-}  // namespace vesica::closest
+}  // namespace vesica::detail::nearest

@@ -8,7 +8,7 @@
 
 #include <vesica/nearest/disjoint.hpp>
 
-namespace vesica::closest {
+namespace vesica::detail::nearest {
 
 /// Whether a shape holds the point at d from its centre.
 inline bool holds(const Placed& s, const Vector<double>& d) noexcept {
@@ -195,4 +195,4 @@ inline bool holds_other(const Placed& a, const Placed& b, const Vector<double>& 
   return reach(b) < small_share * size || holds(a, d);
 }
 
-}  // namespace vesica::closest
+}  // namespace vesica::detail::nearest

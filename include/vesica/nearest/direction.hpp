@@ -9,7 +9,7 @@
 
 #include <vesica/nearest/support.hpp>
 
-namespace vesica::closest {
+namespace vesica::detail::nearest {
 
 /// An ellipse as the search sees it: semi-axis vectors (rounded, for here only) and (a b u.u)^2.
 template <class V>
@@ -264,4 +264,4 @@ VESICA_INLINE FoundDirection<V> farthest_direction(const Shapes& shapes, const D
   return search_between(shapes, d, size, n, first_bracket(d, n), V(0.0) > V(0.0), direction_step_limit);
 }
 
-}  // namespace vesica::closest
+}  // namespace vesica::detail::nearest

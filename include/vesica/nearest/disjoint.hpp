@@ -7,7 +7,7 @@
 #include <vesica/nearest/ellipse_ellipse.hpp>
 #include <vesica/nearest/placed.hpp>
 
-namespace vesica::closest {
+namespace vesica::detail::nearest {
 
 /// The distance, where it is reached, and a vector from a to b of any length.
 struct Closest {
@@ -131,4 +131,4 @@ inline Closest closest(const PlacedPair& p, int& steps) noexcept {
   return c;
 }
 
-}  // namespace vesica::closest
+}  // namespace vesica::detail::nearest

@@ -4,7 +4,7 @@
 
 #include <vesica/nearest/direction.hpp>
 
-namespace vesica::closest {
+namespace vesica::detail::nearest {
 
 template <class V>
 VESICA_INLINE TwoEllipses<V> two_ellipses(const Axes<V>& a, const Axes<V>& b) noexcept {
@@ -23,4 +23,4 @@ VESICA_INLINE ClosestOffsets<V> ellipse_ellipse(const Axes<V>& a, const Axes<V>&
   return result;
 }
 
-}  // namespace vesica::closest
+}  // namespace vesica::detail::nearest

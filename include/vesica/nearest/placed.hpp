@@ -11,7 +11,7 @@
 #include <vesica/shapes.hpp>
 #include <vesica/spectrum.hpp>
 
-namespace vesica::closest {
+namespace vesica::detail::nearest {
 
 /// A shape before it is placed. Its centre is the mean of two stored points. Lengths are k times what is stored, k a
 /// power of two.
@@ -205,4 +205,4 @@ inline Located located_beside(const Aabb<double>& s, const Placed& p, const Cont
           coordinate_beside(c.spot.t, p.box.hy.high, own.y, other.y, s.min_y, s.max_y)};
 }
 
-}  // namespace vesica::closest
+}  // namespace vesica::detail::nearest

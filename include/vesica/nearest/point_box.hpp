@@ -4,7 +4,7 @@
 
 #include <vesica/nearest/support.hpp>
 
-namespace vesica::closest {
+namespace vesica::detail::nearest {
 
 /// { s u + t perp(u) : |s| <= hx, |t| <= hy } about a centre. A segment's axis and an AABB's half extents are
 /// differences of stored numbers, which need two doubles.
@@ -67,4 +67,4 @@ VESICA_INLINE PointBox<V> point_box(const Box<V>& box, const Vector<V>& p) noexc
   return {distance, {flip_sign(s, kx.high), flip_sign(t, ky.high)}, x.high, y.high, rounded(distance) > zero};
 }
 
-}  // namespace vesica::closest
+}  // namespace vesica::detail::nearest

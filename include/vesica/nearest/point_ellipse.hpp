@@ -4,7 +4,7 @@
 
 #include <vesica/nearest/direction.hpp>
 
-namespace vesica::closest {
+namespace vesica::detail::nearest {
 
 /// The distance from a point to an ellipse that it lies outside of, d from the point to the ellipse's centre. Half
 /// lengths must be positive. steps: how many the search took, which tests look at.
@@ -29,4 +29,4 @@ VESICA_INLINE ClosestOffsets<V> circle_ellipse(V r, const Axes<V>& e, const Vect
   return result;
 }
 
-}  // namespace vesica::closest
+}  // namespace vesica::detail::nearest

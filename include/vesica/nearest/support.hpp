@@ -5,7 +5,7 @@
 
 #include <vesica/nearest/twofold.hpp>
 
-namespace vesica::closest {
+namespace vesica::detail::nearest {
 
 /// Whether a loop over lanes may end; the lanes of a vector bring their own.
 constexpr bool all(bool mask) noexcept { return mask; }
@@ -119,4 +119,4 @@ VESICA_INLINE ClosestOffsets<V> separation(const Vector<V>& d, const Normal<V, F
           converged};
 }
 
-}  // namespace vesica::closest
+}  // namespace vesica::detail::nearest

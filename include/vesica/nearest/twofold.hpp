@@ -6,7 +6,7 @@
 
 #include <vesica/scalar.hpp>
 
-namespace vesica::closest {
+namespace vesica::detail::nearest {
 
 using namespace lane;
 
@@ -200,4 +200,4 @@ VESICA_INLINE auto cross(const VectorFactor<F>& a, const VectorFactor<G>& b) noe
   return a.x * b.y - a.y * b.x;
 }
 
-}  // namespace vesica::closest
+}  // namespace vesica::detail::nearest

@@ -14,7 +14,7 @@
 /// 40 ns an evaluation. The tests in boundary_distance/ and depth/ fail when one in all their pairs takes a quarter of
 /// the limit below.
 ///
-/// Most pairs with ellipses do not come here: least/hot_pairs.hpp, which batches run in lanes, settles them first.
+/// Most pairs with ellipses do not come here: least/lane_pairs.hpp, which batches run in lanes, settles them first.
 #pragma once
 
 #include <vesica/outline/arc_bound.hpp>

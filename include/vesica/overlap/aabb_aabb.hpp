@@ -4,7 +4,7 @@
 
 #include <vesica/filter/comparison.hpp>
 
-namespace vesica::pair {
+namespace vesica::detail::overlap {
 
 using namespace lane;
 
@@ -17,4 +17,4 @@ VESICA_INLINE auto filter(const Aabb<V>& a, const Aabb<V>& b) noexcept {
 
 inline bool exact(const Aabb<double>& a, const Aabb<double>& b) noexcept { return filter(a, b).overlap; }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::overlap

@@ -5,7 +5,7 @@
 #include <vesica/exact/box_box.hpp>
 #include <vesica/filter/box_box.hpp>
 
-namespace vesica::pair {
+namespace vesica::detail::overlap {
 
 template <class V>
 VESICA_INLINE auto filter(const Aabb<V>& aabb, const Rect<V>& rect) noexcept {
@@ -17,4 +17,4 @@ inline bool exact(const Aabb<double>& aabb, const Rect<double>& rect) noexcept {
   return exact::overlap(exact::form(aabb), exact::form(rect));
 }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::overlap

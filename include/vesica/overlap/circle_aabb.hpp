@@ -5,7 +5,7 @@
 #include <vesica/exact/disc.hpp>
 #include <vesica/filter/disc.hpp>
 
-namespace vesica::pair {
+namespace vesica::detail::overlap {
 
 template <class V>
 VESICA_INLINE auto filter(const Circle<V>& circle, const Aabb<V>& aabb) noexcept {
@@ -16,4 +16,4 @@ inline bool exact(const Circle<double>& circle, const Aabb<double>& aabb) noexce
   return exact::overlap(exact::form(aabb), circle);
 }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::overlap

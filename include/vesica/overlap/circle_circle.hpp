@@ -5,7 +5,7 @@
 #include <vesica/exact/disc.hpp>
 #include <vesica/filter/disc.hpp>
 
-namespace vesica::pair {
+namespace vesica::detail::overlap {
 
 template <class V>
 VESICA_INLINE auto filter(const Circle<V>& a, const Circle<V>& b) noexcept {
@@ -18,4 +18,4 @@ inline bool exact(const Circle<double>& a, const Circle<double>& b) noexcept {
   return exact::within(dx, dy, exact::from_double(a.r) + exact::from_double(b.r));
 }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::overlap

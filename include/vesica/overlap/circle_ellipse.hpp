@@ -5,7 +5,7 @@
 #include <vesica/exact/ellipse_ellipse.hpp>
 #include <vesica/filter/contact_cubic.hpp>
 
-namespace vesica::pair {
+namespace vesica::detail::overlap {
 
 template <class V>
 VESICA_INLINE auto filter(const Circle<V>& circle, const Ellipse<V>& ellipse) noexcept {
@@ -16,4 +16,4 @@ inline bool exact(const Circle<double>& circle, const Ellipse<double>& ellipse) 
   return exact::overlap(exact::form(circle), exact::form(ellipse));
 }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::overlap

@@ -5,7 +5,7 @@
 #include <vesica/exact/disc.hpp>
 #include <vesica/filter/disc.hpp>
 
-namespace vesica::pair {
+namespace vesica::detail::overlap {
 
 template <class V>
 VESICA_INLINE auto filter(const Circle<V>& circle, const Rect<V>& rect) noexcept {
@@ -16,4 +16,4 @@ inline bool exact(const Circle<double>& circle, const Rect<double>& rect) noexce
   return exact::overlap(exact::form(rect), circle);
 }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::overlap

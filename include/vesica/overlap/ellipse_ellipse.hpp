@@ -5,7 +5,7 @@
 #include <vesica/exact/ellipse_ellipse.hpp>
 #include <vesica/filter/contact_cubic.hpp>
 
-namespace vesica::pair {
+namespace vesica::detail::overlap {
 
 template <class V>
 VESICA_INLINE auto filter(const Ellipse<V>& a, const Ellipse<V>& b) noexcept {
@@ -16,4 +16,4 @@ inline bool exact(const Ellipse<double>& a, const Ellipse<double>& b) noexcept {
   return exact::overlap(exact::form(a), exact::form(b));
 }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::overlap

@@ -4,7 +4,7 @@
 
 #include <vesica/filter/comparison.hpp>
 
-namespace vesica::pair {
+namespace vesica::detail::overlap {
 
 using namespace lane;
 
@@ -17,4 +17,4 @@ VESICA_INLINE auto filter(const Point<V>& point, const Aabb<V>& aabb) noexcept {
 
 inline bool exact(const Point<double>& point, const Aabb<double>& aabb) noexcept { return filter(point, aabb).overlap; }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::overlap

@@ -5,7 +5,7 @@
 #include <vesica/exact/disc.hpp>
 #include <vesica/filter/disc.hpp>
 
-namespace vesica::pair {
+namespace vesica::detail::overlap {
 
 template <class V>
 VESICA_INLINE auto filter(const Point<V>& point, const Circle<V>& circle) noexcept {
@@ -18,4 +18,4 @@ inline bool exact(const Point<double>& point, const Circle<double>& circle) noex
   return exact::within(dx, dy, exact::from_double(circle.r));
 }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::overlap

@@ -5,7 +5,7 @@
 #include <vesica/exact/box_ellipse.hpp>
 #include <vesica/filter/point_ellipse.hpp>
 
-namespace vesica::pair {
+namespace vesica::detail::overlap {
 
 template <class V>
 VESICA_INLINE auto filter(const Point<V>& point, const Ellipse<V>& ellipse) noexcept {
@@ -21,4 +21,4 @@ inline bool exact(const Point<double>& point, const Ellipse<double>& ellipse) no
   return compare(along + across, square(e.a * e.b * exact::dot(e.ux, e.uy, e.ux, e.uy))) <= 0;
 }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::overlap

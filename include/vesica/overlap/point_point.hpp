@@ -4,7 +4,7 @@
 
 #include <vesica/filter/comparison.hpp>
 
-namespace vesica::pair {
+namespace vesica::detail::overlap {
 
 using namespace lane;
 
@@ -15,4 +15,4 @@ VESICA_INLINE auto filter(const Point<V>& a, const Point<V>& b) noexcept {
 
 inline bool exact(const Point<double>& a, const Point<double>& b) noexcept { return filter(a, b).overlap; }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::overlap

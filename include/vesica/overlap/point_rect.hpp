@@ -5,7 +5,7 @@
 #include <vesica/exact/box_box.hpp>
 #include <vesica/filter/box_box.hpp>
 
-namespace vesica::pair {
+namespace vesica::detail::overlap {
 
 template <class V>
 VESICA_INLINE auto filter(const Point<V>& point, const Rect<V>& rect) noexcept {
@@ -16,4 +16,4 @@ inline bool exact(const Point<double>& point, const Rect<double>& rect) noexcept
   return exact::overlap(exact::form(point), exact::form(rect));
 }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::overlap

@@ -5,7 +5,7 @@
 #include <vesica/exact/box_box.hpp>
 #include <vesica/filter/box_box.hpp>
 
-namespace vesica::pair {
+namespace vesica::detail::overlap {
 
 template <class V>
 VESICA_INLINE auto filter(const Point<V>& point, const Segment<V>& segment) noexcept {
@@ -17,4 +17,4 @@ inline bool exact(const Point<double>& point, const Segment<double>& segment) no
   return exact::overlap(exact::form(point), exact::form(segment));
 }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::overlap

@@ -5,7 +5,7 @@
 #include <vesica/exact/box_ellipse.hpp>
 #include <vesica/filter/box_ellipse.hpp>
 
-namespace vesica::pair {
+namespace vesica::detail::overlap {
 
 template <class V>
 VESICA_INLINE auto filter(const Rect<V>& rect, const Ellipse<V>& ellipse) noexcept {
@@ -16,4 +16,4 @@ inline bool exact(const Rect<double>& rect, const Ellipse<double>& ellipse) noex
   return exact::overlap(exact::form(rect), exact::form(ellipse));
 }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::overlap

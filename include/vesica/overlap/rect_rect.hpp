@@ -5,7 +5,7 @@
 #include <vesica/exact/box_box.hpp>
 #include <vesica/filter/box_box.hpp>
 
-namespace vesica::pair {
+namespace vesica::detail::overlap {
 
 template <class V>
 VESICA_INLINE auto filter(const Rect<V>& a, const Rect<V>& b) noexcept {
@@ -16,4 +16,4 @@ inline bool exact(const Rect<double>& a, const Rect<double>& b) noexcept {
   return exact::overlap(exact::form(a), exact::form(b));
 }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::overlap

@@ -5,7 +5,7 @@
 #include <vesica/exact/disc.hpp>
 #include <vesica/filter/disc.hpp>
 
-namespace vesica::pair {
+namespace vesica::detail::overlap {
 
 template <class V>
 VESICA_INLINE auto filter(const Segment<V>& segment, const Circle<V>& circle) noexcept {
@@ -17,4 +17,4 @@ inline bool exact(const Segment<double>& segment, const Circle<double>& circle) 
   return exact::overlap(exact::form(segment), circle);
 }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::overlap

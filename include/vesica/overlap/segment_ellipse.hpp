@@ -5,7 +5,7 @@
 #include <vesica/exact/box_ellipse.hpp>
 #include <vesica/filter/box_ellipse.hpp>
 
-namespace vesica::pair {
+namespace vesica::detail::overlap {
 
 template <class V>
 VESICA_INLINE auto filter(const Segment<V>& segment, const Ellipse<V>& ellipse) noexcept {
@@ -17,4 +17,4 @@ inline bool exact(const Segment<double>& segment, const Ellipse<double>& ellipse
   return exact::overlap(exact::form(segment), exact::form(ellipse));
 }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::overlap

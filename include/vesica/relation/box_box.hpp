@@ -5,48 +5,48 @@
 
 #include <vesica/exact/relation.hpp>
 #include <vesica/filter/box_box.hpp>
-#include <vesica/filter/standing.hpp>
+#include <vesica/filter/certain_facts.hpp>
 
-namespace vesica::pair {
+namespace vesica::detail::relation {
 
 template <class V>
-VESICA_INLINE auto standing(const Point<V>& point, const Segment<V>& segment) noexcept {
+VESICA_INLINE auto certain_facts(const Point<V>& point, const Segment<V>& segment) noexcept {
   return filter::of_point(
       filter::point_box(filter::box(segment), filter::offset(filter::place(segment), filter::place(point))));
 }
 
 template <class V>
-VESICA_INLINE auto standing(const Point<V>& point, const Rect<V>& rect) noexcept {
+VESICA_INLINE auto certain_facts(const Point<V>& point, const Rect<V>& rect) noexcept {
   return filter::of_point(
       filter::point_box(filter::box(rect), filter::offset(filter::place(rect), filter::place(point))));
 }
 
 template <class V>
-VESICA_INLINE auto standing(const Segment<V>& a, const Segment<V>& b) noexcept {
-  return filter::box_box_standing(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
+VESICA_INLINE auto certain_facts(const Segment<V>& a, const Segment<V>& b) noexcept {
+  return filter::box_box_certain_facts(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
 }
 
 template <class V>
-VESICA_INLINE auto standing(const Segment<V>& segment, const Aabb<V>& aabb) noexcept {
-  return filter::box_box_standing(filter::box(segment), filter::box(aabb),
+VESICA_INLINE auto certain_facts(const Segment<V>& segment, const Aabb<V>& aabb) noexcept {
+  return filter::box_box_certain_facts(filter::box(segment), filter::box(aabb),
                                   filter::offset(filter::place(segment), filter::place(aabb)));
 }
 
 template <class V>
-VESICA_INLINE auto standing(const Segment<V>& segment, const Rect<V>& rect) noexcept {
-  return filter::box_box_standing(filter::box(segment), filter::box(rect),
+VESICA_INLINE auto certain_facts(const Segment<V>& segment, const Rect<V>& rect) noexcept {
+  return filter::box_box_certain_facts(filter::box(segment), filter::box(rect),
                                   filter::offset(filter::place(segment), filter::place(rect)));
 }
 
 template <class V>
-VESICA_INLINE auto standing(const Aabb<V>& aabb, const Rect<V>& rect) noexcept {
-  return filter::box_box_standing(filter::box(aabb), filter::box(rect),
+VESICA_INLINE auto certain_facts(const Aabb<V>& aabb, const Rect<V>& rect) noexcept {
+  return filter::box_box_certain_facts(filter::box(aabb), filter::box(rect),
                                   filter::offset(filter::place(aabb), filter::place(rect)));
 }
 
 template <class V>
-VESICA_INLINE auto standing(const Rect<V>& a, const Rect<V>& b) noexcept {
-  return filter::box_box_standing(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
+VESICA_INLINE auto certain_facts(const Rect<V>& a, const Rect<V>& b) noexcept {
+  return filter::box_box_certain_facts(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
 }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::relation

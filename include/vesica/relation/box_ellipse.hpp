@@ -6,29 +6,29 @@
 #include <vesica/filter/box_ellipse.hpp>
 #include <vesica/filter/point_ellipse.hpp>
 
-namespace vesica::pair {
+namespace vesica::detail::relation {
 
 template <class V>
-VESICA_INLINE auto standing(const Point<V>& point, const Ellipse<V>& ellipse) noexcept {
+VESICA_INLINE auto certain_facts(const Point<V>& point, const Ellipse<V>& ellipse) noexcept {
   return filter::of_point(filter::point_ellipse(ellipse, filter::offset(filter::place(ellipse), filter::place(point))));
 }
 
 template <class V>
-VESICA_INLINE auto standing(const Segment<V>& segment, const Ellipse<V>& ellipse) noexcept {
-  return filter::box_ellipse_standing(filter::box(segment), ellipse,
+VESICA_INLINE auto certain_facts(const Segment<V>& segment, const Ellipse<V>& ellipse) noexcept {
+  return filter::box_ellipse_certain_facts(filter::box(segment), ellipse,
                                       filter::offset(filter::place(segment), filter::place(ellipse)));
 }
 
 template <class V>
-VESICA_INLINE auto standing(const Aabb<V>& aabb, const Ellipse<V>& ellipse) noexcept {
-  return filter::box_ellipse_standing(filter::box(aabb), ellipse,
+VESICA_INLINE auto certain_facts(const Aabb<V>& aabb, const Ellipse<V>& ellipse) noexcept {
+  return filter::box_ellipse_certain_facts(filter::box(aabb), ellipse,
                                       filter::offset(filter::place(aabb), filter::place(ellipse)));
 }
 
 template <class V>
-VESICA_INLINE auto standing(const Rect<V>& rect, const Ellipse<V>& ellipse) noexcept {
-  return filter::box_ellipse_standing(filter::box(rect), ellipse,
+VESICA_INLINE auto certain_facts(const Rect<V>& rect, const Ellipse<V>& ellipse) noexcept {
+  return filter::box_ellipse_certain_facts(filter::box(rect), ellipse,
                                       filter::offset(filter::place(rect), filter::place(ellipse)));
 }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::relation

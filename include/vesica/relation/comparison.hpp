@@ -6,7 +6,7 @@
 #include <vesica/relation/code.hpp>
 #include <vesica/shapes.hpp>
 
-namespace vesica::relation_of {
+namespace vesica::detail::relation {
 
 /// A point is the AABB with that corner twice.
 template <class T>
@@ -44,18 +44,18 @@ constexpr Relation aabb_aabb(const Aabb<T>& a, const Aabb<T>& b) noexcept {
   return x.meet && y.meet ? Relation::touch : Relation::disjoint;
 }
 
-}  // namespace vesica::relation_of
+}  // namespace vesica::detail::relation
 
-namespace vesica::pair {
+namespace vesica::detail::relation {
 
 template <class V>
-VESICA_INLINE auto standing(const Point<V>& point, const Aabb<V>& aabb) noexcept {
-  return filter::point_aabb_standing(point, aabb);
+VESICA_INLINE auto certain_facts(const Point<V>& point, const Aabb<V>& aabb) noexcept {
+  return filter::point_aabb_certain_facts(point, aabb);
 }
 
 template <class V>
-VESICA_INLINE auto standing(const Aabb<V>& a, const Aabb<V>& b) noexcept {
-  return filter::aabb_aabb_standing(a, b);
+VESICA_INLINE auto certain_facts(const Aabb<V>& a, const Aabb<V>& b) noexcept {
+  return filter::aabb_aabb_certain_facts(a, b);
 }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::relation

@@ -5,16 +5,16 @@
 #include <vesica/exact/relation.hpp>
 #include <vesica/filter/nesting.hpp>
 
-namespace vesica::pair {
+namespace vesica::detail::relation {
 
 template <class V>
-VESICA_INLINE auto standing(const Circle<V>& circle, const Ellipse<V>& ellipse) noexcept {
-  return filter::circle_ellipse_standing(circle, ellipse);
+VESICA_INLINE auto certain_facts(const Circle<V>& circle, const Ellipse<V>& ellipse) noexcept {
+  return filter::circle_ellipse_certain_facts(circle, ellipse);
 }
 
 template <class V>
-VESICA_INLINE auto standing(const Ellipse<V>& a, const Ellipse<V>& b) noexcept {
-  return filter::ellipse_ellipse_standing(a, b);
+VESICA_INLINE auto certain_facts(const Ellipse<V>& a, const Ellipse<V>& b) noexcept {
+  return filter::ellipse_ellipse_certain_facts(a, b);
 }
 
-}  // namespace vesica::pair
+}  // namespace vesica::detail::relation

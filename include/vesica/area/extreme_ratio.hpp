@@ -6,7 +6,7 @@
 #include <vesica/area/ellipse_ellipse.hpp>
 #include <vesica/area/standard.hpp>
 
-namespace vesica::clip {
+namespace vesica::detail::area {
 
 /// A half plane w.X <= distance for X from the smaller shape's centre, in its units; the longer part of w is 1.
 struct HalfPlane {
@@ -87,4 +87,4 @@ inline Lines exact_lines(const exact::Box& box, const exact::Ellipse& e, const f
   return l;
 }
 
-}  // namespace vesica::clip
+}  // namespace vesica::detail::area

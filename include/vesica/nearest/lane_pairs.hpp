@@ -8,23 +8,23 @@
 #include <vesica/nearest/ellipse_ellipse.hpp>
 #include <vesica/shapes.hpp>
 
-namespace vesica::closest {
+namespace vesica::detail::nearest {
 
 template <class A, class B>
-inline constexpr bool is_hot = false;
+inline constexpr bool has_lanes = false;
 template <class T>
-inline constexpr bool is_hot<Rect<T>, Rect<T>> = true;
+inline constexpr bool has_lanes<Rect<T>, Rect<T>> = true;
 template <class T>
-inline constexpr bool is_hot<Rect<T>, Ellipse<T>> = true;
+inline constexpr bool has_lanes<Rect<T>, Ellipse<T>> = true;
 template <class T>
-inline constexpr bool is_hot<Circle<T>, Ellipse<T>> = true;
+inline constexpr bool has_lanes<Circle<T>, Ellipse<T>> = true;
 template <class T>
-inline constexpr bool is_hot<Ellipse<T>, Ellipse<T>> = true;
+inline constexpr bool has_lanes<Ellipse<T>, Ellipse<T>> = true;
 
 /// The answer, where settled; elsewhere (numbers far from 1, no convergence, ties within rounding, a common point that
 /// is no centre) it means nothing.
 template <class V>
-struct HotAnswer {
+struct LaneAnswer {
   V distance, ax, ay, bx, by;
   MaskOf<V> settled;
 };
@@ -87,7 +87,7 @@ VESICA_INLINE MaskOf<V> holds(const Circle<V>& c, const Vector<V>& d) noexcept {
 
 /// Overlapping shapes of which one holds the other's centre: that centre, and if each does, the one to the left.
 template <class A, class B, class V>
-VESICA_INLINE HotAnswer<V> common_centre(const A& a, const B& b, const Vector<V>& d) noexcept {
+VESICA_INLINE LaneAnswer<V> common_centre(const A& a, const B& b, const Vector<V>& d) noexcept {
   const V zero(0.0);
   const auto in_a = holds(a, d), in_b = holds(b, d),
              take_a = and_not(in_b, and_not(in_a, in_order(d.x.high, d.y.high)));
@@ -96,7 +96,7 @@ VESICA_INLINE HotAnswer<V> common_centre(const A& a, const B& b, const Vector<V>
 }
 
 template <class V>
-VESICA_INLINE HotAnswer<V> choose(MaskOf<V> m, const HotAnswer<V>& yes, const HotAnswer<V>& no) noexcept {
+VESICA_INLINE LaneAnswer<V> choose(MaskOf<V> m, const LaneAnswer<V>& yes, const LaneAnswer<V>& no) noexcept {
   return {select(m, yes.distance, no.distance),
           select(m, yes.ax, no.ax),
           select(m, yes.ay, no.ay),
@@ -107,20 +107,20 @@ VESICA_INLINE HotAnswer<V> choose(MaskOf<V> m, const HotAnswer<V>& yes, const Ho
 
 /// Offsets from centres to places.
 template <class A, class B, class V>
-VESICA_INLINE HotAnswer<V> located(const A& a, const B& b, const Twofold<V>& distance, V ax, V ay, V bx, V by,
+VESICA_INLINE LaneAnswer<V> located(const A& a, const B& b, const Twofold<V>& distance, V ax, V ay, V bx, V by,
                                    MaskOf<V> settled) noexcept {
   const V least = rounded(distance);
   return {least, a.cx + ax, a.cy + ay, b.cx + bx, b.cy + by, both(settled, least > V(0.0))};
 }
 
 template <class V>
-VESICA_INLINE HotAnswer<V> apart(const Rect<V>& a, const Rect<V>& b, const Vector<V>& d) noexcept {
+VESICA_INLINE LaneAnswer<V> apart(const Rect<V>& a, const Rect<V>& b, const Vector<V>& d) noexcept {
   const BoxBox<V> f = box_box(box(a), box(b), d);
   return located(a, b, f.distance, f.a.s * a.ux - f.a.t * a.uy, f.a.s * a.uy + f.a.t * a.ux,
                  f.b.s * b.ux - f.b.t * b.uy, f.b.s * b.uy + f.b.t * b.ux, f.settled);
 }
 template <class V>
-VESICA_INLINE HotAnswer<V> apart(const Rect<V>& a, const Ellipse<V>& b, const Vector<V>& d) noexcept {
+VESICA_INLINE LaneAnswer<V> apart(const Rect<V>& a, const Ellipse<V>& b, const Vector<V>& d) noexcept {
   int steps;
   const V size = ((a.hx + a.hy) + (b.a + b.b)) + (abs(d.x.high) + abs(d.y.high));
   const BoxEllipse<V> f = box_ellipse(box(a), axes(b), d, size, steps);
@@ -128,14 +128,14 @@ VESICA_INLINE HotAnswer<V> apart(const Rect<V>& a, const Ellipse<V>& b, const Ve
                  f.settled);
 }
 template <class V>
-VESICA_INLINE HotAnswer<V> apart(const Circle<V>& a, const Ellipse<V>& b, const Vector<V>& d) noexcept {
+VESICA_INLINE LaneAnswer<V> apart(const Circle<V>& a, const Ellipse<V>& b, const Vector<V>& d) noexcept {
   int steps;
   const V size = (a.r + (b.a + b.b)) + (abs(d.x.high) + abs(d.y.high));
   const ClosestOffsets<V> f = circle_ellipse(a.r, axes(b), d, size, steps);
   return located(a, b, f.distance, f.ax, f.ay, f.bx, f.by, f.settled);
 }
 template <class V>
-VESICA_INLINE HotAnswer<V> apart(const Ellipse<V>& a, const Ellipse<V>& b, const Vector<V>& d) noexcept {
+VESICA_INLINE LaneAnswer<V> apart(const Ellipse<V>& a, const Ellipse<V>& b, const Vector<V>& d) noexcept {
   int steps;
   const V size = ((a.a + a.b) + (b.a + b.b)) + (abs(d.x.high) + abs(d.y.high));
   const ClosestOffsets<V> f = ellipse_ellipse(axes(a), axes(b), d, size, steps);
@@ -163,16 +163,16 @@ bool apart_along_offset(const A&, const B&) noexcept {
 
 /// overlapping: what the exact predicate says of the pair.
 template <class A, class B, class V>
-VESICA_INLINE HotAnswer<V> hot_answer(const A& a, const B& b, MaskOf<V> overlapping, const Vector<V>& d) noexcept {
+VESICA_INLINE LaneAnswer<V> lane_answer(const A& a, const B& b, MaskOf<V> overlapping, const Vector<V>& d) noexcept {
   const auto disjoint = negated<V>(overlapping);
-  HotAnswer<V> answer = all(overlapping) ? common_centre(a, b, d) : apart(a, b, d);
+  LaneAnswer<V> answer = all(overlapping) ? common_centre(a, b, d) : apart(a, b, d);
   if (!all(overlapping) && !all(disjoint)) answer = choose(overlapping, common_centre(a, b, d), answer);
   answer.settled = both(answer.settled, both(moderate(d), both(moderate(a), moderate(b))));
   return answer;
 }
 template <template <class> class A, template <class> class B, class V>
-VESICA_INLINE HotAnswer<V> hot_answer(const A<V>& a, const B<V>& b, MaskOf<V> overlapping) noexcept {
-  return hot_answer(a, b, overlapping, offset(a.cx, a.cy, b.cx, b.cy));
+VESICA_INLINE LaneAnswer<V> lane_answer(const A<V>& a, const B<V>& b, MaskOf<V> overlapping) noexcept {
+  return lane_answer(a, b, overlapping, offset(a.cx, a.cy, b.cx, b.cy));
 }
 
-}  // namespace vesica::closest
+}  // namespace vesica::detail::nearest

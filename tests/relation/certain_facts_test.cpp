@@ -42,7 +42,7 @@ struct PairOf {
 };
 
 /// Whether every member that is true is so of the relation; and at most one of the answers may be.
-bool is_right(const filter::Standing<bool>& s, Relation r) {
+bool is_right(const filter::CertainFacts<bool>& s, Relation r) {
   const bool inside = r == Relation::inside || r == Relation::inside_touch;
   const bool contains = r == Relation::contains || r == Relation::contains_touch;
   const bool equal = r == Relation::equal;
@@ -55,17 +55,17 @@ bool is_right(const filter::Standing<bool>& s, Relation r) {
   return !(s.not_contains && (contains || equal));
 }
 
-bool says_nothing(const filter::Standing<bool>& s) {
+bool says_nothing(const filter::CertainFacts<bool>& s) {
   return !s.disjoint && !s.crossing && !s.inside && !s.contains && !s.neither && !s.not_inside && !s.not_contains;
 }
 
-bool decides(const filter::Standing<bool>& s) {
+bool decides(const filter::CertainFacts<bool>& s) {
   const auto certain = filter::certain_relation(s);
   return certain.disjoint || certain.cross || certain.inside || certain.contains;
 }
 
 template <class Shapes>
-class Standings : public testing::Test {
+class CertainFactsTest : public testing::Test {
  protected:
   using V = typename Shapes::Scalar;
   using First = typename Shapes::First;
@@ -82,10 +82,10 @@ class Standings : public testing::Test {
 
   void check(const Numbers<V>& n) {
     ++cases_;
-    const filter::Standing<bool> standing = pair::standing(first(n), second(n));
-    if (says_nothing(standing)) return;
-    decided_ += decides(standing);
-    if ((valid(n) && is_right(standing, exact(n))) || ++wrong_ > most_printed) return;
+    const filter::CertainFacts<bool> facts = detail::relation::certain_facts(first(n), second(n));
+    if (says_nothing(facts)) return;
+    decided_ += decides(facts);
+    if ((valid(n) && is_right(facts, exact(n))) || ++wrong_ > most_printed) return;
     ADD_FAILURE() << Shapes::name() << " is wrong" << (valid(n) ? "" : " on an invalid shape") << ", seed "
                   << properties::seed() << ": " << inputs::describe(n, fields_a, count);
   }
@@ -196,11 +196,11 @@ struct PairNames {
   }
 };
 
-TYPED_TEST_SUITE_P(Standings);
+TYPED_TEST_SUITE_P(CertainFactsTest);
 
 // Each number of its own magnitude, sizes and axes too: almost always out of one guard or another. This finds values
 // that overflow under a finite bound and products that underflow unnoticed.
-TYPED_TEST_P(Standings, OverTheWholeRange) {
+TYPED_TEST_P(CertainFactsTest, OverTheWholeRange) {
   const int cases = (this->is_float ? 25'000 : 10'000) * properties::repeat();
   for (int i = 0; i < cases; ++i) {
     Numbers<typename TypeParam::Scalar> n{};
@@ -215,7 +215,7 @@ TYPED_TEST_P(Standings, OverTheWholeRange) {
   this->report();
 }
 
-TYPED_TEST_P(Standings, WithinTheGuards) {
+TYPED_TEST_P(CertainFactsTest, WithinTheGuards) {
   const int cases = (this->is_float ? 12'000 : 4'000) * properties::repeat();
   for (int which = 0; which < 3; ++which) {
     inputs::Inputs pairs = this->pairs(which);
@@ -227,7 +227,7 @@ TYPED_TEST_P(Standings, WithinTheGuards) {
   this->report();
 }
 
-TYPED_TEST_P(Standings, AboutContact) {
+TYPED_TEST_P(CertainFactsTest, AboutContact) {
   const int cases = (this->is_float ? 200 : 60) * properties::repeat();
   for (int which = 0; which < 2; ++which) {
     inputs::Inputs pairs = this->pairs(which);
@@ -249,7 +249,7 @@ TYPED_TEST_P(Standings, AboutContact) {
   this->report();
 }
 
-TYPED_TEST_P(Standings, NothingOnInvalidShapes) {
+TYPED_TEST_P(CertainFactsTest, NothingOnInvalidShapes) {
   const int cases = (this->is_float ? 8'000 : 6'000) * properties::repeat();
   for (int which = 0; which < 3; ++which) {
     inputs::Inputs pairs = this->pairs(which);
@@ -263,7 +263,7 @@ TYPED_TEST_P(Standings, NothingOnInvalidShapes) {
 }
 
 // Shapes of sizes about 1 in any position. Relations are decided in double; in float, filters leave more open.
-TYPED_TEST_P(Standings, OrdinaryPairsAreDecided) {
+TYPED_TEST_P(CertainFactsTest, OrdinaryPairsAreDecided) {
   const int cases = 20'000 * properties::repeat();
   for (int i = 0; i < cases; ++i) {
     auto n = this->ordinary(ShapeTraits<typename TypeParam::First>::kind);
@@ -275,9 +275,9 @@ TYPED_TEST_P(Standings, OrdinaryPairsAreDecided) {
   EXPECT_LE(this->cases_ - this->decided_, cases / (this->is_float ? 20 : 10'000));
 }
 
-REGISTER_TYPED_TEST_SUITE_P(Standings, OverTheWholeRange, WithinTheGuards, AboutContact, NothingOnInvalidShapes,
+REGISTER_TYPED_TEST_SUITE_P(CertainFactsTest, OverTheWholeRange, WithinTheGuards, AboutContact, NothingOnInvalidShapes,
                             OrdinaryPairsAreDecided);
-INSTANTIATE_TYPED_TEST_SUITE_P(Float, Standings, PairsOf<float>, PairNames);
-INSTANTIATE_TYPED_TEST_SUITE_P(Double, Standings, PairsOf<double>, PairNames);
+INSTANTIATE_TYPED_TEST_SUITE_P(Float, CertainFactsTest, PairsOf<float>, PairNames);
+INSTANTIATE_TYPED_TEST_SUITE_P(Double, CertainFactsTest, PairsOf<double>, PairNames);
 
 }  // namespace

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Depth and the distance of nested outlines for the pairs that batches run in lanes, apart from two rectangles: one
-/// template over double and lanes of double, as nearest/hot_pairs.hpp. What is not settled takes the general way.
+/// template over double and lanes of double, as nearest/lane_pairs.hpp. What is not settled takes the general way.
 #pragma once
 
 #include <vesica/least/box_ellipse.hpp>
-#include <vesica/nearest/hot_pairs.hpp>
+#include <vesica/nearest/lane_pairs.hpp>
 
 namespace vesica::least {
 
@@ -45,7 +45,7 @@ VESICA_INLINE MaskOf<V> moderate_pair(const A& a, const B& b, const Vector<V>& d
 
 /// How far b is to be moved and along which unit vector, where settled.
 template <class V>
-struct HotDepth {
+struct LaneDepth {
   V depth, x, y;
   MaskOf<V> settled;
 };
@@ -68,7 +68,7 @@ VESICA_INLINE Ellipse<V> choose(MaskOf<V> m, const Ellipse<V>& yes, const Ellips
 
 /// idle: lanes that are not asked for, whatever they then answer.
 template <class V>
-VESICA_INLINE HotDepth<V> hot_depth(const Ellipse<V>& a, const Ellipse<V>& b, MaskOf<V> idle) noexcept {
+VESICA_INLINE LaneDepth<V> lane_depth(const Ellipse<V>& a, const Ellipse<V>& b, MaskOf<V> idle) noexcept {
   const V zero(0.0), one(1.0);
   const auto exchange = out_of_order(a, b, offset(a.cx, a.cy, b.cx, b.cy));
   const Ellipse<V> first = choose(exchange, b, a), second = choose(exchange, a, b);
@@ -80,11 +80,11 @@ VESICA_INLINE HotDepth<V> hot_depth(const Ellipse<V>& a, const Ellipse<V>& b, Ma
   return {depth, zero + sign * f.nx, zero + sign * f.ny, both(settled, moderate_pair(first, second, d))};
 }
 template <class V>
-VESICA_INLINE HotDepth<V> hot_depth(const Circle<V>& a, const Ellipse<V>& b, MaskOf<V> idle) noexcept {
-  return hot_depth(as_ellipse(a), b, idle);
+VESICA_INLINE LaneDepth<V> lane_depth(const Circle<V>& a, const Ellipse<V>& b, MaskOf<V> idle) noexcept {
+  return lane_depth(as_ellipse(a), b, idle);
 }
 template <class V>
-VESICA_INLINE HotDepth<V> hot_depth(const Rect<V>& a, const Ellipse<V>& b, MaskOf<V> idle) noexcept {
+VESICA_INLINE LaneDepth<V> lane_depth(const Rect<V>& a, const Ellipse<V>& b, MaskOf<V> idle) noexcept {
   const V zero(0.0);
   const Vector<V> d = offset(a.cx, a.cy, b.cx, b.cy);
   const V size = size_of(a, b, d);
@@ -95,7 +95,7 @@ VESICA_INLINE HotDepth<V> hot_depth(const Rect<V>& a, const Ellipse<V>& b, MaskO
 }
 
 template <class A, class B, class V>
-VESICA_INLINE HotAnswer<V> located_inside(const A& outer, const B& inner, const Vector<V>& d, V size,
+VESICA_INLINE LaneAnswer<V> located_inside(const A& outer, const B& inner, const Vector<V>& d, V size,
                                           const ClosestOffsets<V>& f) noexcept {
   const V distance = -rounded(f.distance);
   const auto settled = both(f.settled, distance > V(least_settled) * size);
@@ -105,42 +105,42 @@ VESICA_INLINE HotAnswer<V> located_inside(const A& outer, const B& inner, const 
 
 /// The second shape strictly inside the first; the first point is the outer one's.
 template <class V>
-VESICA_INLINE HotAnswer<V> hot_inside(const Ellipse<V>& outer, const Ellipse<V>& inner, MaskOf<V> idle) noexcept {
+VESICA_INLINE LaneAnswer<V> lane_inside(const Ellipse<V>& outer, const Ellipse<V>& inner, MaskOf<V> idle) noexcept {
   const Vector<V> d = offset(outer.cx, outer.cy, inner.cx, inner.cy);
   const V size = size_of(outer, inner, d);
   return located_inside(outer, inner, d, size, closest_inside(axes(outer), axes(inner), d, size, idle));
 }
 template <class V>
-VESICA_INLINE HotAnswer<V> hot_inside(const Rect<V>& outer, const Ellipse<V>& inner, MaskOf<V>) noexcept {
+VESICA_INLINE LaneAnswer<V> lane_inside(const Rect<V>& outer, const Ellipse<V>& inner, MaskOf<V>) noexcept {
   const Vector<V> d = offset(outer.cx, outer.cy, inner.cx, inner.cy);
   return located_inside(outer, inner, d, size_of(outer, inner, d), closest_inside(box(outer), axes(inner), d));
 }
 template <class V>
-VESICA_INLINE HotAnswer<V> hot_inside(const Ellipse<V>& outer, const Rect<V>& inner, MaskOf<V> idle) noexcept {
+VESICA_INLINE LaneAnswer<V> lane_inside(const Ellipse<V>& outer, const Rect<V>& inner, MaskOf<V> idle) noexcept {
   const Vector<V> d = offset(outer.cx, outer.cy, inner.cx, inner.cy);
   const V size = size_of(outer, inner, d);
   return located_inside(outer, inner, d, size, closest_inside(axes(outer), box(inner), d, size, idle));
 }
 
 template <class V>
-VESICA_INLINE HotAnswer<V> points_exchanged(const HotAnswer<V>& c) noexcept {
+VESICA_INLINE LaneAnswer<V> points_exchanged(const LaneAnswer<V>& c) noexcept {
   return {c.distance, c.bx, c.by, c.ax, c.ay, c.settled};
 }
 
 /// The outlines of a and b, of which one is strictly inside the other: which one a mask tells, for each lane.
 template <template <class> class A, class V>
-VESICA_INLINE HotAnswer<V> hot_nested(const A<V>& a, const Ellipse<V>& b, MaskOf<V> a_inside, MaskOf<V> idle) noexcept {
+VESICA_INLINE LaneAnswer<V> lane_nested(const A<V>& a, const Ellipse<V>& b, MaskOf<V> a_inside, MaskOf<V> idle) noexcept {
   const Ellipse<V> e = as_ellipse(a);
-  const HotAnswer<V> found = hot_inside(choose(a_inside, b, e), choose(a_inside, e, b), idle);
-  return closest::choose(a_inside, points_exchanged(found), found);
+  const LaneAnswer<V> found = lane_inside(choose(a_inside, b, e), choose(a_inside, e, b), idle);
+  return vesica::detail::nearest::choose(a_inside, points_exchanged(found), found);
 }
 template <class V>
-VESICA_INLINE HotAnswer<V> hot_nested(const Rect<V>& a, const Ellipse<V>& b, MaskOf<V> a_inside,
+VESICA_INLINE LaneAnswer<V> lane_nested(const Rect<V>& a, const Ellipse<V>& b, MaskOf<V> a_inside,
                                       MaskOf<V> idle) noexcept {
   const auto b_inside = negated<V>(a_inside), not_a = either(idle, b_inside), not_b = either(idle, a_inside);
-  if (all(not_a)) return hot_inside(a, b, idle);
-  const HotAnswer<V> rect_inside = points_exchanged(hot_inside(b, a, not_a));
-  return all(not_b) ? rect_inside : closest::choose(a_inside, rect_inside, hot_inside(a, b, not_b));
+  if (all(not_a)) return lane_inside(a, b, idle);
+  const LaneAnswer<V> rect_inside = points_exchanged(lane_inside(b, a, not_a));
+  return all(not_b) ? rect_inside : vesica::detail::nearest::choose(a_inside, rect_inside, lane_inside(a, b, not_b));
 }
 
 }  // namespace vesica::least
