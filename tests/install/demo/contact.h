@@ -6,11 +6,11 @@
 #include "polygon.h"
 
 struct contact {
-  double size;           ///< the library's distance where the shapes are apart, and its depth where they overlap
-  struct spot origin;    ///< a point there, the origin of `place` and the polygons
-  struct spot place;     ///< the middle of the gap, or of the overlap
-  struct spot normal;    ///< the unit direction across it, from a to b
-  long double width;     ///< its width from polygon to polygon, negative where these overlap
+  double size;         ///< the library's distance where the shapes are apart, and its depth where they overlap
+  struct spot origin;  ///< a point there, the origin of `place` and the polygons
+  struct spot place;   ///< the middle of the gap, or of the overlap
+  struct spot normal;  ///< the unit direction across it, from a to b
+  long double width;   ///< its width from polygon to polygon, negative where these overlap
   struct polygon a, b;
 };
 

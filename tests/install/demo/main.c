@@ -27,7 +27,7 @@ static void answer_pair(const char* path, long number, const struct pair* pair, 
     report_fault(report, path, number, reason);
     return;
   }
-  add_panel(picture, pair, answer, report_answer(report, pair, number, answer));
+  add_question(picture, pair, answer, report_answer(report, pair, number, answer));
 }
 
 static void answer_line(const char* path, struct line* line, struct picture* picture, struct report* report) {

@@ -5,116 +5,47 @@
 #include <string.h>
 #include <vesica.h>
 
-#include "contact.h"
+#include "inset.h"
 #include "line.h"
-#include "polygon.h"
 #include "query.h"
+#include "view.h"
 
 // Pixels.
-enum { gutter = 8, drawing = 136, border = 10, inset = 62, inset_gap = 16 };
+enum { gutter = 8, border = 10 };
 
-/// Where the plane's `origin` is drawn, and how many pixels a unit of it has.
-struct view {
-  struct spot origin;
-  double x, y;
-  long double scale;
-};
-
-// Bounds of the pair, in the middle of a square of `drawing` pixels.
-static int32_t find_view(const struct pair* pair, double left, double top, struct view* out) {
-  vesica_aabb_f64 a, b;
-  long double low_x, low_y, high_x, high_y, extent;
-  int32_t error = vesica_bounds_f64(pair->a.kind, pair->a.numbers, &a);
-  if (error == 0) error = vesica_bounds_f64(pair->b.kind, pair->b.numbers, &b);
-  if (error != 0) return error;
-  low_x = fmin(a.min_x, b.min_x), high_x = fmax(a.max_x, b.max_x);
-  low_y = fmin(a.min_y, b.min_y), high_y = fmax(a.max_y, b.max_y);
-  extent = fmaxl(high_x - low_x, high_y - low_y);
-  out->origin.x = low_x + (high_x - low_x) / 2;
-  out->origin.y = low_y + (high_y - low_y) / 2;
-  out->x = left + drawing / 2.0;
-  out->y = top + drawing / 2.0;
-  out->scale = extent > 0 ? drawing / extent : 1;
-  return isfinite(extent) && isfinite(out->scale) ? 0 : VESICA_E_RANGE;
-}
-
-void fill_panel(struct panel* panel, const struct pair* pair, double answer, int wrong) {
+static enum look find_look(const struct panel* panel) {
   const double seen = 1.5;  // pixels
   struct view view;
+  if (find_view(&panel->pair, 0, 0, &view) != 0 || !(panel->size * view.scale < seen)) return look_plain;
+  if (panel->overlap) return panel->size > 0 ? look_overlap_close : look_touch;
+  return look_apart_close;
+}
+
+void fill_panel(struct panel* panel, const struct pair* pair) {
+  const struct shape *a = &pair->a, *b = &pair->b;
+  memset(panel, 0, sizeof *panel);
   panel->pair = *pair;
-  panel->answer = answer;
-  panel->wrong = wrong;
-  panel->overlap = vesica_overlap_f64(pair->a.kind, pair->a.numbers, pair->b.kind, pair->b.numbers) == 1;
-  panel->close = find_query(panel->overlap ? "depth" : "distance")->answer(pair, &panel->size) == 0 &&
-                 find_view(pair, 0, 0, &view) == 0 && (double)(panel->size * view.scale) < seen;
+  panel->overlap = vesica_overlap_f64(a->kind, a->numbers, b->kind, b->numbers) == 1;
+  panel->size = INFINITY;
+  find_query(panel->overlap ? "depth" : "distance")->answer(pair, &panel->size);
+  panel->look = find_look(panel);
 }
 
-static void write_polygon(FILE* file, const struct polygon* polygon, const struct view* view, const char* css_class) {
-  double largest = 0;
-  for (int i = 0; i < polygon->count; i++) {
-    largest = fmax(largest, fabs((double)((polygon->at[i].x - polygon->at[0].x) * view->scale)));
-    largest = fmax(largest, fabs((double)((polygon->at[i].y - polygon->at[0].y) * view->scale)));
-  }
-  if (polygon->count > 0 && largest < 2) {
-    fprintf(file, "<circle class=\"%s\" cx=\"%.2f\" cy=\"%.2f\" r=\"2\"/>\n", css_class,
-            view->x + (double)(polygon->at[0].x * view->scale), view->y - (double)(polygon->at[0].y * view->scale));
-    return;
-  }
-  fprintf(file, "<path class=\"%s\" d=\"", css_class);
-  // SVG's y points down.
-  for (int i = 0; i < polygon->count; i++) {
-    fprintf(file, "%c%.2f %.2f", i == 0 ? 'M' : 'L', view->x + (double)(polygon->at[i].x * view->scale),
-            view->y - (double)(polygon->at[i].y * view->scale));
-  }
-  fputs("Z\"/>\n", file);
+void add_answer(struct panel* panel, const struct pair* pair, double answer, int wrong) {
+  const size_t used = strlen(panel->answers);
+  panel->wrong |= wrong;
+  if (pair->query->yes_no) return;
+  snprintf(panel->answers + used, sizeof panel->answers - used, "%s%s %.7g", used > 0 ? ", " : "", pair->query->name,
+           answer);
 }
 
-static void write_shape(FILE* file, const struct shape* shape, const struct view* view, const char* css_class) {
-  struct polygon polygon;
-  find_polygon(shape, view->origin, NULL, &polygon);
-  write_polygon(file, &polygon, view, css_class);
+static int same_shape(const struct shape* a, const struct shape* b) {
+  return a->kind == b->kind && memcmp(a->numbers, b->numbers, sizeof a->numbers) == 0;
 }
 
-static void write_magnified(FILE* file, const struct polygon* polygon, const struct contact* contact,
-                            const struct view* view, const char* css_class) {
-  struct polygon moved = *polygon;
-  for (int i = 0; i < moved.count; i++) {
-    moved.at[i].x -= contact->place.x;
-    moved.at[i].y -= contact->place.y;
-  }
-  // Twice the inset, so that no edge of the cut is seen.
-  clip_polygon(&moved, inset / view->scale);
-  write_polygon(file, &moved, view, css_class);
-}
-
-// The gap as a line from shape to shape.
-static void write_gap(FILE* file, const struct contact* contact) {
-  const double x = (double)contact->normal.x * inset_gap / 2, y = (double)contact->normal.y * inset_gap / 2;
-  fprintf(file, "<path class=\"g\" d=\"M%.2f %.2fL%.2f %.2f\"/>\n", -x, y, x, -y);
-}
-
-// The inset, in the corner of the drawing that is farthest from the contact.
-static void write_inset(FILE* file, const struct panel* panel, const struct view* view) {
-  struct view magnified = {{0, 0}, 0, 0, 0};
-  struct contact contact;
-  double x, y, left, top;
-  if (find_contact(&panel->pair, panel->overlap, &contact) != 0) return;
-  x = view->x + (double)((contact.origin.x + contact.place.x - view->origin.x) * view->scale);
-  y = view->y - (double)((contact.origin.y + contact.place.y - view->origin.y) * view->scale);
-  left = x < view->x ? view->x + drawing / 2.0 - inset : view->x - drawing / 2.0;
-  top = y < view->y ? view->y + drawing / 2.0 - inset : view->y - drawing / 2.0;
-  magnified.scale = contact.size > 0 ? inset_gap / (long double)contact.size : view->scale * 1e6L;
-  fprintf(file, "<path class=\"l\" d=\"M%.2f %.2fL%.2f %.2f\"/>\n", x, y, left + inset / 2.0, top + inset / 2.0);
-  fprintf(file, "<circle class=\"l\" cx=\"%.2f\" cy=\"%.2f\" r=\"4\"/>\n", x, y);
-  fprintf(file, "<svg x=\"%.2f\" y=\"%.2f\" width=\"%d\" height=\"%d\" viewBox=\"%g %g %d %d\">\n", left, top, inset,
-          inset, -inset / 2.0, -inset / 2.0, inset, inset);
-  fprintf(file, "<rect fill=\"#fff\" x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\"/>\n", -inset, -inset, 2 * inset,
-          2 * inset);
-  write_magnified(file, &contact.a, &contact, &magnified, panel->overlap ? "oa" : "aa");
-  write_magnified(file, &contact.b, &contact, &magnified, panel->overlap ? "ob" : "ab");
-  if (contact.size > 0) write_gap(file, &contact);
-  fprintf(file, "</svg>\n<rect class=\"i\" x=\"%.2f\" y=\"%.2f\" width=\"%d\" height=\"%d\"/>\n", left, top, inset,
-          inset);
+int shows_pair(const struct panel* panel, const struct pair* pair) {
+  return (same_shape(&panel->pair.a, &pair->a) && same_shape(&panel->pair.b, &pair->b)) ||
+         (same_shape(&panel->pair.a, &pair->b) && same_shape(&panel->pair.b, &pair->a));
 }
 
 static void write_drawing(FILE* file, const struct panel* panel, double left, double top) {
@@ -125,7 +56,7 @@ static void write_drawing(FILE* file, const struct panel* panel, double left, do
   }
   write_shape(file, &panel->pair.a, &view, panel->overlap ? "oa" : "aa");
   write_shape(file, &panel->pair.b, &view, panel->overlap ? "ob" : "ab");
-  if (panel->close) write_inset(file, panel, &view);
+  if (panel->look != look_plain) write_inset(file, &panel->pair, panel->overlap, &view);
 }
 
 // Writes the first `limit` characters, or fewer if the text ends.
@@ -164,23 +95,25 @@ static void put_numbers(FILE* file, const struct shape* shape) {
 }
 
 static void put_verdict(FILE* file, const struct panel* panel) {
-  if (panel->close && panel->size == 0) {
-    fputs("touch: they overlap", file);
-  } else if (panel->close) {
-    fprintf(file, "%s by %.2g", panel->overlap ? "overlap" : "apart", panel->size);
-  } else {
-    fputs(panel->overlap ? "overlap" : "apart", file);
-  }
+  fputs(panel->look == look_touch ? "touch: overlap" : panel->overlap ? "overlap" : "apart", file);
+  if (panel->look == look_apart_close || panel->look == look_overlap_close) fprintf(file, " by %.3g", panel->size);
   if (panel->wrong) fputs(" (WRONG)", file);
 }
 
+static void begin_text(FILE* file, const char* css_class, double x, double y) {
+  fprintf(file, "<text class=\"%s\" x=\"%.2f\" y=\"%.2f\">", css_class, x, y);
+}
+
 static void write_caption(FILE* file, const struct panel* panel, double x, double y) {
-  fprintf(file, "<text class=\"%s\" x=\"%.2f\" y=\"%.2f\">", panel->overlap ? "vo" : "va", x, y);
+  const char *kind_a = vesica_kind_name(panel->pair.a.kind), *kind_b = vesica_kind_name(panel->pair.b.kind);
+  begin_text(file, panel->overlap ? "vo" : "va", x, y);
   put_verdict(file, panel);
-  fprintf(file, "</text>\n<text class=\"d\" x=\"%.2f\" y=\"%.2f\">%s, %s", x, y + 13,
-          vesica_kind_name(panel->pair.a.kind), vesica_kind_name(panel->pair.b.kind));
-  if (!panel->pair.query->yes_no) fprintf(file, ": %s %.6g", panel->pair.query->name, panel->answer);
-  fprintf(file, "</text>\n<text class=\"d\" x=\"%.2f\" y=\"%.2f\">", x, y + 25);
+  fputs("</text>\n", file);
+  begin_text(file, "d", x, y + 13);
+  fprintf(file, "%s, %s</text>\n", kind_a, kind_b);
+  begin_text(file, "d", x, y + 25);
+  fprintf(file, "%s</text>\n", panel->answers);
+  begin_text(file, "d", x, y + 37);
   put_id(file, panel->pair.id);
   fputs("</text>\n", file);
 }

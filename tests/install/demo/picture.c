@@ -2,7 +2,7 @@
 #include "picture.h"
 
 // Pixels.
-enum { columns = 8, margin = 16, heading = 64, section = 34 };
+enum { columns = 8, margin = 16, heading = 74, section = 34 };
 
 static const char style[] =
     "<style>\n"
@@ -14,70 +14,83 @@ static const char style[] =
     // Colours that red-green blindness keeps apart.
     ".oa{fill:#d55e00;stroke:#a33c00}.ob{fill:#e8485a;stroke:#8c1326}\n"
     ".aa{fill:#0072b2;stroke:#00517f}.ab{fill:#8a95a0;stroke:#4e5963}\n"
-    ".i,.l,.g{fill:none;stroke:#111}.i,.l{stroke-width:.8}.g{stroke-width:2}\n"
+    ".i,.l,.g{fill:none;stroke:#111}.i,.l{stroke-width:.8}.g{stroke-width:2.5}\n"
+    ".s{font-size:10px;font-weight:bold;fill:#111;stroke:#fff;stroke-width:3;paint-order:stroke}\n"
     "</style>\n";
 
-void add_panel(struct picture* picture, const struct pair* pair, double answer, int wrong) {
-  if (picture->pairs < picture_capacity) fill_panel(&picture->panels[picture->pairs], pair, answer, wrong);
-  picture->pairs++;
+static const char* const titles[look_count] = {"Apart, by a gap too small to see",
+                                               "Overlapping, by a depth too small to see",
+                                               "Touching exactly, which counts as overlap", "Plain to see"};
+
+void add_question(struct picture* picture, const struct pair* pair, double answer, int wrong) {
+  struct panel* panel;
+  picture->questions++;
+  if (picture->pairs == 0 || picture->pairs > picture_capacity ||
+      !shows_pair(&picture->panels[picture->pairs - 1], pair)) {
+    picture->pairs++;
+    if (picture->pairs > picture_capacity) return;
+    fill_panel(&picture->panels[picture->pairs - 1], pair);
+  }
+  panel = &picture->panels[picture->pairs - 1];
+  add_answer(panel, pair, answer, wrong);
 }
 
 static int count_shown(const struct picture* picture) {
   return picture->pairs < picture_capacity ? (int)picture->pairs : picture_capacity;
 }
 
-static int count_close(const struct picture* picture) {
-  int close = 0;
-  for (int i = 0; i < count_shown(picture); i++) close += picture->panels[i].close;
-  return close;
-}
-
-static int section_height(int panels) {
+static int section_height(const struct picture* picture, int look) {
+  int panels = 0;
+  for (int i = 0; i < count_shown(picture); i++) panels += (int)picture->panels[i].look == look;
   return panels > 0 ? section + (panels + columns - 1) / columns * panel_height : 0;
 }
 
 static void write_key(FILE* file, int x, const char* css_class, const char* text) {
-  fprintf(file, "<circle class=\"%s\" cx=\"%d\" cy=\"48\" r=\"6\"/><text class=\"k\" x=\"%d\" y=\"52\">%s</text>\n",
-          css_class, x + 6, x + 17, text);
+  fprintf(file, "<path class=\"%s\" d=\"M%d 44h14v12h-14Z\"/><text class=\"k\" x=\"%d\" y=\"55\">%s</text>\n",
+          css_class, x, x + 19, text);
 }
 
 static void write_heading(FILE* file, const struct picture* picture) {
-  const int shown = count_shown(picture);
-  fprintf(file, "<text class=\"h\" x=\"%d\" y=\"28\">", margin);
-  if (shown < picture->pairs) fprintf(file, "The first %d of ", shown);
-  fprintf(file, "%ld %s</text>\n", picture->pairs, picture->pairs == 1 ? "pair" : "pairs");
-  write_key(file, margin, "oa", "first shape,");
-  write_key(file, margin + 96, "ob", "second: overlap");
-  write_key(file, margin + 226, "aa", "first shape,");
-  write_key(file, margin + 322, "ab", "second: apart");
+  const int x = margin;
+  fprintf(file, "<text class=\"h\" x=\"%d\" y=\"28\">%ld %s about %ld %s of shapes", x, picture->questions,
+          picture->questions == 1 ? "question" : "questions", picture->pairs, picture->pairs == 1 ? "pair" : "pairs");
+  if (picture->pairs > picture_capacity) fprintf(file, ", the first %d drawn", picture_capacity);
+  fprintf(file, "</text>\n<text class=\"k\" x=\"%d\" y=\"55\">Overlap:</text>\n", x);
+  write_key(file, x + 64, "oa", "first shape");
+  write_key(file, x + 168, "ob", "second shape");
+  fprintf(file, "<text class=\"k\" x=\"%d\" y=\"55\">Apart:</text>\n", x + 310);
+  write_key(file, x + 358, "aa", "first shape");
+  write_key(file, x + 462, "ab", "second shape");
+  write_key(file, x + 604, "i", "magnified: the number is the length of the thick line");
 }
 
-// A title, and the panels that are close or not. Returns where the next section begins.
-static int write_section(FILE* file, const struct picture* picture, int close, int panels, const char* title, int top) {
+// A title, and the panels of that look, if there are any.
+static void write_section(FILE* file, const struct picture* picture, int look, int top) {
   int written = 0;
-  if (panels == 0) return top;
-  fprintf(file, "<text class=\"h\" x=\"%d\" y=\"%d\">%s</text>\n", margin, top + 22, title);
+  fprintf(file, "<text class=\"h\" x=\"%d\" y=\"%d\">%s</text>\n", margin, top + 22, titles[look]);
   for (int i = 0; i < count_shown(picture); i++) {
-    if (picture->panels[i].close != close) continue;
-    write_panel(file, &picture->panels[i], margin + written % columns * panel_width,
+    const struct panel* panel = &picture->panels[i];
+    if ((int)panel->look != look) continue;
+    write_panel(file, panel, margin + written % columns * panel_width,
                 top + section + written / columns * panel_height);
     written++;
   }
-  return top + section_height(panels);
 }
 
 void write_picture(FILE* file, const struct picture* picture) {
-  const int close = count_close(picture), plain = count_shown(picture) - close;
   const int width = 2 * margin + columns * panel_width;
-  const int height = heading + section_height(close) + section_height(plain) + margin;
-  int top = heading;
+  int height = heading + margin, top = heading;
+  for (int look = 0; look < look_count; look++) height += section_height(picture, look);
   fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n", file);
   fprintf(file, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\">\n", width,
           height, width, height);
   fputs(style, file);
   fprintf(file, "<rect width=\"%d\" height=\"%d\" fill=\"#f7f7f5\"/>\n", width, height);
   write_heading(file, picture);
-  top = write_section(file, picture, 1, close, "Too close to see: the place that decides is magnified", top);
-  write_section(file, picture, 0, plain, close > 0 ? "Plain to see" : "", top);
+  for (int look = 0; look < look_count; look++) {
+    const int taken = section_height(picture, look);
+    if (taken > 0) write_section(file, picture, look, top);
+    top += taken;
+  }
   fputs("</svg>\n", file);
 }

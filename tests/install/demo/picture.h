@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// An SVG picture of answered pairs: a grid of panels, each as large as its pair, in the pair's own units. Pairs that
-/// the eye cannot tell apart come first, with the place that decides magnified.
+/// the eye cannot tell apart come first, with the place that decides magnified. Questions about one pair that follow
+/// each other share a panel.
 #ifndef PICTURE_H
 #define PICTURE_H
 
@@ -12,12 +13,13 @@
 enum { picture_capacity = 400 };
 
 struct picture {
-  long pairs;  ///< answered pairs, drawn or not
+  long questions;  ///< all that were answered
+  long pairs;      ///< those of them about another pair than the one before, drawn or not
   struct panel panels[picture_capacity];
 };
 
-/// Adds an answered pair.
-void add_panel(struct picture* picture, const struct pair* pair, double answer, int wrong);
+/// Adds an answered question.
+void add_question(struct picture* picture, const struct pair* pair, double answer, int wrong);
 
 /// Writes the picture. The file's ferror tells of a failure.
 void write_picture(FILE* file, const struct picture* picture);

@@ -25,8 +25,7 @@ static void add_ellipse(struct polygon* polygon, struct spot centre, struct spot
   }
 }
 
-static void add_even_ellipse(struct polygon* polygon, struct spot centre, struct spot p, long double a,
-                             long double b) {
+static void add_even_ellipse(struct polygon* polygon, struct spot centre, struct spot p, long double a, long double b) {
   enum { count = 96 };
   const struct spot start = {1, 0};
   long double angles[count];

@@ -62,14 +62,10 @@ static int32_t answer_iou(const struct pair* pair, double* out) {
 }
 
 const struct query queries[query_count] = {
-    {"overlap", answer_overlap, 1},
-    {"contains", answer_contains, 1},
-    {"relation", answer_relation, 0},
-    {"crossings", answer_crossings, 0},
-    {"distance", answer_distance, 0},
-    {"boundary_distance", answer_boundary_distance, 0},
-    {"depth", answer_depth, 0},
-    {"area", answer_area, 0},
+    {"overlap", answer_overlap, 1},   {"contains", answer_contains, 1},
+    {"relation", answer_relation, 0}, {"crossings", answer_crossings, 0},
+    {"distance", answer_distance, 0}, {"boundary_distance", answer_boundary_distance, 0},
+    {"depth", answer_depth, 0},       {"area", answer_area, 0},
     {"iou", answer_iou, 0},
 };
 
