@@ -19,6 +19,14 @@ status=0
 complaint=$("$run" "$run" "$run" 2>&1) || status=$?
 check 'status of two scenes' 2 $status
 check 'its complaint' 'run: one scene file at a time' "$complaint"
+status=0
+complaint=$("$run" --table "$run" "$run" 2>&1) || status=$?
+check 'status of two scenes in a table' 2 $status
+check 'its complaint' 'run: one scene file at a time' "$complaint"
+status=0
+complaint=$("$run" --table nowhere 2>&1) || status=$?
+check 'status of a table of no file' 2 $status
+check 'its complaint' "run: 'nowhere' is not a file" "$complaint"
 check 'first line of help' 'usage: ./run [COMMAND]' "$("$run" help | head -n 1)"
 check 'help by option' "$("$run" help)" "$("$run" --help)"
 

@@ -33,10 +33,12 @@ void fill_panel(struct panel* panel, const struct pair* pair) {
 
 void add_answer(struct panel* panel, const struct pair* pair, double answer, int wrong) {
   const size_t used = strlen(panel->answers);
+  char text[48];
   panel->wrong |= wrong;
   if (pair->query->yes_no) return;
-  snprintf(panel->answers + used, sizeof panel->answers - used, "%s%s %.7g", used > 0 ? ", " : "", pair->query->name,
-           answer);
+  snprintf(text, sizeof text, "%s %.7g", pair->query->name, answer);
+  if (strstr(panel->answers, text)) return;
+  snprintf(panel->answers + used, sizeof panel->answers - used, "%s%s", used > 0 ? ", " : "", text);
 }
 
 static int same_shape(const struct shape* a, const struct shape* b) {
@@ -105,6 +107,7 @@ static void begin_text(FILE* file, const char* css_class, double x, double y) {
 }
 
 static void write_caption(FILE* file, const struct panel* panel, double x, double y) {
+  const size_t most = 28;  // characters; where there are more the first answer must do, and the title has them all
   const char *kind_a = vesica_kind_name(panel->pair.a.kind), *kind_b = vesica_kind_name(panel->pair.b.kind);
   begin_text(file, panel->overlap ? "vo" : "va", x, y);
   put_verdict(file, panel);
@@ -112,7 +115,8 @@ static void write_caption(FILE* file, const struct panel* panel, double x, doubl
   begin_text(file, "d", x, y + 13);
   fprintf(file, "%s, %s</text>\n", kind_a, kind_b);
   begin_text(file, "d", x, y + 25);
-  fprintf(file, "%s</text>\n", panel->answers);
+  fprintf(file, "%.*s</text>\n", (int)(strlen(panel->answers) <= most ? most : strcspn(panel->answers, ",")),
+          panel->answers);
   begin_text(file, "d", x, y + 37);
   put_id(file, panel->pair.id);
   fputs("</text>\n", file);
@@ -125,6 +129,7 @@ void write_panel(FILE* file, const struct panel* panel, int left, int top) {
   put_numbers(file, &panel->pair.a);
   fputs("\n", file);
   put_numbers(file, &panel->pair.b);
+  fprintf(file, "\n%s", panel->answers);
   fprintf(file, "</title>\n<rect class=\"%s\" x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" rx=\"4\"/>\n",
           panel->wrong ? "w" : "f", left, top, panel_width - gutter, panel_height - gutter);
   write_drawing(file, panel, left + (panel_width - gutter - drawing) / 2.0, top + border);
