@@ -23,8 +23,7 @@ static long double reach(const struct polygon* polygon, struct spot direction) {
   return most;
 }
 
-// Takes the direction, of any length, if it is better than the one found so far: if along it b begins farther from
-// the end of a.
+// Keeps a direction, of any length, if the gap from a to b is wider along it than along the best one so far.
 static void try_direction(struct contact* contact, struct spot direction) {
   const long double length = sqrtl(dot(direction, direction));
   const struct spot normal = {direction.x / length, direction.y / length}, back = {-normal.x, -normal.y};
@@ -34,7 +33,7 @@ static void try_direction(struct contact* contact, struct spot direction) {
   contact->normal = normal;
 }
 
-// Polygons are best told apart across an edge of theirs, and segments on one line along it.
+// The gap is widest across an edge of one of the two, or along an edge: two segments may lie on one line.
 static void try_edges(struct contact* contact, const struct polygon* polygon) {
   for (int i = 0; i < polygon->count; i++) {
     struct spot direction = minus(polygon->at[(i + 1) % polygon->count], polygon->at[i]);
@@ -56,7 +55,7 @@ static void find_end(const struct polygon* polygon, struct spot direction, struc
   }
 }
 
-// The middle of the gap; where it is long, the point of it nearest to the origin.
+// The middle of the gap. Where two sides face each other it is long: then the middle nearest to the origin.
 static void find_place(struct contact* contact) {
   const struct spot normal = contact->normal, back = {-normal.x, -normal.y}, side = perp(normal);
   const long double along = reach(&contact->a, normal) + contact->width / 2, slack = fabsl(contact->width) / 4;

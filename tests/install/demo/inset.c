@@ -35,7 +35,15 @@ static void write_gap(FILE* file, const struct contact* contact) {
   fprintf(file, "<path class=\"g\" d=\"M%.2f %.2fL%.2f %.2f\"/>\n", -x, y, x, -y);
 }
 
+// What is magnified, in a square of its own whose origin is its middle.
+static void write_square(FILE* file, const struct contact* contact, int overlap, const struct view* view) {
+  write_magnified(file, &contact->a, view, overlap ? "oa" : "aa");
+  write_magnified(file, &contact->b, view, overlap ? "ob" : "ab");
+  if (contact->size > 0) write_gap(file, contact);
+}
+
 void write_inset(FILE* file, const struct pair* pair, int overlap, const struct view* view) {
+  const int half = side / 2;
   struct view magnified = {{0, 0}, 0, 0, 0};
   struct contact contact;
   double x, y, left, top;
@@ -46,13 +54,10 @@ void write_inset(FILE* file, const struct pair* pair, int overlap, const struct 
   write_leader(file, x, y, left, top);
   magnified.origin = contact.place;
   magnified.scale = contact.size > 0 ? gap / (long double)contact.size : view->scale * 1e6L;
+  fprintf(file, "<rect class=\"p\" x=\"%.2f\" y=\"%.2f\" width=\"%d\" height=\"%d\"/>\n", left, top, side, side);
   fprintf(file, "<svg x=\"%.2f\" y=\"%.2f\" width=\"%d\" height=\"%d\" viewBox=\"%d %d %d %d\">\n", left, top, side,
-          side, -side / 2, -side / 2, side, side);
-  fprintf(file, "<rect fill=\"#fff\" x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\"/>\n", -side / 2, -side / 2, side,
-          side);
-  write_magnified(file, &contact.a, &magnified, overlap ? "oa" : "aa");
-  write_magnified(file, &contact.b, &magnified, overlap ? "ob" : "ab");
-  if (contact.size > 0) write_gap(file, &contact);
+          side, -half, -half, side, side);
+  write_square(file, &contact, overlap, &magnified);
   fprintf(file, "</svg>\n<rect class=\"i\" x=\"%.2f\" y=\"%.2f\" width=\"%d\" height=\"%d\"/>\n", left, top, side,
           side);
   fprintf(file, "<text class=\"s\" x=\"%.2f\" y=\"%.2f\">%.3g</text>\n", left + 4, top + side - 5.0, contact.size);

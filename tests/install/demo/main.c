@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Answers every pair of a scene file, compares with the known answers, and draws the pairs.
+/// Answers every pair of a scene file, compares with the known answers, and draws the pairs. Start with query.c: it has
+/// the calls of the library. scene.c reads, report.c prints, picture.c draws.
 ///
 /// demo [--table] [-o PICTURE] SCENE; the picture is scenes.svg when not named. Wrong answers are always printed, the
 /// others with --table.

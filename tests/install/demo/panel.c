@@ -13,12 +13,18 @@
 // Pixels.
 enum { gutter = 8, border = 10 };
 
+static int relation_is_touch(const struct pair* pair) {
+  const int32_t relation = vesica_relation_f64(pair->a.kind, pair->a.numbers, pair->b.kind, pair->b.numbers);
+  return relation == VESICA_TOUCH || relation == VESICA_INSIDE_TOUCH || relation == VESICA_CONTAINS_TOUCH;
+}
+
 static enum look find_look(const struct panel* panel) {
-  const double seen = 1.5;  // pixels
+  const double visible = 1.5;  // pixels
   struct view view;
-  if (find_view(&panel->pair, 0, 0, &view) != 0 || !(panel->size * view.scale < seen)) return look_plain;
-  if (panel->overlap) return panel->size > 0 ? look_overlap_close : look_touch;
-  return look_apart_close;
+  if (find_view(&panel->pair, 0, 0, &view) != 0 || !(panel->size * view.scale < visible)) return look_plain;
+  if (!panel->overlap) return look_apart_close;
+  if (panel->size > 0) return look_overlap_close;
+  return relation_is_touch(&panel->pair) ? look_touch : look_plain;
 }
 
 void fill_panel(struct panel* panel, const struct pair* pair) {
@@ -107,7 +113,8 @@ static void begin_text(FILE* file, const char* css_class, double x, double y) {
 }
 
 static void write_caption(FILE* file, const struct panel* panel, double x, double y) {
-  const size_t most = 28;  // characters; where there are more the first answer must do, and the title has them all
+  // Characters. Where all answers are longer only the first is shown; the title has them all.
+  const size_t most = 28, length = strlen(panel->answers);
   const char *kind_a = vesica_kind_name(panel->pair.a.kind), *kind_b = vesica_kind_name(panel->pair.b.kind);
   begin_text(file, panel->overlap ? "vo" : "va", x, y);
   put_verdict(file, panel);
@@ -115,8 +122,7 @@ static void write_caption(FILE* file, const struct panel* panel, double x, doubl
   begin_text(file, "d", x, y + 13);
   fprintf(file, "%s, %s</text>\n", kind_a, kind_b);
   begin_text(file, "d", x, y + 25);
-  fprintf(file, "%.*s</text>\n", (int)(strlen(panel->answers) <= most ? most : strcspn(panel->answers, ",")),
-          panel->answers);
+  fprintf(file, "%.*s</text>\n", (int)(length <= most ? length : strcspn(panel->answers, ",")), panel->answers);
   begin_text(file, "d", x, y + 37);
   put_id(file, panel->pair.id);
   fputs("</text>\n", file);

@@ -10,7 +10,7 @@
 /// Pixels from one panel to the next.
 enum { panel_width = 168, panel_height = 216 };
 
-/// How a pair looks, and how it is.
+/// Whether the eye can tell how a pair stands, and if not, how it does.
 enum look { look_apart_close, look_overlap_close, look_touch, look_plain, look_count };
 
 struct panel {

@@ -14,7 +14,7 @@ static const char style[] =
     // Colours that red-green blindness keeps apart.
     ".oa{fill:#d55e00;stroke:#a33c00}.ob{fill:#e8485a;stroke:#8c1326}\n"
     ".aa{fill:#0072b2;stroke:#00517f}.ab{fill:#8a95a0;stroke:#4e5963}\n"
-    ".i,.l,.g{fill:none;stroke:#111}.i,.l{stroke-width:.8}.g{stroke-width:2.5}\n"
+    ".p{fill:#fff}.i,.l,.g{fill:none;stroke:#111}.i,.l{stroke-width:.8}.g{stroke-width:2.5}\n"
     ".s{font-size:10px;font-weight:bold;fill:#111;stroke:#fff;stroke-width:3;paint-order:stroke}\n"
     "</style>\n";
 
@@ -22,21 +22,24 @@ static const char* const titles[look_count] = {"Apart, by a gap too small to see
                                                "Overlapping, by a depth too small to see",
                                                "Touching exactly, which counts as overlap", "Plain to see"};
 
-void add_question(struct picture* picture, const struct pair* pair, double answer, int wrong) {
-  struct panel* panel;
-  picture->questions++;
-  if (picture->pairs == 0 || picture->pairs > picture_capacity ||
-      !shows_pair(&picture->panels[picture->pairs - 1], pair)) {
-    picture->pairs++;
-    if (picture->pairs > picture_capacity) return;
-    fill_panel(&picture->panels[picture->pairs - 1], pair);
-  }
-  panel = &picture->panels[picture->pairs - 1];
-  add_answer(panel, pair, answer, wrong);
-}
-
 static int count_shown(const struct picture* picture) {
   return picture->pairs < picture_capacity ? (int)picture->pairs : picture_capacity;
+}
+
+// The panel that shows the pair: the newest one or a new one.
+static struct panel* find_panel(struct picture* picture, const struct pair* pair) {
+  const long newest = picture->pairs <= picture_capacity ? picture->pairs - 1 : picture_capacity;
+  struct panel* next;
+  if (newest >= 0 && shows_pair(&picture->panels[newest], pair)) return &picture->panels[newest];
+  next = &picture->panels[count_shown(picture)];
+  fill_panel(next, pair);
+  picture->pairs++;
+  return next;
+}
+
+void add_question(struct picture* picture, const struct pair* pair, double answer, int wrong) {
+  picture->questions++;
+  add_answer(find_panel(picture, pair), pair, answer, wrong);
 }
 
 static int section_height(const struct picture* picture, int look) {

@@ -13,9 +13,9 @@
 enum { picture_capacity = 400 };
 
 struct picture {
-  long questions;  ///< all that were answered
-  long pairs;      ///< those of them about another pair than the one before, drawn or not
-  struct panel panels[picture_capacity];
+  long questions;                             ///< all that were answered
+  long pairs;                                 ///< those of them about another pair than the one before, drawn or not
+  struct panel panels[picture_capacity + 1];  ///< the last is for the newest pair that is not drawn
 };
 
 /// Adds an answered question.

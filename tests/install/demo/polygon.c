@@ -6,14 +6,15 @@
 
 static const long double pi = 3.14159265358979323846L;
 
-static void add(struct polygon* polygon, long double x, long double y) {
-  const struct spot spot = {x, y};
+static void add(struct polygon* polygon, struct spot spot) {
   if (polygon->count < polygon_capacity) polygon->at[polygon->count++] = spot;
 }
 
 // Adds centre + s p + t perp(p).
 static void add_corner(struct polygon* polygon, struct spot centre, struct spot p, long double s, long double t) {
-  add(polygon, centre.x + s * p.x - t * p.y, centre.y + s * p.y + t * p.x);
+  centre.x += s * p.x - t * p.y;
+  centre.y += s * p.y + t * p.x;
+  add(polygon, centre);
 }
 
 // Half lengths a along p, and b across it. (start.x, start.y) is the cosine and sine of the first corner's angle.
@@ -44,7 +45,7 @@ static int find_start(struct spot centre, struct spot p, long double a, long dou
   return isfinite(start->x) && isfinite(start->y);
 }
 
-// Each corner is 1.4 times as far from the focus as the one before: from pi down to pi times 2e-20.
+// From the focus to either side, each corner is 1.4 times as far as the one before: the angles are from 4e-20 to pi.
 static void add_dense_ellipse(struct polygon* polygon, struct spot centre, struct spot p, long double a, long double b,
                               struct spot start) {
   enum { side = 136, count = 2 * side + 1 };
@@ -57,40 +58,73 @@ static void add_dense_ellipse(struct polygon* polygon, struct spot centre, struc
   add_ellipse(polygon, centre, p, a, b, start, angles, count);
 }
 
-void find_polygon(const struct shape* shape, struct spot origin, const struct spot* focus, struct polygon* out) {
-  const double* n = shape->numbers;
-  const int round = shape->kind == VESICA_CIRCLE || shape->kind == VESICA_ELLIPSE;
-  const int turned = shape->kind == VESICA_RECT || shape->kind == VESICA_ELLIPSE;
-  const struct spot centre = {n[0] - origin.x, n[1] - origin.y};
-  const struct spot p = {turned ? n[2] : 1, turned ? n[3] : 0};
-  const long double a = turned ? n[4] : n[2], b = turned ? n[5] : n[2];
+static void add_round(struct polygon* polygon, struct spot centre, struct spot p, long double a, long double b,
+                      const struct spot* focus) {
   struct spot start;
-  out->count = 0;
-  if (round && focus && find_start(centre, p, a, b, *focus, &start)) {
-    add_dense_ellipse(out, centre, p, a, b, start);
-  } else if (round) {
-    add_even_ellipse(out, centre, p, a, b);
-  } else if (turned) {
-    for (int i = 0; i < 4; i++) add_corner(out, centre, p, i == 0 || i == 3 ? -a : a, i < 2 ? -b : b);
+  if (focus && find_start(centre, p, a, b, *focus, &start)) {
+    add_dense_ellipse(polygon, centre, p, a, b, start);
   } else {
-    add(out, centre.x, centre.y);
-    if (shape->kind == VESICA_AABB) add(out, n[2] - origin.x, centre.y);
-    if (shape->kind != VESICA_POINT) add(out, n[2] - origin.x, n[3] - origin.y);
-    if (shape->kind == VESICA_AABB) add(out, centre.x, n[3] - origin.y);
+    add_even_ellipse(polygon, centre, p, a, b);
   }
 }
 
-// Keeps what has x dx + y dy <= limit.
+static void add_rect(struct polygon* polygon, struct spot centre, struct spot p, long double hx, long double hy) {
+  add_corner(polygon, centre, p, -hx, -hy);
+  add_corner(polygon, centre, p, hx, -hy);
+  add_corner(polygon, centre, p, hx, hy);
+  add_corner(polygon, centre, p, -hx, hy);
+}
+
+void find_polygon(const struct shape* shape, struct spot origin, const struct spot* focus, struct polygon* out) {
+  const double* n = shape->numbers;
+  const struct spot first = {n[0] - origin.x, n[1] - origin.y}, second = {n[2] - origin.x, n[3] - origin.y};
+  const struct spot right = {second.x, first.y}, above = {first.x, second.y}, axis = {n[2], n[3]}, x_axis = {1, 0};
+  out->count = 0;
+  switch (shape->kind) {
+    case VESICA_POINT:
+      add(out, first);
+      break;
+    case VESICA_SEGMENT:
+      add(out, first);
+      add(out, second);
+      break;
+    case VESICA_CIRCLE:
+      add_round(out, first, x_axis, n[2], n[2], focus);
+      break;
+    case VESICA_AABB:
+      add(out, first);
+      add(out, right);
+      add(out, second);
+      add(out, above);
+      break;
+    case VESICA_RECT:
+      add_rect(out, first, axis, n[4], n[5]);
+      break;
+    case VESICA_ELLIPSE:
+      add_round(out, first, axis, n[4], n[5], focus);
+      break;
+  }
+}
+
+// The point between two, f away from the first, t from the second. Reckoned from the nearer one, so that a line that is
+// cut on its way there and on its way back is cut at the same place.
+static struct spot between(struct spot from, long double f, struct spot to, long double t) {
+  struct spot spot;
+  if (fabsl(t) < fabsl(f)) return between(to, t, from, f);
+  spot.x = from.x + f / (f - t) * (to.x - from.x);
+  spot.y = from.y + f / (f - t) * (to.y - from.y);
+  return spot;
+}
+
+// Keeps the part where x dx + y dy <= limit.
 static void cut(struct polygon* polygon, int dx, int dy, long double limit) {
   const struct polygon whole = *polygon;
   polygon->count = 0;
   for (int i = 0; i < whole.count; i++) {
     const struct spot from = whole.at[i], to = whole.at[(i + 1) % whole.count];
     const long double f = from.x * dx + from.y * dy - limit, t = to.x * dx + to.y * dy - limit;
-    if (f <= 0) add(polygon, from.x, from.y);
-    if ((f <= 0) != (t <= 0)) {
-      add(polygon, from.x + f / (f - t) * (to.x - from.x), from.y + f / (f - t) * (to.y - from.y));
-    }
+    if (f <= 0) add(polygon, from);
+    if ((f <= 0) != (t <= 0)) add(polygon, between(from, f, to, t));
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Shapes as convex polygons, for drawing. They are in long double, which where it is longer than double still tells
-/// points apart that are a double's last digit from each other.
+/// Shapes as convex polygons, for drawing. Corners are in long double: insets show gaps as small as the last digit of
+/// a double. Where long double is no longer than double, such an inset may draw the gap too wide or too narrow; the size
+/// written beside it is the library's and stays right.
 #ifndef POLYGON_H
 #define POLYGON_H
 
@@ -17,8 +18,8 @@ struct polygon {
   struct spot at[polygon_capacity];  ///< counter-clockwise
 };
 
-/// The corners of a shape, as seen from `origin`. A round outline gets many corners, evenly spread; or, with a `focus`,
-/// dense near the point of the outline next to it, so that the polygon is round there under any magnification.
+/// The corners of a shape, relative to `origin`. A round outline gets many corners, evenly spread. With a `focus` they
+/// are dense near the focus instead, so that the polygon looks round there under any magnification.
 void find_polygon(const struct shape* shape, struct spot origin, const struct spot* focus, struct polygon* out);
 
 /// Cuts a polygon to the square with |x| <= half and |y| <= half.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Scene files: one pair of shapes a line, with what is asked and, where known, the answer.
+/// Scene files: one pair of shapes a line, with what is asked and, where known, the answer. The demo has its own reader
+/// of cases.csv: it is a user's program, built from outside against the installed library alone.
 ///
 /// Two forms, which may be mixed. Blank lines, lines that begin with #, and the table's header are skipped.
 ///  - A table row as in tests/corpus/cases.csv: 20 fields between commas, id,source,kind_a,a0..a5,kind_b,b0..b5,
