@@ -69,6 +69,13 @@ static void find_place(struct contact* contact) {
   contact->place.y = along * normal.y + across * side.y;
 }
 
+// Whether the gap between the polygons is that between the shapes. Beside shapes that are far larger it may be lost in
+// rounding. Between two corners it is measured along an edge, and may be less by a factor of up to sqrt(2).
+static int is_true(const struct contact* contact, int overlap) {
+  const long double width = overlap ? -contact->width : contact->width;
+  return width >= 0.7L * contact->size && width <= 1.1L * contact->size;
+}
+
 int32_t find_contact(const struct pair* pair, int overlap, struct contact* out) {
   const struct shape *a = &pair->a, *b = &pair->b;
   const struct spot zero = {0, 0};
@@ -87,7 +94,7 @@ int32_t find_contact(const struct pair* pair, int overlap, struct contact* out) 
   try_direction(out, other);
   try_edges(out, &out->a);
   try_edges(out, &out->b);
-  if (!isfinite(out->width)) return VESICA_E_RANGE;
+  if (!isfinite(out->width) || (out->size > 0 && !is_true(out, overlap))) return VESICA_E_RANGE;
   find_place(out);
   return 0;
 }

@@ -14,7 +14,8 @@ struct contact {
   struct polygon a, b;
 };
 
-/// Finds the contact of a pair whose shapes overlap or not, as told. Returns 0, or a VESICA_E_ code.
+/// Finds the contact of a pair whose shapes overlap or not, as told. Returns 0, or a VESICA_E_ code: VESICA_E_RANGE for
+/// a gap so small beside the shapes that long double cannot draw it.
 int32_t find_contact(const struct pair* pair, int overlap, struct contact* out);
 
 #endif

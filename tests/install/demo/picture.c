@@ -14,7 +14,7 @@ static const char style[] =
     // Colours that red-green blindness keeps apart.
     ".oa{fill:#d55e00;stroke:#a33c00}.ob{fill:#e8485a;stroke:#8c1326}\n"
     ".aa{fill:#0072b2;stroke:#00517f}.ab{fill:#8a95a0;stroke:#4e5963}\n"
-    ".p{fill:#fff}.i,.l,.g{fill:none;stroke:#111}.i,.l{stroke-width:.8}.g{stroke-width:2.5}\n"
+    ".p{fill:#fff}.i,.l,.g{fill:none;stroke:#111}.i,.l{stroke-width:.8}.g{stroke-width:2}\n"
     ".s{font-size:10px;font-weight:bold;fill:#111;stroke:#fff;stroke-width:3;paint-order:stroke}\n"
     "</style>\n";
 

@@ -124,7 +124,13 @@ static void cut(struct polygon* polygon, int dx, int dy, long double limit) {
     const struct spot from = whole.at[i], to = whole.at[(i + 1) % whole.count];
     const long double f = from.x * dx + from.y * dy - limit, t = to.x * dx + to.y * dy - limit;
     if (f <= 0) add(polygon, from);
-    if ((f <= 0) != (t <= 0)) add(polygon, between(from, f, to, t));
+    if ((f <= 0) != (t <= 0)) {
+      struct spot spot = between(from, f, to, t);
+      // On the line to the last digit, however far away the corners are.
+      if (dx != 0) spot.x = dx * limit;
+      if (dy != 0) spot.y = dy * limit;
+      add(polygon, spot);
+    }
   }
 }
 

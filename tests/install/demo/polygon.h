@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Shapes as convex polygons, for drawing. Corners are in long double: insets show gaps as small as the last digit of
-/// a double. Where long double is no longer than double, such an inset may draw the gap too wide or too narrow; the size
-/// written beside it is the library's and stays right.
+/// a double.
 #ifndef POLYGON_H
 #define POLYGON_H
 

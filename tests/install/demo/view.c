@@ -36,7 +36,7 @@ static int is_small(const struct polygon* polygon, const struct view* view) {
 void write_polygon(FILE* file, const struct polygon* polygon, const struct view* view, const char* css_class) {
   if (polygon->count == 0) return;
   if (is_small(polygon, view)) {
-    fprintf(file, "<circle class=\"%s\" cx=\"%.2f\" cy=\"%.2f\" r=\"2\"/>\n", css_class, pixel_x(view, polygon->at[0]),
+    fprintf(file, "<circle class=\"%s\" cx=\"%.2f\" cy=\"%.2f\" r=\"3\"/>\n", css_class, pixel_x(view, polygon->at[0]),
             pixel_y(view, polygon->at[0]));
     return;
   }

@@ -7,7 +7,7 @@
 
 #include "polygon.h"
 
-enum { drawing = 136 };  // pixels
+enum { drawing = 136 };  ///< pixels
 
 struct view {
   struct spot origin;  ///< a point of the plane
