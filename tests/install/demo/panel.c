@@ -48,7 +48,9 @@ void add_answer(struct panel* panel, const struct pair* pair, double answer, int
 }
 
 static int same_shape(const struct shape* a, const struct shape* b) {
-  return a->kind == b->kind && memcmp(a->numbers, b->numbers, sizeof a->numbers) == 0;
+  int same = a->kind == b->kind;
+  for (int i = 0; same && i < vesica_field_count(a->kind); i++) same = a->numbers[i] == b->numbers[i];
+  return same;
 }
 
 int shows_pair(const struct panel* panel, const struct pair* pair) {
