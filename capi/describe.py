@@ -8,9 +8,10 @@ describe.py --check  exits with 1 where a file is not what the headers say
 
 The headers are read strictly: what is not one of the few forms they use is an error, so that nothing is left out.
 
-The headers say nothing twice; here each comment is made complete by itself. A function gets the parts (PARTS) that it
-does not have from the heading above it. "As vesica_..._f64." gets the text of the double function, for float. And who
-speaks of u or of the scale gets their definitions from the top of vesica.h.
+The headers say everything once. Here each comment is made complete by itself:
+  - A function takes the parts (PARTS) that its comment does not have from the heading above it.
+  - "As vesica_..._f64." becomes the text of the double function, with the names of the float ones.
+  - A comment that uses u or the scale takes their definitions from the top of vesica.h.
 """
 import difflib
 import json

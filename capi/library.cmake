@@ -1,6 +1,6 @@
 # vesica_library(name MAP map SOURCES source... [LINK library...] [HAND_ON library...]): one library behind the C face,
-# shared or static as BUILD_SHARED_LIBS says. Who links it also links what is handed on. The target vesica_methods has
-# the alias vesica::methods, and its file is libvesica-methods.
+# shared or static as BUILD_SHARED_LIBS says. Programs that link it also link what is handed on. The target
+# vesica_methods has the alias vesica::methods, and its file is libvesica-methods.
 include(CheckLinkerFlag)
 
 # A linker that does not know a flag does without: names are hidden by the compiler already, and versions of symbols
