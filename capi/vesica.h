@@ -213,9 +213,10 @@ VESICA_API int32_t vesica_overlap_f64(int32_t kind_a, const double *numbers_a, i
  * How does a relate to b? The answer is one of the eight relations of the region connection calculus (RCC-8).
  *
  * The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with one size zero,
- * is its two end points. A point, or a shape without any size, has no outline. The inside is all but the outline. So a
- * segment that ends on the middle of another touches it, two segments along one line that overlap in part cross, and a
- * point on the rim of a disc is inside with touch. Exchanging the shapes always gives the converse relation.
+ * is its two end points. A point, or a shape without any size, has no outline. The inside is all but the outline. If
+ * several relations fit, VESICA_EQUAL comes first, then those of containment, then VESICA_CROSS. So a segment that ends
+ * on the middle of another touches it, two segments along one line that overlap in part cross, and a point on the rim of
+ * a disc is inside with touch. Exchanging the shapes always gives the converse relation.
  * Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
  * Accuracy: exact.
  * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal.
@@ -297,8 +298,8 @@ VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const double *nu
  * outside, if a point lies on an outline, or if points and segments lie along one line. Otherwise the depth is > 0.
  * Exchanging the shapes reverses the direction and changes no other bit, except for two equal shapes in one place.
  * Moving both shapes by the same exact amounts changes no bit.
- * Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale. (x, y) has length 1 to 3 u, and moves b clear
- * to 4 u scale. Whether the depth is 0 is exact.
+ * Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale. The length of (x, y) is 1 but for 3 u, and it
+ * moves b clear but for 4 u scale. Whether the depth is 0 is exact.
  * Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
  * if only exact arithmetic can tell the depth from 0.
  */
