@@ -215,8 +215,8 @@ VESICA_API int32_t vesica_overlap_f64(int32_t kind_a, const double *numbers_a, i
  * The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with one size zero,
  * is its two end points. A point, or a shape without any size, has no outline. The inside is all but the outline. If
  * several relations fit, VESICA_EQUAL comes first, then those of containment, then VESICA_CROSS. So a segment that ends
- * on the middle of another touches it, two segments along one line that overlap in part cross, and a point on the rim of
- * a disc is inside with touch. Exchanging the shapes always gives the converse relation.
+ * on the middle of another touches it, two segments along one line that overlap in part cross, and a point on the rim
+ * of a disc is inside with touch. Exchanging the shapes always gives the converse relation.
  * Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
  * Accuracy: exact.
  * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal.
