@@ -217,7 +217,7 @@ def cdef(description, header):
            for kind in ("constants", "structs", "functions")}
     needed = "" if header == HEADERS[0] else "; to be read after vesica.cdef"
     lines = ["/* SPDX-License-Identifier: Apache-2.0 */",
-             f"/* Vesica {description['version']} for cffi and LuaJIT: what {description['libraries'][header]} has{needed}.",
+             f"/* Vesica {description['version']} for cffi and LuaJIT: {description['libraries'][header]}{needed}.",
              f" * Written by capi/describe.py; {header} says what each means. */", "", "enum {"]
     lines += [f"    {entry['name']} = {entry['value']}," for entry in own["constants"]]
     lines += ["};", ""]
