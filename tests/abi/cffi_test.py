@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""cffi_test.py LIBRARY METHODS: cffi reads capi/*.cdef as they are, lays structs out as capi/vesica.json says, calls."""
+"""cffi_test.py LIBRARY METHODS: cffi reads capi/*.cdef, lays structs out as capi/vesica.json says, and calls."""
 import json
 import pathlib
 import sys
