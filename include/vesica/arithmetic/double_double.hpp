@@ -33,26 +33,43 @@ struct DoubleDouble {
     return Rules::sum(a, b);
   }
   VESICA_INLINE friend DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) noexcept { return a + -b; }
-  VESICA_INLINE friend DoubleDouble operator*(const DoubleDouble& a, V b) noexcept {
-    const Pair<V> top = Rules::product(a.high, b);
-    return renormalised(top.high, top.low + a.low * b);
-  }
+  VESICA_INLINE friend DoubleDouble operator*(const DoubleDouble& a, V b) noexcept { return Rules::product(a, b); }
   VESICA_INLINE friend DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) noexcept {
-    const Pair<V> top = Rules::product(a.high, b.high);
-    return renormalised(top.high, top.low + (a.high * b.low + a.low * b.high));
+    return Rules::product(a, b);
   }
 };
 
+/// Products of double-doubles, given the exact product of their first parts.
+template <class V, class Rules>
+VESICA_INLINE DoubleDouble<V, Rules> product(const Pair<V>& top, const DoubleDouble<V, Rules>& a, V b) noexcept {
+  return DoubleDouble<V, Rules>::renormalised(top.high, top.low + a.low * b);
+}
+template <class V, class Rules>
+VESICA_INLINE DoubleDouble<V, Rules> product(const Pair<V>& top, const DoubleDouble<V, Rules>& a,
+                                             const DoubleDouble<V, Rules>& b) noexcept {
+  return DoubleDouble<V, Rules>::renormalised(top.high, top.low + (a.high * b.low + a.low * b.high));
+}
+
 struct FastRules {
   template <class V>
-  VESICA_INLINE static Pair<V> product(V a, V b) noexcept {
+  using Number = DoubleDouble<V, FastRules>;
+
+  template <class V>
+  VESICA_INLINE static Pair<V> exact_product(V a, V b) noexcept {
     return two_product<V>(factor(a), factor(b));
   }
   template <class V>
-  VESICA_INLINE static DoubleDouble<V, FastRules> sum(const DoubleDouble<V, FastRules>& a,
-                                                      const DoubleDouble<V, FastRules>& b) noexcept {
+  VESICA_INLINE static Number<V> product(const Number<V>& a, V b) noexcept {
+    return arithmetic::product(exact_product(a.high, b), a, b);
+  }
+  template <class V>
+  VESICA_INLINE static Number<V> product(const Number<V>& a, const Number<V>& b) noexcept {
+    return arithmetic::product(exact_product(a.high, b.high), a, b);
+  }
+  template <class V>
+  VESICA_INLINE static Number<V> sum(const Number<V>& a, const Number<V>& b) noexcept {
     const Pair<V> top = two_sum(a.high, b.high);
-    return DoubleDouble<V, FastRules>::renormalised(top.high, top.low + (a.low + b.low));
+    return Number<V>::renormalised(top.high, top.low + (a.low + b.low));
   }
 };
 
@@ -67,7 +84,7 @@ VESICA_INLINE FastDoubleDouble<V> sum(V a, V b) noexcept {
 }
 template <class V>
 VESICA_INLINE FastDoubleDouble<V> product(V a, V b) noexcept {
-  const Pair<V> p = FastRules::product(a, b);
+  const Pair<V> p = FastRules::exact_product(a, b);
   return {p.high, p.low};
 }
 
@@ -85,19 +102,26 @@ VESICA_INLINE FastDoubleDouble<V> magnitude(const FastDoubleDouble<V>& a) noexce
 template <class V>
 VESICA_INLINE FastDoubleDouble<V> root(const FastDoubleDouble<V>& a) noexcept {
   const V guess = sqrt(a.high);
-  const Pair<V> square = FastRules::product(guess, guess);
+  const Pair<V> square = FastRules::exact_product(guess, guess);
   const V rest = ((a.high - square.high) - square.low) + a.low;
   // The root of 0 has nothing to divide by.
   return FastDoubleDouble<V>::renormalised(guess, rest / ((guess + guess) + V(0x1p-1000)));
 }
 
+/// Its functions are not forced inline: the formulas that use them are long and run once a call.
 struct AccurateRules {
-  static Pair<double> product(double a, double b) noexcept { return two_product_fused(a, b); }
-  static DoubleDouble<double, AccurateRules> sum(const DoubleDouble<double, AccurateRules>& a,
-                                                 const DoubleDouble<double, AccurateRules>& b) noexcept {
+  using Number = DoubleDouble<double, AccurateRules>;
+
+  static Number product(const Number& a, double b) noexcept {
+    return arithmetic::product(two_product_fused(a.high, b), a, b);
+  }
+  static Number product(const Number& a, const Number& b) noexcept {
+    return arithmetic::product(two_product_fused(a.high, b.high), a, b);
+  }
+  static Number sum(const Number& a, const Number& b) noexcept {
     const Pair<double> s = two_sum(a.high, b.high), t = two_sum(a.low, b.low);
     const Pair<double> upper = fast_two_sum(s.high, s.low + t.high);
-    return DoubleDouble<double, AccurateRules>::renormalised(upper.high, upper.low + t.low);
+    return Number::renormalised(upper.high, upper.low + t.low);
   }
 };
 
