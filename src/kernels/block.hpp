@@ -6,6 +6,7 @@
 #include <cstring>
 #include <type_traits>
 #include <utility>
+#include <vesica/each_shape.hpp>
 #include <vesica/overlap.hpp>
 
 #include "kernels/filters.hpp"
@@ -192,27 +193,9 @@ constexpr void fill_unit_pair(ScalarKernels<T>& kernels) noexcept {
 
 template <class T>
 constexpr void fill_pairs(ScalarKernels<T>& kernels) noexcept {
-  fill_pair<Point, Point>(kernels);
-  fill_pair<Point, Segment>(kernels);
-  fill_pair<Point, Circle>(kernels);
-  fill_pair<Point, Aabb>(kernels);
-  fill_pair<Point, Rect>(kernels);
-  fill_pair<Point, Ellipse>(kernels);
-  fill_pair<Segment, Segment>(kernels);
-  fill_pair<Segment, Circle>(kernels);
-  fill_pair<Segment, Aabb>(kernels);
-  fill_pair<Segment, Rect>(kernels);
-  fill_pair<Segment, Ellipse>(kernels);
-  fill_pair<Circle, Circle>(kernels);
-  fill_pair<Circle, Aabb>(kernels);
-  fill_pair<Circle, Rect>(kernels);
-  fill_pair<Circle, Ellipse>(kernels);
-  fill_pair<Aabb, Aabb>(kernels);
-  fill_pair<Aabb, Rect>(kernels);
-  fill_pair<Aabb, Ellipse>(kernels);
-  fill_pair<Rect, Rect>(kernels);
-  fill_pair<Rect, Ellipse>(kernels);
-  fill_pair<Ellipse, Ellipse>(kernels);
+#define VESICA_FILL(a, A, b, B) fill_pair<A, B>(kernels);
+  VESICA_EACH_PAIR(VESICA_FILL)
+#undef VESICA_FILL
   fill_unit_pair<Rect, Rect>(kernels);
   fill_unit_pair<Rect, Ellipse>(kernels);
   fill_unit_pair<Circle, Ellipse>(kernels);
