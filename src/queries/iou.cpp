@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <limits>
+#include <vesica/iou.hpp>
+#include <vesica/shape_area.hpp>
+
+#include "query.hpp"
+
+namespace vesica::queries {
+
+namespace {
+
+struct IouOfPair {
+  using Result = double;
+  template <class A, class B>
+  VESICA_INLINE static std::int32_t answer(const A& a, const B& b, Result& out) noexcept {
+    return iou_or_error(a, b, out);
+  }
+};
+
+double area_of_shape(std::int32_t kind, const double* numbers) noexcept {
+  double area = std::numeric_limits<double>::quiet_NaN();
+  with_shape(kind, numbers, [&](const auto& shape) { return shape_area_or_error(shape, area); });
+  return area;
+}
+
+}  // namespace
+
+constinit const Query iou{
+    .pairs = pairs_in_order<IouOfPair>(),
+    .numbers = 1,
+    .kernels = &QueryTable::iou,
+    .known = Known::reach,
+    .shape_area = area_of_shape,
+};
+
+}  // namespace vesica::queries
