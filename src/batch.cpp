@@ -8,7 +8,7 @@ namespace vesica::batch {
 
 namespace {
 
-/// The pair that was asked for and the pair that is computed: kinds in the order of shapes.
+/// A pair of kinds, in the order of shapes, with its kernels.
 template <class T>
 struct Question {
   const KernelTable& kernels;
@@ -99,7 +99,7 @@ BlockResult answer_block(const Question<T>& question, Repeat repeat, BlockKernel
   return RestOfBlock<T>(question, repeat).answer(kernel, block);
 }
 
-/// Elements asked again in double lanes at a time, and room for them; so few are asked by the scalar function at once.
+/// Undecided elements are asked again in double lanes, so many at a time. Up to `few` go straight to the scalar function.
 inline constexpr std::int32_t retry_chunk = 128, few = 8;
 
 struct RetryBlock {
@@ -157,7 +157,8 @@ struct Answerer {
     settle(ask_pair(queries::overlap, question.kind_first, a[0], question.kind_second, b[0], nullptr), block.out + i);
   }
 
-  /// Elements that a quick kernel or float lanes left open, in double lanes; what those leave open, one by one.
+  /// Asks in double lanes for elements that a quick kernel or float lanes left undecided. What those leave undecided too is
+  /// asked one by one.
   void retry(const Block<T>& block, Repeat repeat, const std::int32_t* index, std::int32_t n) noexcept {
     RetryBlock retry(n);
     gather(block.first, question.fields_first, repeat == Repeat::first, index, n, retry.first);
@@ -168,7 +169,7 @@ struct Answerer {
     for (std::int32_t i = 0; i < result.undecided; ++i) resolve(block, repeat, index[retry.open[i]]);
   }
 
-  /// All elements of a block in double lanes: for blocks of which float lanes left much open, as near contact.
+  /// Answers a whole block in double lanes: float lanes left much of it undecided, as happens near contact.
   void redo_in_double(const Block<T>& block, Repeat repeat) noexcept {
     const Question<double> in_double = question.in_double();
     for (std::int32_t begin = 0; begin < block.count; begin += retry_chunk) {
@@ -190,7 +191,7 @@ struct Answerer {
     }
   }
 
-  /// Elements that a kernel left open.
+  /// Answers the elements that a kernel left undecided.
   void finish(const Block<T>& block, Repeat repeat, std::int32_t undecided, bool by_general) noexcept {
     if (undecided <= few || (!is_float && by_general)) {
       for (std::int32_t i = 0; i < undecided; ++i) resolve(block, repeat, block.undecided[i]);
@@ -201,7 +202,7 @@ struct Answerer {
     }
   }
 
-  /// Answers a block by the general kernel, or where float lanes leave much open, as near contact, in double lanes.
+  /// Answers a block by the general kernel, or in double lanes where float lanes leave much undecided.
   void answer_generally(Block<T>& block, Repeat repeat) noexcept {
     block.give_up = is_float ? block.count / 4 : block.count;
     const BlockResult result = answer_block(question, repeat, question.pair.general[static_cast<int>(repeat)], block);
@@ -212,7 +213,7 @@ struct Answerer {
     finish(block, repeat, result.undecided, true);
   }
 
-  /// Answers a block by the kernel for unit axes, or where that leaves more open than it is worth, another way.
+  /// Answers a block by the kernel for unit axes. Where that leaves too much undecided to pay, another way is taken.
   void answer(Block<T>& block, Repeat repeat) noexcept {
     const BlockKernel<T> unit = question.pair.unit[static_cast<int>(repeat)];
     if (unit == question.pair.general[static_cast<int>(repeat)]) return answer_generally(block, repeat);
@@ -228,8 +229,8 @@ struct Answerer {
     finish(block, repeat, result.undecided, false);
   }
 
-  /// Whether the general kernel decides the first element that the one for unit axes left open: it does where an axis
-  /// is to blame, and does not near contact.
+  /// Whether the general kernel decides the first element that the kernel for unit axes left undecided. It does where the
+  /// cause was an axis of another length, and does not near contact.
   bool general_decides(const Block<T>& block, Repeat repeat) noexcept {
     const std::int32_t i = block.undecided[0];
     std::uint8_t answer;

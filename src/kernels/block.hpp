@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one loop behind every batch: load lanes, ask the pair's filter, store bytes, note what it left undecided.
+// The loop behind every batch of overlap: load lanes, ask the filter, store bytes, list the undecided elements.
 // Included once by each source in src/isa, after the lanes of its instruction set.
 #pragma once
 
@@ -35,7 +35,8 @@ VESICA_INLINE Shape<LanesOf<T>> broadcast(const T* const* field, std::index_sequ
   return {LanesOf<T>(load_unaligned(field[Field]))...};
 }
 
-/// One operand of a kernel. Its pointers are copied: stores through a byte pointer could otherwise change them.
+/// One operand of a kernel. It keeps copies of the column pointers: a store through a byte pointer may alias anything, so
+/// the compiler would load the originals again in each iteration.
 template <template <class> class Shape, class T, bool Repeated>
 struct LaneOperand {
   static constexpr int fields = ShapeTraits<Shape<T>>::fields;
@@ -58,7 +59,7 @@ struct LaneOperand<Shape, T, true> {
   VESICA_INLINE const Shape<LanesOf<T>>& at(std::int32_t) const noexcept { return shape; }
 };
 
-/// The verdicts on vectors 0, 1, ... of n elements, asked for in turn.
+/// The verdicts on n elements, a vector at a time, in order.
 template <class Filter, class First, class Second>
 class Verdicts {
  public:
@@ -143,7 +144,7 @@ constexpr void fill_pair(ScalarKernels<T>& kernels) noexcept {
   fill<General, A, B, T>(pair.unit);
 }
 
-/// After fill_pair(), a quicker kernel for unit axes.
+/// Replaces the kernel for unit axes, which fill_pair() set to the general one.
 template <template <class> class A, template <class> class B, class T>
 constexpr void fill_unit_pair(ScalarKernels<T>& kernels) noexcept {
   auto& pair = kernels[static_cast<int>(ShapeTraits<A<T>>::kind)][static_cast<int>(ShapeTraits<B<T>>::kind)];

@@ -19,7 +19,7 @@ theirs='__dso_handle|__TMC_END__|completed(\.[0-9]+)?|__cpu_model|__cpu_features
 relocated='\.data\.rel\.ro.*|\.dynamic|\.got.*|\.(pre)?(init|fini)_array|\.ctors|\.dtors|\.tm_clone_table'
 writable='\.(data|bss|tdata|tbss|sdata|sbss|ldata|lbss).*|\*COM\*'
 table=$("$1" -f sysv --defined-only "$2" | awk -F'|' 'NF == 7 {gsub(/ /, ""); print $7, $1}')
-grep -q "^\.data\.rel\.ro .*kernels_portable" <<<"$table" || fail "no symbol table, or not the library: $2"
+grep -Eq "^\.data\.rel\.ro .*kernels_[a-z0-9]+E?$" <<<"$table" || fail "no symbol table, or not the library: $2"
 variables=$(grep -E "^($writable) " <<<"$table" | grep -Ev "^($relocated) " | awk '{print $2}')
 grep -qx "$ours" <<<"$variables" || fail "the pointer to the chosen kernels is not there: what else was overlooked?"
 if grep -Evx "$ours|$theirs" <<<"$variables"; then

@@ -67,7 +67,7 @@ native() {
   [ "$2" != Debug ] || unoptimised=(--unoptimised)
   build "$1" -DVESICA_DEVELOPER=OFF "-DCMAKE_BUILD_TYPE=$2" "-DCMAKE_C_COMPILER=$3" "-DCMAKE_CXX_COMPILER=$4" || return 1
   symbols "$1" "${unoptimised[@]}" || return 1
-  for isa in portable sse2 avx2 avx512; do
+  for isa in sse2 avx2 avx512; do
     status=0
     hash "$1" "$isa" || status=$?
     [ $status = 0 ] || [ $status = 77 ] || return 1
