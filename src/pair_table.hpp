@@ -29,7 +29,7 @@ std::int32_t answer_pair(const void* a, const void* b, [[maybe_unused]] void* ou
   const A& first = *static_cast<const A*>(a);
   const B& second = *static_cast<const B*>(b);
   if constexpr (HasResult<Query>) {
-    typename Query::Result result;
+    typename Query::Result result{};
     const std::int32_t code = Query::answer(first, second, result);
     if (code >= 0) std::memcpy(out, &result, sizeof result);
     return code;

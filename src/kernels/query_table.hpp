@@ -22,10 +22,11 @@ inline constexpr std::int32_t widest_vector = 16;
 /// copies of its numbers, whatever n is.
 struct QueryOperand {
   const double* number[max_fields];
-  const double* area;  // set where the query has shape_area, arbitrary elsewhere
-  const double*
-      reach;  // radius of a circle about the centre that holds the shape, with 2^-48 of itself to spare; NaN for
-              // an invalid shape. Set where the query knows reaches, arbitrary elsewhere
+  /// Set where the query has shape_area, arbitrary elsewhere.
+  const double* area;
+  /// The radius of a circle about the centre that holds the shape, with 2^-48 of itself to spare; NaN for an invalid
+  /// shape. Set where the query knows reaches, arbitrary elsewhere.
+  const double* reach;
   bool repeated;
 };
 
