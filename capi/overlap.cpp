@@ -20,11 +20,7 @@ int32_t vesica_overlap_f64(int32_t kind_a, const double* numbers_a, int32_t kind
 }
 
 int32_t vesica_overlap_f32(int32_t kind_a, const float* numbers_a, int32_t kind_b, const float* numbers_b) {
-  if (numbers_a == nullptr || numbers_b == nullptr) return VESICA_E_NULL;
-  if (!vesica::is_kind(kind_a) || !vesica::is_kind(kind_b)) return VESICA_E_KIND;
-  const auto& pairs = vesica::queries::overlap_of_floats.of;
-  if (kind_a > kind_b) return pairs[kind_b][kind_a](numbers_b, numbers_a, nullptr);
-  return pairs[kind_a][kind_b](numbers_a, numbers_b, nullptr);
+  return vesica::ask(vesica::queries::overlap, kind_a, numbers_a, kind_b, numbers_b, nullptr);
 }
 
 #define VESICA_PAIR_OF(a, A, b, B, scalar, T)                                                                   \

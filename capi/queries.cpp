@@ -14,28 +14,10 @@ using vesica::Relation;
 using vesica::batch::QueryTally;
 namespace queries = vesica::queries;
 
-int32_t code(const Query& query, int32_t kind_a, const double* a, int32_t kind_b, const double* b) noexcept {
-  return vesica::ask(query, kind_a, a, kind_b, b, nullptr);
-}
-int32_t code(const Query& query, int32_t kind_a, const float* a, int32_t kind_b, const float* b) noexcept {
-  return vesica::ask_widened(query, kind_a, a, kind_b, b, nullptr);
-}
-
-/// A result is written as its numbers: a struct holds nothing else.
-template <class Out>
-int32_t numbers(const Query& query, int32_t kind_a, const double* a, int32_t kind_b, const double* b,
-                Out* out) noexcept {
-  static_assert(sizeof(Out) % sizeof(double) == 0);
-  if (out == nullptr) return VESICA_E_NULL;
-  return vesica::ask(query, kind_a, a, kind_b, b, out);
-}
-template <class Out>
-int32_t numbers(const Query& query, int32_t kind_a, const float* a, int32_t kind_b, const float* b, Out* out) noexcept {
-  if (out == nullptr) return VESICA_E_NULL;
-  float rounded[sizeof(Out) / sizeof(float)];
-  const int32_t error = vesica::ask_rounded(query, kind_a, a, kind_b, b, rounded);
-  if (error == 0) std::memcpy(out, rounded, sizeof rounded);
-  return error;
+/// The result is written in place: a C struct is the core's byte for byte.
+template <class T, class Out>
+int32_t answer(const Query& query, int32_t kind_a, const T* a, int32_t kind_b, const T* b, Out* out) noexcept {
+  return out == nullptr ? VESICA_E_NULL : vesica::ask(query, kind_a, a, kind_b, b, out);
 }
 
 int64_t result(const QueryTally& tally) noexcept { return tally.error != 0 ? tally.error : tally.count; }
@@ -83,13 +65,13 @@ static_assert(is_code(Relation::contains_touch, VESICA_CONTAINS_TOUCH) && is_cod
 
 #define VESICA_NUMBERS(name, Out, scalar, T)                                                                           \
   int32_t vesica_##name##_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b, Out* out) { \
-    return numbers(queries::name, kind_a, numbers_a, kind_b, numbers_b, out);                                          \
+    return answer(queries::name, kind_a, numbers_a, kind_b, numbers_b, out);                                           \
   }
 
 /// Queries whose result is the returned code, a byte in batches.
 #define VESICA_CODE(name, scalar, T)                                                                         \
   int32_t vesica_##name##_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b) { \
-    return code(queries::name, kind_a, numbers_a, kind_b, numbers_b);                                        \
+    return vesica::ask(queries::name, kind_a, numbers_a, kind_b, numbers_b, nullptr);                        \
   }                                                                                                          \
   VESICA_MANY_AND_MATRIX(name, uint8_t, scalar, T)
 

@@ -154,7 +154,7 @@ struct Answerer {
     double a[max_fields][1], b[max_fields][1];
     gather(block.first, question.fields_first, repeat == Repeat::first, &i, 1, a);
     gather(block.second, question.fields_second, repeat == Repeat::second, &i, 1, b);
-    settle(ask_pair(queries::overlap, question.kind_first, a[0], question.kind_second, b[0], nullptr), block.out + i);
+    settle(queries::overlap.doubles.of[question.kind_first][question.kind_second](a, b, nullptr), block.out + i);
   }
 
   /// Asks in double lanes for elements that a quick kernel or float lanes left undecided. What those leave undecided too is

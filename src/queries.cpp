@@ -151,8 +151,8 @@ struct Pairs {
 
 using Results = double[max_results][query_block];
 
-/// Kernel results of (second, first) as those of (first, second), but for exchanged points, which are written in place.
-void reverse_all(Reversal reversal, std::int32_t n, Results& results) noexcept {
+/// Kernel results of (second, first) as those of (first, second). Points were exchanged as the kernel wrote them.
+void reverse_columns(Reversal reversal, std::int32_t n, Results& results) noexcept {
   if (reversal == Reversal::direction) {
     for (std::int32_t i = 0; i < n; ++i) {
       results[1][i] = 0 - results[1][i];  // no -0
@@ -160,9 +160,9 @@ void reverse_all(Reversal reversal, std::int32_t n, Results& results) noexcept {
     }
   }
   if (reversal == Reversal::converse) {
-    constexpr double converse_of[] = {0, 1, 2, 5, 6, 3, 4, 7};
     for (std::int32_t i = 0; i < n; ++i) {
-      if (!std::isnan(results[0][i])) results[0][i] = converse_of[static_cast<int>(results[0][i])];
+      if (std::isnan(results[0][i])) continue;
+      results[0][i] = static_cast<double>(converse(static_cast<Relation>(static_cast<int>(results[0][i]))));
     }
   }
 }
@@ -267,7 +267,7 @@ class Engine {
       std::swap(columns[2], columns[4]);
     }
     const bool all_settled = kernel(asked, whole_vectors(pairs.n), columns);
-    if (pairs.reversed()) reverse_all(query.reversal, pairs.n, results);
+    if (pairs.reversed()) reverse_columns(query.reversal, pairs.n, results);
     return all_settled;
   }
 
@@ -323,7 +323,7 @@ class Engine {
     double a[max_fields], b[max_fields], numbers[max_results];
     pairs.a.element(i, a);
     pairs.b.element(i, b);
-    const std::int32_t code = ask_pair(query, pairs.a.kind(), a, pairs.b.kind(), b, numbers);
+    const std::int32_t code = query.doubles.of[pairs.a.kind()][pairs.b.kind()](a, b, numbers);
     note(code);
     if (query.numbers == 0) numbers[0] = code;
     for (int k = 0; k < query.columns(); ++k) {

@@ -8,14 +8,6 @@
 
 namespace vesica {
 
-/// How the result for (b, a) becomes the one for (a, b).
-enum class Reversal {
-  none,       // they are the same
-  points,     // (distance, ax, ay, bx, by): the points are exchanged
-  direction,  // (depth, x, y): the direction is turned round
-  converse,   // a relation's code
-};
-
 /// What the kernels of a query must know of each pair.
 enum class Known {
   nothing,
@@ -27,14 +19,14 @@ enum class Known {
 using ShapeArea = double (*)(std::int32_t kind, const double* numbers) noexcept;
 
 struct Query {
-  PairTable pairs;
-  Reversal reversal = Reversal::none;
-  /// Doubles that a result has; 0 where it is the returned code.
+  PairTable doubles, floats;
+  Reversal reversal;
+
+  // What follows is about batches.
+  /// Numbers of a result; 0 where it is the returned code.
   int numbers = 0;
   /// The first number is a distance or a depth: one that is not 0 stays so when it is rounded to float.
   bool is_length = false;
-
-  // What follows is about batches.
   /// A batch counts the pairs whose first number is 0; otherwise those where it is positive.
   bool counts_zero = false;
   /// Null where the scalar function does it all.
@@ -48,45 +40,24 @@ struct Query {
 
   /// Columns that a batch writes.
   constexpr int columns() const noexcept { return numbers == 0 ? 1 : numbers; }
+  const PairTable& pairs(double) const noexcept { return doubles; }
+  const PairTable& pairs(float) const noexcept { return floats; }
 };
 
 namespace queries {
 
 extern const Query overlap, relation, contains, nearest, boundary_distance, depth, area, iou, crossings;
 
-/// Overlap of floats has functions of its own: widening would show.
-extern const PairTable overlap_of_floats;
-
 }  // namespace queries
 
-/// The result for (a, b), given that for (b, a): a code, and the numbers if there are any.
-std::int32_t reverse(Reversal reversal, std::int32_t code, double* numbers) noexcept;
-
-/// Asks about two shapes given by kind and flat numbers, the kinds being valid. `out` has room for the result.
-inline std::int32_t ask_pair(const Query& query, std::int32_t kind_a, const double* a, std::int32_t kind_b,
-                             const double* b, void* out) noexcept {
-  const PairFunction answer = query.pairs.of[kind_a][kind_b];
-  if (answer != nullptr) [[likely]]
-    return answer(a, b, out);
-  const std::int32_t code = query.pairs.of[kind_b][kind_a](b, a, out);
-  return query.reversal == Reversal::none ? code : reverse(query.reversal, code, static_cast<double*>(out));
-}
-
-/// The same for arguments of which nothing is known. Returns the answer, or the error that comes first of NULL, kind
-/// and what the query looks at.
-inline std::int32_t ask(const Query& query, std::int32_t kind_a, const double* a, std::int32_t kind_b, const double* b,
-                        void* out) noexcept {
+/// Asks about two shapes given by kind and flat numbers. Returns the answer, or the error that comes first of NULL, kind
+/// and what the query looks at. `out` has room for the result, and is null where that is the returned code.
+template <class T>
+VESICA_INLINE std::int32_t ask(const Query& query, std::int32_t kind_a, const T* a, std::int32_t kind_b, const T* b,
+                               void* out) noexcept {
   if (a == nullptr || b == nullptr) return error_null;
   if (!is_kind(kind_a) || !is_kind(kind_b)) return error_kind;
-  return ask_pair(query, kind_a, a, kind_b, b, out);
+  return query.pairs(T{}).of[kind_a][kind_b](a, b, out);
 }
-
-/// Shapes of floats are asked about as doubles, which is exact. `out` has room for the result in doubles.
-std::int32_t ask_widened(const Query& query, std::int32_t kind_a, const float* a, std::int32_t kind_b, const float* b,
-                         void* out) noexcept;
-
-/// The same with the result's numbers rounded once; error_range where one exceeds the floats, and out is untouched.
-std::int32_t ask_rounded(const Query& query, std::int32_t kind_a, const float* a, std::int32_t kind_b, const float* b,
-                         float* out) noexcept;
 
 }  // namespace vesica

@@ -8,8 +8,10 @@ namespace vesica::queries {
 namespace {
 
 struct AreaOfPair {
-  using Result = double;
-  template <class A, class B>
+  static constexpr Reversal reversal = Reversal::none;
+  template <class T>
+  using Result = T;
+  template <class A, class B, class Result>
   VESICA_INLINE static std::int32_t answer(const A& a, const B& b, Result& out) noexcept {
     return area_or_error(a, b, out);
   }
@@ -18,7 +20,9 @@ struct AreaOfPair {
 }  // namespace
 
 constinit const Query area{
-    .pairs = pairs_in_order<AreaOfPair>(),
+    .doubles = pair_table<AreaOfPair, double>(),
+    .floats = pair_table<AreaOfPair, float>(),
+    .reversal = AreaOfPair::reversal,
     .numbers = 1,
     .kernels = &QueryTable::area,
     .known = Known::reach,

@@ -8,8 +8,10 @@ namespace vesica::queries {
 namespace {
 
 struct BoundaryDistanceOfPair {
-  using Result = ClosestPoints<double>;
-  template <class A, class B>
+  static constexpr Reversal reversal = Reversal::points;
+  template <class T>
+  using Result = ClosestPoints<T>;
+  template <class A, class B, class Result>
   VESICA_INLINE static std::int32_t answer(const A& a, const B& b, Result& out) noexcept {
     return boundary_distance_or_error(a, b, out);
   }
@@ -18,8 +20,9 @@ struct BoundaryDistanceOfPair {
 }  // namespace
 
 constinit const Query boundary_distance{
-    .pairs = pairs_in_order<BoundaryDistanceOfPair>(),
-    .reversal = Reversal::points,
+    .doubles = pair_table<BoundaryDistanceOfPair, double>(),
+    .floats = pair_table<BoundaryDistanceOfPair, float>(),
+    .reversal = BoundaryDistanceOfPair::reversal,
     .numbers = 5,
     .is_length = true,
     .counts_zero = true,

@@ -8,8 +8,10 @@ namespace vesica::queries {
 namespace {
 
 struct CrossingsOfPair {
-  using Result = CrossingPoints<double>;
-  template <class A, class B>
+  static constexpr Reversal reversal = Reversal::unknown;
+  template <class T>
+  using Result = CrossingPoints<T>;
+  template <class A, class B, class Result>
   VESICA_INLINE static std::int32_t answer(const A& a, const B& b, Result& out) noexcept {
     return crossings_or_error(a, b, out);
   }
@@ -19,7 +21,9 @@ struct CrossingsOfPair {
 
 // Places are in order along the first shape, so neither order of a pair tells the other. There are no batches.
 constinit const Query crossings{
-    .pairs = pairs_in_both_orders<CrossingsOfPair>(),
+    .doubles = pair_table<CrossingsOfPair, double>(),
+    .floats = pair_table<CrossingsOfPair, float>(),
+    .reversal = CrossingsOfPair::reversal,
 };
 
 }  // namespace vesica::queries

@@ -8,8 +8,10 @@ namespace vesica::queries {
 namespace {
 
 struct DepthOfPair {
-  using Result = Penetration<double>;
-  template <class A, class B>
+  static constexpr Reversal reversal = Reversal::direction;
+  template <class T>
+  using Result = Penetration<T>;
+  template <class A, class B, class Result>
   VESICA_INLINE static std::int32_t answer(const A& a, const B& b, Result& out) noexcept {
     return depth_or_error(a, b, out);
   }
@@ -18,8 +20,9 @@ struct DepthOfPair {
 }  // namespace
 
 constinit const Query depth{
-    .pairs = pairs_in_order<DepthOfPair>(),
-    .reversal = Reversal::direction,
+    .doubles = pair_table<DepthOfPair, double>(),
+    .floats = pair_table<DepthOfPair, float>(),
+    .reversal = DepthOfPair::reversal,
     .numbers = 3,
     .is_length = true,
     .kernels = &QueryTable::depth,

@@ -10,8 +10,10 @@ namespace vesica::queries {
 namespace {
 
 struct IouOfPair {
-  using Result = double;
-  template <class A, class B>
+  static constexpr Reversal reversal = Reversal::none;
+  template <class T>
+  using Result = T;
+  template <class A, class B, class Result>
   VESICA_INLINE static std::int32_t answer(const A& a, const B& b, Result& out) noexcept {
     return iou_or_error(a, b, out);
   }
@@ -26,7 +28,9 @@ double area_of_shape(std::int32_t kind, const double* numbers) noexcept {
 }  // namespace
 
 constinit const Query iou{
-    .pairs = pairs_in_order<IouOfPair>(),
+    .doubles = pair_table<IouOfPair, double>(),
+    .floats = pair_table<IouOfPair, float>(),
+    .reversal = IouOfPair::reversal,
     .numbers = 1,
     .kernels = &QueryTable::iou,
     .known = Known::reach,

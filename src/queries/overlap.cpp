@@ -7,7 +7,8 @@ namespace vesica::queries {
 
 namespace {
 
-struct Overlap {
+struct OverlapOfPair {
+  static constexpr Reversal reversal = Reversal::none;
   template <class A, class B>
   VESICA_INLINE static std::int32_t answer(const A& a, const B& b) noexcept {
     return overlap_or_error(a, b);
@@ -17,7 +18,10 @@ struct Overlap {
 }  // namespace
 
 // Batches of overlap have an engine of their own.
-constinit const Query overlap{.pairs = pairs_in_order<Overlap>()};
-constinit const PairTable overlap_of_floats = pairs_in_order<Overlap, float>();
+constinit const Query overlap{
+    .doubles = pair_table<OverlapOfPair, double>(),
+    .floats = pair_table<OverlapOfPair, float>(),
+    .reversal = OverlapOfPair::reversal,
+};
 
 }  // namespace vesica::queries

@@ -8,6 +8,7 @@ namespace vesica::queries {
 namespace {
 
 struct RelationOfPair {
+  static constexpr Reversal reversal = Reversal::converse;
   template <class A, class B>
   VESICA_INLINE static std::int32_t answer(const A& a, const B& b) noexcept {
     return relation_or_error(a, b);
@@ -15,6 +16,7 @@ struct RelationOfPair {
 };
 
 struct ContainsPair {
+  static constexpr Reversal reversal = Reversal::unknown;
   template <class A, class B>
   VESICA_INLINE static std::int32_t answer(const A& a, const B& b) noexcept {
     return contains_or_error(a, b);
@@ -28,14 +30,17 @@ double contains_from_relation(double code) noexcept {
 }  // namespace
 
 constinit const Query relation{
-    .pairs = pairs_in_order<RelationOfPair>(),
-    .reversal = Reversal::converse,
+    .doubles = pair_table<RelationOfPair, double>(),
+    .floats = pair_table<RelationOfPair, float>(),
+    .reversal = RelationOfPair::reversal,
     .kernels = &QueryTable::relation,
 };
 
 // Containment has no converse. Batches take it from the relation, whose kernels know as much.
 constinit const Query contains{
-    .pairs = pairs_in_both_orders<ContainsPair>(),
+    .doubles = pair_table<ContainsPair, double>(),
+    .floats = pair_table<ContainsPair, float>(),
+    .reversal = ContainsPair::reversal,
     .asked_instead = &relation,
     .from_code = contains_from_relation,
 };
