@@ -15,6 +15,15 @@ struct CrossingsOfPair {
   VESICA_INLINE static std::int32_t answer(const A& a, const B& b, Result& out) noexcept {
     return crossings_or_error(a, b, out);
   }
+  /// The places of doubles, rounded.
+  template <template <class> class A, template <class> class B>
+  VESICA_INLINE static std::int32_t answer(const A<float>& a, const B<float>& b, CrossingPoints<float>& out) noexcept {
+    const A<double> wide_a = widen(a);
+    const B<double> wide_b = widen(b);
+    CrossingPoints<double> places;
+    const std::int32_t count = answer_pair<CrossingsOfPair, A<double>, B<double>>(&wide_a, &wide_b, &places);
+    return count < 0 ? count : detail::crossings::store(places, out);
+  }
 };
 
 }  // namespace
