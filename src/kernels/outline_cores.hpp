@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernels' parts for depths and for distances of outlines, as query_cores.hpp.
+// What the kernels of depth and of boundary distance compute, in the form that query_cores.hpp describes.
 #pragma once
 
 #include <vesica/boundary_distance.hpp>
@@ -10,7 +10,7 @@
 namespace vesica {
 namespace {
 
-/// The five numbers of a lane's answer, where they are wanted, settled and finite.
+/// Writes the five numbers of an answer to the lanes in which it is wanted, settled and finite. Returns those lanes.
 VESICA_INLINE PairMask put(const detail::nearest::LaneAnswer<Doubles>& c, PairMask wanted, Doubles* out) noexcept {
   const Doubles points[] = {c.distance, c.ax, c.ay, c.bx, c.by};
   const PairMask settled = both(both(wanted, c.settled), detail::all_finite(c.distance, c.ax, c.ay, c.bx, c.by));
