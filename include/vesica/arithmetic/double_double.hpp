@@ -39,17 +39,6 @@ struct DoubleDouble {
   }
 };
 
-/// Products of double-doubles, given the exact product of their first parts.
-template <class V, class Rules>
-VESICA_INLINE DoubleDouble<V, Rules> product(const Pair<V>& top, const DoubleDouble<V, Rules>& a, V b) noexcept {
-  return DoubleDouble<V, Rules>::renormalised(top.high, top.low + a.low * b);
-}
-template <class V, class Rules>
-VESICA_INLINE DoubleDouble<V, Rules> product(const Pair<V>& top, const DoubleDouble<V, Rules>& a,
-                                             const DoubleDouble<V, Rules>& b) noexcept {
-  return DoubleDouble<V, Rules>::renormalised(top.high, top.low + (a.high * b.low + a.low * b.high));
-}
-
 struct FastRules {
   template <class V>
   using Number = DoubleDouble<V, FastRules>;
@@ -60,11 +49,13 @@ struct FastRules {
   }
   template <class V>
   VESICA_INLINE static Number<V> product(const Number<V>& a, V b) noexcept {
-    return arithmetic::product(exact_product(a.high, b), a, b);
+    const Pair<V> top = exact_product(a.high, b);
+    return Number<V>::renormalised(top.high, top.low + a.low * b);
   }
   template <class V>
   VESICA_INLINE static Number<V> product(const Number<V>& a, const Number<V>& b) noexcept {
-    return arithmetic::product(exact_product(a.high, b.high), a, b);
+    const Pair<V> top = exact_product(a.high, b.high);
+    return Number<V>::renormalised(top.high, top.low + (a.high * b.low + a.low * b.high));
   }
   template <class V>
   VESICA_INLINE static Number<V> sum(const Number<V>& a, const Number<V>& b) noexcept {
@@ -113,10 +104,12 @@ struct AccurateRules {
   using Number = DoubleDouble<double, AccurateRules>;
 
   static Number product(const Number& a, double b) noexcept {
-    return arithmetic::product(two_product_fused(a.high, b), a, b);
+    const Pair<double> top = two_product_fused(a.high, b);
+    return Number::renormalised(top.high, top.low + a.low * b);
   }
   static Number product(const Number& a, const Number& b) noexcept {
-    return arithmetic::product(two_product_fused(a.high, b.high), a, b);
+    const Pair<double> top = two_product_fused(a.high, b.high);
+    return Number::renormalised(top.high, top.low + (a.high * b.low + a.low * b.high));
   }
   static Number sum(const Number& a, const Number& b) noexcept {
     const Pair<double> s = two_sum(a.high, b.high), t = two_sum(a.low, b.low);
