@@ -8,6 +8,8 @@
 #include <vesica/relation_code.hpp>
 #include <vesica/shapes.hpp>
 
+#include "by_kind.hpp"
+
 namespace vesica {
 
 /// Answers a query for two shapes whose numbers lie side by side. Writes the result, if it is more than a code, to out.
@@ -46,6 +48,19 @@ concept HasResult = requires {
   typename Query::template Result<T>;
 };
 
+/// The pairs that a query answers: those of shapes with a form, unless it has an `answers` of its own.
+template <class Query, class A, class B>
+consteval bool answers() noexcept {
+  if constexpr (requires { Query::template answers<A, B>; }) {
+    return Query::template answers<A, B>;
+  } else {
+    return HasForm<A> && HasForm<B>;
+  }
+}
+
+/// Stands in the table for a pair that the query does not answer.
+inline std::int32_t unknown_pair(const void*, const void*, void*) noexcept { return error_kind; }
+
 /// Query::answer for shapes read in place: flat numbers are the core's shapes byte for byte. Never inlined, so that the
 /// code of a pair exists once.
 template <class Query, class A, class B>
@@ -77,14 +92,24 @@ std::int32_t answer_reversed(const void* a, const void* b, void* out) noexcept {
   }
 }
 
+/// A pair in both orders.
+template <class Query, class A, class B>
+consteval void enter_pair(PairTable& table) noexcept {
+  PairFunction& in_order = table.of[static_cast<int>(ShapeTraits<A>::kind)][static_cast<int>(ShapeTraits<B>::kind)];
+  PairFunction& reversed = table.of[static_cast<int>(ShapeTraits<B>::kind)][static_cast<int>(ShapeTraits<A>::kind)];
+  if constexpr (answers<Query, A, B>()) {
+    reversed = answer_reversed<Query, B, A>;
+    in_order = answer_pair<Query, A, B>;  // of two shapes of one kind this is the one that stays
+  } else {
+    reversed = in_order = unknown_pair;
+  }
+}
+
 /// Every two kinds in either order.
 template <class Query, class T>
 consteval PairTable pair_table() noexcept {
   PairTable table{};
-  // Of two shapes of one kind the second line overwrites the first.
-#define VESICA_ENTRY(a, A, b, B)                                                                       \
-  table.of[static_cast<int>(Kind::b)][static_cast<int>(Kind::a)] = answer_reversed<Query, B<T>, A<T>>; \
-  table.of[static_cast<int>(Kind::a)][static_cast<int>(Kind::b)] = answer_pair<Query, A<T>, B<T>>;
+#define VESICA_ENTRY(a, A, b, B) enter_pair<Query, A<T>, B<T>>(table);
   VESICA_EACH_PAIR(VESICA_ENTRY)
 #undef VESICA_ENTRY
   return table;
