@@ -15,6 +15,8 @@
 /// round, within 2^-90 / e.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <vesica/crossings/box_box.hpp>
 #include <vesica/crossings/box_ellipse.hpp>
 #include <vesica/crossings/ellipse_ellipse.hpp>
@@ -27,6 +29,23 @@ namespace detail::crossings {
 
 template <class Shape>
 inline constexpr bool is_round = ShapeTraits<Shape>::kind == Kind::circle || ShapeTraits<Shape>::kind == Kind::ellipse;
+
+inline std::array<double, 3> numbers(const Circle<double>& s) noexcept { return {s.cx, s.cy, s.r}; }
+inline std::array<double, 6> numbers(const Ellipse<double>& s) noexcept { return {s.cx, s.cy, s.ux, s.uy, s.a, s.b}; }
+
+/// Which outline places are looked for along: the lesser one's, whichever comes first.
+template <class A, class B>
+bool is_first(const A& a, const B& b) noexcept {
+  const auto area_a = detail::area::shape_measure(a), area_b = detail::area::shape_measure(b);
+  if (detail::area::less(area_a, area_b)) return true;
+  if (detail::area::less(area_b, area_a)) return false;
+  if constexpr (ShapeTraits<A>::kind != ShapeTraits<B>::kind) {
+    return ShapeTraits<A>::kind < ShapeTraits<B>::kind;
+  } else {
+    const auto x = numbers(a), y = numbers(b);
+    return std::lexicographical_compare(x.begin(), x.end(), y.begin(), y.end());
+  }
+}
 
 /// A box and any shape, or two ellipses; a round shape without area is a box. The answer is in order along a.
 template <class A, class B>
@@ -48,8 +67,8 @@ CrossingPoints<double> between(const A& a, const B& b) noexcept {
     if (exact::degenerate(form_a)) return crossings(exact::as_box(form_a), form_b).in_order(false);
     if (exact::degenerate(form_b)) return crossings(exact::as_box(form_b), form_a).in_order(true);
     const Census census = detail::crossings::census(form_a, form_b);
-    const bool a_is_less = !detail::area::less(detail::area::shape_measure(b), detail::area::shape_measure(a));
-    return a_is_less ? places(a, b, census).in_order(false) : places(b, a, census).in_order(true);
+    if (is_first(a, b)) return places(form_a, StoredOutline(a), form_b, census).in_order(false);
+    return places(form_b, StoredOutline(b), form_a, census).in_order(true);
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vesica/area/double_double.hpp>
 #include <vesica/exact/form.hpp>
 #include <vesica/exact/rounded.hpp>
 
@@ -19,6 +20,7 @@ struct CrossingPoints {
 namespace detail::crossings {
 
 using Scaled = vesica::detail::Scaled;
+using Real = detail::area::DoubleDouble;
 
 inline double to_double(const Scaled& s) noexcept { return vesica::detail::scale(s.value, s.exponent); }
 
@@ -42,7 +44,8 @@ inline double turn(double x, double y) noexcept {
 
 /// A place where the outlines meet, with where it is along either: only the order counts.
 struct Place {
-  double x, y, along_a, along_b;
+  double x, y;
+  Real along_a, along_b;
 };
 
 struct Found {
@@ -59,7 +62,7 @@ struct Found {
     for (int i = 1; i < count; ++i) {
       const Place p = place[i];
       int k = i;
-      for (; k > 0 && key(place[k - 1]) > key(p); --k) place[k] = place[k - 1];
+      for (; k > 0 && key(p) < key(place[k - 1]); --k) place[k] = place[k - 1];
       place[k] = p;
     }
     CrossingPoints<double> out{count, shared ? 1 : 0, {}, {}};
