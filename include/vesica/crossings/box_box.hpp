@@ -17,22 +17,23 @@ inline exact::Number<4> along(const Edge& e, const Position& x, const Position& 
 }
 inline exact::Number<4> squared_length(const Edge& e) noexcept { return e.dx * e.dx + e.dy * e.dy; }
 
-/// Whether corner i of one is corner j of the other.
-inline bool same_corner(const Corners& a, int i, const Corners& b, int j) noexcept {
-  return exact::compare(a.x[i], b.x[j]) == 0 && exact::compare(a.y[i], b.y[j]) == 0;
+inline bool is_corner(const Corners& a, int i, const Position& x, const Position& y) noexcept {
+  return exact::compare(a.x[i], x) == 0 && exact::compare(a.y[i], y) == 0;
 }
 
-/// Where a corner lies along another outline, from 0 to 4, or -1 where it does not lie on it.
-inline double place_along(const Corners& outline, const Corners& other, int corner) noexcept {
-  const Position &x = other.x[corner], &y = other.y[corner];
+/// A place a part t along edge i: before the edge's end, however t was rounded.
+inline double on_edge(int i, double t) noexcept { return std::fmin(i + t, std::nextafter(i + 1.0, 0.0)); }
+
+/// Where a point lies along an outline, from 0 to 4, or -1 where it does not lie on it.
+inline double place_along(const Corners& outline, const Position& x, const Position& y) noexcept {
   for (int i = 0; i < outline.count; ++i) {
-    if (same_corner(outline, i, other, corner)) return i;
+    if (is_corner(outline, i, x, y)) return i;
   }
   for (int i = 0; i < outline.edges; ++i) {
     const Edge e(outline, i);
     if (side(e, x, y).sign != 0) continue;
     const auto t = along(e, x, y), whole = squared_length(e);
-    if (t.sign > 0 && exact::compare(t, whole) < 0) return i + quotient(exact::rounded(t), exact::rounded(whole));
+    if (t.sign > 0 && exact::compare(t, whole) < 0) return on_edge(i, quotient(exact::rounded(t), exact::rounded(whole)));
   }
   return -1;
 }
@@ -52,24 +53,23 @@ inline void cross_edges(const Edge& e, int i, const Edge& f, int j, const Corner
   if (e0.sign * e1.sign >= 0) return;
   const double t = quotient(exact::rounded(e0), exact::rounded(e0 - e1));
   const double s = quotient(exact::rounded(f0), exact::rounded(f0 - f1));
-  if (e.length() < f.length()) {
-    found.add({e.at_x(t), e.at_y(t), i + t, j + s});
-  } else {
-    found.add({f.at_x(s), f.at_y(s), i + t, j + s});
-  }
+  // The shorter edge tells the place better. Of equal ones, either order of the boxes takes the same.
+  const double ex = e.at_x(t), ey = e.at_y(t), fx = f.at_x(s), fy = f.at_y(s), longer = e.length() - f.length();
+  const bool along_e = longer < 0 || (longer == 0 && (ex < fx || (ex == fx && ey < fy)));
+  found.add({along_e ? ex : fx, along_e ? ey : fy, on_edge(i, t), on_edge(j, s)});
 }
 
 inline Found crossings(const exact::Box& box_a, const exact::Box& box_b) noexcept {
   const Corners a(box_a), b(box_b);
   Found found;
   for (int i = 0; i < a.count; ++i) {
-    const double at = place_along(b, a, i);
+    const double at = place_along(b, a.x[i], a.y[i]);
     if (at >= 0) found.add({nearest(a.x[i]), nearest(a.y[i]), static_cast<double>(i), at});
   }
   for (int j = 0; j < b.count; ++j) {
     bool common = false;  // found already, as one of a's
-    for (int i = 0; i < a.count; ++i) common = common || same_corner(a, i, b, j);
-    const double at = common ? -1 : place_along(a, b, j);
+    for (int i = 0; i < a.count; ++i) common = common || is_corner(a, i, b.x[j], b.y[j]);
+    const double at = common ? -1 : place_along(a, b.x[j], b.y[j]);
     if (at >= 0) found.add({nearest(b.x[j]), nearest(b.y[j]), at, static_cast<double>(j)});
   }
   for (int i = 0; i < a.edges; ++i) {

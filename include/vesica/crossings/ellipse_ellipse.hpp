@@ -170,10 +170,11 @@ struct Groups {
     if (end - from > 1) g.at = spots.spot[(from + (end - from) / 2) % spots.count].from;
     for (int i = from; i < end; ++i) {
       const Spot& s = spots.spot[i % spots.count];
-      g.most += s.most;
+      g.most = std::max(g.most, s.most);
       g.height = std::fmin(g.height, s.height);
       if (i > from && rounded(s.from) == 0) g.at = Real(0.0);
     }
+    if ((g.most % 2 == 1) != g.odd) ++g.most;
     group[count++] = g;
   }
 };
@@ -189,14 +190,11 @@ inline void share_out(Groups& groups, const Census& census) noexcept {
     g.most -= 1;
     --crossing;
   }
-  const auto flattest = [&]() -> Group& {
-    Group* best = &groups.group[0];
-    for (int i = 1; i < groups.count; ++i) {
-      Group& g = groups.group[i];
-      if ((g.most >= 2 && best->most < 2) || (g.most >= 2 && g.height < best->height)) best = &g;
-    }
-    return *best;
+  const auto flatter = [](const Group& g, const Group& h) {
+    if ((g.most >= 2) != (h.most >= 2)) return g.most >= 2;
+    return g.places != h.places ? g.places < h.places : g.height < h.height;
   };
+  const auto flattest = [&]() -> Group& { return *std::min_element(groups.group, groups.group + groups.count, flatter); };
   for (; touching > 0; --touching) {
     Group& g = flattest();
     ++g.places;
@@ -213,7 +211,7 @@ inline void share_out(Groups& groups, const Census& census) noexcept {
 struct Direction {
   Real x, y;
   explicit Direction(const Real& at) noexcept {
-    const int quarter = static_cast<int>(rounded(at));
+    const int up = static_cast<int>(rounded(at)), quarter = at < Real(up) ? up - 1 : up;
     const Real t = at - Real(quarter), square = t * t, sum = Real(1.0) + square;
     const Real c = (Real(1.0) - square) / sum, s = (t + t) / sum;
     switch (quarter & 3) {
@@ -224,22 +222,6 @@ struct Direction {
     }
   }
 };
-
-/// An exact number over 2^exponent, to two doubles.
-template <int Degree>
-Real two_doubles(const exact::Number<Degree>& x, int exponent) noexcept {
-  const Scaled high = exact::rounded(x), low = exact::rounded(x - exact::from_double(high.value, high.exponent));
-  return {vesica::detail::scale(high.value, high.exponent - exponent),
-          vesica::detail::scale(low.value, low.exponent - exponent)};
-}
-
-/// As turn() in points.hpp, to more digits.
-inline Real turn(const Real& x, const Real& y) noexcept {
-  const Real sum = abs(x) + abs(y);
-  if (!(rounded(sum) > 0)) return {};
-  const Real part = y / sum;
-  return rounded(x) < 0 ? Real(2.0) - part : rounded(y) < 0 ? Real(4.0) + part : part;
-}
 
 /// Where a place of e is along f.
 class AlongOther {
@@ -301,15 +283,8 @@ inline bool begins_on(const exact::Ellipse& e, const exact::Ellipse& f) noexcept
 
 /// The place at which f's outline begins, if it is one of them, is the first along f.
 inline void mend_start(const exact::Ellipse& e, const exact::Ellipse& f, Found& found) noexcept {
-  Place* nearest_start = nullptr;
-  double least = 0x1p-30;
-  for (int i = 0; i < found.count; ++i) {
-    const double at = rounded(found.place[i].along_b), off = at > 2 ? 4 - at : at;
-    if (off > least) continue;
-    least = off;
-    nearest_start = &found.place[i];
-  }
-  if (nearest_start != nullptr && begins_on(e, f)) nearest_start->along_b = Real(0.0);
+  Place* place = found.next_to_start_of_b();
+  if (place != nullptr && begins_on(e, f)) place->along_b = Real(0.0);
 }
 
 /// The places along e, whose outline is `stored`, with where they are along f.
@@ -325,6 +300,7 @@ inline Found places(const exact::Ellipse& e, const StoredOutline& stored, const 
     harmonics.advance();
   }
   Groups groups(spots);
+  assert(groups.count > 0);
   share_out(groups, census);
   const AlongOther along_other(outline);
   for (int i = 0; i < groups.count; ++i) {
