@@ -72,6 +72,16 @@ CrossingPoints<double> between(const A& a, const B& b) noexcept {
   }
 }
 
+/// What the filter leaves open needs no exact answer: no places will be found.
+template <class A, class B>
+auto overlap_filter(const A& a, const B& b) noexcept {
+  if constexpr (vesica::detail::in_order<A, B>) {
+    return vesica::detail::overlap::filter(a, b);
+  } else {
+    return vesica::detail::overlap::filter(b, a);
+  }
+}
+
 template <class T>
 std::int32_t store(const CrossingPoints<double>& found, CrossingPoints<T>& out) noexcept {
   CrossingPoints<T> points{found.count, found.shared, {}, {}};
@@ -92,9 +102,10 @@ std::int32_t store(const CrossingPoints<double>& found, CrossingPoints<T>& out) 
 /// double places, rounded.
 template <template <class> class A, template <class> class B, class T>
 std::int32_t crossings_or_error(const A<T>& a, const B<T>& b, CrossingPoints<T>& out) noexcept {
-  const std::int32_t meet = overlap_or_error(a, b);
-  if (meet < 0) return meet;
-  return detail::crossings::store(meet == 0 ? CrossingPoints<double>{} : detail::crossings::between(widen(a), widen(b)), out);
+  const auto verdict = detail::crossings::overlap_filter(widen(a), widen(b));
+  if (!verdict.overlap && !verdict.disjoint && (check(a) != 0 || check(b) != 0)) return error_shape;
+  return detail::crossings::store(
+      verdict.disjoint ? CrossingPoints<double>{} : detail::crossings::between(widen(a), widen(b)), out);
 }
 
 /// The same as a value: none where there is an error.
