@@ -5,62 +5,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cassert>
 #include <initializer_list>
 #include <limits>
-#include <vesica/check.hpp>
-#include <vesica/crossings/points.hpp>
+#include <vesica/crossings/census.hpp>
 #include <vesica/crossings/quartic_zeros.hpp>
-#include <vesica/exact/ellipse_ellipse.hpp>
 
 namespace vesica::detail::crossings {
-
-/// Places at which the outlines cross, and at which they touch. Where they touch and cross at once (osculation) they
-/// cross.
-struct Census {
-  int crossing, touching;
-  bool equal;
-};
-
-/// With three equal roots of p, contact is of the highest order.
-inline bool has_triple_root(const exact::ContactCubic& p) noexcept {
-  return (exact::square(p.c2) - exact::integer(3) * (p.d2 * p.c1)).sign == 0;
-}
-
-/// With the double root x0 = -B / (2A) of p, whether S1 + x0 S2 has rank 1: d2 x0^2 + mu x0 + d1 = 0. Of nested
-/// ellipses, these touch at two places. p'(x0) = c1 + 2 c2 x0 + 3 d2 x0^2 = 0 makes it (3 mu - 2 c2) x0 = c1 - 3 d1:
-/// degree 24.
-inline bool has_rank_one(const exact::ContactCubic& p) noexcept {
-  const auto a = exact::square(p.c2) - exact::integer(3) * (p.d2 * p.c1);
-  const auto b = p.c1 * p.c2 - exact::integer(9) * (p.d1 * p.d2);
-  const exact::Number<8> left = exact::integer(2) * p.c2 - exact::integer(3) * p.mu;
-  const exact::Number<8> right = exact::integer(2) * p.c1 - exact::integer(6) * p.d1;
-  return exact::compare(left * b, right * a) == 0;
-}
-
-inline Census census(const exact::Ellipse& e, const exact::Ellipse& f) noexcept {
-  const exact::ContactCubic p = exact::contact_cubic(e, f);
-  const bool concentric = p.al.sign == 0;
-  switch (exact::relation(e, f)) {
-    case Relation::disjoint:
-    case Relation::inside:
-    case Relation::contains:
-      return {0, 0, false};
-    case Relation::equal:
-      return {0, 0, true};
-    case Relation::touch:
-      return {0, 1, false};
-    case Relation::inside_touch:
-    case Relation::contains_touch:
-      return {0, concentric || (!has_triple_root(p) && has_rank_one(p)) ? 2 : 1, false};
-    case Relation::cross:
-      break;
-  }
-  if (concentric) return {4, 0, false};
-  const int roots = exact::discriminant_sign(p);
-  if (roots < 0) return {2, 0, false};
-  if (roots > 0) return {4, 0, false};
-  return has_triple_root(p) ? Census{2, 0, false} : Census{2, 1, false};
-}
 
 /// A point or a vector in the frame in which f is the disc of radius a b W about the origin.
 template <int Degree>
@@ -94,6 +45,30 @@ struct Harmonics {
   Fixed mean, c1, s1, c2, s2;
 
   explicit Harmonics(const Outline& o) noexcept {
+    // Numbers of very unlike exponents have many limbs, of which the first almost always do.
+    if (!set(shortened(o), true)) set(o, false);
+  }
+
+ private:
+  /// The leading 8 limbs.
+  template <int Degree>
+  static exact::Number<Degree> leading(const exact::Number<Degree>& x) noexcept {
+    if (x.size <= 8) return x;
+    exact::Number<Degree> out;
+    out.sign = x.sign;
+    out.size = 8;
+    out.low = x.low + x.size - 8;
+    for (int i = 0; i < 8; ++i) out.limb[i] = x.limb[x.size - 8 + i];
+    out.strip();
+    return out;
+  }
+  static Outline shortened(Outline o) noexcept {
+    for (auto* x : {&o.c.x, &o.c.y}) *x = leading(*x);
+    for (auto* x : {&o.p.x, &o.p.y, &o.q.x, &o.q.y, &o.radius}) *x = leading(*x);
+    return o;
+  }
+  /// False where shortened numbers leave less than 320 bits: each is right to 448.
+  bool set(const Outline& o, bool is_short) noexcept {
     const auto two = exact::integer(2), four = exact::integer(4);
     const exact::Number<8> pp = dot(o.p, o.p), qq = dot(o.q, o.q);
     const exact::Number<8> centre = exact::square(o.c.x) + exact::square(o.c.y) - exact::square(o.radius);
@@ -103,6 +78,14 @@ struct Harmonics {
     for (const auto* x : {&exact_mean, &exact_c1, &exact_s1, &exact_c2, &exact_s2}) {
       if (x->sign != 0) top = std::max(top, exact::detail::top_bit(*x));
     }
+    if (is_short) {
+      std::int64_t term = std::numeric_limits<std::int64_t>::min();
+      for (const auto* x : {&o.c.x, &o.c.y}) term = x->sign == 0 ? term : std::max(term, exact::detail::top_bit(*x));
+      for (const auto* x : {&o.p.x, &o.p.y, &o.q.x, &o.q.y, &o.radius}) {
+        term = x->sign == 0 ? term : std::max(term, exact::detail::top_bit(*x));
+      }
+      if (top < 2 * term - 100) return false;
+    }
     // Coefficients of the quartics are less than 72 times the greatest of these.
     top += 10;
     mean = fixed(exact_mean, top);
@@ -110,7 +93,10 @@ struct Harmonics {
     s1 = fixed(exact_s1, top);
     c2 = fixed(exact_c2, top);
     s2 = fixed(exact_s2, top);
+    return true;
   }
+
+ public:
   /// The outline begun a quarter later.
   void advance() noexcept {
     const Fixed old = c1;
