@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The dearest calls of vesica_crossings_f64, by a search that climbs: pairs are changed number by number, and a change
 // that costs more is kept.
-//   crossings_cost [climbs] [steps] [seed]
+//   crossings_cost [climbs] [steps] [seed] [kind] [kind]
 #include <vesica.h>
 
 #include <algorithm>
@@ -91,8 +91,10 @@ void print(const Shape& s) {
 int main(int argc, char** argv) {
   const int climbs = argc > 1 ? std::atoi(argv[1]) : 20, steps = argc > 2 ? std::atoi(argv[2]) : 2000;
   engine.seed(argc > 3 ? std::strtoull(argv[3], nullptr, 0) : 1);
+  const int only_a = argc > 4 ? std::atoi(argv[4]) : -1, only_b = argc > 5 ? std::atoi(argv[5]) : -1;
   for (int a = 0; a < 6; ++a) {
     for (int b = a; b < 6; ++b) {
+      if ((only_a >= 0 && a != only_a) || (only_b >= 0 && b != only_b)) continue;
       Shapes dearest{};
       double most = 0;
       for (int climb = 0; climb < climbs; ++climb) {

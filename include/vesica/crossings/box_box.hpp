@@ -11,12 +11,6 @@ inline exact::Number<4> side(const Edge& e, const Position& x, const Position& y
   return e.dx * (y - e.y) - e.dy * (x - e.x);
 }
 
-/// How far along an edge a point of its line is, times the edge's squared length.
-inline exact::Number<4> along(const Edge& e, const Position& x, const Position& y) noexcept {
-  return e.dx * (x - e.x) + e.dy * (y - e.y);
-}
-inline exact::Number<4> squared_length(const Edge& e) noexcept { return e.dx * e.dx + e.dy * e.dy; }
-
 inline bool is_corner(const Corners& a, int i, const Position& x, const Position& y) noexcept {
   return exact::compare(a.x[i], x) == 0 && exact::compare(a.y[i], y) == 0;
 }
@@ -24,11 +18,30 @@ inline bool is_corner(const Corners& a, int i, const Position& x, const Position
 /// A place a part t along edge i: before the edge's end, however t was rounded.
 inline double on_edge(int i, double t) noexcept { return std::fmin(i + t, std::nextafter(i + 1.0, 0.0)); }
 
-/// How far along an edge a point of its line is, from 0 up to 1; -1 outside it, or at its end.
+/// An edge by one coordinate, that in which it is longer: points of its line are in the order of that.
+struct Shadow {
+  Position from, step, to;
+  int up;
+  bool of_x;
+  explicit Shadow(const Edge& e) noexcept
+      : of_x(e.dy.sign == 0 ||
+             (e.dx.sign != 0 && exact::detail::compare_magnitude(e.dx.span(), e.dy.span()) >= 0)) {
+    from = of_x ? e.x : e.y;
+    step = of_x ? e.dx : e.dy;
+    to = from + step;
+    up = step.sign;
+  }
+  const Position& of(const Position& x, const Position& y) const noexcept { return of_x ? x : y; }
+  bool after_start(const Position& at) const noexcept { return up * exact::compare(at, from) > 0; }
+  bool before_end(const Position& at) const noexcept { return up * exact::compare(at, to) < 0; }
+};
+
+/// How far along an edge a point of its line, not its start, is, from 0 to 1; -1 outside it, or at its end.
 inline double part_of_edge(const Edge& e, const Position& x, const Position& y) noexcept {
-  const auto t = along(e, x, y), whole = squared_length(e);
-  if (t.sign < 0 || exact::compare(t, whole) >= 0) return -1;
-  return quotient(exact::rounded(t), exact::rounded(whole));
+  const Shadow shadow(e);
+  const Position& at = shadow.of(x, y);
+  if (!shadow.after_start(at) || !shadow.before_end(at)) return -1;
+  return quotient(exact::rounded(at - shadow.from), exact::rounded(shadow.step));
 }
 
 /// Where a point lies along an outline, from 0 to 4, or -1 where it does not lie on it.
@@ -116,9 +129,9 @@ inline double place_along(const Polygon& p, const Sides& sides, const Polygon& q
 
 /// Whether edges of one line have a stretch in common.
 inline bool share_stretch(const Edge& e, const Edge& f) noexcept {
-  const auto t0 = along(e, f.x, f.y), t1 = along(e, f.x + f.dx, f.y + f.dy), whole = squared_length(e);
-  const bool before_end = exact::compare(t0, whole) < 0 || exact::compare(t1, whole) < 0;
-  return before_end && (t0.sign > 0 || t1.sign > 0);
+  const Shadow shadow(e);
+  const Position &p = shadow.of(f.x, f.y), q = p + (shadow.of_x ? f.dx : f.dy);
+  return (shadow.before_end(p) || shadow.before_end(q)) && (shadow.after_start(p) || shadow.after_start(q));
 }
 
 /// An edge of each: at most one place inside both, or a common stretch.
