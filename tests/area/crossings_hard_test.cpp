@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "area/crossing_count.hpp"
@@ -54,11 +55,8 @@ struct Oval {
     const double dx = x - cx, dy = y - cy, at = std::atan2((ux * dy - uy * dx) / b, (ux * dx + uy * dy) / a);
     return at < 0 ? at + turn : at;
   }
-  /// How much the angle may change within a distance.
-  double slack(double angle, double distance) const {
-    const double speed = std::hypot(a * std::sin(angle), b * std::cos(angle)), most = std::fmax(a, b);
-    return 2 * std::fmin(distance / speed, std::sqrt(2 * distance / most)) + 8 * u * 8;
-  }
+  /// How much angle() may change within a distance.
+  double slack(double distance) const { return 4 * distance / std::fmin(a, b) + 64 * u; }
 };
 
 /// The contract: what vesica_crossings_f64 promises of places, in u of the greatest coordinate and size.
@@ -91,8 +89,11 @@ struct Tally {
     const double extent = std::fmax(p.extent(), q.extent()), near = promised * u * extent + 0x1p-1073;
     for (int i = 0; i < count; ++i) {
       for (const Shape* s : {&a, &b}) {
-        const double off = reference::distance_to_outline(s->kind, s->numbers.data(), out.x[i], out.y[i]);
-        furthest = std::fmax(furthest, off / (u * extent));
+        double off = reference::distance_to_outline(s->kind, s->numbers.data(), out.x[i], out.y[i]);
+        // A formula for points near the outline, that has no value at the centre.
+        const Oval o(*s);
+        if (out.x[i] == o.cx && out.y[i] == o.cy) off = std::fmin(o.a, o.b);
+        if (extent > 0x1p-900) furthest = std::fmax(furthest, off / (u * extent));
         if (off > near) return fail(a, b, "off an outline");
       }
     }
@@ -103,7 +104,7 @@ struct Tally {
     if (std::fmin(p.a, p.b) < 1024 * near) return;
     for (int i = 0; i + 1 < out.count; ++i) {
       double from = p.angle(out.x[i], out.y[i]), to = p.angle(out.x[i + 1], out.y[i + 1]);
-      const double slack = p.slack(from, near) + p.slack(to, near);
+      const double slack = 2 * p.slack(near);
       if (i == 0 && from > turn - slack) from = 0;
       if (i + 2 == out.count && to < slack) to = turn;
       if (from > to + slack) return fail(a, b, "not in order");
@@ -114,7 +115,7 @@ struct Tally {
                            double near) {
     if (out.count == 0 || std::fmin(q.a, q.b) < 1024 * near) return;
     for (int i = 0; i < out.count; ++i) {
-      const double at = q.angle(out.x[i], out.y[i]), slack = q.slack(at, near);
+      const double at = q.angle(out.x[i], out.y[i]), slack = q.slack(near);
       int same = 0;
       for (int k = 0; k < out.count; ++k) same += out.x[k] == out.x[i] && out.y[k] == out.y[i];
       equal += same > 1;

@@ -90,6 +90,13 @@ Fixed fixed(const exact::Number<Degree>& x, std::int64_t exponent) noexcept {
 struct Quartic {
   Fixed coefficient[5];
 
+  /// No digits are left.
+  bool negligible() const noexcept {
+    for (const Fixed& c : coefficient) {
+      if (!c.negligible()) return false;
+    }
+    return true;
+  }
   /// The most changes of sign there can be, negligible coefficients having either sign.
   int sign_changes() const noexcept {
     int changes = 0;

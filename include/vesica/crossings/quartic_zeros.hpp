@@ -122,7 +122,7 @@ class ZeroSearch {
                 i.changes == 2 ? Local(i.q).height() : 0});
   }
   void visit(const Interval& i) noexcept {
-    if (i.length < shortest) {
+    if (i.length < shortest || i.q.negligible()) {
       end(i, i.from, i.from + Real(i.length));
       return;
     }
