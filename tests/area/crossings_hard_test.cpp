@@ -55,6 +55,11 @@ struct Oval {
     const double dx = x - cx, dy = y - cy, at = std::atan2((ux * dy - uy * dx) / b, (ux * dx + uy * dy) / a);
     return at < 0 ? at + turn : at;
   }
+  /// 1 on the outline.
+  double size_at(double x, double y) const {
+    const double dx = x - cx, dy = y - cy;
+    return std::hypot((ux * dy - uy * dx) / b, (ux * dx + uy * dy) / a);
+  }
   /// How much angle() may change within a distance.
   double slack(double distance) const { return 4 * distance / std::fmin(a, b) + 64 * u; }
 };
@@ -90,9 +95,9 @@ struct Tally {
     for (int i = 0; i < count; ++i) {
       for (const Shape* s : {&a, &b}) {
         double off = reference::distance_to_outline(s->kind, s->numbers.data(), out.x[i], out.y[i]);
-        // A formula for points near the outline, that has no value at the centre.
+        // That is a formula for points near the outline; well inside, the outline is within the lesser half length.
         const Oval o(*s);
-        if (out.x[i] == o.cx && out.y[i] == o.cy) off = std::fmin(o.a, o.b);
+        if (o.size_at(out.x[i], out.y[i]) < 0.5) off = std::fmin(off, std::fmin(o.a, o.b));
         if (extent > 0x1p-900) furthest = std::fmax(furthest, off / (u * extent));
         if (off > near) return fail(a, b, "off an outline");
       }

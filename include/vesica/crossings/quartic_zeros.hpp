@@ -54,19 +54,21 @@ struct Local {
     for (int i = 4; i >= order; --i) value = value * t + binomial[order][i] * power[i];
     return value;
   }
-  /// About where the derivative of an order changes its sign; below 0 where it does not.
+  /// About where the derivative of an order changes its sign; the end at which it is less where it does not.
   double zero_of_derivative(int order) const noexcept {
     double low = 0, high = 1;
-    const bool sign = derivative(order, 0) < 0;
-    if ((derivative(order, 1) < 0) == sign) return -1;
+    const double at_low = derivative(order, 0), at_high = derivative(order, 1);
+    const bool sign = at_low < 0;
+    if ((at_high < 0) == sign) return std::fabs(at_low) < std::fabs(at_high) ? 0 : 1;
     double t = 0.5;
     for (int i = 0; i < 60; ++i) {
       const double value = derivative(order, t), slope = (order + 1) * (order < 4 ? derivative(order + 1, t) : 0);
       ((value < 0) == sign ? low : high) = t;
       double next = t - value / slope;
       if (!(next > low && next < high)) next = 0.5 * (low + high);
-      if (std::fabs(next - t) < 0x1p-52) break;
+      const double change = std::fabs(next - t);
       t = next;
+      if (change < 0x1p-52) break;
     }
     return t;
   }
@@ -84,7 +86,7 @@ struct Local {
   }
   double height() const noexcept {
     const double t = zero_of_derivative(1);
-    return scale(t < 0 ? most : std::fabs(derivative(0, t)), exponent);
+    return scale(std::fabs(derivative(0, t)), exponent);
   }
 };
 
@@ -127,17 +129,14 @@ class ZeroSearch {
       return;
     }
     const Local local(i.q);
-    const double t = i.changes <= 4 ? local.zero_of_derivative(i.changes - 1) : -1;
-    if (t >= 0) {
-      const double reach = local.reach(i.changes, t);
-      if (i.changes == 1 && reach * i.length < shortest && !i.q.coefficient[0].negligible() &&
-          !i.q.coefficient[4].negligible()) {
-        const Real at = i.from + Real(t) * Real(i.length);
-        end(i, at, at);
-        return;
-      }
-      if (reach < 0x1p-5 && narrow(i, t, reach)) return;
+    const double t = local.zero_of_derivative(i.changes - 1), reach = local.reach(i.changes, t);
+    if (i.changes == 1 && reach * i.length < shortest && !i.q.coefficient[0].negligible() &&
+        !i.q.coefficient[4].negligible()) {
+      const Real at = i.from + Real(t) * Real(i.length);
+      end(i, at, at);
+      return;
     }
+    if (reach < 0x1p-5 && narrow(i, t, reach)) return;
     const Halves halves(i.q);
     const double half = 0.5 * i.length;
     push({halves.high, i.from + Real(half), half, halves.high.sign_changes()});
