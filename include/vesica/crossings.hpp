@@ -7,12 +7,12 @@
 /// `shared`. Equal boxes so have their corners; equal curves have no single places, and set `shared` alone.
 ///
 /// Places come in order along a's outline: counter-clockwise (in the frame of the stored axis) from the corner
-/// -hx u - hy perp u of a box, from the end of the axis +u of an ellipse (+x of a circle); from a segment's first end.
+/// -hx u - hy perp u of a box, from the end of the axis +u of an ellipse (+x of a circle); from a segment's first end. A
+/// place exactly there is the first. Places closer than the accuracy may be in either order, or be equal.
 ///
-/// Accuracy: within 16u of the greatest coordinate and size met, of the place that the stored numbers have, for all
-/// pairs but two ellipses. There that holds where outlines cross; where they nearly touch, or touch to order k, the
-/// place is within 2^(-90/k) of the lesser ellipse's size, along both outlines; where they differ by a part e of it all
-/// round, within 2^-90 / e.
+/// Accuracy: within 4u of the greatest coordinate and size of either shape, u = 2^-53, of a true place, and so of both
+/// outlines, however closely these touch, osculate or coincide; each true place is met once. Exchanging the shapes gives
+/// the same places, to the bit, in the other order.
 #pragma once
 
 #include <algorithm>

@@ -139,7 +139,8 @@ Polynomial product(const Polynomial& f, const Polynomial& g) {
 int meetings_between(int kind_a, const double* a, int kind_b, const double* b, double from, double to) {
   const oracle::RegionPair pair = oracle::regions(kind_a, a, kind_b, b);
   const Polynomial quartic = quartic_along(pair.a.ellipse, pair.b.ellipse);
-  const Polynomial p{whole(std::sin(from / 2)), whole(std::sin(to / 2))}, q{whole(std::cos(from / 2)), whole(std::cos(to / 2))};
+  const Polynomial p{whole(std::sin(from / 2)), whole(std::sin(to / 2))},
+      q{whole(std::cos(from / 2)), whole(std::cos(to / 2))};
   Polynomial sum(5);
   for (int i = 0; i < 5; ++i) {
     Polynomial term{quartic[static_cast<std::size_t>(i)]};

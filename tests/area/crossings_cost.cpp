@@ -56,13 +56,27 @@ void change(Shapes& p) {
   const Shape& other = below(2) == 0 ? p.a : p.b;
   double& x = s.numbers[static_cast<std::size_t>(below(static_cast<int>(s.numbers.size())))];
   switch (below(7)) {
-    case 0: x = any_number(1020); break;
-    case 1: x = std::ldexp(x, below(129) - 64); break;
-    case 2: x = std::nextafter(x, below(2) == 0 ? HUGE_VAL : -HUGE_VAL); break;
-    case 3: x = other.numbers[static_cast<std::size_t>(below(static_cast<int>(other.numbers.size())))]; break;
-    case 4: x = std::copysign(std::ldexp(mantissa(), x == 0 ? 0 : std::ilogb(x)), x); break;
-    case 5: x = std::ldexp(x, below(801) - 400); break;
-    default: x = below(2) == 0 ? 0 : -x; break;
+    case 0:
+      x = any_number(1020);
+      break;
+    case 1:
+      x = std::ldexp(x, below(129) - 64);
+      break;
+    case 2:
+      x = std::nextafter(x, below(2) == 0 ? HUGE_VAL : -HUGE_VAL);
+      break;
+    case 3:
+      x = other.numbers[static_cast<std::size_t>(below(static_cast<int>(other.numbers.size())))];
+      break;
+    case 4:
+      x = std::copysign(std::ldexp(mantissa(), x == 0 ? 0 : std::ilogb(x)), x);
+      break;
+    case 5:
+      x = std::ldexp(x, below(801) - 400);
+      break;
+    default:
+      x = below(2) == 0 ? 0 : -x;
+      break;
   }
   mend(s);
 }

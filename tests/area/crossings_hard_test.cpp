@@ -124,7 +124,8 @@ struct Tally {
       int same = 0;
       for (int k = 0; k < out.count; ++k) same += out.x[k] == out.x[i] && out.y[k] == out.y[i];
       equal += same > 1;
-      if (reference::meetings_between(a.kind, a.numbers.data(), b.kind, b.numbers.data(), at - slack, at + slack) < same) {
+      if (reference::meetings_between(a.kind, a.numbers.data(), b.kind, b.numbers.data(), at - slack, at + slack) <
+          same) {
         return fail(a, b, "fewer true places here");
       }
     }
@@ -187,7 +188,8 @@ TEST(CrossingsHard, NearlyOsculatingEllipses) {
   Random random(seed());
   Tally tally;
   for (int i = 0; i < 500 * repeat(); ++i) {
-    const double k = random.integer(2, 6), exponent = random.integer(20, 200), by = random.sign() * std::exp2(-exponent);
+    const double k = random.integer(2, 6), exponent = random.integer(20, 200),
+                 by = random.sign() * std::exp2(-exponent);
     // The ellipse of half lengths k^2 and k and the circle of curvature at its end, at the origin or away from it.
     const double far = random.chance(0.5) ? 0 : random.integer(-8, 8);
     Shape a = ellipse(far - k * k, 25, 1, 0, k * k, k), b = ellipse(far - 1, 25, random.integer(1, 3), 0, 1, 1);
@@ -215,7 +217,8 @@ TEST(CrossingsHard, OsculatingPencils) {
     const double m = 1 + lambda * p, n = lambda * q / 2, det = m - n * n;
     if (det < 0.05) continue;
     const double cx = (lambda * p - n * n) / det, cy = (m * n - n * lambda * p) / det;
-    const double rest = 1 - lambda * p + lambda * p * cx + n * cy, mean = (m + 1) / 2, half = std::hypot((m - 1) / 2, n);
+    const double rest = 1 - lambda * p + lambda * p * cx + n * cy, mean = (m + 1) / 2,
+                 half = std::hypot((m - 1) / 2, n);
     const double at = 0.5 * std::atan2(2 * n, m - 1);
     tally.ask(circle(0, 0, 1), ellipse(cx, cy, std::cos(at), std::sin(at), std::sqrt(rest / (mean + half)),
                                        std::sqrt(rest / (mean - half))));
@@ -272,20 +275,26 @@ TEST(CrossingsHard, MixedExponents) {
 /// One of the places is where the first outline begins, exactly; and it comes first.
 TEST(CrossingsHard, AStartThatIsAPlaceComesFirst) {
   Random random(seed());
-  constexpr int triples[][3] = {{3, 4, 5}, {5, 12, 13}, {8, 15, 17}, {4, 3, 5}, {0, 1, 1}, {-3, 4, 5}, {-12, 5, 13}, {3, -4, 5}};
+  constexpr int triples[][3] = {{3, 4, 5}, {5, 12, 13}, {8, 15, 17},  {4, 3, 5},
+                                {0, 1, 1}, {-3, 4, 5},  {-12, 5, 13}, {3, -4, 5}};
   int asked = 0;
   for (int i = 0; i < 400 * repeat(); ++i) {
     const auto& t = triples[random.below(8)];
-    const double x = random.integer(-9, 9), y = random.integer(-9, 9), r = random.integer(1, 9), w = random.integer(1, 3);
-    const Shape firsts[] = {circle(x - r, y, r), ellipse(x - r * w, y, w, 0, r, random.integer(1, 9)),
+    const double x = random.integer(-9, 9), y = random.integer(-9, 9), r = random.integer(1, 9),
+                 w = random.integer(1, 3);
+    const Shape firsts[] = {circle(x - r, y, r),
+                            ellipse(x - r * w, y, w, 0, r, random.integer(1, 9)),
                             ellipse(x, y - r * w, 0, w, r, random.integer(1, 9)),
-                            {VESICA_AABB, {x, y, x + r, y + w}}, {VESICA_RECT, {x + r, y + w, 1, 0, r, w}},
+                            {VESICA_AABB, {x, y, x + r, y + w}},
+                            {VESICA_RECT, {x + r, y + w, 1, 0, r, w}},
                             {VESICA_SEGMENT, {x, y, x + r, y - w}}};
     // Through (x, y), on the side that the circle's point has.
     const double tx = t[0], ty = t[1], tr = t[2];
-    const Shape others[] = {circle(x + tx, y + ty, tr), ellipse(x + tx, y + ty, 0, 1, tr, tr),
+    const Shape others[] = {circle(x + tx, y + ty, tr),
+                            ellipse(x + tx, y + ty, 0, 1, tr, tr),
                             {VESICA_SEGMENT, {x - tx, y - ty, x + tx, y + ty}},
-                            {VESICA_AABB, {x - 1, y - 20, x, y + 20}}, ellipse(x + 2 * tx, y + ty, 1, 0, 2 * tr, tr)};
+                            {VESICA_AABB, {x - 1, y - 20, x, y + 20}},
+                            ellipse(x + 2 * tx, y + ty, 1, 0, 2 * tr, tr)};
     for (const Shape& a : firsts) {
       for (const Shape& b : others) {
         vesica_crossing_points_f64 out;

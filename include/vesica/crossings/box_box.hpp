@@ -24,8 +24,7 @@ struct Shadow {
   int up;
   bool of_x;
   explicit Shadow(const Edge& e) noexcept
-      : of_x(e.dy.sign == 0 ||
-             (e.dx.sign != 0 && exact::detail::compare_magnitude(e.dx.span(), e.dy.span()) >= 0)) {
+      : of_x(e.dy.sign == 0 || (e.dx.sign != 0 && exact::detail::compare_magnitude(e.dx.span(), e.dy.span()) >= 0)) {
     from = of_x ? e.x : e.y;
     step = of_x ? e.dx : e.dy;
     to = from + step;

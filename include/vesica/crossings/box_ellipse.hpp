@@ -14,7 +14,8 @@ struct DiscFrame {
   exact::Number<4> radius;
   Rough rough_radius;
   explicit DiscFrame(const exact::Ellipse& ellipse) noexcept
-      : e(ellipse), radius(ellipse.a * ellipse.b * exact::dot(ellipse.ux, ellipse.uy, ellipse.ux, ellipse.uy)),
+      : e(ellipse),
+        radius(ellipse.a * ellipse.b * exact::dot(ellipse.ux, ellipse.uy, ellipse.ux, ellipse.uy)),
         rough_radius(radius) {}
   exact::Number<4> along(const Position& x, const Position& y) const noexcept {
     return e.b * exact::dot(e.ux, e.uy, x, y);
@@ -51,7 +52,13 @@ struct DiscEdge {
   Rough r0, r1, square_, slope, end_slope;
 
   DiscEdge(const DiscFrame& f, const DiscCorner& start, const DiscCorner& end) noexcept
-      : frame(f), from(start), to(end), e0(end.m0 - start.m0), e1(end.m1 - start.m1), r0(e0), r1(e1),
+      : frame(f),
+        from(start),
+        to(end),
+        e0(end.m0 - start.m0),
+        e1(end.m1 - start.m1),
+        r0(e0),
+        r1(e1),
         square_(square(r0) + square(r1)),
         slope(from.r0 * r0 + from.r1 * r1),
         end_slope(to.r0 * r0 + to.r1 * r1) {}
@@ -62,8 +69,12 @@ struct DiscEdge {
   exact::Number<16> exact_discriminant() const noexcept {
     return exact_square() * exact::square(frame.radius) - exact::square(exact_off());
   }
-  int slope_sign() const noexcept { return sign_of(slope, [&] { return exact_slope(from); }); }
-  int end_slope_sign() const noexcept { return sign_of(end_slope, [&] { return exact_slope(to); }); }
+  int slope_sign() const noexcept {
+    return sign_of(slope, [&] { return exact_slope(from); });
+  }
+  int end_slope_sign() const noexcept {
+    return sign_of(end_slope, [&] { return exact_slope(to); });
+  }
 };
 
 /// The roots strictly between 0 and 1, ascending; on which side of the chord's middle each is, 0 of a double root; and

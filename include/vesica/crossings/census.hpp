@@ -123,8 +123,8 @@ inline bool rough_census(const exact::Ellipse& e, const exact::Ellipse& f, Censu
   }
   census = {0, 0, false};
   if (sign(p.c1) < 0 || sign(p.c2) < 0) return sign.known;
-  const int order = exact::compare(e.a * e.b * exact::dot(e.ux, e.uy, e.ux, e.uy),
-                                   f.a * f.b * exact::dot(f.ux, f.uy, f.ux, f.uy));
+  const int order =
+      exact::compare(e.a * e.b * exact::dot(e.ux, e.uy, e.ux, e.uy), f.a * f.b * exact::dot(f.ux, f.uy, f.ux, f.uy));
   if (order > 0) {
     std::swap(p.d1, p.d2);
     std::swap(p.c1, p.c2);

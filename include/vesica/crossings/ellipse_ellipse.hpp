@@ -19,7 +19,8 @@ struct Image {
   exact::Number<Degree> x, y;
 };
 template <int Degree>
-Image<Degree + 2> image(const exact::Ellipse& f, const exact::Number<Degree>& x, const exact::Number<Degree>& y) noexcept {
+Image<Degree + 2> image(const exact::Ellipse& f, const exact::Number<Degree>& x,
+                        const exact::Number<Degree>& y) noexcept {
   return {f.b * exact::dot(f.ux, f.uy, x, y), f.a * exact::cross(f.ux, f.uy, x, y)};
 }
 template <int A, int B>
@@ -110,10 +111,8 @@ struct Harmonics {
     const auto twice = [](const Fixed& x) { return x + x; };
     const auto three_times = [](const Fixed& x) { return x + x + x; };
     const Fixed b0 = three_times(twice(mean + c1 + c2));
-    return {{b0, b0 + three_times(s1 + twice(s2)),
-             twice(twice(twice(mean)) + three_times(c1 + s1 + twice(s2))),
-             three_times(twice(c1 + twice(mean - c2 + s1 + s2))),
-             three_times(twice(twice(twice(mean - c2 + s1))))}};
+    return {{b0, b0 + three_times(s1 + twice(s2)), twice(twice(twice(mean)) + three_times(c1 + s1 + twice(s2))),
+             three_times(twice(c1 + twice(mean - c2 + s1 + s2))), three_times(twice(twice(twice(mean - c2 + s1))))}};
   }
 };
 
@@ -137,7 +136,9 @@ struct Groups {
     if (n == 0) return;
     // The outline is closed: a group across its start begins with the last spots.
     const bool closed = next_to(spots.spot[n - 1].to - Real(4.0), spots.spot[0].from);
-    const auto joined = [&](int i) { return i % n == 0 ? closed : next_to(spots.spot[i % n - 1].to, spots.spot[i % n].from); };
+    const auto joined = [&](int i) {
+      return i % n == 0 ? closed : next_to(spots.spot[i % n - 1].to, spots.spot[i % n].from);
+    };
     while (first < n && joined(first)) ++first;
     if (first == n) first = 0;
     for (int i = first; i < first + n;) {
@@ -180,7 +181,9 @@ inline void share_out(Groups& groups, const Census& census) noexcept {
     if ((g.most >= 2) != (h.most >= 2)) return g.most >= 2;
     return g.places != h.places ? g.places < h.places : g.height < h.height;
   };
-  const auto flattest = [&]() -> Group& { return *std::min_element(groups.group, groups.group + groups.count, flatter); };
+  const auto flattest = [&]() -> Group& {
+    return *std::min_element(groups.group, groups.group + groups.count, flatter);
+  };
   for (; touching > 0; --touching) {
     Group& g = flattest();
     ++g.places;
@@ -201,10 +204,18 @@ struct Direction {
     const Real t = at - Real(quarter), square = t * t, sum = Real(1.0) + square;
     const Real c = (Real(1.0) - square) / sum, s = (t + t) / sum;
     switch (quarter & 3) {
-      case 0: x = c, y = s; break;
-      case 1: x = -s, y = c; break;
-      case 2: x = -c, y = -s; break;
-      default: x = s, y = -c; break;
+      case 0:
+        x = c, y = s;
+        break;
+      case 1:
+        x = -s, y = c;
+        break;
+      case 2:
+        x = -c, y = -s;
+        break;
+      default:
+        x = s, y = -c;
+        break;
     }
   }
 };
@@ -233,7 +244,8 @@ class AlongOther {
 /// Points of a stored outline, rounded about once; sizes and coordinates times 2^lift stay within the range.
 class StoredOutline {
  public:
-  explicit StoredOutline(const vesica::Circle<double>& s) noexcept : StoredOutline(vesica::Ellipse<double>{s.cx, s.cy, 1, 0, s.r, s.r}) {}
+  explicit StoredOutline(const vesica::Circle<double>& s) noexcept
+      : StoredOutline(vesica::Ellipse<double>{s.cx, s.cy, 1, 0, s.r, s.r}) {}
   explicit StoredOutline(const vesica::Ellipse<double>& s) noexcept {
     using vesica::detail::exponent_of, vesica::detail::scale;
     const int axis = exponent_of(std::fmax(std::fabs(s.ux), std::fabs(s.uy)));
@@ -274,7 +286,8 @@ inline void mend_start(const exact::Ellipse& e, const exact::Ellipse& f, Found& 
 }
 
 /// The places along e, whose outline is `stored`, with where they are along f.
-inline Found places(const exact::Ellipse& e, const StoredOutline& stored, const exact::Ellipse& f, const Census& census) noexcept {
+inline Found places(const exact::Ellipse& e, const StoredOutline& stored, const exact::Ellipse& f,
+                    const Census& census) noexcept {
   Found found;
   found.shared = census.equal;
   if (census.crossing + census.touching == 0) return found;

@@ -49,7 +49,8 @@ struct Local {
   }
   /// The derivative of an order, over the order's factorial.
   double derivative(int order, double t) const noexcept {
-    constexpr double binomial[5][5] = {{1, 1, 1, 1, 1}, {0, 1, 2, 3, 4}, {0, 0, 1, 3, 6}, {0, 0, 0, 1, 4}, {0, 0, 0, 0, 1}};
+    constexpr double binomial[5][5] = {
+        {1, 1, 1, 1, 1}, {0, 1, 2, 3, 4}, {0, 0, 1, 3, 6}, {0, 0, 0, 1, 4}, {0, 0, 0, 0, 1}};
     double value = 0;
     for (int i = 4; i >= order; --i) value = value * t + binomial[order][i] * power[i];
     return value;
@@ -61,7 +62,8 @@ struct Local {
     const bool sign = at_low < 0;
     if ((at_high < 0) == sign) return std::fabs(at_low) < std::fabs(at_high) ? 0 : 1;
     double t = 0.5;
-    for (int i = 0; i < 60; ++i) {
+    // A zero that Newton's steps do not reach soon is one of a group, for which the caller has other means.
+    for (int i = 0; i < 16; ++i) {
       const double value = derivative(order, t), slope = (order + 1) * (order < 4 ? derivative(order + 1, t) : 0);
       ((value < 0) == sign ? low : high) = t;
       double next = t - value / slope;
@@ -79,7 +81,10 @@ struct Local {
     for (int i = 0; i < k; ++i) {
       const double part = (std::fabs(derivative(i, t)) + rest) / leading;
       const int root = k - i;
-      const double r = root == 1 ? part : root == 2 ? std::sqrt(part) : root == 3 ? std::cbrt(part) : std::sqrt(std::sqrt(part));
+      const double r = root == 1   ? part
+                       : root == 2 ? std::sqrt(part)
+                       : root == 3 ? std::cbrt(part)
+                                   : std::sqrt(std::sqrt(part));
       most_reach = std::fmax(most_reach, r);
     }
     return 2 * most_reach;
@@ -137,6 +142,10 @@ class ZeroSearch {
       return;
     }
     if (reach < 0x1p-5 && narrow(i, t, reach)) return;
+    if (i.changes <= 2) {  // with a pair of complex zeros near them
+      const double other = local.zero_of_derivative(i.changes + 1), wide = local.reach(i.changes + 2, other);
+      if (wide < 0x1p-5 && narrow(i, other, wide)) return;
+    }
     const Halves halves(i.q);
     const double half = 0.5 * i.length;
     push({halves.high, i.from + Real(half), half, halves.high.sign_changes()});
