@@ -142,9 +142,10 @@ class ZeroSearch {
       return;
     }
     if (reach < 0x1p-5 && narrow(i, t, reach)) return;
-    if (i.changes <= 2) {  // with a pair of complex zeros near them
-      const double other = local.zero_of_derivative(i.changes + 1), wide = local.reach(i.changes + 2, other);
-      if (wide < 0x1p-5 && narrow(i, other, wide)) return;
+    // In a group with zeros beyond the ends, or with complex ones.
+    for (int k = i.changes + 1; k <= 4; ++k) {
+      const double middle = local.zero_of_derivative(k - 1), wide = local.reach(k, middle);
+      if (wide < 0x1p-5 && narrow(i, middle, wide)) return;
     }
     const Halves halves(i.q);
     const double half = 0.5 * i.length;
