@@ -6,14 +6,15 @@
 /// high the order of contact. A stretch that straight outlines have in common counts as its two end points, and sets
 /// `shared`. Equal boxes so have their corners; equal curves have no single places, and set `shared` alone.
 ///
-/// Places come in order along a's outline: counter-clockwise (in the frame of the stored axis) from the corner
-/// -hx u - hy perp u of a box, from the end of the axis +u of an ellipse (+x of a circle); from a segment's first end. A
-/// place exactly there is the first. Places closer than the accuracy may be in either order, or be equal; so may those of two ellipses
-/// that are within 2^-96 of a turn of each other on the lesser one, which needles of aspects beyond 2^90 can have.
+/// Places come in order along a's outline: counter-clockwise (in the frame of the stored axis) from the corner -hx u -
+/// hy perp u of a box, from the end of the axis +u of an ellipse (+x of a circle); from a segment's first end. A place
+/// exactly there is the first. Places closer than the accuracy may be in either order, or be equal; so may those of two
+/// ellipses that are within 2^-96 of a turn of each other on the lesser one, which needles of aspects beyond 2^90 can
+/// have.
 ///
 /// Accuracy: within 4u of the greatest coordinate and size of either shape, u = 2^-53, of a true place, and so of both
-/// outlines, however closely these touch, osculate or coincide; each true place is met once. Exchanging the shapes gives
-/// the same places, to the bit, in the other order.
+/// outlines, however closely these touch, osculate or coincide; each true place is met once. Exchanging the shapes
+/// gives the same places, to the bit, in the other order.
 #pragma once
 
 #include <algorithm>

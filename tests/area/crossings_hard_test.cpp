@@ -183,7 +183,8 @@ TEST(CrossingsHard, NearlyCoincidentEllipses) {
 }
 
 /// x^2 + y^2 - 1 + lambda (x - 1)(p (x - 1) + q y) = 0 osculates the unit circle at (1, 0), and for q = 0 touches it to
-/// the fourth order; with q = 0 its numbers can be stored: the ellipse about (c, 0) of half lengths 1 - c and b^2 = 1 - c.
+/// the fourth order; with q = 0 its numbers can be stored: the ellipse about (c, 0) of half lengths 1 - c and b^2 = 1 -
+/// c.
 TEST(CrossingsHard, NearlyOsculatingEllipses) {
   Random random(seed());
   Tally tally;
@@ -206,8 +207,8 @@ TEST(CrossingsHard, NearlyOsculatingEllipses) {
   tally.report("nearly osculating ellipses");
 }
 
-/// A circle and an ellipse through (1, 0) with a common curvature there, crossing it: from the pencil with q != 0, solved
-/// in doubles and so perturbed by their rounding.
+/// A circle and an ellipse through (1, 0) with a common curvature there, crossing it: from the pencil with q != 0,
+/// solved in doubles and so perturbed by their rounding.
 TEST(CrossingsHard, OsculatingPencils) {
   Random random(seed());
   Tally tally;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How many places the outlines of two ellipses have in common, and how many of them only touch: signs of polynomials in
-/// the coefficients of the contact cubic, from rough numbers where these tell, else exact.
+/// How many places the outlines of two ellipses have in common, and how many of them only touch: signs of polynomials
+/// in the coefficients of the contact cubic, from rough numbers where these tell, else exact.
 #pragma once
 
 #include <utility>

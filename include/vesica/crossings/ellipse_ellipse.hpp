@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Where the outlines of two ellipses meet. How many places there are, and how many of them only touch, is exact. The
-/// form of one along a quarter of the other's outline is a quartic, formed exactly and rounded once to 300 bits or more;
-/// its zeros are found to 2^-96 of a turn, and zeros closer than that are one spot with as many places as are missing.
+/// form of one along a quarter of the other's outline is a quartic, formed exactly and rounded once to 300 bits or
+/// more; its zeros are found to 2^-96 of a turn, and zeros closer than that are one spot with as many places as are
+/// missing.
 #pragma once
 
 #include <algorithm>

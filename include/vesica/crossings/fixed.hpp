@@ -120,8 +120,8 @@ inline void interpolate(Fixed* c, int n, exact::Limb s) noexcept {
   for (int i = 0; i < n; ++i) c[i] = c[i] + times(c[i + 1] - c[i], s);
 }
 
-/// The same quartic from t = from / 2^64 to t = to / 2^64, or to t = 1 for a `to` of 0, by its polar form: coefficient i
-/// is that of i times `to` and 4 - i times `from`.
+/// The same quartic from t = from / 2^64 to t = to / 2^64, or to t = 1 for a `to` of 0, by its polar form: coefficient
+/// i is that of i times `to` and 4 - i times `from`.
 inline Quartic part(const Quartic& q, exact::Limb from, exact::Limb to) noexcept {
   Quartic out, at_from = q;
   for (int i = 4; i >= 0; --i) {

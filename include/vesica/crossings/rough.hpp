@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Numbers to about 100 bits with a bound on their error and any exponent: most signs are known without the exact number,
-/// whose limbs, where exponents are very unlike, are many.
+/// Numbers to about 100 bits with a bound on their error and any exponent: most signs are known without the exact
+/// number, whose limbs, where exponents are very unlike, are many.
 #pragma once
 
 #include <vesica/crossings/points.hpp>
