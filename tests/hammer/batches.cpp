@@ -34,8 +34,7 @@ void* load_copy(const std::string& file) {
   const std::string path = "/proc/self/fd/" + std::to_string(memory);
   void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND);
   if (handle == nullptr) throw std::runtime_error(dlerror());
-  close(memory);
-  return handle;
+  return handle;  // the file stays open: its path is the copy's name, which no other copy may have
 }
 
 struct Loaded {

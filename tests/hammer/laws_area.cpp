@@ -16,10 +16,11 @@ namespace {
 constexpr double promised = 64, most_aspect = 1e4;
 
 /// Not so small or large anywhere that an area could leave the range.
-bool moderate(const Pair& p) {
+bool moderate(Scalar scalar, const Pair& p) {
+  const double most = scalar == Scalar::f32 ? 0x1p25 : 0x1p200;
   for (const Numbers* numbers : {&p.a, &p.b}) {
     for (const double x : *numbers) {
-      if (x != 0 && (std::fabs(x) < 0x1p-200 || std::fabs(x) > 0x1p200)) return false;
+      if (x != 0 && (std::fabs(x) < 1 / most || std::fabs(x) > most)) return false;
     }
   }
   return true;
@@ -68,7 +69,7 @@ void judge_shape_area(Judge& j, const Case& c, Effort effort) {
   const Answer r = ask(c.query, c.scalar, c.pair);
   const int kind = c.pair.kind_a;
   if (r.code != 0) {
-    j.demand(r.code == VESICA_E_RANGE && !moderate({kind, kind, c.pair.a, c.pair.a}), "code", "0", text(r));
+    j.demand(r.code == VESICA_E_RANGE && !moderate(c.scalar, {kind, kind, c.pair.a, c.pair.a}), "code", "0", text(r));
     return;
   }
   if (!has_area(kind, c.pair.a)) return j.demand(r.numbers[0] == 0, "zero", 0, r.numbers[0]);
@@ -88,14 +89,14 @@ void judge_area(Judge& j, const Case& c, Effort effort) {
   if (inside(relation)) j.demand(same_bits(r, a), "inside", text(a), text(r));
   if (contains(relation)) j.demand(same_bits(r, b), "contains", text(b), text(r));
   if (r.code != 0) {
-    j.demand(r.code == VESICA_E_RANGE && !moderate(c.pair), "code", "0", text(r));
+    j.demand(r.code == VESICA_E_RANGE && !moderate(c.scalar, c.pair), "code", "0", text(r));
     return;
   }
   j.demand(r.numbers[0] >= 0, "not_negative", 0, r.numbers[0]);
   if (a.code == 0) j.demand(r.numbers[0] <= a.numbers[0], "at_most_a", a.numbers[0], r.numbers[0]);
   if (b.code == 0) j.demand(r.numbers[0] <= b.numbers[0], "at_most_b", b.numbers[0], r.numbers[0]);
   const bool areal = has_area(c.pair.kind_a, c.pair.a) && has_area(c.pair.kind_b, c.pair.b);
-  if (relation == VESICA_CROSS && areal && moderate(c.pair) && c.scalar == Scalar::f64) {
+  if (relation == VESICA_CROSS && areal && moderate(c.scalar, c.pair) && c.scalar == Scalar::f64) {
     j.demand(r.numbers[0] > 0, "positive", 1, r.numbers[0]);
   }
   demand_scaled_area(j, c, r);

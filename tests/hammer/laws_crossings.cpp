@@ -88,12 +88,21 @@ void demand_order(Judge& j, const Pair& p, const Answer& r) {
   }
 }
 
-void demand_distinct(Judge& j, const Answer& r) {
-  for (int i = 0; i < r.code; ++i) {
-    for (int k = i + 1; k < r.code; ++k) {
-      if (place(r, i) == place(r, k)) return j.demand(false, "distinct", "places apart", text(r));
-    }
-  }
+/// Half the chord that two circles have in common, 0 where they have none.
+Real half_chord(const Numbers& a, const Numbers& b) {
+  const Real dx = Real(b[0]) - a[0], dy = Real(b[1]) - a[1], square = dx * dx + dy * dy;
+  if (square == 0) return Real(0);
+  const Real ra = Real(a[2]) * a[2], rb = Real(b[2]) * b[2], sum = square + ra - rb;
+  const Real h = ra - sum * sum / (4 * square);
+  return h > 0 ? Real(sqrt(h)) : Real(0);
+}
+
+/// Two circles cross at two places, which may be one number only where they are as near as roundings.
+void demand_distinct(Judge& j, const Pair& p, const Answer& r) {
+  if (p.kind_a != VESICA_CIRCLE || p.kind_b != VESICA_CIRCLE || r.code != 2 || !(place(r, 0) == place(r, 1))) return;
+  nearest_reference::set_precision(p);
+  const bool apart = half_chord(p.a, p.b) > Real(32 * u) * Real(extent(p)) + Real(0x1p-1070);
+  j.demand(!apart, "distinct", "places apart", text(r));
 }
 
 void demand_rest_zero(Judge& j, const Answer& r) {
@@ -141,7 +150,7 @@ void judge_crossings(Judge& j, const Case& c, Effort effort) {
   j.demand(back.code == VESICA_E_RANGE || (back.code == r.code && back.numbers[0] == r.numbers[0]), "exchanged",
            text(r), text(back));
   if (c.scalar == Scalar::f32) return demand_rounded(j, c, r, most_numbers);
-  demand_distinct(j, r);
+  demand_distinct(j, c.pair, r);
   demand_order(j, c.pair, r);
   if (effort == Effort::quick) return;
   const Pair& p = c.pair;

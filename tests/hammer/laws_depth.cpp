@@ -69,7 +69,9 @@ void judge_accuracy(Judge& j, const Pair& p, const Answer& r, Effort effort) {
   if (!(outline_reference::aspect(a) <= 1e6 && outline_reference::aspect(b) <= 1e6 && scale <= 0x1p1020)) return;
   const bool subnormal = scale < 0x1p-1018;
   const Real unit = real(u) * real(scale), allowed = 4 * unit + real(last_place), depth = real(r.numbers[0]);
-  const auto in_units = [&](const Real& error) { return std::to_string(Real(error / unit).get_d()) + " u scale"; };
+  const auto in_units = [&](const Real& error) {
+    return unit > 0 ? std::to_string(Real(error / unit).get_d()) + " u scale" : "any of 0";
+  };
   const Real needed = needed_along(a, b, r.numbers[1], r.numbers[2]);
   j.demand(needed - depth <= allowed, subnormal ? "subnormal_moves_clear" : "moves_clear", "4 u scale",
            in_units(needed - depth));
