@@ -70,6 +70,8 @@ bool move_exactly(Scalar scalar, const Pair& p, double x, double y, Pair& moved)
 std::vector<std::array<double, 2>> moves(const Pair& p);
 /// A float answer is the double's rounded once: numbers[first ... first + count - 1].
 void demand_rounded(Judge& j, const Case& c, const Answer& narrow, std::size_t count);
+/// Sets the precision of the references' numbers: enough for the magnitudes of a pair and of the places in an answer.
+void set_reference_precision(const Pair& p, const Answer& answer);
 std::string hex(double x);
 
 }  // namespace hammer

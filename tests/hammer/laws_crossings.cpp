@@ -28,10 +28,10 @@ Place place(const Answer& r, int i) {
   return {r.numbers[1 + k], r.numbers[9 + k]};
 }
 
-/// Where along an outline a place is: an angle for an ellipse, edges and their parts for a box. negative: unknown.
+/// Where along an outline a place is: an angle from an ellipse's start. In long double, whose range no product leaves.
 double along_ellipse(const Numbers& n, double a, double b, double ux, double uy, const Place& p) {
-  const double dx = p.x - n[0], dy = p.y - n[1];
-  const double angle = std::atan2((dy * ux - dx * uy) / b, (dx * ux + dy * uy) / a);
+  const long double dx = static_cast<long double>(p.x) - n[0], dy = static_cast<long double>(p.y) - n[1];
+  const auto angle = static_cast<double>(std::atan2((dy * ux - dx * uy) / b, (dx * ux + dy * uy) / a));
   return angle < 0 ? angle + 2 * std::numbers::pi : angle;
 }
 
@@ -99,8 +99,11 @@ Real half_chord(const Numbers& a, const Numbers& b) {
 
 /// Two circles cross at two places, which may be one number only where they are as near as roundings.
 void demand_distinct(Judge& j, const Pair& p, const Answer& r) {
-  if (p.kind_a != VESICA_CIRCLE || p.kind_b != VESICA_CIRCLE || r.code != 2 || !(place(r, 0) == place(r, 1))) return;
-  nearest_reference::set_precision(p);
+  if (p.kind_a != VESICA_CIRCLE || p.kind_b != VESICA_CIRCLE || r.code != 2 || !(place(r, 0) == place(r, 1)) ||
+      !far_from_overflow(Scalar::f64, p)) {
+    return;
+  }
+  set_reference_precision(p, r);
   const bool apart = half_chord(p.a, p.b) > Real(32 * u) * Real(extent(p)) + Real(0x1p-1070);
   j.demand(!apart, "distinct", "places apart", text(r));
 }
@@ -123,7 +126,7 @@ void demand_on_outlines(Judge& j, const Pair& p, const Answer& r) {
     const double apart = reference::difference(p.kind_a, p.a.data(), p.kind_b, p.b.data());
     allowed += 0x1p-90 / std::fmax(apart, 0x1p-90) * size;
   }
-  nearest_reference::set_precision(p);
+  set_reference_precision(p, r);
   for (const auto& [kind, n] : {std::pair(p.kind_a, &p.a), std::pair(p.kind_b, &p.b)}) {
     const auto s = nearest_reference::shape(kind, *n);
     for (int i = 0; i < r.code; ++i) {

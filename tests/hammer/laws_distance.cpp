@@ -129,7 +129,7 @@ bool outlines_meet(const Pair& p) {
 
 void judge_outline_points(Judge& j, const Pair& p, const Answer& r, double scale) {
   const auto& n = r.numbers;
-  nearest_reference::set_precision(p);
+  set_reference_precision(p, r);
   const Shape a = nearest_reference::shape(p.kind_a, p.a), b = nearest_reference::shape(p.kind_b, p.b);
   const Real aspect = std::max(nearest_reference::aspect(a), nearest_reference::aspect(b));
   for (const auto& [s, x, y] : {std::tuple{&a, n[1], n[2]}, {&b, n[3], n[4]}}) {
@@ -154,6 +154,19 @@ void judge_nested(Judge& j, const Pair& outer_first, const Answer& r) {
 
 }  // namespace
 
+void set_reference_precision(const Pair& p, const Answer& answer) {
+  int low = 9999, high = -9999;
+  const auto include = [&](double x) {
+    if (x == 0 || !std::isfinite(x)) return;
+    low = std::min(low, std::ilogb(x));
+    high = std::max(high, std::ilogb(x));
+  };
+  for (const double x : p.a) include(x);
+  for (const double x : p.b) include(x);
+  for (const double x : answer.numbers) include(x);
+  mpf_set_default_prec(static_cast<mp_bitcnt_t>(704 + 4 * std::max(0, high - low - 64)));
+}
+
 void judge_nearest(Judge& j, const Case& c, Effort effort) {
   const Answer r = ask(c.query, c.scalar, c.pair);
   if (!has_numbers(j, c, r)) return;
@@ -161,7 +174,7 @@ void judge_nearest(Judge& j, const Case& c, Effort effort) {
   demand_quick(j, c, r, overlap);
   demand_scaled(j, c, r);
   if (effort == Effort::quick || c.scalar == Scalar::f32) return;
-  nearest_reference::set_precision(c.pair);
+  set_reference_precision(c.pair, r);
   const Shape a = nearest_reference::shape(c.pair.kind_a, c.pair.a), b = nearest_reference::shape(c.pair.kind_b, c.pair.b);
   if (overlap) {
     judge_common_point(j, a, b, r);

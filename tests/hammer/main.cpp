@@ -129,7 +129,8 @@ class Hammer {
   }
 
   void run_group(const Group& group) {
-    for (const Pair& pair : group.pairs) {
+    for (index_ = 0; index_ < group.pairs.size(); ++index_) {
+      const Pair& pair = group.pairs[index_];
       for (const Share& share : shares) {
         if (options_.query && *options_.query != share.query) continue;
         const bool slow = turn(share.slow), asked = options_.query || turn(share.every);
@@ -141,11 +142,11 @@ class Hammer {
     if (batch) run_batch(group);
   }
 
-  /// One pair in so many, of every group another one.
-  bool turn(std::uint64_t every) const { return (progress_.pairs * 7 + progress_.next_group) % every == 0; }
+  /// One pair in so many, whatever group the run began with.
+  bool turn(std::uint64_t every) const { return (index_ * 7 + progress_.next_group * 13) % every == 0; }
 
   void run_case(Case c, bool slow) {
-    if (c.query == Query::invalid) c.pair = broken(c.pair, progress_.pairs);
+    if (c.query == Query::invalid) c.pair = broken(c.pair, progress_.next_group * 16 + index_);
     ++progress_.asked[c.query];
     progress_.slow[c.query] += slow;
     const Choice choice{slow ? Effort::slow : Effort::quick, options_.environments};
@@ -194,6 +195,7 @@ class Hammer {
   Options options_;
   Clock::time_point end_;
   Progress progress_;
+  std::uint64_t index_ = 0;  ///< of the pair in its group
   std::map<std::string, bool> known_;
   bool unknown_ = false;
 };
