@@ -1,15 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The near-tie hash (tests/batch/near_tie_hash) beyond the default build: on a processor with other vectors (aarch64)
-# and one of the other byte order (s390x) under qemu, and natively without optimisation and by clang. Each must print
+# and one of the other byte order (s390x) under qemu, and natively without optimisation and by clang and lld. Each must print
 # the hash that is written there. On aarch64 the tests of batches (tests/batch) run too, over its instruction sets.
 # Installs the cross compilers and qemu where they are missing; builds under build/cross-<name>. Exit status 0 when all
 # agree.
 set -euo pipefail
 
 # shellcheck source=/dev/null
-. "$(dirname "${BASH_SOURCE[0]}")/../../run"  # root, need, CMAKE_BUILD_PARALLEL_LEVEL
-packages=(g++ cmake ninja-build googletest g++-aarch64-linux-gnu g++-s390x-linux-gnu qemu-user)
+. "$(dirname "${BASH_SOURCE[0]}")/../../run"  # root, need, cross_packages, CMAKE_BUILD_PARALLEL_LEVEL
 failures=0
 
 failed() {
@@ -61,12 +60,15 @@ foreign() {
   [ -z "$googletest" ] || batches "$1" "${emulator[@]}"
 }
 
-# native NAME BUILD_TYPE COMPILER_C COMPILER_CXX: a set that this processor lacks is passed over, and says so.
+# native NAME BUILD_TYPE COMPILER_C COMPILER_CXX [LINKER]: a set that this processor lacks is passed over, and says so.
 native() {
   local isa status unoptimised=()
   [ "$2" != Debug ] || unoptimised=(--unoptimised)
-  build "$1" -DVESICA_DEVELOPER=OFF "-DCMAKE_BUILD_TYPE=$2" "-DCMAKE_C_COMPILER=$3" "-DCMAKE_CXX_COMPILER=$4" || return 1
+  build "$1" -DVESICA_DEVELOPER=OFF "-DCMAKE_BUILD_TYPE=$2" "-DCMAKE_C_COMPILER=$3" "-DCMAKE_CXX_COMPILER=$4" \
+    ${5:+"-DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=$5" "-DCMAKE_SHARED_LINKER_FLAGS=-fuse-ld=$5"} || return 1
   symbols "$1" "${unoptimised[@]}" || return 1
+  # Whatever the linker, the library exports what its map lists.
+  "$root/tests/abi/exported_names.sh" nm "$root/build/cross-$1/vesica/capi/libvesica.so" "$root/capi/vesica.map" || return 1
   for isa in portable sse2 avx2 avx512; do
     status=0
     hash "$1" "$isa" || status=$?
@@ -74,13 +76,13 @@ native() {
   done
 }
 
-need "${packages[@]}"
+need g++ cmake ninja-build "${cross_packages[@]}"
 foreign aarch64 aarch64 portable neon || failed aarch64
 foreign s390x s390x portable || failed s390x
 if [ "$(uname -m)" = x86_64 ]; then
   native gcc-debug Debug gcc g++ || failed gcc-debug
   if command -v clang++ >/dev/null; then
-    native clang-release Release clang clang++ || failed clang-release
+    native clang-release Release clang clang++ lld || failed clang-release
     native clang-debug Debug clang clang++ || failed clang-debug
   else
     echo "cross: clang++ is not installed: its builds are skipped"
