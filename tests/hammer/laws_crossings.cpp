@@ -117,7 +117,9 @@ void demand_rest_zero(Judge& j, const Answer& r) {
 /// Both outlines hold each place, but for what the header allows.
 void demand_on_outlines(Judge& j, const Pair& p, const Answer& r) {
   const double size = extent(p);
-  if (!(size < 0x1p1000)) return;
+  if (!(size < 0x1p1000) || std::any_of(r.numbers.begin(), r.numbers.end(), [](double x) { return !std::isfinite(x); })) {
+    return;
+  }
   const bool round = p.kind_a >= VESICA_CIRCLE && p.kind_b >= VESICA_CIRCLE && p.kind_a != VESICA_AABB &&
                      p.kind_b != VESICA_AABB && p.kind_a != VESICA_RECT && p.kind_b != VESICA_RECT;
   double allowed = 16 * u * size + 0x1p-1073;

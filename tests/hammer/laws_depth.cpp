@@ -70,7 +70,8 @@ void judge_accuracy(Judge& j, const Pair& p, const Answer& r, Effort effort) {
   const bool subnormal = scale < 0x1p-1018;
   const Real unit = real(u) * real(scale), allowed = 4 * unit + real(last_place), depth = real(r.numbers[0]);
   const auto in_units = [&](const Real& error) {
-    return unit > 0 ? std::to_string(Real(error / unit).get_d()) + " u scale" : "any of 0";
+    return subnormal ? std::to_string(Real(error / real(last_place)).get_d()) + " last places"
+                     : std::to_string(Real(error / unit).get_d()) + " u scale";
   };
   const Real needed = needed_along(a, b, r.numbers[1], r.numbers[2]);
   j.demand(needed - depth <= allowed, subnormal ? "subnormal_moves_clear" : "moves_clear", "4 u scale",
@@ -96,7 +97,7 @@ void judge_depth(Judge& j, const Case& c, Effort effort) {
   if (c.scalar == Scalar::f32) return demand_rounded(j, c, r, 3);
   demand_zero(j, c.pair, r);
   demand_moved(j, c, r);
-  if (finite && (r.numbers[1] != 0 || r.numbers[2] != 0)) judge_accuracy(j, c.pair, r, effort);
+  if (finite && far_from_overflow(Scalar::f64, c.pair) && (r.numbers[1] != 0 || r.numbers[2] != 0)) judge_accuracy(j, c.pair, r, effort);
 }
 
 }  // namespace hammer

@@ -120,6 +120,12 @@ bool has_numbers(Judge& j, const Case& c, const Answer& r) {
   return true;
 }
 
+/// The references know no infinity.
+bool for_reference(const Pair& p, const Answer& r) {
+  return far_from_overflow(Scalar::f64, p) &&
+         std::all_of(r.numbers.begin(), r.numbers.end(), [](double x) { return std::isfinite(x); });
+}
+
 bool outlines_meet(const Pair& p) {
   const std::int32_t relation = exact_relation(p);
   if (relation == VESICA_INSIDE) return !has_area(p.kind_b, p.b);
@@ -173,7 +179,7 @@ void judge_nearest(Judge& j, const Case& c, Effort effort) {
   const bool overlap = exact_overlap(c.pair) == 1;
   demand_quick(j, c, r, overlap);
   demand_scaled(j, c, r);
-  if (effort == Effort::quick || c.scalar == Scalar::f32) return;
+  if (effort == Effort::quick || c.scalar == Scalar::f32 || !for_reference(c.pair, r)) return;
   set_reference_precision(c.pair, r);
   const Shape a = nearest_reference::shape(c.pair.kind_a, c.pair.a), b = nearest_reference::shape(c.pair.kind_b, c.pair.b);
   if (overlap) {
@@ -194,6 +200,7 @@ void judge_boundary(Judge& j, const Case& c, Effort effort) {
     j.demand(relation != VESICA_DISJOINT || r.numbers == solid.numbers, "as_nearest", text(solid), text(r));
   }
   if (effort == Effort::quick || c.scalar == Scalar::f32 || relation == VESICA_DISJOINT) return;
+  if (!for_reference(c.pair, r)) return;
   const auto a = outline_reference::shape(c.pair.kind_a, c.pair.a), b = outline_reference::shape(c.pair.kind_b, c.pair.b);
   judge_outline_points(j, c.pair, r, outline_reference::scale(a, b));
   if (relation == VESICA_CONTAINS && has_area(c.pair.kind_a, c.pair.a)) judge_nested(j, c.pair, r);
