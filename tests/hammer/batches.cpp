@@ -16,6 +16,7 @@
 #include <stdexcept>
 
 #include "batch/guard_pages.hpp"
+#include "hammer/deliberate.hpp"
 
 namespace hammer {
 namespace {
@@ -287,7 +288,11 @@ void judge_query(Query query, std::span<const Pair> pairs, unsigned layout, cons
     const Batch<T> batch(library, environment);
     const std::string law = std::string("batch.") + name(query) + '_' + library.isa +
                             (environment.bits == 0 ? "" : std::string("_environment_") + environment.name);
-    compare(query, law, in_step, batch.many(query, a.view(), b.view(), pairs.size()), faults);
+    Called called = batch.many(query, a.view(), b.view(), pairs.size());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (deliberate_fault() != nullptr && flips_lane(query, pairs[i], i)) called.columns[0][i] = 1 - called.columns[0][i];
+    }
+    compare(query, law, in_step, called, faults);
     if (!matrix) continue;
     std::vector<BatchFault> found;
     compare(query, law + "_matrix", every, batch.matrix(query, few.view(), b.view()), found);

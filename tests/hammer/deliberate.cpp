@@ -67,6 +67,9 @@ void environment_minded(Query query, Scalar, const Pair& p, const Environment& e
   }
 }
 
+/// The scalar functions stay right: see flips_lane().
+void lane_flipped(Query, Scalar, const Pair&, const Environment&, Answer&) {}
+
 struct Named {
   const char* name;
   DeliberateFault fault;
@@ -74,11 +77,16 @@ struct Named {
 constexpr Named all[] = {{"touching_missed", touching_missed},       {"guard_left_out", guard_left_out},
                          {"converse_forgotten", converse_forgotten}, {"distance_off", distance_off},
                          {"depth_off", depth_off},                   {"area_off", area_off},
-                         {"environment_minded", environment_minded}};
+                         {"environment_minded", environment_minded}, {"lane_flipped", lane_flipped}};
 
 }  // namespace
 
 DeliberateFault deliberate_fault() { return in_use; }
+
+bool flips_lane(Query query, const Pair& p, std::size_t element) {
+  return in_use == lane_flipped && query == Query::overlap && element > 7 && p.kind_a == VESICA_CIRCLE &&
+         p.kind_b == VESICA_SEGMENT && ask(Query::relation, Scalar::f64, p).code == VESICA_TOUCH;
+}
 
 bool use_deliberate_fault(const std::string& name) {
   for (const Named& candidate : all) {

@@ -15,6 +15,9 @@ using DeliberateFault = void (*)(Query query, Scalar scalar, const Pair& pair, c
 /// The one in use, or null.
 DeliberateFault deliberate_fault();
 
+/// Changes what a batch of overlaps wrote, at the fault "lane_flipped": where circles touch, beyond the first vector.
+bool flips_lane(Query query, const Pair& pair, std::size_t element);
+
 /// Puts one in use; false for an unknown name.
 bool use_deliberate_fault(const std::string& name);
 

@@ -34,6 +34,7 @@ constexpr const char* usage =
   --known FILE      laws of which faults are known: they are counted, but are no failure
   --environments    ask under flushed subnormals and directed roundings too, and expect the same bits
   --group G         only this group of the seed
+  --stop-at LAW     stop once a fault of this law is found
   --fault NAME      put a deliberate fault in, to see it found
   --replay CASE     judge one case, as in 'overlap_f64 circle 0 0 1 | point 1 0'
 Exit status: 0 without an unknown fault, 1 with one, 2 for a wrong call.
@@ -44,7 +45,7 @@ struct Options {
   std::optional<std::uint64_t> seed, group;
   double seconds = 1e9;
   std::optional<Query> query;
-  std::string resume, known, replay;
+  std::string resume, known, replay, stop_at;
   bool environments = false;
 };
 
@@ -101,7 +102,7 @@ class Hammer {
     while (progress_.pairs < last && Clock::now() < end_) {
       current_group = progress_.next_group;
       run_group(draw_group(progress_.seed, progress_.next_group++));
-      if (options_.group) break;
+      if (options_.group || progress_.faults.contains(options_.stop_at)) break;
       if (!options_.resume.empty() && Clock::now() - saved > std::chrono::seconds(10)) {
         progress_.save(options_.resume);
         saved = Clock::now();
@@ -133,7 +134,8 @@ class Hammer {
       const Pair& pair = group.pairs[index_];
       for (const Share& share : shares) {
         if (options_.query && *options_.query != share.query) continue;
-        const bool slow = turn(share.slow), asked = options_.query || turn(share.every);
+        const bool slow = turn(options_.query ? (share.slow + 15) / 16 : share.slow);
+        const bool asked = options_.query || turn(share.every);
         if (asked) run_case({share.query, group.scalar, pair}, slow);
       }
       ++progress_.pairs;
@@ -157,7 +159,7 @@ class Hammer {
     const std::uint64_t count = ++progress_.faults[fault.law];
     const bool known = known_.contains(fault.law);
     unknown_ = unknown_ || !known;
-    if (count > most_printed) return;
+    if (count > most_printed || (!options_.stop_at.empty() && fault.law != options_.stop_at)) return;
     Fault last = fault;
     const Case least = shrunk(c, [&](const Case& smaller) {
       for (const Fault& other : judge(smaller, choice)) {
@@ -245,6 +247,8 @@ std::optional<Options> read(int count, char** arguments) {
       o.resume = value;
     } else if (option == "--known") {
       o.known = value;
+    } else if (option == "--stop-at") {
+      o.stop_at = value;
     } else if (option == "--replay") {
       o.replay = value;
     } else if (option == "--fault") {
@@ -259,6 +263,7 @@ std::optional<Options> read(int count, char** arguments) {
 }  // namespace
 
 int main(int count, char** arguments) {
+  if (count == 2 && std::strcmp(arguments[1], "--help") == 0) return std::printf("%s", usage) < 0;
   const auto options = read(count, arguments);
   if (!options) {
     std::fprintf(stderr, "%sfaults: %s\n", usage, deliberate_fault_names().c_str());
