@@ -20,7 +20,7 @@ namespace {
 using properties::Random;
 using properties::Role;
 
-constexpr int reach = 64, neighbours = 12, attempts = 12;
+constexpr int reach = 64, neighbours = 12, near_places = 8, attempts = 12;
 
 /// SplitMix64: one seed from two numbers.
 std::uint64_t mixed(std::uint64_t seed, std::uint64_t number) {
@@ -173,7 +173,11 @@ Pair exchanged_mirrored_turned(Pair p, Random& random) {
 /// Neighbours of the contact; those that are no shapes are left out.
 void append_neighbours(Scalar scalar, Pair p, const Place& place, std::int64_t contact, Random& random, Group& group) {
   for (int i = 0; i < neighbours; ++i) {
-    const int away = i < 3 ? i - 1 : random.integer(-reach, reach);
+    // Some go further: distances and depths from a last place up to the size of the shapes.
+    const std::int64_t far = std::int64_t{1} << random.integer(6, scalar == Scalar::f32 ? 22 : 51);
+    const std::int64_t away = i < 3              ? i - 1
+                              : i >= near_places ? (random.chance(0.5) ? far : -far)
+                                                 : random.integer(-reach, reach);
     number_at(p, place) = properties::at_ordinal(scalar, contact + away);
     if (still_valid(p, place)) group.pairs.push_back(exchanged_mirrored_turned(p, random));
   }

@@ -62,7 +62,7 @@ struct Share {
   std::uint64_t every, slow;
 };
 constexpr Share shares[] = {{Query::overlap, 1, 64},   {Query::relation, 2, 64},    {Query::contains, 2, 64},
-                            {Query::nearest, 8, 256},  {Query::boundary_distance, 8, 512}, {Query::depth, 8, 512},
+                            {Query::nearest, 8, 128},  {Query::boundary_distance, 8, 256}, {Query::depth, 8, 256},
                             {Query::area, 8, 512},     {Query::iou, 8, 1024},       {Query::crossings, 8, 128},
                             {Query::shape_area, 8, 32}, {Query::bounds, 8, 8},      {Query::invalid, 16, 16}};
 constexpr std::uint64_t groups_a_batch = 8;
