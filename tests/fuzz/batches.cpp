@@ -61,7 +61,8 @@ typename Face<T>::Shapes array(Bytes& bytes, GuardedMemory& memory, std::int64_t
   const std::int32_t known = vesica_field_count(shapes.kind);
   const std::size_t fields = known < 0 ? 0 : static_cast<std::size_t>(known);
   const bool repeated = bytes.below(8) == 7, backward = bytes.below(4) == 3;
-  const std::size_t element = fields * sizeof(T) + bytes.below(9), stored = repeated ? 1 : static_cast<std::size_t>(count);
+  const std::size_t element = fields * sizeof(T) + bytes.below(9),
+                    stored = repeated ? 1 : static_cast<std::size_t>(count);
   const std::size_t size = stored * element;
   std::byte* begin = memory.place(size, bytes.below(2) == 0 ? Edge::before : Edge::after);
   for (std::size_t i = 0; i < stored; ++i) {
@@ -136,8 +137,7 @@ void call_nms(Bytes& bytes, Memory& memory) {
   demand(scratch_size <= static_cast<std::int64_t>(sizeof scratch));
   std::int64_t kept = -7;
   auto* keep = room<std::int64_t>(memory.out, count);
-  const std::int32_t error =
-      Face<T>::nms(&shapes, scores, bytes.number<T>(), scratch, scratch_size, keep, &kept);
+  const std::int32_t error = Face<T>::nms(&shapes, scores, bytes.number<T>(), scratch, scratch_size, keep, &kept);
   demand(error <= 0 && (error != 0 || (kept >= 0 && kept <= count)));
   for (std::int64_t i = 0; i < kept; ++i) demand(keep[i] >= 0 && keep[i] < count);
 }

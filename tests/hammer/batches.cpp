@@ -129,8 +129,8 @@ class Array {
   Shapes shapes_;
 };
 
-constexpr Query batched[] = {Query::overlap, Query::relation, Query::contains, Query::nearest,
-                             Query::boundary_distance, Query::depth, Query::area, Query::iou};
+constexpr Query batched[] = {Query::overlap,           Query::relation, Query::contains, Query::nearest,
+                             Query::boundary_distance, Query::depth,    Query::area,     Query::iou};
 
 constexpr bool is_code(Query query) { return query <= Query::contains; }
 constexpr std::size_t columns_of(Query query) {
@@ -290,7 +290,8 @@ void judge_query(Query query, std::span<const Pair> pairs, unsigned layout, cons
                             (environment.bits == 0 ? "" : std::string("_environment_") + environment.name);
     Called called = batch.many(query, a.view(), b.view(), pairs.size());
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (deliberate_fault() != nullptr && flips_lane(query, pairs[i], i)) called.columns[0][i] = 1 - called.columns[0][i];
+      if (deliberate_fault() != nullptr && flips_lane(query, pairs[i], i))
+        called.columns[0][i] = 1 - called.columns[0][i];
     }
     compare(query, law, in_step, called, faults);
     if (!matrix) continue;

@@ -11,9 +11,7 @@ namespace {
 DeliberateFault in_use = nullptr;
 
 /// An ellipse whose half lengths differ by more than 2^20.
-bool thin_ellipse(int kind, const Numbers& n) {
-  return kind == VESICA_ELLIPSE && n[5] > 0 && n[4] > 0x1p20 * n[5];
-}
+bool thin_ellipse(int kind, const Numbers& n) { return kind == VESICA_ELLIPSE && n[5] > 0 && n[4] > 0x1p20 * n[5]; }
 
 /// Rectangles that touch thin ellipses are said to miss them.
 void touching_missed(Query query, Scalar, const Pair& p, const Environment&, Answer& answer) {
@@ -74,10 +72,14 @@ struct Named {
   const char* name;
   DeliberateFault fault;
 };
-constexpr Named all[] = {{"touching_missed", touching_missed},       {"guard_left_out", guard_left_out},
-                         {"converse_forgotten", converse_forgotten}, {"distance_off", distance_off},
-                         {"depth_off", depth_off},                   {"area_off", area_off},
-                         {"environment_minded", environment_minded}, {"lane_flipped", lane_flipped}};
+constexpr Named all[] = {{"touching_missed", touching_missed},
+                         {"guard_left_out", guard_left_out},
+                         {"converse_forgotten", converse_forgotten},
+                         {"distance_off", distance_off},
+                         {"depth_off", depth_off},
+                         {"area_off", area_off},
+                         {"environment_minded", environment_minded},
+                         {"lane_flipped", lane_flipped}};
 
 }  // namespace
 

@@ -41,7 +41,8 @@ const Limits& limits(Scalar scalar) { return scalar == Scalar::f32 ? limits_f32 
 double odd_number(Scalar scalar, Random& random) {
   const Limits& l = limits(scalar);
   const double mantissa = random.chance(0.3) ? 1 : 1 + random.unit();
-  return properties::nearest(scalar, random.sign() * std::ldexp(mantissa, random.integer(l.least_exponent, l.most_exponent)));
+  return properties::nearest(scalar,
+                             random.sign() * std::ldexp(mantissa, random.integer(l.least_exponent, l.most_exponent)));
 }
 
 Numbers odd_shape(Scalar scalar, int kind, Random& random) {
@@ -88,14 +89,16 @@ Pair drawn(Scalar scalar, int kind_a, int kind_b, Random& random) {
                                     Workload::grid,   Workload::thin,       Workload::far,      Workload::tiny,
                                     Workload::huge,   Workload::axis_length};
   if (areal(kind_a) && areal(kind_b) && random.chance(0.15)) {
-    const auto which = hard::all_cases[static_cast<std::size_t>(random.below(static_cast<int>(hard::all_cases.size())))];
+    const auto which =
+        hard::all_cases[static_cast<std::size_t>(random.below(static_cast<int>(hard::all_cases.size())))];
     return hard::draw(which, kind_a, kind_b, random.chance(0.5) ? 2 : 12, random);
   }
   if (areal(kind_a) && random.chance(0.1)) {
     const auto style = nested_pairs::all_styles[random.below(static_cast<int>(std::size(nested_pairs::all_styles)))];
     if (const auto pair = nested_pairs::draw(style, kind_a, kind_b, random)) return *pair;
   }
-  return properties::draw(workloads[random.below(static_cast<int>(std::size(workloads)))], kind_a, kind_b, scalar, random);
+  return properties::draw(workloads[random.below(static_cast<int>(std::size(workloads)))], kind_a, kind_b, scalar,
+                          random);
 }
 
 Pair altered(Scalar scalar, Pair p, Random& random) {

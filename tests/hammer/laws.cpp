@@ -90,7 +90,8 @@ std::vector<std::array<double, 2>> moves(const Pair& p) {
 
 void demand_rounded(Judge& j, const Case& c, const Answer& narrow, std::size_t count) {
   const Answer wide = ask(c.query, Scalar::f64, c.pair);
-  const bool stays_positive = c.query == Query::nearest || c.query == Query::boundary_distance || c.query == Query::depth;
+  const bool stays_positive =
+      c.query == Query::nearest || c.query == Query::boundary_distance || c.query == Query::depth;
   if (narrow.code == VESICA_E_RANGE || wide.code == VESICA_E_RANGE) return;
   j.demand(narrow.code == wide.code, "float_code", std::to_string(wide.code), std::to_string(narrow.code));
   for (std::size_t i = 0; i < count; ++i) {
@@ -150,7 +151,7 @@ std::vector<Fault> judge(const Case& c, const Choice& choice) {
   const bool of_valid = of_one_shape(c.query) ? properties::valid(c.pair.kind_a, c.pair.a) : valid(c.pair);
   if ((c.query == Query::invalid) == of_valid) return {};  // a shrinking step too far
   if (c.query == Query::invalid) {
-    judge_invalid(j, c);
+    judge_invalid(j, c, choice.environments);
     return j.faults();
   }
   judge_query(j, c, choice.effort);

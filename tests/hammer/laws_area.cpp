@@ -29,9 +29,7 @@ bool moderate(Scalar scalar, const Pair& p) {
 bool inside(std::int32_t relation) { return relation == VESICA_INSIDE || relation == VESICA_INSIDE_TOUCH; }
 bool contains(std::int32_t relation) { return relation >= VESICA_CONTAINS; }
 
-Answer area_of(const Case& c, bool of_b) {
-  return ask(Query::shape_area, c.scalar, of_b ? exchanged(c.pair) : c.pair);
-}
+Answer area_of(const Case& c, bool of_b) { return ask(Query::shape_area, c.scalar, of_b ? exchanged(c.pair) : c.pair); }
 
 /// Both shapes times a power of two, where that is exact.
 bool scaled(const Case& c, int exponent, Case& out) {

@@ -9,7 +9,7 @@
 namespace hammer {
 namespace {
 
-constexpr std::int32_t converses[] = {VESICA_DISJOINT, VESICA_TOUCH,  VESICA_CROSS,        VESICA_CONTAINS,
+constexpr std::int32_t converses[] = {VESICA_DISJOINT,       VESICA_TOUCH,  VESICA_CROSS,        VESICA_CONTAINS,
                                       VESICA_CONTAINS_TOUCH, VESICA_INSIDE, VESICA_INSIDE_TOUCH, VESICA_EQUAL};
 
 bool contains_by(std::int32_t relation) { return relation >= VESICA_CONTAINS; }

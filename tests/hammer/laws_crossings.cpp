@@ -117,7 +117,8 @@ void demand_rest_zero(Judge& j, const Answer& r) {
 /// Both outlines hold each place, but for what the header allows.
 void demand_on_outlines(Judge& j, const Pair& p, const Answer& r) {
   const double size = extent(p);
-  if (!(size < 0x1p1000) || std::any_of(r.numbers.begin(), r.numbers.end(), [](double x) { return !std::isfinite(x); })) {
+  if (!(size < 0x1p1000) ||
+      std::any_of(r.numbers.begin(), r.numbers.end(), [](double x) { return !std::isfinite(x); })) {
     return;
   }
   const bool round = p.kind_a >= VESICA_CIRCLE && p.kind_b >= VESICA_CIRCLE && p.kind_a != VESICA_AABB &&

@@ -97,7 +97,8 @@ void judge_depth(Judge& j, const Case& c, Effort effort) {
   if (c.scalar == Scalar::f32) return demand_rounded(j, c, r, 3);
   demand_zero(j, c.pair, r);
   demand_moved(j, c, r);
-  if (finite && far_from_overflow(Scalar::f64, c.pair) && (r.numbers[1] != 0 || r.numbers[2] != 0)) judge_accuracy(j, c.pair, r, effort);
+  if (finite && far_from_overflow(Scalar::f64, c.pair) && (r.numbers[1] != 0 || r.numbers[2] != 0))
+    judge_accuracy(j, c.pair, r, effort);
 }
 
 }  // namespace hammer

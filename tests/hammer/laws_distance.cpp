@@ -58,9 +58,7 @@ void demand_scaled(Judge& j, const Case& c, const Answer& r) {
 }
 
 /// What no point is free of.
-Real coordinate_rounding(double x, double y) {
-  return Real(u) * (abs(Real(x)) + abs(Real(y))) + 2 * Real(last_place);
-}
+Real coordinate_rounding(double x, double y) { return Real(u) * (abs(Real(x)) + abs(Real(y))) + 2 * Real(last_place); }
 
 std::string in_units(const Real& error, const Real& unit) {
   return unit > 0 ? std::to_string(Real(error / unit).get_d()) : "any of 0";
@@ -77,7 +75,8 @@ void judge_common_point(Judge& j, const Shape& a, const Shape& b, const Answer& 
 
 /// Up to which error, in u of itself, a distance is right, and whether that is promised.
 bool promised_of_itself(const Real& distance, const Real& scale, const Real& aspect) {
-  return (aspect <= Real(1e6) && distance > Real(1e-10) * scale) || (aspect <= Real(1000) && distance > Real(1e-14) * scale);
+  return (aspect <= Real(1e6) && distance > Real(1e-10) * scale) ||
+         (aspect <= Real(1000) && distance > Real(1e-14) * scale);
 }
 
 void judge_disjoint(Judge& j, const Shape& a, const Shape& b, const Answer& r) {
@@ -181,7 +180,8 @@ void judge_nearest(Judge& j, const Case& c, Effort effort) {
   demand_scaled(j, c, r);
   if (effort == Effort::quick || c.scalar == Scalar::f32 || !for_reference(c.pair, r)) return;
   set_reference_precision(c.pair, r);
-  const Shape a = nearest_reference::shape(c.pair.kind_a, c.pair.a), b = nearest_reference::shape(c.pair.kind_b, c.pair.b);
+  const Shape a = nearest_reference::shape(c.pair.kind_a, c.pair.a),
+              b = nearest_reference::shape(c.pair.kind_b, c.pair.b);
   if (overlap) {
     judge_common_point(j, a, b, r);
   } else {
@@ -201,7 +201,8 @@ void judge_boundary(Judge& j, const Case& c, Effort effort) {
   }
   if (effort == Effort::quick || c.scalar == Scalar::f32 || relation == VESICA_DISJOINT) return;
   if (!for_reference(c.pair, r)) return;
-  const auto a = outline_reference::shape(c.pair.kind_a, c.pair.a), b = outline_reference::shape(c.pair.kind_b, c.pair.b);
+  const auto a = outline_reference::shape(c.pair.kind_a, c.pair.a),
+             b = outline_reference::shape(c.pair.kind_b, c.pair.b);
   judge_outline_points(j, c.pair, r, outline_reference::scale(a, b));
   if (relation == VESICA_CONTAINS && has_area(c.pair.kind_a, c.pair.a)) judge_nested(j, c.pair, r);
   if (relation == VESICA_INSIDE && has_area(c.pair.kind_b, c.pair.b)) judge_nested(j, exchanged(c.pair), r);

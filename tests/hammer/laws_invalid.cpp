@@ -24,7 +24,7 @@ std::int32_t first_rule_broken(int kind, const Numbers& n) {
 
 }  // namespace
 
-void judge_invalid(Judge& j, const Case& c) {
+void judge_invalid(Judge& j, const Case& c, bool in_environments) {
   const Pair& p = c.pair;
   for (const auto& [kind, n] : {std::pair(p.kind_a, &p.a), std::pair(p.kind_b, &p.b)}) {
     const std::int32_t rule = first_rule_broken(kind, *n), said = check(c.scalar, kind, *n);
@@ -36,6 +36,7 @@ void judge_invalid(Judge& j, const Case& c) {
     const Answer answer = ask(query, c.scalar, p);
     j.demand(answer.code == VESICA_E_SHAPE, name(query), std::to_string(VESICA_E_SHAPE), text(answer));
     j.demand(!answer.wrote, "untouched", "nothing written", name(query));
+    if (in_environments) judge_environments(j, {query, c.scalar, p});
   }
 }
 

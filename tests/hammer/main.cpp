@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The differential hammer: attacks the library with pairs made at the contact and holds every answer against its laws,
 // the exact stage and slow references. See usage below.
-#include <csignal>
 #include <unistd.h>
 
 #include <chrono>
 #include <cinttypes>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -61,10 +61,18 @@ struct Share {
   Query query;
   std::uint64_t every, slow;
 };
-constexpr Share shares[] = {{Query::overlap, 1, 64},   {Query::relation, 2, 64},    {Query::contains, 2, 64},
-                            {Query::nearest, 8, 128},  {Query::boundary_distance, 8, 256}, {Query::depth, 8, 256},
-                            {Query::area, 8, 512},     {Query::iou, 8, 1024},       {Query::crossings, 8, 128},
-                            {Query::shape_area, 8, 32}, {Query::bounds, 8, 8},      {Query::invalid, 16, 16}};
+constexpr Share shares[] = {{Query::overlap, 1, 64},
+                            {Query::relation, 2, 64},
+                            {Query::contains, 2, 64},
+                            {Query::nearest, 8, 128},
+                            {Query::boundary_distance, 8, 256},
+                            {Query::depth, 8, 256},
+                            {Query::area, 8, 512},
+                            {Query::iou, 8, 1024},
+                            {Query::crossings, 8, 128},
+                            {Query::shape_area, 8, 32},
+                            {Query::bounds, 8, 8},
+                            {Query::invalid, 16, 16}};
 constexpr std::uint64_t groups_a_batch = 8;
 constexpr std::uint64_t most_printed = 3;
 
@@ -73,8 +81,8 @@ volatile std::uint64_t current_seed, current_group;
 
 void crashed(int signal) {
   std::array<char, 120> text{};
-  const int size = std::snprintf(text.data(), text.size(), "signal %d: --seed %" PRIu64 " --group %" PRIu64 "\n", signal,
-                                 current_seed, current_group);
+  const int size = std::snprintf(text.data(), text.size(), "signal %d: --seed %" PRIu64 " --group %" PRIu64 "\n",
+                                 signal, current_seed, current_group);
   static_cast<void>(!write(STDOUT_FILENO, text.data(), static_cast<std::size_t>(size)));
   _exit(1);
 }
@@ -209,7 +217,8 @@ int replay(const Options& options) {
     return 2;
   }
   const auto faults = judge(*c, {Effort::slow, options.environments});
-  if (c->query < Query::invalid) std::printf("%s = %s\n", notation(*c).c_str(), text(ask(c->query, c->scalar, c->pair)).c_str());
+  if (c->query < Query::invalid)
+    std::printf("%s = %s\n", notation(*c).c_str(), text(ask(c->query, c->scalar, c->pair)).c_str());
   for (const Fault& fault : faults) {
     std::printf("FAULT %s: expected %s, got %s\n", fault.law.c_str(), fault.expected.c_str(), fault.got.c_str());
   }

@@ -30,10 +30,10 @@ enum class Query {
   batch,       ///< every batch function on many copies of the pair, on every instruction set
 };
 
-inline constexpr std::array all_queries{Query::overlap,   Query::relation,   Query::contains, Query::nearest,
-                                        Query::boundary_distance, Query::depth,      Query::area,     Query::iou,
-                                        Query::crossings, Query::shape_area, Query::bounds,   Query::invalid,
-                                        Query::batch};
+inline constexpr std::array all_queries{
+    Query::overlap, Query::relation, Query::contains, Query::nearest,   Query::boundary_distance,
+    Query::depth,   Query::area,     Query::iou,      Query::crossings, Query::shape_area,
+    Query::bounds,  Query::invalid,  Query::batch};
 
 const char* name(Query query);
 std::optional<Query> find_query(const std::string& name);

@@ -62,7 +62,8 @@ class Shrinking {
       : best_(c), cost_(cost(c.pair)), fails_(fails), end_(Clock::now() + most_time) {}
 
   Case run() {
-    while (step() && Clock::now() < end_) {}
+    while (step() && Clock::now() < end_) {
+    }
     return best_;
   }
 
