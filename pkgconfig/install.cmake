@@ -2,7 +2,9 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS vesica vesica_core EXPORT vesica-targets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES ${PROJECT_SOURCE_DIR}/capi/vesica.h ${PROJECT_SOURCE_DIR}/capi/vesica_methods.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
@@ -19,6 +21,12 @@ else()
 endif()
 set(VESICA_PC_LIBDIR "\${prefix}/${CMAKE_INSTALL_LIBDIR}")
 set(VESICA_PC_INCLUDEDIR "\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}")
+# Beside an archive alone, libm is needed by everyone and not only with pkg-config --static.
+if(BUILD_SHARED_LIBS)
+  set(VESICA_PC_LIBS_PRIVATE -lm)
+else()
+  set(VESICA_PC_LIBS " -lm")
+endif()
 configure_file(${CMAKE_CURRENT_LIST_DIR}/vesica.pc.in vesica.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/vesica.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
