@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What std::vector asks of libstdc++, for programs that are linked without it.
+#include <bits/functexcept.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <new>
