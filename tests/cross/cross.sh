@@ -3,11 +3,11 @@
 # cross.sh [NAME...]: the library's answers on other processors, systems and compilers: all rows of the table below, or
 # those named. Installs what a row needs, builds under build/cross-<build>, prints each row's minutes. Exit status 0 when
 # every row passes.
+# shellcheck disable=SC2154
 set -euo pipefail
 
 # shellcheck source=/dev/null
 . "$(dirname "${BASH_SOURCE[0]}")/../../run"  # root, need, CMAKE_BUILD_PARALLEL_LEVEL
-# shellcheck disable=SC2154
 here=$root/tests/cross
 export WINEPREFIX=${WINEPREFIX:-$root/build/wine} WINEDEBUG=${WINEDEBUG:--all}
 
@@ -199,17 +199,21 @@ trim() {
   sed 's/^ *//; s/ *$//' <<<"$1"
 }
 
-failures=0 rows=0
-while IFS='|' read -r name build run_by sets checks; do
-  name=$(trim "$name") build=$(trim "$build") run_by=$(trim "$run_by") sets=$(trim "$sets")
-  case $name in '' | '#'*) continue ;; esac
-  wanted "$name" "$@" || continue
-  rows=$((rows + 1))
-  start=$SECONDS
-  # A fault ends the row, not the table. Nothing of a row reads the table.
-  if row </dev/null; then result=passed; else result=FAILED failures=$((failures + 1)); fi
-  printf 'cross: %-14s %s, %d min %02d s\n' "$name" $result $(((SECONDS - start) / 60)) $(((SECONDS - start) % 60))
-done <<<"$table"
-[ $rows -gt 0 ] || { echo "cross: no row of that name" >&2; exit 2; }
-[ $failures = 0 ] || exit 1
-echo "cross: $rows rows passed"
+main() {
+  local name build run_by sets checks failures=0 rows=0 start result
+  while IFS='|' read -r name build run_by sets checks; do
+    name=$(trim "$name") build=$(trim "$build") run_by=$(trim "$run_by") sets=$(trim "$sets")
+    case $name in '' | '#'*) continue ;; esac
+    wanted "$name" "$@" || continue
+    rows=$((rows + 1)) start=$SECONDS
+    # A fault ends the row, not the table. Nothing of a row reads the table.
+    if row </dev/null; then result=passed; else result=FAILED failures=$((failures + 1)); fi
+    printf 'cross: %-14s %s, %d min %02d s\n' "$name" $result $(((SECONDS - start) / 60)) $(((SECONDS - start) % 60))
+  done <<<"$table"
+  [ $rows -gt 0 ] || { echo 'cross: no such row' >&2; exit 2; }
+  [ $failures = 0 ] || exit 1
+  echo "cross: $rows rows passed"
+}
+
+main "$@"
+exit

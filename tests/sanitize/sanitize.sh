@@ -3,10 +3,11 @@
 # sanitize.sh fast|slow|NAME...: the library and its own tests under sanitizers: the rows of the table below that are
 # marked so, or those named. Builds under build/sanitize-<name>, prints each row's minutes and each report once. Exit
 # status 0 when there is no report and every test passes.
+# shellcheck disable=SC2154
 set -euo pipefail
 
 # shellcheck source=/dev/null
-. "$(dirname "${BASH_SOURCE[0]}")/../../run"  # root, need, CMAKE_BUILD_PARALLEL_LEVEL
+. "$(dirname "${BASH_SOURCE[0]}")/../../run"  # root, test_packages, need, CMAKE_BUILD_PARALLEL_LEVEL
 
 table='
 # name                compiler  sanitizers  build    when
@@ -52,7 +53,7 @@ programs() {
 }
 
 row() {
-  local folder=$root/build/sanitize-$name selection reports status=0
+  local folder=$root/build/sanitize-$name selection targets reports status=0
   local log=$folder/log
   mkdir -p "$folder"
   case $sanitizers,$when in
@@ -60,9 +61,13 @@ row() {
     *,fast) selection=(-E "$foreign|$long") ;;
     *) selection=(-E "$foreign") ;;
   esac
-  configure >"$log" 2>&1 && cmake --build "$folder" --target $(programs) >>"$log" 2>&1 || { tail -n 40 "$log" >&2; return 1; }
+  if ! { configure && mapfile -t targets < <(programs) && cmake --build "$folder" --target "${targets[@]}"; } >"$log" 2>&1
+  then
+    tail -n 40 "$log" >&2
+    return 1
+  fi
   # Tests of guard pages end in a segmentation fault on purpose.
-  export GTEST_FILTER=-Stack.* UBSAN_OPTIONS=print_stacktrace=0
+  export 'GTEST_FILTER=-Stack.*' UBSAN_OPTIONS=print_stacktrace=0
   export ASAN_OPTIONS=handle_segv=0:detect_stack_use_after_return=1 TSAN_OPTIONS=handle_segv=0
   ctest --test-dir "$folder" "${selection[@]}" -j "$CTEST_PARALLEL_LEVEL" -V >"$folder/tests.log" 2>&1 || status=$?
   reports=$(grep -hoE '[^ ]*: runtime error: .*|SUMMARY: (Address|Thread|Leak)Sanitizer: .*' "$folder/tests.log" |
