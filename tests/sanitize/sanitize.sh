@@ -83,16 +83,19 @@ wanted() {
   return 1
 }
 
+# Elapsed time, and processors' time, which another load on the machine does not lengthen.
+TIMEFORMAT='  %1lR, of processors %1lU'
+
 main() {
-  local name compiler sanitizers build when failures=0 rows=0 start result words=("$@")
+  local name compiler sanitizers build when failures=0 rows=0 result words=("$@")
   [ $# -gt 0 ] || { echo 'usage: sanitize.sh fast|slow|NAME...' >&2; exit 2; }
   while read -r name compiler sanitizers build when; do
     case $name in '' | '#'*) continue ;; esac
     wanted "$name" "$when" || continue
     need "${test_packages[@]}"
-    rows=$((rows + 1)) start=$SECONDS
-    if row </dev/null; then result=passed; else result=FAILED failures=$((failures + 1)); fi
-    printf 'sanitize: %-22s %s, %d min %02d s\n' "$name" $result $(((SECONDS - start) / 60)) $(((SECONDS - start) % 60))
+    rows=$((rows + 1))
+    if time row </dev/null; then result=passed; else result=FAILED failures=$((failures + 1)); fi
+    printf 'sanitize: %-22s %s\n' "$name" $result
   done <<<"$table"
   [ $rows -gt 0 ] || { echo 'sanitize: no such row' >&2; exit 2; }
   [ $failures = 0 ] || exit 1
