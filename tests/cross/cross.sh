@@ -23,7 +23,7 @@ ppc64le        | powerpc64le-linux-gnu | qemu-ppc64le -L SYSROOT  | portable    
 riscv64        | riscv64-linux-gnu     | qemu-riscv64 -L SYSROOT  | portable                  | c corpus batches/5
 s390x          | s390x-linux-gnu       | qemu-s390x -L SYSROOT    | portable                  | c corpus batches/5
 nehalem        | gcc-release           | qemu-x86_64 -cpu Nehalem | portable sse2             | c corpus batches/5
-haswell        | gcc-release           | qemu-x86_64 -cpu Haswell | portable sse2 avx2        | c corpus batches/5
+haswell        | gcc-release           | qemu-x86_64 -cpu Haswell-noTSX,-pcid,-x2apic,-tsc-deadline,-invpcid | portable sse2 avx2        | c corpus batches/5
 gcc-debug      | gcc-debug             |                          | portable sse2 avx2 avx512 |
 clang-release  | clang-release         |                          | portable sse2 avx2 avx512 | c
 clang-debug    | clang-debug           |                          | portable sse2 avx2 avx512 |
