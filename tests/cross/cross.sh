@@ -91,6 +91,12 @@ symbols() {
   find "$folder" -path '*/isa/*.o*' -print0 | xargs -0 "$root/tests/batch/isa_symbols.sh" "${unoptimised[@]}" "$nm" | say
 }
 
+# Whatever the linker, the library exports what its map lists. check_dll does this for Windows.
+exports() {
+  [ "$build" != windows ] || return 0
+  "$root/tests/abi/exported_names.sh" nm "$folder/libvesica.so" "$root/capi/vesica.map" | say
+}
+
 # The sets by name; but where the processor is given, the last one is for the library to choose by itself.
 hashes() {
   local set output status
@@ -181,7 +187,7 @@ check_zip() {
 row() {
   local check folder=$root/build/cross-$build emulator
   read -r -a emulator <<<"${run_by//SYSROOT//usr/$build}"
-  compile && symbols && hashes || return 1
+  compile && symbols && hashes && exports || return 1
   for check in $checks; do
     case $check in
       */*) "check_${check%/*}" "${check#*/}" || return 1 ;;

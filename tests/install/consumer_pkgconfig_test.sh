@@ -8,6 +8,12 @@ version=$(printf '#include <vesica.h>\nVESICA_VERSION_MAJOR VESICA_VERSION_MINOR
   "$CC" "${flags[@]}" -E -P - | tail -n 1)
 [ "$(pkg-config --modversion vesica)" = "${version// /.}" ]
 
+# With an archive libm comes after it; with a shared library alone, only the library itself asks for it.
+pkg-config --static --libs vesica | grep -Eq -- '-lvesica .*-lm( |$)'
+if [ -n "$(find "$moved" -name libvesica.so)" ]; then
+  if pkg-config --libs vesica | grep -qw -- -lm; then exit 1; fi
+fi
+
 warnings=(-Wall -Wextra -Wpedantic -Werror)
 "$CC" -std=c99 "${warnings[@]}" -o "$work/c_user" "$here/consumer/c_user.c" "${flags[@]}"
 "$CXX" -std=c++11 "${warnings[@]}" -o "$work/cpp_user" "$here/consumer/cpp_user.cpp" "${flags[@]}"

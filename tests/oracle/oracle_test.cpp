@@ -5,12 +5,9 @@
 #include <gtest/gtest.h>
 #include <vesica.h>
 
-#include <fstream>
-#include <map>
-#include <sstream>
-#include <string>
 #include <vector>
 
+#include "corpus/corpus.hpp"
 #include "properties/generators.hpp"
 #include "properties/shape_maker.hpp"
 
@@ -130,38 +127,10 @@ TEST(Oracle, RoundAgainstRound) {
                 {true, {{0, 0, 1}, {0, 0, 1, 0, 3, 2}}}});
 }
 
-int kind_of(const std::string& name) {
-  const std::map<std::string, int> kinds{{"point", VESICA_POINT},   {"segment", VESICA_SEGMENT},
-                                         {"circle", VESICA_CIRCLE}, {"aabb", VESICA_AABB},
-                                         {"rect", VESICA_RECT},     {"ellipse", VESICA_ELLIPSE}};
-  return kinds.at(name);
-}
-
-/// A kind and its up to six numbers, from one column of a line on.
-int shape_from(const std::vector<std::string>& columns, std::size_t first, Numbers& numbers) {
-  for (std::size_t i = 0; i < 6; ++i) {
-    const std::string& text = columns.at(first + 1 + i);
-    numbers[i] = text.empty() ? 0 : std::stod(text);
-  }
-  return kind_of(columns.at(first));
-}
-
 TEST(Oracle, RecordedCases) {
-  std::ifstream file(VESICA_CORPUS);
-  std::string line;
-  int asked = 0;
-  while (std::getline(file, line)) {
-    std::vector<std::string> columns;
-    std::istringstream stream(line);
-    for (std::string column; std::getline(stream, column, ',');) columns.push_back(column);
-    if (columns.size() < 18 || columns[16] != "overlap") continue;
-    Pair pair{};
-    pair.kind_a = shape_from(columns, 2, pair.a);
-    pair.kind_b = shape_from(columns, 9, pair.b);
-    EXPECT_EQ(overlap(pair), columns[17] == "1") << columns[0];
-    ++asked;
-  }
-  EXPECT_EQ(asked, 119);
+  const std::vector<corpus::Row> rows = corpus::rows("overlap");
+  for (const corpus::Row& row : rows) EXPECT_EQ(overlap(row.pair), row.expected == 1) << row.id;
+  EXPECT_EQ(rows.size(), 119U);
 }
 
 /// Contacts built from rational support points: touching as built, disjoint once parted along the normal.

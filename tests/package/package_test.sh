@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# package_test.sh WORK: the Debian packages of this tree. Run by hand, for it takes some minutes; needs what
+# package_test.sh WORK: the Debian packages of this tree. Takes some minutes; needs what
 # `./run package` installs, and lintian, man-db and pkg-config.
 #   - two builds in folders of different names and depths give the same packages, byte for byte
 #   - lintian has nothing to say, pedantry and experiments included, and nothing is overridden

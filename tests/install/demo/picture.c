@@ -1,130 +1,99 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "picture.h"
 
-#include <string.h>
-#include <vesica.h>
-
-#include "line.h"
-#include "outline.h"
-
 // Pixels.
-enum { columns = 8, margin = 16, heading = 60, panel_width = 168, panel_height = 190, drawing = 136, inset = 10 };
+enum { columns = 8, margin = 16, heading = 74, section = 34 };
 
 static const char style[] =
     "<style>\n"
     "text{font-family:'DejaVu Sans',Verdana,sans-serif;fill:#222}\n"
-    ".h{font-size:18px}.k{font-size:12px}.c{font-size:9px}.d{font-size:9px;fill:#666}\n"
+    ".h{font-size:18px;font-weight:bold}.k{font-size:12px}.d{font-size:9px;fill:#666}\n"
+    ".vo,.va{font-size:12px;font-weight:bold}.vo{fill:#a33c00}.va{fill:#00517f}\n"
     ".f{fill:#fff;stroke:#ddd}.w{fill:#fff4c2;stroke:#b00;stroke-width:3}\n"
     "path,circle{stroke-width:1.2;stroke-linejoin:round;fill-opacity:.32}\n"
     // Colours that red-green blindness keeps apart.
     ".oa{fill:#d55e00;stroke:#a33c00}.ob{fill:#e8485a;stroke:#8c1326}\n"
     ".aa{fill:#0072b2;stroke:#00517f}.ab{fill:#8a95a0;stroke:#4e5963}\n"
+    ".p{fill:#fff}.i,.l,.g{fill:none;stroke:#111}.i,.l{stroke-width:.8}.g{stroke-width:2}\n"
+    ".s{font-size:10px;font-weight:bold;fill:#111;stroke:#fff;stroke-width:3;paint-order:stroke}\n"
     "</style>\n";
 
-void add_panel(struct picture* picture, const struct pair* pair, int overlap, int wrong) {
-  if (picture->pairs < picture_capacity) {
-    struct panel* panel = &picture->panels[picture->pairs];
-    panel->pair = *pair;
-    panel->overlap = overlap;
-    panel->wrong = wrong;
-  }
+static const char* const titles[look_count] = {"Apart, by a gap too small to see",
+                                               "Overlapping, by a depth too small to see",
+                                               "Touching exactly, which counts as overlap", "Plain to see"};
+
+static int count_shown(const struct picture* picture) {
+  return picture->pairs < picture_capacity ? (int)picture->pairs : picture_capacity;
+}
+
+// The panel that shows the pair: the newest one or a new one.
+static struct panel* find_panel(struct picture* picture, const struct pair* pair) {
+  const long newest = picture->pairs <= picture_capacity ? picture->pairs - 1 : picture_capacity;
+  struct panel* next;
+  if (newest >= 0 && shows_pair(&picture->panels[newest], pair)) return &picture->panels[newest];
+  next = &picture->panels[count_shown(picture)];
+  fill_panel(next, pair);
   picture->pairs++;
+  return next;
 }
 
-// Writes the first `limit` characters, or fewer if the text ends.
-static void put_escaped(FILE* file, const char* text, size_t limit) {
-  char shown[2] = {0, 0};
-  for (; limit > 0 && *text; text++, limit--) {
-    switch (*text) {
-      case '&':
-        fputs("&amp;", file);
-        break;
-      case '<':
-        fputs("&lt;", file);
-        break;
-      case '>':
-        fputs("&gt;", file);
-        break;
-      default:
-        shown[0] = *text;
-        put_printable(file, shown, 1);
-    }
+void add_question(struct picture* picture, const struct pair* pair, double answer, int wrong) {
+  picture->questions++;
+  add_answer(find_panel(picture, pair), pair, answer, wrong);
+}
+
+static int section_height(const struct picture* picture, int look) {
+  int panels = 0;
+  for (int i = 0; i < count_shown(picture); i++) panels += (int)picture->panels[i].look == look;
+  return panels > 0 ? section + (panels + columns - 1) / columns * panel_height : 0;
+}
+
+static void write_key(FILE* file, int x, const char* css_class, const char* text) {
+  fprintf(file, "<path class=\"%s\" d=\"M%d 44h14v12h-14Z\"/><text class=\"k\" x=\"%d\" y=\"55\">%s</text>\n",
+          css_class, x, x + 19, text);
+}
+
+static void write_heading(FILE* file, const struct picture* picture) {
+  const int x = margin;
+  fprintf(file, "<text class=\"h\" x=\"%d\" y=\"28\">%ld %s about %ld %s of shapes", x, picture->questions,
+          picture->questions == 1 ? "question" : "questions", picture->pairs, picture->pairs == 1 ? "pair" : "pairs");
+  if (picture->pairs > picture_capacity) fprintf(file, ", the first %d drawn", picture_capacity);
+  fprintf(file, "</text>\n<text class=\"k\" x=\"%d\" y=\"55\">Overlap:</text>\n", x);
+  write_key(file, x + 64, "oa", "first shape");
+  write_key(file, x + 168, "ob", "second shape");
+  fprintf(file, "<text class=\"k\" x=\"%d\" y=\"55\">Apart:</text>\n", x + 310);
+  write_key(file, x + 358, "aa", "first shape");
+  write_key(file, x + 462, "ab", "second shape");
+  write_key(file, x + 604, "i", "magnified: the number is the length of the thick line");
+}
+
+// A title, and the panels of that look, if there are any.
+static void write_section(FILE* file, const struct picture* picture, int look, int top) {
+  int written = 0;
+  fprintf(file, "<text class=\"h\" x=\"%d\" y=\"%d\">%s</text>\n", margin, top + 22, titles[look]);
+  for (int i = 0; i < count_shown(picture); i++) {
+    const struct panel* panel = &picture->panels[i];
+    if ((int)panel->look != look) continue;
+    write_panel(file, panel, margin + written % columns * panel_width,
+                top + section + written / columns * panel_height);
+    written++;
   }
-}
-
-// An id that is too long for a panel loses its middle: its end often counts the cases of one source.
-static void put_id(FILE* file, const char* id) {
-  const size_t most = 26, head = 15, tail = 8, length = strlen(id);
-  put_escaped(file, id, length <= most ? most : head);
-  if (length <= most) return;
-  fputs("...", file);
-  put_escaped(file, id + length - tail, tail);
-}
-
-static void put_numbers(FILE* file, const struct shape* shape) {
-  fputs(vesica_kind_name(shape->kind), file);
-  for (int i = 0; i < vesica_field_count(shape->kind); i++) fprintf(file, " %.17g", shape->numbers[i]);
-}
-
-static void write_shapes(FILE* file, const struct panel* panel, double left, double top) {
-  struct view view;
-  if (find_view(&panel->pair, left, top, drawing, &view) != 0) {
-    fprintf(file, "<text class=\"d\" x=\"%.2f\" y=\"%.2f\">too large to draw</text>\n", left, top + drawing / 2.0);
-    return;
-  }
-  write_shape(file, &panel->pair.a, &view, panel->overlap ? "oa" : "aa");
-  write_shape(file, &panel->pair.b, &view, panel->overlap ? "ob" : "ab");
-}
-
-static void write_caption(FILE* file, const struct panel* panel, double x, double y) {
-  const struct pair* pair = &panel->pair;
-  fprintf(file, "<text class=\"c\" x=\"%.2f\" y=\"%.2f\">", x, y);
-  put_id(file, pair->id);
-  fprintf(file, "</text>\n<text class=\"d\" x=\"%.2f\" y=\"%.2f\">%s, %s: %s%s</text>\n", x, y + 13,
-          vesica_kind_name(pair->a.kind), vesica_kind_name(pair->b.kind), panel->overlap ? "overlap" : "apart",
-          panel->wrong ? " (WRONG)" : "");
-}
-
-static void write_panel(FILE* file, const struct panel* panel, int left, int top) {
-  fputs("<g><title>", file);
-  put_escaped(file, panel->pair.id, sizeof panel->pair.id);
-  fputs("\n", file);
-  put_numbers(file, &panel->pair.a);
-  fputs("\n", file);
-  put_numbers(file, &panel->pair.b);
-  fprintf(file, "</title>\n<rect class=\"%s\" x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" rx=\"4\"/>\n",
-          panel->wrong ? "w" : "f", left, top, panel_width - 8, panel_height - 8);
-  write_shapes(file, panel, left + (panel_width - 8 - drawing) / 2.0, top + inset);
-  write_caption(file, panel, left + inset, top + inset + drawing + 18);
-  fputs("</g>\n", file);
-}
-
-static void write_heading(FILE* file, const struct picture* picture, int shown) {
-  fprintf(file, "<text class=\"h\" x=\"%d\" y=\"30\">", margin);
-  if (shown < picture->pairs) fprintf(file, "The first %d of ", shown);
-  fprintf(file, "%ld %s</text>\n", picture->pairs, picture->pairs == 1 ? "pair" : "pairs");
-  fprintf(file,
-          "<circle class=\"oa\" cx=\"%d\" cy=\"46\" r=\"5\"/><text class=\"k\" x=\"%d\" y=\"50\">overlap</text>\n",
-          margin + 6, margin + 16);
-  fprintf(file, "<circle class=\"aa\" cx=\"%d\" cy=\"46\" r=\"5\"/><text class=\"k\" x=\"%d\" y=\"50\">apart</text>\n",
-          margin + 96, margin + 106);
 }
 
 void write_picture(FILE* file, const struct picture* picture) {
-  const int shown = picture->pairs < picture_capacity ? (int)picture->pairs : picture_capacity;
-  const int across = shown < 1 ? 1 : shown < columns ? shown : columns;
-  const int down = (shown + columns - 1) / columns;
-  // Room for the heading beside a single panel.
-  const int width = 2 * margin + (across < 2 ? 2 : across) * panel_width;
-  const int height = heading + margin + down * panel_height;
+  const int width = 2 * margin + columns * panel_width;
+  int height = heading + margin, top = heading;
+  for (int look = 0; look < look_count; look++) height += section_height(picture, look);
   fputs("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n", file);
   fprintf(file, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\">\n", width,
           height, width, height);
   fputs(style, file);
   fprintf(file, "<rect width=\"%d\" height=\"%d\" fill=\"#f7f7f5\"/>\n", width, height);
-  write_heading(file, picture, shown);
-  for (int i = 0; i < shown; i++) {
-    write_panel(file, &picture->panels[i], margin + i % columns * panel_width, heading + i / columns * panel_height);
+  write_heading(file, picture);
+  for (int look = 0; look < look_count; look++) {
+    const int taken = section_height(picture, look);
+    if (taken > 0) write_section(file, picture, look, top);
+    top += taken;
   }
   fputs("</svg>\n", file);
 }

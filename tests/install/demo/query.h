@@ -9,11 +9,13 @@ struct pair;
 
 struct query {
   const char* name;  ///< as in the scene file's query column
-  /// Writes the answer and returns 0, or returns a VESICA_E_ code. NULL: scene files know the query, this demo does
-  /// not answer it.
+  /// Writes the answer and returns 0, or returns a VESICA_E_ code.
   int32_t (*answer)(const struct pair* pair, double* out);
   int yes_no;  ///< the answer is 1 or 0
 };
+
+enum { query_count = 9 };
+extern const struct query queries[query_count];
 
 /// The query of that name, or NULL.
 const struct query* find_query(const char* name);

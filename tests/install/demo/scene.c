@@ -45,8 +45,7 @@ static int parse_row(char* text, struct pair* pair, struct fault* fault) {
          parse_row_answer(fields + query_field, pair, fault);
 }
 
-static int parse_short_shape(char** rest, char name, struct shape* shape, struct fault* fault) {
-  const char* kind = take_word(rest);
+static int parse_short_shape(const char* kind, char** rest, char name, struct shape* shape, struct fault* fault) {
   char which[40];
   if (!kind) return fail(fault, "shape %c is missing", name);
   shape->kind = find_kind(kind);
@@ -61,10 +60,15 @@ static int parse_short_shape(char** rest, char name, struct shape* shape, struct
 
 static int parse_short(char* text, struct pair* pair, struct fault* fault) {
   char *known = text, *shapes = take_field(&known, '=');
-  const char* junk;
-  pair->query = find_query("overlap");
-  if (!parse_short_shape(&shapes, 'A', &pair->a, fault)) return 0;
-  if (!parse_short_shape(&shapes, 'B', &pair->b, fault)) return 0;
+  const char *word = take_word(&shapes), *junk;
+  pair->query = word ? find_query(word) : NULL;
+  if (pair->query) {
+    word = take_word(&shapes);
+  } else {
+    pair->query = find_query("overlap");
+  }
+  if (!parse_short_shape(word, &shapes, 'A', &pair->a, fault)) return 0;
+  if (!parse_short_shape(take_word(&shapes), &shapes, 'B', &pair->b, fault)) return 0;
   junk = take_word(&shapes);
   if (junk) return fail(fault, "'%.40s' after the two shapes", junk);
   return !known || parse_known(take_field(&known, '#'), pair, fault);
@@ -76,16 +80,16 @@ static int count_fields(const char* text) {
   return count;
 }
 
-// A line of 20 fields is a row; else a line that begins with a kind is short; else it is neither.
+// A line of 20 fields is a row. Any other line is short, and begins with a query or a kind.
 static int parse_pair(char* text, struct pair* pair, struct fault* fault) {
   const int fields = count_fields(text);
   char first[48];
   const size_t length = strcspn(text, " \t,");
   if (fields == row_fields) return parse_row(text, pair, fault);
   snprintf(first, sizeof first, "%.*s", (int)length, text);
-  if (find_kind(first) >= 0) return parse_short(take_field(&text, '#'), pair, fault);
-  if (fields == 1) return fail(fault, "unknown kind '%.40s'", first);
-  return fail(fault, "'%.40s' is not a kind, and a row has 20 fields, not %d", first, fields);
+  if (find_query(first) || find_kind(first) >= 0) return parse_short(take_field(&text, '#'), pair, fault);
+  if (fields == 1) return fail(fault, "'%.40s' is neither a query nor a kind", first);
+  return fail(fault, "'%.40s' is neither a query nor a kind, and a row has 20 fields, not %d", first, fields);
 }
 
 enum line_meaning parse_line(char* text, long number, struct pair* pair, struct fault* fault) {

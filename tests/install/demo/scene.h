@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Scene files: one pair of shapes a line, with what is asked and, where known, the answer.
+/// Scene files: one pair of shapes a line, with what is asked and, where known, the answer. The demo has its own reader
+/// of cases.csv: it is a user's program, built from outside against the installed library alone.
 ///
 /// Two forms, which may be mixed. Blank lines, lines that begin with #, and the table's header are skipped.
 ///  - A table row as in tests/corpus/cases.csv: 20 fields between commas, id,source,kind_a,a0..a5,kind_b,b0..b5,
 ///    query,expected,tolerance,note. Columns a kind does not use are empty; no quoting.
-///  - Short: two shapes, each a kind and its numbers, between spaces or commas; then, if known, `= 0` or `= 1`.
-///    Asks for overlap. `rect 0 0 1 0 2 1  ellipse 3 0 1 0 1 0.5 = 1  # touching`
+///  - Short: a query (overlap if none is named); two shapes, each a kind and its numbers, between spaces or commas;
+///    then `=` and the answer, if known. `rect 0 0 1 0 2 1  ellipse 3 0 1 0 1 0.5 = 1  # touching`
 #ifndef SCENE_H
 #define SCENE_H
 
