@@ -1,5 +1,6 @@
-# vesica_library(name MAP map SOURCES source... [LINK library...]): one library behind the C face, shared or static as
-# BUILD_SHARED_LIBS says, with the alias vesica::<name>.
+# vesica_library(name MAP map SOURCES source... [LINK library...] [HAND_ON library...]): one library behind the C face,
+# shared or static as BUILD_SHARED_LIBS says. Programs that link it also link what is handed on. The target
+# vesica_methods has the alias vesica::methods, and its file is libvesica-methods.
 include(CheckLinkerFlag)
 include(${CMAKE_CURRENT_LIST_DIR}/windows.cmake)
 
@@ -18,10 +19,13 @@ foreach(flag --no-undefined-version -z,defs -O1)
 endforeach()
 
 function(vesica_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "MAP" "SOURCES;LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "MAP" "SOURCES;LINK;HAND_ON")
+  string(REGEX REPLACE "^vesica_" "" alias ${name})
+  string(REPLACE "_" "-" output ${name})
   add_library(${name} ${arg_SOURCES})
   target_link_libraries(${name}
-    PRIVATE $<BUILD_INTERFACE:vesica_core> $<BUILD_INTERFACE:vesica_flags> ${arg_LINK} m)
+    PRIVATE $<BUILD_INTERFACE:vesica_core> $<BUILD_INTERFACE:vesica_flags> ${arg_LINK} m
+    INTERFACE ${arg_HAND_ON})
   target_include_directories(${name}
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE ${PROJECT_SOURCE_DIR}/src)
@@ -30,6 +34,8 @@ function(vesica_library name)
   # Linked by the C driver, so that nothing of libstdc++ can slip in: an undefined symbol of it fails the link.
   # Position independent in the archive too, which then serves the shared libraries of other languages.
   set_target_properties(${name} PROPERTIES
+    OUTPUT_NAME ${output}
+    EXPORT_NAME ${alias}
     LINKER_LANGUAGE C
     POSITION_INDEPENDENT_CODE ON
     DEFINE_SYMBOL ""
@@ -45,14 +51,15 @@ function(vesica_library name)
       target_link_options(${name} PRIVATE -Wl,--version-script=${arg_MAP})
       set_target_properties(${name} PROPERTIES LINK_DEPENDS ${arg_MAP})
     endif()
-    add_library(vesica::${name} ALIAS ${name})
+    add_library(vesica::${alias} ALIAS ${name})
   else()
     # Whoever links an archive of C++ is linked by the C++ driver and with its runtime, which this one does not need.
     # So it is handed on as a file.
     add_library(${name}_archive INTERFACE)
     add_dependencies(${name}_archive ${name})
     target_include_directories(${name}_archive INTERFACE $<TARGET_PROPERTY:${name},INTERFACE_INCLUDE_DIRECTORIES>)
-    target_link_libraries(${name}_archive INTERFACE $<TARGET_FILE:${name}> ${arg_LINK} m)
-    add_library(vesica::${name} ALIAS ${name}_archive)
+    list(TRANSFORM arg_HAND_ON APPEND _archive)
+    target_link_libraries(${name}_archive INTERFACE $<TARGET_FILE:${name}> ${arg_LINK} ${arg_HAND_ON} m)
+    add_library(vesica::${alias} ALIAS ${name}_archive)
   endif()
 endfunction()

@@ -144,7 +144,8 @@ struct Shares {
 template <class A, class B>
 std::int32_t relation_of(const A& a, const B& b) noexcept {
   if constexpr (std::is_same_v<A, B>) {
-    if (std::memcmp(&a, &b, sizeof a) == 0)
+    // Bits, not values: shapes that differ in the sign of a zero go the long way.
+    if (std::memcmp(&a, &b, sizeof a) == 0)  // NOLINT(bugprone-suspicious-memory-comparison)
       return check(a) == 0 ? static_cast<std::int32_t>(Relation::equal) : error_shape;
   }
   return relation_or_error(a, b);

@@ -18,6 +18,9 @@ warnings=(-Wall -Wextra -Wpedantic -Werror)
 "$CC" -std=c99 "${warnings[@]}" -o "$work/c_user" "$here/consumer/c_user.c" "${flags[@]}"
 "$CXX" -std=c++11 "${warnings[@]}" -o "$work/cpp_user" "$here/consumer/cpp_user.cpp" "${flags[@]}"
 # shellcheck disable=SC2162
+read -a methods < <(pkg-config --cflags --libs vesica-methods)
+"$CC" -std=c99 "${warnings[@]}" -o "$work/methods_user" "$here/consumer/methods_user.c" "${methods[@]}"
+# shellcheck disable=SC2162
 read -a include < <(pkg-config --cflags vesica)
 "$CXX" -std=c++20 "${warnings[@]}" -o "$work/core_user" "$here/consumer/core_user.cpp" "${include[@]}"
-for program in c_user cpp_user core_user; do "$work/$program"; done
+for program in c_user methods_user cpp_user core_user; do "$work/$program"; done

@@ -39,6 +39,7 @@ for linkage in shared static; do
     echo "subproject_test: $linkage, $by"
     parent -DBY=$by -DBUILD_SHARED_LIBS=$shared -DVESICA_INSTALL=OFF
     "$work/build/c_user"
+    "$work/build/methods_user"
     [ "$(needed "$work/build/c_user" | grep -v of_parent)" = "$library" ] || fail "c_user needs $(needed "$work/build/c_user")"
     rm -rf "$work/prefix"
     cmake --install "$work/build" --prefix "$work/prefix"
