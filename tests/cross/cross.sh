@@ -28,7 +28,7 @@ gcc-debug      | gcc-debug             |                          | portable sse
 clang-release  | clang-release         |                          | portable sse2 avx2 avx512 | c
 clang-debug    | clang-debug           |                          | portable sse2 avx2 avx512 |
 musl           | musl                  |                          | portable sse2 avx2 avx512 | c no_libstdcxx
-windows        | windows               | wine                     | portable sse2 avx2 avx512 | c corpus batches/1 dll zip
+windows        | windows               | wine                     | portable sse2 avx2 avx512 | c corpus batches/1 dll/vesica,vesica.map dll/vesica-methods,methods.map zip
 '
 
 # Debian packages, CMake arguments of a build.
@@ -60,7 +60,7 @@ settings() {
 
 # Nothing but these rows compiles neon, the DLL and musl, so warnings count.
 compile() {
-  local packages arguments log=$folder.log targets=(near_tie_hash vectors demo)
+  local packages arguments log=$folder.log targets=(vesica vesica_methods near_tie_hash vectors demo)
   settings "$build"
   case $checks in *batches*) targets+=(corpus_test batch_test) arguments+=(-DVESICA_CROSS_GOOGLETEST=/usr/src/googletest) ;; esac
   need g++ cmake ninja-build googletest "${packages[@]}"
@@ -94,7 +94,8 @@ symbols() {
 # Whatever the linker, the library exports what its map lists. check_dll does this for Windows.
 exports() {
   [ "$build" != windows ] || return 0
-  "$root/tests/abi/exported_names.sh" nm "$folder/libvesica.so" "$root/capi/vesica.map" | say
+  "$root/tests/abi/exported_names.sh" nm "$folder/libvesica.so" "$root/capi/vesica.map" | say || return 1
+  "$root/tests/abi/exported_names.sh" nm "$folder/libvesica-methods.so" "$root/capi/methods.map" | say
 }
 
 # The sets by name; but where the processor is given, the last one is for the library to choose by itself.
@@ -150,22 +151,27 @@ check_x87_refused() {
   echo "$name: x87 is refused"
 }
 
-# The library needs musl's libc and nothing else.
+# The libraries need musl's libc and nothing else.
 check_no_libstdcxx() {
-  local needed
-  needed=$(readelf -d "$folder/libvesica.so" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p')
-  [ "$needed" = libc.so ] || { echo "$name: needs $needed" >&2; return 1; }
+  local library needed
+  for library in libvesica libvesica-methods; do
+    needed=$(readelf -d "$folder/$library.so" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p')
+    [ "$needed" = libc.so ] || { echo "$name: $library needs $needed" >&2; return 1; }
+  done
 }
 
-# The DLL exports the names of the version script and nothing else, and imports from the system alone.
+# check_dll LIBRARY,MAP: the DLL exports the names of the version script and nothing else, and imports from the system
+# alone.
 check_dll() {
-  local headers
-  headers=$(x86_64-w64-mingw32-objdump -p "$folder/vesica.dll")
+  local headers listed foreign dll=$folder/${1%,*}.dll
+  headers=$(x86_64-w64-mingw32-objdump -p "$dll") || return 1
+  listed=$(sed -n 's/^ *\(vesica_[a-z0-9_]*\);$/\1/p' "$root/capi/${1#*,}" | sort)
+  [ -n "$listed" ] || return 1
   diff <(sed -n '/^\[Ordinal\/Name Pointer\]/,/^$/s/.* \(vesica_[a-z0-9_]*\)$/\1/p' <<<"$headers" | sort) \
-    <(sed -n 's/^ *\(vesica_[a-z0-9_]*\);$/\1/p' "$root/capi/vesica.map" | sort) || return 1
-  if sed -n 's/.*DLL Name: //p' <<<"$headers" | grep -Fvx -e KERNEL32.dll -e msvcrt.dll; then return 1; fi
-  [ -e "$folder/vesica.dll.a" ] || find "$folder" -name 'libvesica.dll.a' | grep -q . || return 1
-  echo "$name: $(grep -c '^ *vesica_[a-z0-9_]*;' "$root/capi/vesica.map") names in vesica.dll"
+    <(echo "$listed") || return 1
+  foreign=$(sed -n 's/.*DLL Name: //p' <<<"$headers" | grep -Fvx -e KERNEL32.dll -e msvcrt.dll || true)
+  [ -z "$foreign" ] || { echo "$name: $dll needs $foreign" >&2; return 1; }
+  echo "$name: $(wc -l <<<"$listed") names in $(basename "$dll")"
 }
 
 # The zip, made of what was tested: a program elsewhere finds it by CMake, and runs beside the DLL.
@@ -177,11 +183,11 @@ check_zip() {
   { cmake -S "$consumer" -B "$work/consumer" -G Ninja "-DCMAKE_TOOLCHAIN_FILE=$root/windows/mingw.cmake" \
     "-Dvesica_DIR=$work/unpacked/lib/cmake/vesica" -DCMAKE_EXE_LINKER_FLAGS=-static && cmake --build "$work/consumer"; } >"$work/log" 2>&1 ||
     { tail -n 20 "$work/log" >&2; return 1; }
-  for program in c_user cpp_user core_user; do
+  for program in c_user methods_user cpp_user core_user; do
     WINEPATH="Z:$work/unpacked/bin" wine "$work/consumer/$program.exe" || { echo "$name: $program fails" >&2; return 1; }
   done
   [ -s "$work/unpacked/LICENSE.txt" ] || return 1
-  echo "$name: the zip's CMake package, by three programs"
+  echo "$name: the zip's CMake package, by four programs"
 }
 
 row() {
