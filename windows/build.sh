@@ -9,6 +9,10 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 mkdir -p "$1"
 out=$(cd "$1" && pwd)
 
+# The time in the DLL and of the files is that of the last change: the same tree gives the same zip.
+SOURCE_DATE_EPOCH=$(date -d "$(sed -n 's/^ -- .*>  //p' "$root/debian/changelog" | head -n 1)" +%s)
+export SOURCE_DATE_EPOCH
+
 tree=${2:-}
 if [ -z "$tree" ]; then
   tree=$root/build/windows
@@ -22,8 +26,7 @@ stage=$(mktemp -d)
 trap 'rm -rf "$stage"' EXIT
 cmake --install "$tree" --prefix "$stage/$name" --strip >/dev/null
 cp "$root/LICENSE" "$stage/$name/LICENSE.txt"
-# The time of the last change, not of the packaging, so that the same tree gives the same zip.
-date=$(sed -n 's/^ -- .*>  //p' "$root/debian/changelog" | head -n 1)
 (cd "$stage" && find "$name" -type f | LC_ALL=C sort >files &&
-  cmake -E tar cf "$out/$name.zip" --format=zip "--mtime=$(date -u -d "$date" '+%Y-%m-%d %H:%M:%S UTC')" --files-from=files)
+  cmake -E tar cf "$out/$name.zip" --format=zip \
+    "--mtime=$(date -u -d "@$SOURCE_DATE_EPOCH" '+%Y-%m-%d %H:%M:%S UTC')" --files-from=files)
 echo "$out/$name.zip"
