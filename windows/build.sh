@@ -26,7 +26,7 @@ stage=$(mktemp -d)
 trap 'rm -rf "$stage"' EXIT
 cmake --install "$tree" --prefix "$stage/$name" --strip >/dev/null
 cp "$root/LICENSE" "$stage/$name/LICENSE.txt"
-(cd "$stage" && find "$name" -type f | LC_ALL=C sort >files &&
-  cmake -E tar cf "$out/$name.zip" --format=zip \
-    "--mtime=$(date -u -d "@$SOURCE_DATE_EPOCH" '+%Y-%m-%d %H:%M:%S UTC')" --files-from=files)
+find "$stage" -type f -exec touch -d "@$SOURCE_DATE_EPOCH" {} +
+rm -f "$out/$name.zip"
+(cd "$stage" && find "$name" -type f | LC_ALL=C sort | TZ=UTC zip -q -X -@ "$out/$name.zip")
 echo "$out/$name.zip"

@@ -46,7 +46,7 @@ settings() {
       arguments=("-DCMAKE_TOOLCHAIN_FILE=$here/musl.cmake" -DVESICA_CROSS_NO_LIBSTDCXX=ON -DCMAKE_BUILD_TYPE=Release)
       ;;
     windows)
-      packages=(g++-mingw-w64-x86-64 wine wine64)
+      packages=(g++-mingw-w64-x86-64 wine wine64 zip)
       arguments=("-DCMAKE_TOOLCHAIN_FILE=$root/windows/mingw.cmake" -DVESICA_INSTALL=ON
         -DCMAKE_EXE_LINKER_FLAGS=-static -DCMAKE_BUILD_TYPE=Release)
       ;;
