@@ -2,9 +2,9 @@
 /// crossings(a, b): the places where the outlines of two shapes meet, touching included.
 ///
 /// The outline of a shape with area is the curve around it; a segment, a point, and a shape without area are their own
-/// outlines. How many places there are is decided by exact signs: a place where outlines touch counts once, however
-/// high the order of contact. A stretch that straight outlines have in common counts as its two end points, and sets
-/// `shared`. Equal boxes so have their corners; equal curves have no single places, and set `shared` alone.
+/// outlines. The number of places is decided by exact signs. A place where outlines touch counts once, however high the
+/// order of contact. If straight outlines have a stretch in common, its two end points count and `shared` is set; so
+/// equal boxes give their corners. Equal curves have no single places: they give none, and `shared` is set.
 ///
 /// Places come in order along a's outline: counter-clockwise (in the frame of the stored axis) from the corner
 /// -hx u - hy perp u of a box, from the end of the axis +u of an ellipse (+x of a circle); from a segment's first end.
@@ -67,18 +67,19 @@ std::int32_t store(const CrossingPoints<double>& found, CrossingPoints<T>& out) 
 
 }  // namespace detail::crossings
 
-/// The number of places where two outlines meet, up to 8, with the places in `out`; shapes of any kinds, in either
-/// order.
-/// Errors: error_shape, error_range (a place is beyond the finite numbers); on error `out` is untouched. Floats are the
-/// double places, rounded.
+/// The checked form: returns the number of places where two outlines meet, up to 8, and writes the places to `out`.
+/// Shapes of any kinds, in either order. Errors: error_shape, error_range (a place is beyond the finite numbers); on
+/// error `out` is untouched. Floats are the double places, rounded.
 template <template <class> class A, template <class> class B, class T>
 std::int32_t crossings_or_error(const A<T>& a, const B<T>& b, CrossingPoints<T>& out) noexcept {
   const std::int32_t meet = overlap_or_error(a, b);
   if (meet < 0) return meet;
-  return detail::crossings::store(meet == 0 ? CrossingPoints<double>{} : detail::crossings::between(widen(a), widen(b)), out);
+  return detail::crossings::store(meet == 0 ? CrossingPoints<double>{} : detail::crossings::between(widen(a), widen(b)),
+                                  out);
 }
 
-/// The same as a value: none where there is an error.
+/// The places where two outlines meet. For valid shapes: there are none where crossings_or_error(), the checked form,
+/// returns an error.
 template <template <class> class A, template <class> class B, class T>
 CrossingPoints<T> crossings(const A<T>& a, const B<T>& b) noexcept {
   CrossingPoints<T> out{};

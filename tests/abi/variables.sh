@@ -27,7 +27,7 @@ if [ $# = 3 ]; then
   echo "no variable"
   exit
 fi
-grep -q "^\.data\.rel\.ro .*kernels_portable" <<<"$table" || fail "no symbol table, or not the library: $2"
+grep -Eq "^\.data\.rel\.ro .*kernels_[a-z0-9]+E?$" <<<"$table" || fail "no symbol table, or not the library: $2"
 grep -qx "$ours" <<<"$variables" || fail "the pointer to the chosen kernels is not there: what else was overlooked?"
 if grep -Evx "$ours|$theirs" <<<"$variables"; then
   fail "these variables are new: the library keeps no state"

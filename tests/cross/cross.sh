@@ -22,13 +22,13 @@ i686           | i686-linux-gnu        | SYSROOT/lib/ld-linux.so.2 --library-pat
 ppc64le        | powerpc64le-linux-gnu | qemu-ppc64le -L SYSROOT  | portable                  | c corpus batches/5
 riscv64        | riscv64-linux-gnu     | qemu-riscv64 -L SYSROOT  | portable                  | c corpus batches/5
 s390x          | s390x-linux-gnu       | qemu-s390x -L SYSROOT    | portable                  | c corpus batches/5
-nehalem        | gcc-release           | qemu-x86_64 -cpu Nehalem | portable sse2             | c corpus batches/5
-haswell        | gcc-release           | qemu-x86_64 -cpu Haswell-noTSX,-pcid,-x2apic,-tsc-deadline,-invpcid | portable sse2 avx2        | c corpus batches/5
-gcc-debug      | gcc-debug             |                          | portable sse2 avx2 avx512 |
-clang-release  | clang-release         |                          | portable sse2 avx2 avx512 | c
-clang-debug    | clang-debug           |                          | portable sse2 avx2 avx512 |
-musl           | musl                  |                          | portable sse2 avx2 avx512 | c no_libstdcxx
-windows        | windows               | wine                     | portable sse2 avx2 avx512 | c corpus batches/1 dll/vesica,vesica.map dll/vesica-methods,methods.map zip
+nehalem        | gcc-release           | qemu-x86_64 -cpu Nehalem | sse2             | c corpus batches/5
+haswell        | gcc-release           | qemu-x86_64 -cpu Haswell-noTSX,-pcid,-x2apic,-tsc-deadline,-invpcid | sse2 avx2        | c corpus batches/5
+gcc-debug      | gcc-debug             |                          | sse2 avx2 avx512 |
+clang-release  | clang-release         |                          | sse2 avx2 avx512 | c
+clang-debug    | clang-debug           |                          | sse2 avx2 avx512 |
+musl           | musl                  |                          | sse2 avx2 avx512 | c no_libstdcxx
+windows        | windows               | wine                     | sse2 avx2 avx512 | c corpus batches/1 dll/vesica,vesica.map dll/vesica-methods,methods.map zip
 '
 
 # Debian packages, CMake arguments of a build.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Where the outlines of a box and an ellipse meet. Along an edge P + t E the ellipse's quadratic form less 1 is a
-/// quadratic in t, whose signs at the corners, slopes and discriminant are exact; and so accurate are its roots.
+/// quadratic in t. Its signs at the corners, its slopes and its discriminant are computed exactly, so the number of
+/// roots is exact and the roots are accurate.
 #pragma once
 
 #include <vesica/crossings/points.hpp>
@@ -62,7 +63,7 @@ inline Roots roots_inside(const exact::Number<8>& square, const exact::Number<8>
   // Everything over the square's coefficient: t^2 + 2 b t + c, with c and the discriminant each rounded once.
   const double half = quotient(b, a), product = quotient(c, a);
   const Scaled d = exact::rounded(discriminant);
-  const double squared = vesica::detail::scale(d.value / (a.value * a.value), d.exponent - 2 * a.exponent);
+  const double squared = arithmetic::scale(d.value / (a.value * a.value), d.exponent - 2 * a.exponent);
   const double root = std::sqrt(squared);
   const double low = half > 0 ? -(half + root) : product / (root - half);
   const double high = half > 0 ? product / -(half + root) : root - half;
@@ -79,7 +80,7 @@ inline Found crossings(const exact::Box& box, const exact::Ellipse& ellipse) noe
   const int unit = exact::rounded(frame.radius).exponent;
   const auto part = [unit](const exact::Number<4>& x) {
     const Scaled s = exact::rounded(x);
-    return vesica::detail::scale(s.value, s.exponent - unit);
+    return arithmetic::scale(s.value, s.exponent - unit);
   };
   for (int i = 0; i < corners.count; ++i) {
     corner[i].set(frame, corners.x[i], corners.y[i]);

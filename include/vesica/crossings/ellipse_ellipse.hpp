@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where the outlines of two ellipses meet. How many places there are, and how many of them only touch, is exact; then
-/// that many are looked for in two doubles a number, along the outline of the lesser ellipse as the unit circle.
+/// Where the outlines of two ellipses meet. The number of places, and how many of them only touch, is computed exactly.
+/// Then that many places are searched for in double-doubles, along the outline of the lesser ellipse as the unit
+/// circle.
 #pragma once
 
 #include <vesica/area/ellipse_ellipse.hpp>
@@ -61,8 +62,8 @@ inline Census census(const exact::Ellipse& e, const exact::Ellipse& f) noexcept 
 
 using Real = detail::area::DoubleDouble;
 
-/// The circle cut where the other's quadratic form, along it, rises or falls no more: at most 4 such places, and its
-/// ends x = 1 and x = -1, in order round it from x = 1.
+/// The circle, cut where the other's quadratic form along it has an extreme, at most 4 such places, and at x = 1 and
+/// x = -1; in order round the circle from x = 1.
 struct Cut {
   double x, side;
   double value;  ///< the form less 1: outside the other positive, inside negative
@@ -127,8 +128,8 @@ inline void add_half(UnitCircle& circle, double side) noexcept {
   add_extreme(circle, side, -1, -bend);
 }
 
-/// A place on the circle, and how far the form goes up or down beside it: a crossing with little is doubtful, and an
-/// extreme with little may be where the outlines touch.
+/// A place on the circle, and how far the form rises or falls beside it. A crossing with a small change is doubtful; an
+/// extreme with a small value may be a place where the outlines touch.
 struct Candidate {
   double x, side, depth;
   bool extreme;
@@ -177,8 +178,9 @@ inline Candidates extremes(const UnitCircle& circle) noexcept {
   return found;
 }
 
-/// As many places as the census says. Crossings so close that none shows between the extremes are about an extreme; of
-/// crossings that do not exist, made by rounding beside a place where the outlines touch, the form is least deep.
+/// As many places as the census says. Two crossings too close to show between extremes are both placed at an extreme.
+/// Crossings that rounding makes beside a place where the outlines touch are recognised by the least change of the
+/// form.
 inline Candidates chosen(const UnitCircle& circle, const Census& census) noexcept {
   const Candidates crossing = sign_changes(circle), flat = extremes(circle);
   Candidates all;
@@ -224,8 +226,8 @@ inline void leave_end(const detail::area::Against<Real>& f, double side, OnCircl
   at.turn((form.slope - (ahead == positive ? root : -root)) / form.bend);
 }
 
-/// Beside x = 1 and x = -1 a double x says little of y, and may not tell two crossings from the extreme between them:
-/// from there they are as far as the form's parabola says.
+/// Near x = 1 and x = -1 a double x determines y poorly, and two crossings may have the x of the extreme between them.
+/// There they are placed by the roots of the form's parabola.
 inline detail::area::Vector<double> point_of_circle(const detail::area::Against<Real>& f, const Candidate& c) noexcept {
   const Real x(c.x);
   OnCircle at{x, Real(c.side) * sqrt((Real(1.0) - x) * (Real(1.0) + x))};
@@ -241,7 +243,8 @@ inline detail::area::Vector<double> point_of_circle(const detail::area::Against<
 }
 
 /// From the frame of `placed` to the one in which e is the unit disc along its own axes.
-inline detail::area::Vector<double> turned_back(const detail::area::Placed<Real>& p, const detail::area::Vector<double>& at) noexcept {
+inline detail::area::Vector<double> turned_back(const detail::area::Placed<Real>& p,
+                                                const detail::area::Vector<double>& at) noexcept {
   const double s = p.exchange ? at.y : at.x, t = p.exchange ? at.x : at.y;
   const double x = rounded(p.x) < 0 ? -s : s, y = rounded(p.y) < 0 ? -t : t;
   const double cosine = rounded(p.cosine), sine = rounded(p.sine);
@@ -251,8 +254,8 @@ inline detail::area::Vector<double> turned_back(const detail::area::Placed<Real>
 inline detail::area::Oval<double> stored(const vesica::Circle<double>& s) noexcept { return {1, 0, s.r, s.r}; }
 inline detail::area::Oval<double> stored(const vesica::Ellipse<double>& s) noexcept { return {s.ux, s.uy, s.a, s.b}; }
 
-/// Ellipses so thin or so different in size that their numbers have left the range: the lesser is its longer axis, as
-/// far as anybody could tell, or less, its centre.
+/// For ellipses so thin or so different in size that their numbers leave the range of double. To rounding the lesser
+/// one is then its longer axis, or even its centre.
 inline void add_places_of_axis(const exact::Ellipse& e, const exact::Ellipse& f, int count, Found& found) noexcept {
   exact::Box axis = exact::as_box(e);
   (exact::compare(e.a, e.b) < 0 ? axis.hx : axis.hy) = {};

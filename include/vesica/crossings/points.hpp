@@ -18,13 +18,13 @@ struct CrossingPoints {
 
 namespace detail::crossings {
 
-using Scaled = vesica::detail::Scaled;
+using Scaled = arithmetic::Scaled;
 
-inline double to_double(const Scaled& s) noexcept { return vesica::detail::scale(s.value, s.exponent); }
+inline double to_double(const Scaled& s) noexcept { return arithmetic::scale(s.value, s.exponent); }
 
 /// a / b for exact numbers' nearest doubles, whatever their exponents.
 inline double quotient(const Scaled& a, const Scaled& b) noexcept {
-  return vesica::detail::scale(a.value / b.value, a.exponent - b.exponent);
+  return arithmetic::scale(a.value / b.value, a.exponent - b.exponent);
 }
 
 template <int Degree>
