@@ -51,7 +51,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#if defined(VESICA_BUILDING) && defined(__GNUC__)
+#if defined(VESICA_BUILDING) && defined(__GNUC__) && !defined(_WIN32)
 #define VESICA_API __attribute__((visibility("default")))
 #else
 #define VESICA_API
