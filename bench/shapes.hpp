@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
+#include <vesica/each_shape.hpp>
+#include <vesica/shapes.hpp>
 
 namespace vesica::bench {
 
@@ -25,20 +27,13 @@ struct Description {
 template <class Shape>
 struct Described;
 
-// clang-format off
-template <> struct Described<vesica_point_f64>   : Description<double, VESICA_POINT> {};
-template <> struct Described<vesica_segment_f64> : Description<double, VESICA_SEGMENT> {};
-template <> struct Described<vesica_circle_f64>  : Description<double, VESICA_CIRCLE> {};
-template <> struct Described<vesica_aabb_f64>    : Description<double, VESICA_AABB> {};
-template <> struct Described<vesica_rect_f64>    : Description<double, VESICA_RECT> {};
-template <> struct Described<vesica_ellipse_f64> : Description<double, VESICA_ELLIPSE> {};
-template <> struct Described<vesica_point_f32>   : Description<float, VESICA_POINT> {};
-template <> struct Described<vesica_segment_f32> : Description<float, VESICA_SEGMENT> {};
-template <> struct Described<vesica_circle_f32>  : Description<float, VESICA_CIRCLE> {};
-template <> struct Described<vesica_aabb_f32>    : Description<float, VESICA_AABB> {};
-template <> struct Described<vesica_rect_f32>    : Description<float, VESICA_RECT> {};
-template <> struct Described<vesica_ellipse_f32> : Description<float, VESICA_ELLIPSE> {};
-// clang-format on
+#define VESICA_DESCRIBED(name, Name)                                                                               \
+  template <>                                                                                                      \
+  struct Described<vesica_##name##_f64> : Description<double, static_cast<std::int32_t>(::vesica::Kind::name)> {}; \
+  template <>                                                                                                      \
+  struct Described<vesica_##name##_f32> : Description<float, static_cast<std::int32_t>(::vesica::Kind::name)> {};
+VESICA_EACH_SHAPE(VESICA_DESCRIBED)
+#undef VESICA_DESCRIBED
 
 template <class Shape>
 constexpr std::int32_t kind_of = Described<Shape>::kind;

@@ -1,12 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Describes the C face for other languages, from the headers alone:
-capi/vesica.json (everything, comments included) and capi/vesica.cdef (declarations for cffi and LuaJIT).
+"""Describes the C face for other languages, from the headers alone: capi/vesica.json (everything, comments included),
+and for cffi and LuaJIT a file of declarations for each library, capi/vesica.cdef and capi/vesica_methods.cdef.
 
-describe.py          writes both
+describe.py          writes all of them
 describe.py --check  exits with 1 where a file is not what the headers say
 
 The headers are read strictly: what is not one of the few forms they use is an error, so that nothing is left out.
+
+The headers say everything once. Here each comment is made complete by itself:
+  - A function takes the parts (PARTS) that its comment does not have from the heading above it.
+  - "As vesica_..._f64." becomes the text of the double function, with the names of the float ones.
+  - A comment that uses u or the scale takes their definitions from the top of vesica.h.
 """
 import difflib
 import json
@@ -15,13 +20,23 @@ import re
 import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-HEADERS = ("vesica.h", "vesica_methods.h")
+# Each header's library, without its version, and the version script of what that exports.
+LIBRARIES = {"vesica.h": "libvesica", "vesica_methods.h": "libvesica-methods"}
+MAPS = {"vesica.h": "vesica.map", "vesica_methods.h": "methods.map"}
+HEADERS = tuple(LIBRARIES)
+# The parts of a comment behind its description, in their order.
+PARTS = ("Requires", "Returns", "Errors", "Accuracy", "Cost", "Since")
 # Bytes of each type a struct may hold, each aligned to its size; those of 64-bit machines.
 POINTER_SIZE = 8
 SIZES = {"uint8_t": 1, "int32_t": 4, "float": 4, "int64_t": 8, "double": 8, "ptrdiff_t": 8}
 # Macros without a value that are not constants: the include guards, and what marks an exported function.
 NOT_CONSTANTS = {"VESICA_H", "VESICA_METHODS_H", "VESICA_API"}
 
+PART = re.compile(r"^(" + "|".join(PARTS) + "): ", re.M)
+HEADING = re.compile(r"/\* ---- (?P<title>.*?) ----(?P<parts>.*?)\*/", re.S)
+REFERENCE = re.compile(r"As (vesica_\w+_f64)(, rounded to float)?\.")
+ROUNDED = "\nEach number is computed in double, within these bounds, and then rounded to float once."
+DEFINITION = re.compile(r"^ - (Bounds on computed numbers use u.*?)(?=^ - |\Z)", re.M | re.S)
 CONSTANT = re.compile(r"#define (?P<name>[A-Z]\w*) +\(?(?P<value>-?\d+)\)?(?: */\*\*<(?P<comment>.*?)\*/)?\n", re.S)
 STRUCT = re.compile(r"typedef struct \{(?P<body>[^{}]*)\} (?P<name>\w+);")
 FUNCTION = re.compile(r"VESICA_API (?P<returns>[\w ]+?)(?P<stars>[ *]*)\b(?P<name>\w+)\((?P<parameters>[^()]*)\);")
@@ -36,6 +51,21 @@ def words(comment):
     """The text of a comment: paragraphs and line breaks stay, the frame of stars goes."""
     lines = [re.sub(r"^\s*\* ?", "", line).rstrip() for line in (comment or "").split("\n")]
     return "\n".join(lines).strip()
+
+
+def parted(comment):
+    """A comment as {"": description, part: text ...}."""
+    description, *rest = PART.split(comment)
+    parts = dict(zip(rest[::2], (text.strip() for text in rest[1::2])))
+    if rest[::2] != [part for part in PARTS if part in parts]:
+        raise HeaderError(f"parts of a comment out of their order, or one twice: {comment!r}")
+    return {"": description.strip(), **parts}
+
+
+def joined(parts):
+    """The comment of these parts, in their order: the description, an empty line, and a part a line."""
+    rest = "\n".join(f"{part}: {parts[part]}" for part in PARTS if part in parts)
+    return parts[""] + ("\n\n" + rest if rest else "")
 
 
 def declaration(text):
@@ -74,18 +104,15 @@ def struct(match, comment, header):
 
 
 def function(match, comment, header):
-    since = re.search(r"\bSince (\d+\.\d+)\.$", comment)
-    if since is None:
-        raise HeaderError(f"the comment of {match['name']} does not end with the version it is there since")
     text = match["parameters"]
-    return {"name": match["name"], "header": header, "since": since[1],
+    return {"name": match["name"], "header": header,
             "returns": (match["returns"] + " " + match["stars"].replace(" ", "")).strip(),
             "parameters": [] if text == "void" else [declaration(part) for part in text.split(",")],
             "comment": comment}
 
 
 def constant(match, comment, header):
-    return {"name": match["name"], "header": header, "value": int(match["value"]), "function": match["name"].lower(),
+    return {"name": match["name"], "header": header, "value": int(match["value"]),
             "comment": words(match["comment"]) or comment}
 
 
@@ -108,10 +135,16 @@ def read(path):
     found = {"constants": [], "structs": [], "functions": []}
     forms = ((CONSTANT, constant, "constants"), (STRUCT, struct, "structs"), (FUNCTION, function, "functions"))
     text = constants_and_rest(path.read_text(encoding="utf-8"))
-    at, comment = 0, ""
+    at, comment, heading = 0, "", {}
     while at < len(text):
         if text[at].isspace():
             at += 1
+        elif text.startswith("/* ----", at):
+            match = HEADING.match(text, at)
+            heading = parted(words(match["parts"]))
+            if heading.pop(""):
+                raise HeaderError(f"{path.name}: a heading with more than parts: {match[0]!r}")
+            at = match.end()
         elif text.startswith("/*", at):
             end = text.index("*/", at)
             comment = words(text[at + 3:end]) if text.startswith("/**", at) else ""
@@ -124,9 +157,38 @@ def read(path):
             else:
                 line = text[at:].split("\n", 1)[0]
                 raise HeaderError(f"{path.name}: neither a constant, a struct nor a function: {line!r}")
+            if where == "functions" and not REFERENCE.fullmatch(comment):
+                comment = joined({**heading, **parted(comment)})
             found[where].append(build(match, comment, path.name))
             at, comment = match.end(), ""
     return found
+
+
+def in_float(comment, rounded):
+    """The comment of a double function or struct, for the float one of the same name."""
+    parts = parted(comment.replace("_f64", "_f32").replace("sizeof(double)", "sizeof(float)"))
+    if rounded:
+        parts["Accuracy"] += ROUNDED
+    return joined(parts)
+
+
+def complete(found, definition):
+    """Makes the comments of structs and functions complete, and takes from them since when a function is there."""
+    entries = {entry["name"]: entry for entry in found["structs"] + found["functions"]}
+    for entry in entries.values():
+        reference = REFERENCE.fullmatch(entry["comment"])
+        if reference:
+            if reference[1].replace("_f64", "_f32") != entry["name"]:
+                raise HeaderError(f"{entry['name']} refers to {reference[1]}")
+            entry["comment"] = in_float(entries[reference[1]]["comment"], reference[2])
+    for entry in found["functions"]:
+        parts = parted(entry["comment"])
+        if re.search(r"\d u\b", parts.get("Accuracy", "")):
+            parts["Accuracy"] += "\n" + definition
+        since = re.fullmatch(r"(\d+\.\d+)\.", parts.get("Since", ""))
+        if since is None:
+            raise HeaderError(f"{entry['name']}: neither its comment nor its heading says since when it is there")
+        entry["since"], entry["comment"] = since[1], joined(parts)
 
 
 def describe(directory=HERE):
@@ -135,9 +197,12 @@ def describe(directory=HERE):
     for header in HEADERS:
         for kind, entries in read(directory / header).items():
             found[kind] += entries
+    opening = words((directory / HEADERS[0]).read_text(encoding="utf-8").split("*/", 1)[0].removeprefix("/*"))
+    complete(found, " ".join(DEFINITION.search(opening)[1].split()))
     values = {entry["name"]: entry["value"] for entry in found["constants"]}
     version = [values["VESICA_VERSION_" + part] for part in ("MAJOR", "MINOR", "PATCH")]
-    return {"library": f"libvesica.so.{version[0]}", "version": ".".join(map(str, version)),
+    libraries = {header: f"{library}.so.{version[0]}" for header, library in LIBRARIES.items()}
+    return {"libraries": libraries, "version": ".".join(map(str, version)),
             "pointer_size": POINTER_SIZE, **found}
 
 
@@ -146,17 +211,20 @@ def declared(entry):
     return entry["type"] + gap + entry["name"] + (f"[{entry['count']}]" if "count" in entry else "")
 
 
-def cdef(description):
-    """Declarations without a macro: structs, one enum of all constants, prototypes."""
+def cdef(description, header):
+    """Declarations of one header without a macro: one enum of all constants, structs, prototypes."""
+    own = {kind: [entry for entry in description[kind] if entry["header"] == header]
+           for kind in ("constants", "structs", "functions")}
+    needed = "" if header == HEADERS[0] else "; to be read after vesica.cdef"
     lines = ["/* SPDX-License-Identifier: Apache-2.0 */",
-             f"/* Vesica {description['version']} for cffi and LuaJIT. Written by capi/describe.py;",
-             f" * what each means is said in {' and '.join(HEADERS)}. */", "", "enum {"]
-    lines += [f"    {entry['name']} = {entry['value']}," for entry in description["constants"]]
+             f"/* Vesica {description['version']} for cffi and LuaJIT: {description['libraries'][header]}{needed}.",
+             f" * Written by capi/describe.py; {header} says what each means. */", "", "enum {"]
+    lines += [f"    {entry['name']} = {entry['value']}," for entry in own["constants"]]
     lines += ["};", ""]
-    for entry in description["structs"]:
+    for entry in own["structs"]:
         lines += ["typedef struct {", *(f"    {declared(field)};" for field in entry["fields"]),
                   f"}} {entry['name']};", ""]
-    for entry in description["functions"]:
+    for entry in own["functions"]:
         gap = "" if entry["returns"].endswith("*") else " "
         parameters = ", ".join(map(declared, entry["parameters"])) or "void"
         lines.append(f"{entry['returns']}{gap}{entry['name']}({parameters});")
@@ -166,7 +234,7 @@ def cdef(description):
 def texts():
     description = describe()
     return {HERE / "vesica.json": json.dumps(description, indent=1, ensure_ascii=False) + "\n",
-            HERE / "vesica.cdef": cdef(description)}
+            **{(HERE / header).with_suffix(".cdef"): cdef(description, header) for header in HEADERS}}
 
 
 def check():

@@ -4,7 +4,7 @@
 
 man.py DIRECTORY
 
-The functions are those of capi/vesica.map, all of them: one without a page, or a page without one, is an error.
+The functions are those of the version scripts, all of them: one without a page, or a page without one, is an error.
 """
 import pathlib
 import re
@@ -13,11 +13,9 @@ import sys
 sys.dont_write_bytecode = True
 import describe  # noqa: E402 (it stands beside this file, which must stay free of __pycache__)
 
-# A comment's sentences that open a section of the page; all before the first of them is the description.
-SECTIONS = (("Returns ", "RETURN VALUE"), ("Errors: ", "ERRORS"), ("Cost: ", "COST"), ("Cost, ", "COST"),
-            ("Since ", "HISTORY"))
-OPENING = re.compile(r"(?:(?<=[.?)] )|(?<=\n)|^)(?=Returns |Errors: |Cost[:,] |Since \d)")
-BANNER = re.compile(r"/\* ---- (.*?) ---- \*/", re.S)
+# Sections of a page, by the parts of a comment.
+SECTIONS = {"": "DESCRIPTION", "Requires": "REQUIREMENTS", "Returns": "RETURN VALUE", "Errors": "ERRORS",
+            "Accuracy": "ACCURACY", "Cost": "COST", "Since": "HISTORY"}
 
 
 def escaped(text):
@@ -35,12 +33,6 @@ def filled(text):
 
 def literal(lines):
     return [".nf", *(re.sub(r"^(?=[.])", r"\\&", escaped(line)) for line in lines), ".fi"]
-
-
-def paragraphs(text, parameters):
-    """Paragraphs of a comment: an empty line parts them, and so does a line that opens with parameters' names."""
-    names = "|".join(parameter["name"] for parameter in parameters) or "(?!)"
-    return [part for part in re.split(rf"\n\s*\n|\n(?=(?:{names})(?:, \w+)*: )", text) if part.strip()]
 
 
 def titled(name, summary, version):
@@ -61,62 +53,41 @@ def prototype(entry):
     return [opening, *(f"    {parameter}," for parameter in parameters[:-1]), f"    {parameters[-1]});"]
 
 
-def note_above(header, name):
-    """What the heading over a function in the header says of all functions below it."""
-    before = header[:re.search(rf"\b{name}\(", header).start()]
-    heading = " ".join(BANNER.findall(before)[-1].split())
-    if ". " not in heading:
-        raise describe.HeaderError(f"{name} leans on typed pairs, and the heading above it says nothing of them")
-    return heading.split(". ", 1)[1]
-
-
-def comment_of(entry, constants, header):
-    """The function's comment, complete by itself: what it leans on elsewhere in the header is brought in."""
-    text = entry["comment"].replace("Returns and errors as all typed pairs.", "Returns as all typed pairs.")
-    if text != entry["comment"]:
-        since = text.rindex("Since ")
-        note = re.sub(r"; errors: ", ". Errors: ", note_above(header, entry["name"]))
-        return text[:since] + note + " " + text[since:]
-    constant = constants.get(entry["name"])
-    if constant and text.startswith(constant["name"] + ". "):
-        meaning = f": {constant['comment']}" if constant["comment"] else ""
-        return text.replace(". ", f", which is {constant['value']}{meaning}. ", 1)
-    return text
-
-
 def summary_of(text):
     """One phrase for NAME: the first sentence, up to a colon if it is long."""
     first = re.split(r"(?<=[^.][.?])\s", " ".join(text.split("\n\n")[0].split()))[0].rstrip(".")
     return first.split(":")[0] if len(first) > 80 else first
 
 
-def sections(text):
-    """{title: text} in the order of a page."""
-    found = {"DESCRIPTION": ""}
-    for part in OPENING.split(text):
-        title = next((title for opening, title in SECTIONS if part.startswith(opening)), "DESCRIPTION")
-        part = re.sub(r"^(?:Errors: |Cost: |Cost, )(.)", lambda match: match[1].upper(), part)
-        if title == "HISTORY":
-            part = part.replace("Since ", "Since Vesica ", 1)
-        found[title] = (found.get(title, "") + " " + part).strip()
-    return found
+def library(header):
+    """The lines of the section on the library that a header belongs to."""
+    name = describe.LIBRARIES[header]
+    return [".SH LIBRARY", f"Vesica (\\fI{escaped(name)}\\fR, \\fI\\-l{escaped(name.removeprefix('lib'))}\\fR)"]
 
 
-def page(entry, description, constants, header):
-    text = comment_of(entry, constants, header)
+def capitalised(text):
+    return text[:1].upper() + text[1:]
+
+
+def page(entry, description):
+    parts = describe.parted(entry["comment"])
     used = {parameter["type"].replace("const ", "").rstrip(" *") for parameter in entry["parameters"]}
-    lines = titled(entry["name"], summary_of(entry["comment"]), description["version"])
-    lines += [".SH LIBRARY", "Vesica (\\fIlibvesica\\fR, \\fI\\-lvesica\\fR)", ".SH SYNOPSIS"]
+    lines = titled(entry["name"], summary_of(parts[""]), description["version"])
+    lines += library(entry["header"]) + [".SH SYNOPSIS"]
     lines += literal([f"#include <{entry['header']}>"])
     for struct in description["structs"]:
         if struct["name"] in used:
             lines += [".PP", *literal(written_struct(struct))]
     lines += [".PP", *literal(prototype(entry))]
-    for title, body in sections(text).items():
+    parts[""] += "\n\nvesica(3) has the rules that hold for every function."
+    parts["Since"] = "since Vesica " + parts["Since"]
+    for part, body in parts.items():
+        title = SECTIONS[part]
         lines.append(f".SH {title}" if " " not in title else f'.SH "{title}"')
-        for number, paragraph in enumerate(paragraphs(body, entry["parameters"])):
-            lines += ([".PP"] if number else []) + [filled(paragraph)]
-    return lines + [".SH SEE ALSO", f".BR {pathlib.PurePath(entry['header']).stem} (3)"]
+        for number, paragraph in enumerate(re.split(r"\n\s*\n", body)):
+            lines += ([".PP"] if number else []) + [filled(capitalised(paragraph) if part else paragraph)]
+    others = [pathlib.PurePath(header).stem for header in describe.HEADERS]
+    return lines + [".SH SEE ALSO", ", ".join(f"\\fB{other}\\fR(3)" for other in others)]
 
 
 def overview(header, text, description):
@@ -125,8 +96,7 @@ def overview(header, text, description):
     opening = describe.words(re.match(r"/\*(.*?)\*/", text, re.S)[1])
     title, *rest = (part for part in re.split(r"\n\s*\n", opening) if not part.startswith("SPDX-"))
     lines = titled(name, title.split(": ", 1)[1].rstrip("."), description["version"])
-    lines += [".SH LIBRARY", "Vesica (\\fIlibvesica\\fR, \\fI\\-lvesica\\fR)", ".SH SYNOPSIS"]
-    lines += literal([f"#include <{header}>"]) + [".SH DESCRIPTION"]
+    lines += library(header) + [".SH SYNOPSIS", *literal([f"#include <{header}>"]), ".SH DESCRIPTION"]
     for number, part in enumerate(re.split(r"\n(?= *- )", "\n\n".join(rest))):
         for again, paragraph in enumerate(re.split(r"\n\s*\n", part)):
             bullet = re.match(r" *- ", paragraph)
@@ -153,12 +123,11 @@ def pages():
     """{name: lines} of all pages."""
     description = describe.describe()
     texts = {header: (describe.HERE / header).read_text(encoding="utf-8") for header in describe.HEADERS}
-    constants = {entry["function"]: entry for entry in description["constants"]}
-    result = {entry["name"]: page(entry, description, constants, texts[entry["header"]])
-              for entry in description["functions"]}
-    exported = set(re.findall(r"^\s+(vesica_\w+);", (describe.HERE / "vesica.map").read_text(encoding="utf-8"), re.M))
+    result = {entry["name"]: page(entry, description) for entry in description["functions"]}
+    maps = "".join((describe.HERE / name).read_text(encoding="utf-8") for name in describe.MAPS.values())
+    exported = set(re.findall(r"^\s+(vesica_\w+);", maps, re.M))
     if exported != set(result):
-        raise describe.HeaderError(f"in only one of the map and the headers: {sorted(exported ^ set(result))}")
+        raise describe.HeaderError(f"in only one of the maps and the headers: {sorted(exported ^ set(result))}")
     result.update((pathlib.PurePath(header).stem, overview(header, text, description))
                   for header, text in texts.items())
     return result

@@ -3,12 +3,15 @@
  *
  * SPDX-License-Identifier: Apache-2.0
  *
- * For teaching, for comparison, and for approximate work with a known bound. To know whether two shapes overlap, call
- * vesica_overlap: it is exact, and mostly faster. Methods called exact here evaluate an exact formula in the given
- * scalar's rounded arithmetic: near contact they may err, and README's table counts how often. Approximate methods
- * answer VESICA_YES, VESICA_NO or VESICA_UNCERTAIN, never a guess.
+ * For teaching, for comparison, and for approximate work with a known bound. They are a library of their own,
+ * libvesica-methods. To know whether two shapes overlap, call vesica_overlap_f64 of vesica.h: it is exact, and mostly
+ * faster.
  *
- * The rules of vesica.h hold: negative VESICA_E_ errors, nothing written on error, no state, no allocation.
+ * Exact methods evaluate an exact formula in the rounded arithmetic of the given scalar. Near contact they may err;
+ * docs/methods.md counts how often. Approximate methods answer VESICA_YES, VESICA_NO or VESICA_UNCERTAIN, never a
+ * guess. "Roundoff" is the scalar's: 2^-53 in double, 2^-24 in float.
+ *
+ * The rules of vesica.h hold. Comments have the same parts: Requires, Returns, Errors, Accuracy, Cost, Since.
  */
 #ifndef VESICA_METHODS_H
 #define VESICA_METHODS_H
@@ -19,305 +22,44 @@
 extern "C" {
 #endif
 
-/* ---- Answers. Each is also a function of the same name in lower case, for hosts without a C compiler. ---- */
+/* ---- Constants ---- */
 
+/* Answers. */
 #define VESICA_NO 0        /**< certainly disjoint */
 #define VESICA_YES 1       /**< certainly overlapping */
-#define VESICA_UNCERTAIN 2 /**< the method cannot tell; its bound says how near contact the shapes are */
+#define VESICA_UNCERTAIN 2 /**< the method cannot tell; its bound says how near to contact the shapes are */
 
-/** VESICA_NO. Since 0.1. */
-VESICA_API int32_t vesica_no(void);
-/** VESICA_YES. Since 0.1. */
-VESICA_API int32_t vesica_yes(void);
-/** VESICA_UNCERTAIN. Since 0.1. */
-VESICA_API int32_t vesica_uncertain(void);
+/* Schedules of the gradient descent. */
+#define VESICA_SCHEDULE_SCALE_AWARE 0 /**< steps in proportion to the pair: the same at any scale, never up */
+#define VESICA_SCHEDULE_LITERAL 1     /**< steps as printed, which fit shapes of size about 5 */
 
-/* ---- Rectangle and ellipse ---- */
+/* Limits of arguments. */
+#define VESICA_MOST_SAMPLE_POINTS 1000         /**< the largest k of vesica_method_rect_rect_sample_points_f64, _f32 */
+#define VESICA_MOST_SANDWICH_ITERATIONS 30     /**< the largest n of the approximate methods for ellipses */
+#define VESICA_MOST_DESCENT_ITERATIONS 1000000 /**< the most iterations of a gradient descent */
 
-/**
- * A point of a rectangle and its level in an ellipse's own measure: c_min is -1 at the ellipse's centre, 0 on its
- * outline.
- */
+/* ---- Structs, double. They have no padding, and their layout is frozen. ---- */
+
+/** A point of a rectangle, and its level in the measure of an ellipse: -1 at the ellipse's centre, 0 on its outline. */
 typedef struct {
     double x, y, c_min;
 } vesica_metric_closest_f64;
 
 /**
- * Rectangle against ellipse by all features: four vertices in the ellipse, four edges against it, its centre in the
- * rectangle (Eberly 2015, section 2).
+ * A rectangle as centre, angle and size: width along the angle, height across it.
  *
- * Returns 1 when they overlap (touching counts), 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May err within a
- * few roundings of contact; an ellipse of half length 0, or at most about 2^-176 of the largest length, is answered
- * exactly. Cost: about 25 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_rect_ellipse_all_features_f64(const vesica_rect_f64 *rect,
-                                                               const vesica_ellipse_f64 *ellipse);
-
-/**
- * Rectangle against ellipse by closest features: which of the nine regions about the rectangle holds the ellipse's
- * centre names at most two edges and three vertices (Eberly 2015, section 3).
- *
- * Returns 1 when they overlap (touching counts), 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May err within a
- * few roundings of contact; an ellipse of half length 0, or at most about 2^-176 of the largest length, is answered
- * exactly. Cost: about 25 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_rect_ellipse_closest_features_f64(const vesica_rect_f64 *rect,
-                                                                   const vesica_ellipse_f64 *ellipse);
-
-/**
- * Rectangle against ellipse by their Minkowski sum: does the rectangle grown by the ellipse hold its centre? (Eberly
- * 2015, section 5, corrected: the extreme points, not the signs of the centre's coordinates, tell which corner's arc
- * applies.)
- *
- * Returns 1 when they overlap (touching counts), 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May err within a
- * few roundings of contact; an ellipse of half length 0, or at most about 2^-176 of the largest length, is answered
- * exactly. Cost: about 20 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_rect_ellipse_minkowski_sum_f64(const vesica_rect_f64 *rect,
-                                                                const vesica_ellipse_f64 *ellipse);
-
-/**
- * Rectangle against ellipse by distance of a point to a parallelogram: the rectangle's point of least level
- * Q(X) = |X - K|^2 - 1, lengths measured so that the ellipse's outline has |X - K| = 1 (Eberly 2015, section 4).
- *
- * out: that point, in the rectangle (rounded), and its level c_min. With the ellipse's centre in the rectangle it is
- * that centre and -1. Off the line of a segment (a or b = 0) every level is infinite: c_min may be, and the point is
- * then the limit of ever thinner ellipses. out may not overlap the shapes.
- * Returns 1 when they overlap, which is c_min <= 0, else 0. Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a
- * coordinate of the point is beyond the finite numbers). May err within a few roundings of contact, but not for the
- * ellipses that the methods before answer exactly. Cost: about 50 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_rect_ellipse_point_parallelogram_distance_f64(const vesica_rect_f64 *rect,
-                                                                               const vesica_ellipse_f64 *ellipse,
-                                                                               vesica_metric_closest_f64 *out);
-
-/**
- * A point of a rectangle and its level in an ellipse's own measure: c_min is -1 at the ellipse's centre, 0 on its
- * outline.
- */
-typedef struct {
-    float x, y, c_min;
-} vesica_metric_closest_f32;
-
-/**
- * Rectangle against ellipse by all features: four vertices in the ellipse, four edges against it, its centre in the
- * rectangle (Eberly 2015, section 2).
- *
- * Returns 1 when they overlap (touching counts), 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May err within a
- * few roundings of contact; an ellipse of half length 0, or at most about 2^-22 of the largest length, is answered
- * exactly. Cost: about 25 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_rect_ellipse_all_features_f32(const vesica_rect_f32 *rect,
-                                                               const vesica_ellipse_f32 *ellipse);
-
-/**
- * Rectangle against ellipse by closest features: which of the nine regions about the rectangle holds the ellipse's
- * centre names at most two edges and three vertices (Eberly 2015, section 3).
- *
- * Returns 1 when they overlap (touching counts), 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May err within a
- * few roundings of contact; an ellipse of half length 0, or at most about 2^-22 of the largest length, is answered
- * exactly. Cost: about 25 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_rect_ellipse_closest_features_f32(const vesica_rect_f32 *rect,
-                                                                   const vesica_ellipse_f32 *ellipse);
-
-/**
- * Rectangle against ellipse by their Minkowski sum: does the rectangle grown by the ellipse hold its centre? (Eberly
- * 2015, section 5, corrected: the extreme points, not the signs of the centre's coordinates, tell which corner's arc
- * applies.)
- *
- * Returns 1 when they overlap (touching counts), 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May err within a
- * few roundings of contact; an ellipse of half length 0, or at most about 2^-22 of the largest length, is answered
- * exactly. Cost: about 20 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_rect_ellipse_minkowski_sum_f32(const vesica_rect_f32 *rect,
-                                                                const vesica_ellipse_f32 *ellipse);
-
-/**
- * Rectangle against ellipse by distance of a point to a parallelogram: the rectangle's point of least level
- * Q(X) = |X - K|^2 - 1, lengths measured so that the ellipse's outline has |X - K| = 1 (Eberly 2015, section 4).
- *
- * out: that point, in the rectangle (rounded), and its level c_min. With the ellipse's centre in the rectangle it is
- * that centre and -1. Off the line of a segment (a or b = 0) every level is infinite: c_min may be, and the point is
- * then the limit of ever thinner ellipses. out may not overlap the shapes.
- * Returns 1 when they overlap, which is c_min <= 0, else 0. Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a
- * coordinate of the point is beyond the finite numbers). May err within a few roundings of contact, but not for the
- * ellipses that the methods before answer exactly. Cost: about 50 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_rect_ellipse_point_parallelogram_distance_f32(const vesica_rect_f32 *rect,
-                                                                               const vesica_ellipse_f32 *ellipse,
-                                                                               vesica_metric_closest_f32 *out);
-
-/* ---- Rectangle and rectangle ---- */
-
-#define VESICA_MOST_SAMPLE_POINTS 1000 /**< the largest k of vesica_method_rect_rect_sample_points */
-
-/** VESICA_MOST_SAMPLE_POINTS. Since 0.1. */
-VESICA_API int32_t vesica_most_sample_points(void);
-
-/**
- * A rectangle as centre, angle and size: width along the angle, height across it. angle: radians, counter-clockwise
- * from +x where y points up. Valid when all are finite and width, height >= 0.
+ * The angle is in radians, counter-clockwise from +x if y points up. Valid if all are finite and width, height >= 0.
  */
 typedef struct {
     double cx, cy, angle, width, height;
 } vesica_turned_rect_f64;
 
 /**
- * First pass for two rectangles: are their boxes along the coordinate axes apart? ("Rectangle intersection at 60fps")
+ * How far an approximate method went: the bound on the error of the outline that it reached, and its iterations.
  *
- * Returns VESICA_NO, which is certain, or VESICA_UNCERTAIN: the boxes meet, or are apart by less than 22 roundoffs of
- * their half widths. Errors: VESICA_E_NULL, VESICA_E_SHAPE. Cost: about 6 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_rect_rect_bounds_f64(const vesica_rect_f64 *a, const vesica_rect_f64 *b);
-
-/**
- * Two rectangles by sample points: does a corner of one, or one of k points spaced evenly along the middle of its
- * long side, lie in the other? Both ways round. ("Rectangle intersection at 60fps")
- *
- * k: 0 to VESICA_MOST_SAMPLE_POINTS. Returns VESICA_YES, which is certain, or VESICA_UNCERTAIN: no k makes the method
- * exact. With k >= 1 uncertain means that of neither one's middle line, of length l, a stretch of l / (k + 1) lies in
- * the other rectangle, once that is made smaller by 50 roundoffs of the pair's size. Errors: VESICA_E_NULL,
- * VESICA_E_SHAPE, VESICA_E_ARGUMENT (k). Cost: about 30 ns, and at worst 2 ns more for each k. Since 0.1.
- */
-VESICA_API int32_t vesica_method_rect_rect_sample_points_f64(const vesica_rect_f64 *a, const vesica_rect_f64 *b,
-                                                             int32_t k);
-
-/**
- * Two rectangles by separating lines: with one of them at the origin along the axes, do all corners of the other lie
- * beyond one of its four edges' lines? Then the other way round. ("Rectangle intersection at 60fps")
- *
- * Returns 1 when they overlap (touching counts), 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May err within a
- * few roundings of contact. Cost: about 20 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_rect_rect_separating_lines_f64(const vesica_rect_f64 *a, const vesica_rect_f64 *b);
-
-/**
- * The same from centre, angle and size: the rectangles that vesica_rect_from_angle makes of the numbers.
- *
- * Returns and errors as vesica_method_rect_rect_separating_lines. Cost: about 60 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_turned_rects_separating_lines_f64(const vesica_turned_rect_f64 *a,
-                                                                   const vesica_turned_rect_f64 *b);
-
-/**
- * Corner points of a rectangle, x0 y0 ... x3 y3: with signs (-, -), (+, -), (+, +), (-, +) along and across its axis,
- * the order in which vesica_rect_from_corners reads them.
- *
- * Each coordinate is right to 3 roundoffs of |c| + |hx u| + |hy u|, and 2 of the smallest numbers. out: untouched on
- * error; may not overlap rect. Returns 0. Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a corner is beyond
- * the finite numbers). Cost: about 10 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_rect_corners_f64(const vesica_rect_f64 *rect, double out[8]);
-
-/**
- * Point in rectangle: the point in the rectangle's frame against its half extents.
- *
- * Returns 1 when it lies in the rectangle or on its outline, 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May
- * err within a few roundings of the outline. Cost: about 10 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_point_rect_frame_f64(const vesica_point_f64 *point, const vesica_rect_f64 *rect);
-
-/**
- * Point in box, by comparing with the ends of its intervals; never errs. Returns and errors as the function before.
- * Since 0.1.
- */
-VESICA_API int32_t vesica_method_point_aabb_intervals_f64(const vesica_point_f64 *point, const vesica_aabb_f64 *box);
-
-/**
- * Two boxes, by their intervals along x and along y; never errs. 1 when they share a point. Returns and errors as the
- * function before. Since 0.1.
- */
-VESICA_API int32_t vesica_method_aabb_aabb_intervals_f64(const vesica_aabb_f64 *a, const vesica_aabb_f64 *b);
-
-/**
- * A rectangle as centre, angle and size: width along the angle, height across it. angle: radians, counter-clockwise
- * from +x where y points up. Valid when all are finite and width, height >= 0.
- */
-typedef struct {
-    float cx, cy, angle, width, height;
-} vesica_turned_rect_f32;
-
-/**
- * First pass for two rectangles: are their boxes along the coordinate axes apart? ("Rectangle intersection at 60fps")
- *
- * Returns VESICA_NO, which is certain, or VESICA_UNCERTAIN: the boxes meet, or are apart by less than 22 roundoffs of
- * their half widths. Errors: VESICA_E_NULL, VESICA_E_SHAPE. Cost: about 6 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_rect_rect_bounds_f32(const vesica_rect_f32 *a, const vesica_rect_f32 *b);
-
-/**
- * Two rectangles by sample points: does a corner of one, or one of k points spaced evenly along the middle of its
- * long side, lie in the other? Both ways round. ("Rectangle intersection at 60fps")
- *
- * k: 0 to VESICA_MOST_SAMPLE_POINTS. Returns VESICA_YES, which is certain, or VESICA_UNCERTAIN: no k makes the method
- * exact. With k >= 1 uncertain means that of neither one's middle line, of length l, a stretch of l / (k + 1) lies in
- * the other rectangle, once that is made smaller by 50 roundoffs of the pair's size. Errors: VESICA_E_NULL,
- * VESICA_E_SHAPE, VESICA_E_ARGUMENT (k). Cost: about 30 ns, and at worst 2 ns more for each k. Since 0.1.
- */
-VESICA_API int32_t vesica_method_rect_rect_sample_points_f32(const vesica_rect_f32 *a, const vesica_rect_f32 *b,
-                                                             int32_t k);
-
-/**
- * Two rectangles by separating lines: with one of them at the origin along the axes, do all corners of the other lie
- * beyond one of its four edges' lines? Then the other way round. ("Rectangle intersection at 60fps")
- *
- * Returns 1 when they overlap (touching counts), 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May err within a
- * few roundings of contact. Cost: about 20 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_rect_rect_separating_lines_f32(const vesica_rect_f32 *a, const vesica_rect_f32 *b);
-
-/**
- * The same from centre, angle and size: the rectangles that vesica_rect_from_angle makes of the numbers.
- *
- * Returns and errors as vesica_method_rect_rect_separating_lines. Cost: about 60 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_turned_rects_separating_lines_f32(const vesica_turned_rect_f32 *a,
-                                                                   const vesica_turned_rect_f32 *b);
-
-/**
- * Corner points of a rectangle, x0 y0 ... x3 y3: with signs (-, -), (+, -), (+, +), (-, +) along and across its axis,
- * the order in which vesica_rect_from_corners reads them.
- *
- * Each coordinate is right to 3 roundoffs of |c| + |hx u| + |hy u|, and 2 of the smallest numbers. out: untouched on
- * error; may not overlap rect. Returns 0. Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a corner is beyond
- * the finite numbers). Cost: about 10 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_rect_corners_f32(const vesica_rect_f32 *rect, float out[8]);
-
-/**
- * Point in rectangle: the point in the rectangle's frame against its half extents.
- *
- * Returns 1 when it lies in the rectangle or on its outline, 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May
- * err within a few roundings of the outline. Cost: about 10 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_point_rect_frame_f32(const vesica_point_f32 *point, const vesica_rect_f32 *rect);
-
-/**
- * Point in box, by comparing with the ends of its intervals; never errs. Returns and errors as the function before.
- * Since 0.1.
- */
-VESICA_API int32_t vesica_method_point_aabb_intervals_f32(const vesica_point_f32 *point, const vesica_aabb_f32 *box);
-
-/**
- * Two boxes, by their intervals along x and along y; never errs. 1 when they share a point. Returns and errors as the
- * function before. Since 0.1.
- */
-VESICA_API int32_t vesica_method_aabb_aabb_intervals_f32(const vesica_aabb_f32 *a, const vesica_aabb_f32 *b);
-
-/* ---- Ellipses and circles ---- */
-
-#define VESICA_MOST_SANDWICH_ITERATIONS 30 /**< the largest n of the methods on ellipses that halve */
-
-/** VESICA_MOST_SANDWICH_ITERATIONS. Since 0.1. */
-VESICA_API int32_t vesica_most_sandwich_iterations(void);
-
-/**
- * How far an approximate method went: the bound on the outline's error that it reached, and the halvings it did.
- *
- * outline_error: 2^(0.303 - 2 iterations) times the longer half axis, in units of length; may be infinite where that
- * is. No point of the inner or outer polygon is farther from the outline. 0 when the exact vesica_overlap answered.
- * reserved: 0.
+ * outline_error is 2^(0.303 - 2 iterations) times the longer half axis, in units of length. No point of the inner or
+ * the outer polygon is farther from the outline. It is 0 if the exact overlap answered, and may be infinite if the half
+ * axis is. reserved is 0.
  */
 typedef struct {
     double outline_error;
@@ -325,217 +67,23 @@ typedef struct {
 } vesica_approximation_f64;
 
 /**
- * An ellipse as centre, radius vector w (half an axis) and ratio of the other radius to it. Valid when finite, with
- * ratio >= 0. A zero vector makes it a point.
+ * An ellipse as centre, radius vector (wx, wy), which is half an axis, and the ratio of the other radius to it.
+ *
+ * Valid if all are finite and ratio >= 0. A zero vector makes it a point.
  */
 typedef struct {
     double cx, cy, wx, wy, ratio;
 } vesica_radius_vector_ellipse_f64;
 
 /**
- * Circle against ellipse in closed form: the ellipse's point nearest to the circle's centre is the root of a quartic
- * (Niemitalo 2012, in a form that takes no root of a negative number and cancels nowhere).
+ * How to descend: step i = 0, 1 ... changes the two angles by rate * exp(-decay i) times a gradient.
  *
- * Returns 1 when they overlap (touching counts), 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May err within a
- * few roundings of contact; an ellipse whose smaller half axis is 0, or less than about 2^-144 of the largest length,
- * is answered exactly. Cost: about 40 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_circle_ellipse_closed_form_f64(const vesica_circle_f64 *circle,
-                                                                const vesica_ellipse_f64 *ellipse);
-
-/**
- * Circle against ellipse by a polygonal sandwich: inscribed and circumscribed polygons, of which the corner that
- * matters is halved until one of them decides (Niemitalo 2012). n iterations amount to 2^(2 + n) sides.
- *
- * n: 0 to VESICA_MOST_SANDWICH_ITERATIONS; beyond 22 rounding leaves nothing to be gained. out: untouched on error; may
- * not overlap the shapes. Returns VESICA_YES or VESICA_NO, which are certain, or VESICA_UNCERTAIN: outlines touch when
- * the circle's radius changes by less than outline_error, and 50 + 64 iterations roundoffs of the pair's size. Errors:
- * VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_ARGUMENT (n). Cost: about 35 ns, and 10 ns for each iteration done.
- * Since 0.1.
- */
-VESICA_API int32_t vesica_method_circle_ellipse_polygonal_sandwich_f64(const vesica_circle_f64 *circle,
-                                                                       const vesica_ellipse_f64 *ellipse, int32_t n,
-                                                                       vesica_approximation_f64 *out);
-
-/**
- * Circle against ellipse by circle approximation: as the polygonal sandwich, with circle segments in place of the
- * polygons' sides. In the end each iteration makes the outline's error 8 times smaller, not 4.
- *
- * n, out, returns and errors as there, and the bound too, with three times the rounding. Cost: about 45 ns, and 8
- * ns for each iteration done. Since 0.1.
- */
-VESICA_API int32_t vesica_method_circle_ellipse_circle_approximation_f64(const vesica_circle_f64 *circle,
-                                                                         const vesica_ellipse_f64 *ellipse, int32_t n,
-                                                                         vesica_approximation_f64 *out);
-
-/**
- * Segment against circle without a division or a square root: turned and scaled as a complex product does, the segment
- * lies on an axis (Niemitalo 2012).
- *
- * Returns 1 when they overlap (touching counts), 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May err within a
- * few roundings of contact; numbers below about 2^-320 of the largest length, where they matter, are answered exactly.
- * Cost: about 15 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_segment_circle_division_free_f64(const vesica_segment_f64 *segment,
-                                                                  const vesica_circle_f64 *circle);
-
-/**
- * Two ellipses with parallel axes, by scaling the second to a circle; then the polygonal sandwich (Niemitalo 2012).
- *
- * n, out and returns as there; outline_error is a's. VESICA_UNCERTAIN: b with half lengths times 1 + e overlaps a, and
- * with 1 - e, when that is positive, does not; e is outline_error over b's shorter half axis, and rounding. If b has a
- * half length of 0 (or below about 2^-176, float 2^-22, of the largest length), a and b change places; if both have,
- * the answer is exact. Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_ARGUMENT (n, or axes that as stored are neither
- * parallel nor at right angles). Cost: about 45 ns, and 10 ns for each iteration done. Since 0.1.
- */
-VESICA_API int32_t vesica_method_ellipse_ellipse_parallel_axes_f64(const vesica_ellipse_f64 *a,
-                                                                   const vesica_ellipse_f64 *b, int32_t n,
-                                                                   vesica_approximation_f64 *out);
-
-/**
- * Two ellipses with any axes, by turning and stretching until the second is a circle; then the polygonal sandwich, from
- * the images of the first one's radius vectors (Niemitalo 2012).
- *
- * As the function before, but axes may have any directions. Rounding is that of the images: where both are thin it is
- * up to so many roundoffs of the product of the longer half axes over b's shorter one. Errors: VESICA_E_NULL,
- * VESICA_E_SHAPE, VESICA_E_ARGUMENT (n). Cost: about 65 ns, and 10 ns for each iteration done. Since 0.1.
- */
-VESICA_API int32_t vesica_method_ellipse_ellipse_any_axes_f64(const vesica_ellipse_f64 *a,
-                                                              const vesica_ellipse_f64 *b, int32_t n,
-                                                              vesica_approximation_f64 *out);
-
-/**
- * The same from centre, radius vector and ratio: the ellipses that vesica_ellipse_from_radius_vector makes of the
- * numbers.
- *
- * Returns and errors as the function before. Cost: as there. Since 0.1.
- */
-VESICA_API int32_t vesica_method_radius_vector_ellipses_any_axes_f64(const vesica_radius_vector_ellipse_f64 *a,
-                                                                     const vesica_radius_vector_ellipse_f64 *b,
-                                                                     int32_t n, vesica_approximation_f64 *out);
-
-/**
- * How far an approximate method went: the bound on the outline's error that it reached, and the halvings it did.
- *
- * outline_error: 2^(0.303 - 2 iterations) times the longer half axis, in units of length; may be infinite where that
- * is. No point of the inner or outer polygon is farther from the outline. 0 when the exact vesica_overlap answered.
- */
-typedef struct {
-    float outline_error;
-    int32_t iterations;
-} vesica_approximation_f32;
-
-/**
- * An ellipse as centre, radius vector w (half an axis) and ratio of the other radius to it. Valid when finite, with
- * ratio >= 0. A zero vector makes it a point.
- */
-typedef struct {
-    float cx, cy, wx, wy, ratio;
-} vesica_radius_vector_ellipse_f32;
-
-/**
- * Circle against ellipse in closed form: the ellipse's point nearest to the circle's centre is the root of a quartic
- * (Niemitalo 2012, in a form that takes no root of a negative number and cancels nowhere).
- *
- * Returns 1 when they overlap (touching counts), 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May err within a
- * few roundings of contact; an ellipse whose smaller half axis is 0, or less than about 2^-18 of the largest length, is
- * answered exactly. Cost: about 40 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_circle_ellipse_closed_form_f32(const vesica_circle_f32 *circle,
-                                                                const vesica_ellipse_f32 *ellipse);
-
-/**
- * Circle against ellipse by a polygonal sandwich: inscribed and circumscribed polygons, of which the corner that
- * matters is halved until one of them decides (Niemitalo 2012). n iterations amount to 2^(2 + n) sides.
- *
- * n: 0 to VESICA_MOST_SANDWICH_ITERATIONS; beyond 8 rounding leaves nothing to be gained. out: untouched on error; may
- * not overlap the shapes. Returns VESICA_YES or VESICA_NO, which are certain, or VESICA_UNCERTAIN: outlines touch when
- * the circle's radius changes by less than outline_error, and 50 + 64 iterations roundoffs of the pair's size. Errors:
- * VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_ARGUMENT (n). Cost: about 35 ns, and 10 ns for each iteration done.
- * Since 0.1.
- */
-VESICA_API int32_t vesica_method_circle_ellipse_polygonal_sandwich_f32(const vesica_circle_f32 *circle,
-                                                                       const vesica_ellipse_f32 *ellipse, int32_t n,
-                                                                       vesica_approximation_f32 *out);
-
-/**
- * Circle against ellipse by circle approximation: as the polygonal sandwich, with circle segments in place of the
- * polygons' sides. In the end each iteration makes the outline's error 8 times smaller, not 4.
- *
- * n, out, returns and errors as there, and the bound too, with three times the rounding. Cost: about 45 ns, and 8
- * ns for each iteration done. Since 0.1.
- */
-VESICA_API int32_t vesica_method_circle_ellipse_circle_approximation_f32(const vesica_circle_f32 *circle,
-                                                                         const vesica_ellipse_f32 *ellipse, int32_t n,
-                                                                         vesica_approximation_f32 *out);
-
-/**
- * Segment against circle without a division or a square root: turned and scaled as a complex product does, the segment
- * lies on an axis (Niemitalo 2012).
- *
- * Returns 1 when they overlap (touching counts), 0 when not. Errors: VESICA_E_NULL, VESICA_E_SHAPE. May err within a
- * few roundings of contact; numbers below about 2^-40 of the largest length, where they matter, are answered exactly.
- * Cost: about 15 ns. Since 0.1.
- */
-VESICA_API int32_t vesica_method_segment_circle_division_free_f32(const vesica_segment_f32 *segment,
-                                                                  const vesica_circle_f32 *circle);
-
-/**
- * Two ellipses with parallel axes, by scaling the second to a circle; then the polygonal sandwich (Niemitalo 2012).
- *
- * n, out and returns as there; outline_error is a's. VESICA_UNCERTAIN: b with half lengths times 1 + e overlaps a, and
- * with 1 - e, when that is positive, does not; e is outline_error over b's shorter half axis, and rounding. If b has a
- * half length of 0 (or below about 2^-176, float 2^-22, of the largest length), a and b change places; if both have,
- * the answer is exact. Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_ARGUMENT (n, or axes that as stored are neither
- * parallel nor at right angles). Cost: about 45 ns, and 10 ns for each iteration done. Since 0.1.
- */
-VESICA_API int32_t vesica_method_ellipse_ellipse_parallel_axes_f32(const vesica_ellipse_f32 *a,
-                                                                   const vesica_ellipse_f32 *b, int32_t n,
-                                                                   vesica_approximation_f32 *out);
-
-/**
- * Two ellipses with any axes, by turning and stretching until the second is a circle; then the polygonal sandwich, from
- * the images of the first one's radius vectors (Niemitalo 2012).
- *
- * As the function before, but axes may have any directions. Rounding is that of the images: where both are thin it is
- * up to so many roundoffs of the product of the longer half axes over b's shorter one. Errors: VESICA_E_NULL,
- * VESICA_E_SHAPE, VESICA_E_ARGUMENT (n). Cost: about 65 ns, and 10 ns for each iteration done. Since 0.1.
- */
-VESICA_API int32_t vesica_method_ellipse_ellipse_any_axes_f32(const vesica_ellipse_f32 *a,
-                                                              const vesica_ellipse_f32 *b, int32_t n,
-                                                              vesica_approximation_f32 *out);
-
-/**
- * The same from centre, radius vector and ratio: the ellipses that vesica_ellipse_from_radius_vector makes of the
- * numbers.
- *
- * Returns and errors as the function before. Cost: as there. Since 0.1.
- */
-VESICA_API int32_t vesica_method_radius_vector_ellipses_any_axes_f32(const vesica_radius_vector_ellipse_f32 *a,
-                                                                     const vesica_radius_vector_ellipse_f32 *b,
-                                                                     int32_t n, vesica_approximation_f32 *out);
-
-/* ---- Distance between outlines by gradient descent ---- */
-
-#define VESICA_SCHEDULE_SCALE_AWARE 0          /**< steps in proportion to the pair: the same at any scale, never up */
-#define VESICA_SCHEDULE_LITERAL 1              /**< steps as printed, which fit shapes of size about 5 */
-#define VESICA_MOST_DESCENT_ITERATIONS 1000000 /**< the most iterations that may be asked for */
-
-/** VESICA_SCHEDULE_SCALE_AWARE. Since 0.1. */
-VESICA_API int32_t vesica_schedule_scale_aware(void);
-/** VESICA_SCHEDULE_LITERAL. Since 0.1. */
-VESICA_API int32_t vesica_schedule_literal(void);
-/** VESICA_MOST_DESCENT_ITERATIONS. Since 0.1. */
-VESICA_API int32_t vesica_most_descent_iterations(void);
-
-/**
- * How to descend. Step i = 0, 1 ... changes the two angles by rate * exp(-decay i) times a gradient; the error is that
- * gradient's larger component, and descent stops when it is below the tolerance.
- *
- * Literal: the gradient of the squared distance, in squared units of length. Scale-aware: half of it, each component
- * divided by R (R + R' + d), R the larger half length of its ellipse, R' of the other one, d the distance; in radians.
- * Valid when finite, with tolerance > 0, rate > 0 (scale-aware: < 2), decay >= 0, and iterations from 1 to
- * VESICA_MOST_DESCENT_ITERATIONS. schedule: VESICA_SCHEDULE_...
+ * The error of a step is the larger component of that gradient. Descent stops when it is below the tolerance. With the
+ * literal schedule it is the gradient of the squared distance, in squared units of length. With the scale-aware
+ * schedule it is half of that, each component divided by R (R + R' + d), in radians: R is the larger half length of its
+ * ellipse, R' that of the other one, and d the distance.
+ * Valid if all are finite, tolerance > 0, rate > 0 (scale-aware: < 2 too), decay >= 0, iterations from 1 to
+ * VESICA_MOST_DESCENT_ITERATIONS, and schedule is one of VESICA_SCHEDULE_...
  */
 typedef struct {
     double tolerance, rate, decay;
@@ -543,89 +91,359 @@ typedef struct {
 } vesica_descent_settings_f64;
 
 /**
- * The two outline points as angles t of C + a cos(t) u + b sin(t) perp(u), in radians of [-pi, pi]; their distance; the
- * error there; how often the gradient was evaluated; 1 when the error came below the tolerance, else 0.
+ * Where a descent ended: two points of outlines, as angles t in [-pi, pi] of C + a cos(t) u + b sin(t) perp(u).
+ *
+ * distance is that of the points, error the last step's. iterations counts the gradients evaluated. success is 1 if the
+ * error came below the tolerance, else 0.
  */
 typedef struct {
     double angle_a, angle_b, distance, error;
     int32_t iterations, success;
 } vesica_descent_result_f64;
 
+/* ---- Rectangle and ellipse, double. Eberly: Intersection of Rectangle and Ellipse, 2015. ----
+ * Returns: 1 if the shapes overlap (touching counts), 0 if not.
+ * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+ * Accuracy: may err within a few roundings of contact. An ellipse with a half length of at most about 2^-176 (float:
+ * 2^-22) of the largest length, such as 0, is answered exactly.
+ * Cost: about 25 ns.
+ * Since: 0.1.
+ */
+
 /**
- * The settings that a schedule starts with: tolerance 1e-8, 10000 iterations, and rate and decay of 1 and 0
- * (scale-aware) or 0.04 and 0.002 (literal).
+ * Rectangle and ellipse by all features (Eberly, section 2): is a vertex of the rectangle in the ellipse, does one of
+ * its edges meet the ellipse, or is the ellipse's centre in the rectangle?
+ */
+VESICA_API int32_t vesica_method_rect_ellipse_all_features_f64(const vesica_rect_f64 *rect,
+                                                               const vesica_ellipse_f64 *ellipse);
+
+/**
+ * Rectangle and ellipse by closest features (Eberly, section 3): which of the nine regions about the rectangle holds
+ * the ellipse's centre? It names at most two edges and three vertices to try.
+ */
+VESICA_API int32_t vesica_method_rect_ellipse_closest_features_f64(const vesica_rect_f64 *rect,
+                                                                   const vesica_ellipse_f64 *ellipse);
+
+/**
+ * Rectangle and ellipse by their Minkowski sum (Eberly, section 5): is the ellipse's centre in the rectangle grown by
+ * the ellipse?
  *
- * out: untouched on error. Returns 0. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (schedule). Since 0.1.
+ * Corrected: which corner's arc applies is told by the extreme points, not by the signs of the centre's coordinates.
+ * Cost: about 20 ns.
+ */
+VESICA_API int32_t vesica_method_rect_ellipse_minkowski_sum_f64(const vesica_rect_f64 *rect,
+                                                                const vesica_ellipse_f64 *ellipse);
+
+/**
+ * Rectangle and ellipse by the distance of a point to a parallelogram (Eberly, section 4): which point of the rectangle
+ * has the least level in the measure of the ellipse?
+ *
+ * The level is Q(X) = |X - K|^2 - 1, where K is the centre and lengths are measured so that |X - K| is 1 on the
+ * outline. The result is that point, in the rectangle but for rounding, and its level c_min. If the rectangle holds the
+ * ellipse's centre, it is that centre and -1. Off the line of a segment (a or b is 0) every level is infinite: then
+ * c_min may be infinite, and the point is the limit for ever thinner ellipses.
+ * Returns: 1 if they overlap, which is c_min <= 0, else 0.
+ * Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the point is beyond the finite numbers).
+ * Cost: about 50 ns.
+ */
+VESICA_API int32_t vesica_method_rect_ellipse_point_parallelogram_distance_f64(const vesica_rect_f64 *rect,
+                                                                               const vesica_ellipse_f64 *ellipse,
+                                                                               vesica_metric_closest_f64 *out);
+
+/* ---- Rectangle and rectangle, points and boxes, double. Most are from "Rectangle intersection at 60fps". ----
+ * Returns: 1 if the shapes overlap (touching counts), 0 if not.
+ * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+ * Since: 0.1.
+ */
+
+/**
+ * First pass for two rectangles: are their boxes along the coordinate axes apart?
+ * Returns: VESICA_NO, which is certain, or VESICA_UNCERTAIN.
+ * Accuracy: uncertain means that the boxes meet, or are apart by less than 22 roundoffs of their half widths.
+ * Cost: about 6 ns.
+ */
+VESICA_API int32_t vesica_method_rect_rect_bounds_f64(const vesica_rect_f64 *a, const vesica_rect_f64 *b);
+
+/**
+ * Two rectangles by sample points: does the other one hold a corner, or one of k evenly spaced points of the middle
+ * line along the long side? Tried both ways round.
+ * Requires: k from 0 to VESICA_MOST_SAMPLE_POINTS.
+ * Returns: VESICA_YES, which is certain, or VESICA_UNCERTAIN: no k makes the method exact.
+ * Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_ARGUMENT (k).
+ * Accuracy: with k >= 1 uncertain means this for both rectangles: of the middle line of one, of length l, no stretch of
+ * l / (k + 1) lies in the other one, made smaller by 50 roundoffs of the size of the pair.
+ * Cost: about 30 ns, and at worst 2 ns more for each k.
+ */
+VESICA_API int32_t vesica_method_rect_rect_sample_points_f64(const vesica_rect_f64 *a, const vesica_rect_f64 *b,
+                                                             int32_t k);
+
+/**
+ * Two rectangles by separating lines: do all corners of one lie beyond the line of one edge of the other? Tried both
+ * ways round, each time in the frame of the second rectangle.
+ * Accuracy: may err within a few roundings of contact.
+ * Cost: about 20 ns.
+ */
+VESICA_API int32_t vesica_method_rect_rect_separating_lines_f64(const vesica_rect_f64 *a, const vesica_rect_f64 *b);
+
+/**
+ * Two rectangles by separating lines, from centre, angle and size, as vesica_rect_from_angle_f64 takes them.
+ * Accuracy: may err within a few roundings of contact.
+ * Cost: about 60 ns.
+ */
+VESICA_API int32_t vesica_method_turned_rects_separating_lines_f64(const vesica_turned_rect_f64 *a,
+                                                                   const vesica_turned_rect_f64 *b);
+
+/**
+ * The four corners of a rectangle, x0 y0 ... x3 y3, as vesica_rect_from_corners_f64 reads them.
+ *
+ * Their signs along and across the axis are (-, -), (+, -), (+, +), (-, +), in this order.
+ * Returns: 0.
+ * Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a corner is beyond the finite numbers).
+ * Accuracy: each coordinate is right to 3 roundoffs of |c| + |hx u| + |hy u|, and 2 of the smallest numbers.
+ * Cost: about 10 ns.
+ */
+VESICA_API int32_t vesica_method_rect_corners_f64(const vesica_rect_f64 *rect, double out[8]);
+
+/**
+ * Point in rectangle: is the point, in the frame of the rectangle, within the half extents?
+ * Accuracy: may err within a few roundings of the outline.
+ * Cost: about 10 ns.
+ */
+VESICA_API int32_t vesica_method_point_rect_frame_f64(const vesica_point_f64 *point, const vesica_rect_f64 *rect);
+
+/**
+ * Point in box: is each coordinate within the box's interval?
+ * Accuracy: exact.
+ */
+VESICA_API int32_t vesica_method_point_aabb_intervals_f64(const vesica_point_f64 *point, const vesica_aabb_f64 *box);
+
+/**
+ * Two boxes: do their intervals meet along x and along y?
+ * Accuracy: exact.
+ */
+VESICA_API int32_t vesica_method_aabb_aabb_intervals_f64(const vesica_aabb_f64 *a, const vesica_aabb_f64 *b);
+
+/* ---- Circles, segments and ellipses by a formula, double. Niemitalo, 2012. ----
+ * Returns: 1 if the shapes overlap (touching counts), 0 if not.
+ * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+ * Since: 0.1.
+ */
+
+/**
+ * Circle and ellipse in closed form: the point of the ellipse nearest to the circle's centre is the root of a quartic.
+ *
+ * The form used takes no root of a negative number and has no cancellation.
+ * Accuracy: may err within a few roundings of contact. An ellipse whose smaller half axis is less than about 2^-144
+ * (float: 2^-18) of the largest length, such as 0, is answered exactly.
+ * Cost: about 40 ns.
+ */
+VESICA_API int32_t vesica_method_circle_ellipse_closed_form_f64(const vesica_circle_f64 *circle,
+                                                                const vesica_ellipse_f64 *ellipse);
+
+/**
+ * Segment and circle without a division or a square root: a complex product turns and scales the segment onto an axis.
+ * Accuracy: may err within a few roundings of contact. If numbers below about 2^-320 (float: 2^-40) of the largest
+ * length matter, the answer is exact.
+ * Cost: about 15 ns.
+ */
+VESICA_API int32_t vesica_method_segment_circle_division_free_f64(const vesica_segment_f64 *segment,
+                                                                  const vesica_circle_f64 *circle);
+
+/* ---- Ellipses by polygons, double. Niemitalo, 2012. ----
+ * Requires: n, the most iterations, from 0 to VESICA_MOST_SANDWICH_ITERATIONS. Beyond 22 (float: 8) rounding leaves
+ * nothing to gain.
+ * Returns: VESICA_YES or VESICA_NO, which are certain, or VESICA_UNCERTAIN.
+ * Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_ARGUMENT (n).
+ * Since: 0.1.
+ */
+
+/**
+ * Circle and ellipse by a polygonal sandwich: one polygon inside the ellipse and one around it.
+ *
+ * Each iteration halves the corner that matters, until one of the polygons decides. n iterations amount to polygons of
+ * 2^(2 + n) sides.
+ * Accuracy: uncertain means that the outlines touch if the circle's radius is changed by less than out->outline_error
+ * and 50 + 64 iterations roundoffs of the size of the pair.
+ * Cost: about 35 ns, and 10 ns for each iteration done.
+ */
+VESICA_API int32_t vesica_method_circle_ellipse_polygonal_sandwich_f64(const vesica_circle_f64 *circle,
+                                                                       const vesica_ellipse_f64 *ellipse, int32_t n,
+                                                                       vesica_approximation_f64 *out);
+
+/**
+ * Circle and ellipse by circle approximation: as the polygonal sandwich, with arcs of circles in place of sides.
+ *
+ * In the end each iteration makes the error of the outline 8 times smaller, not 4.
+ * Accuracy: uncertain means that the outlines touch if the circle's radius is changed by less than out->outline_error
+ * and 3 times 50 + 64 iterations roundoffs of the size of the pair.
+ * Cost: about 45 ns, and 8 ns for each iteration done.
+ */
+VESICA_API int32_t vesica_method_circle_ellipse_circle_approximation_f64(const vesica_circle_f64 *circle,
+                                                                         const vesica_ellipse_f64 *ellipse, int32_t n,
+                                                                         vesica_approximation_f64 *out);
+
+/**
+ * Two ellipses with parallel axes: b is scaled to a circle, then the polygonal sandwich answers.
+ *
+ * If b has a half length of at most about 2^-176 (float: 2^-22) of the largest length, a and b change places. If both
+ * have, the answer is exact.
+ * Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_ARGUMENT (n, or axes that as stored are neither parallel nor at right
+ * angles).
+ * Accuracy: out->outline_error is that of a. Let e be it over b's shorter half axis, and rounding. Uncertain means that
+ * b with half lengths times 1 + e overlaps a, and that b with half lengths times 1 - e, if that is > 0, does not.
+ * Cost: about 45 ns, and 10 ns for each iteration done.
+ */
+VESICA_API int32_t vesica_method_ellipse_ellipse_parallel_axes_f64(const vesica_ellipse_f64 *a,
+                                                                   const vesica_ellipse_f64 *b, int32_t n,
+                                                                   vesica_approximation_f64 *out);
+
+/**
+ * Two ellipses with any axes: both are turned and stretched until b is a circle, then the polygonal sandwich answers.
+ *
+ * It starts from the images of a's radius vectors. If b has a half length of at most about 2^-176 (float: 2^-22) of the
+ * largest length, a and b change places. If both have, the answer is exact.
+ * Accuracy: that of vesica_method_ellipse_ellipse_parallel_axes_f64, with the rounding of the images. If both are thin,
+ * that is up to as many roundoffs of the product of the longer half axes over b's shorter one.
+ * Cost: about 65 ns, and 10 ns for each iteration done.
+ */
+VESICA_API int32_t vesica_method_ellipse_ellipse_any_axes_f64(const vesica_ellipse_f64 *a,
+                                                              const vesica_ellipse_f64 *b, int32_t n,
+                                                              vesica_approximation_f64 *out);
+
+/**
+ * Two ellipses with any axes, from centre, radius vector and ratio: those that vesica_ellipse_from_radius_vector_f64
+ * makes of these.
+ * Accuracy: that of vesica_method_ellipse_ellipse_any_axes_f64.
+ * Cost: about 65 ns, and 10 ns for each iteration done.
+ */
+VESICA_API int32_t vesica_method_radius_vector_ellipses_any_axes_f64(const vesica_radius_vector_ellipse_f64 *a,
+                                                                     const vesica_radius_vector_ellipse_f64 *b,
+                                                                     int32_t n, vesica_approximation_f64 *out);
+
+/* ---- Distance between outlines by gradient descent, double. "Minimum Distance Between Ellipses", 2021. ----
+ * Since: 0.1.
+ */
+
+/**
+ * The settings that a schedule starts with.
+ *
+ * tolerance is 1e-8, iterations 10000. rate and decay are 1 and 0 (scale-aware), or 0.04 and 0.002 (literal).
+ * Requires: schedule, one of VESICA_SCHEDULE_...
+ * Returns: 0.
+ * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (schedule).
  */
 VESICA_API int32_t vesica_method_descent_settings_f64(int32_t schedule, vesica_descent_settings_f64 *out);
 
 /**
- * Distance between the outlines of two ellipses by gradient descent over the angles of a point on each ("Minimum
- * Distance Between Ellipses", 2021). Overlapping ones start from the nearest of 24 x 24 vertices, others on the line of
- * centres. Descent is in double for both scalars.
+ * Distance between the outlines of two ellipses by gradient descent over the angles of a point on each.
  *
- * settings: NULL for the scale-aware defaults. errors: the first `capacity` iterations' errors, or NULL with capacity
- * 0; what lies beyond out->iterations is untouched. Nothing written may overlap anything else.
- * Returns 1 when it converged, else 0, which is out->success. Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_ARGUMENT
- * (a setting, or capacity < 0), VESICA_E_RANGE (the distance is beyond the finite numbers; errors may then be written).
- *
- * Accuracy (scale-aware, defaults): never below the true distance but by rounding; with s the two larger half lengths
- * and the distance d, within about 1e-16 s^3 / d^2 of it for disjoint ellipses. Nearer contact than about s / 1000 the
- * iterations may run out. Of overlapping ones, whose outlines have several local minima, 0.4% to 3% end in one that is
- * not the least. Cost: 60 ns an iteration, about 18 s / d iterations. Since 0.1.
+ * Overlapping ellipses start from the nearest two of 24 vertices on each, others on the line of centres. Descent is in
+ * double for both scalars. The errors of the first `capacity` iterations are written to errors; what lies beyond
+ * out->iterations is untouched.
+ * Requires: settings, or NULL for those of the scale-aware schedule; errors, with room for `capacity` numbers, or NULL
+ * with capacity 0.
+ * Returns: 1 if it converged, else 0, which is out->success.
+ * Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_ARGUMENT (a setting, or capacity < 0), VESICA_E_RANGE (the distance
+ * is beyond the finite numbers; errors may then be written).
+ * Accuracy: with the scale-aware defaults the distance is never below the true one but by rounding. Let d be the
+ * distance, and s the sum of d and of the larger half length of each ellipse. For disjoint ellipses the distance is
+ * right to about 1e-16 s^3 / d^2. If they are nearer than about s / 1000, the iterations may run out. Outlines of
+ * overlapping ellipses have several local minima: 0.4% to 3% of pairs end in one that is not the least.
+ * Cost: 60 ns an iteration, about 18 s / d iterations.
  */
 VESICA_API int32_t vesica_method_ellipse_ellipse_distance_gradient_descent_f64(
     const vesica_ellipse_f64 *a, const vesica_ellipse_f64 *b, const vesica_descent_settings_f64 *settings,
     vesica_descent_result_f64 *out, double *errors, int32_t capacity);
 
-/**
- * How to descend. Step i = 0, 1 ... changes the two angles by rate * exp(-decay i) times a gradient; the error is that
- * gradient's larger component, and descent stops when it is below the tolerance.
- *
- * Literal: the gradient of the squared distance, in squared units of length. Scale-aware: half of it, each component
- * divided by R (R + R' + d), R the larger half length of its ellipse, R' of the other one, d the distance; in radians.
- * Valid when finite, with tolerance > 0, rate > 0 (scale-aware: < 2), decay >= 0, and iterations from 1 to
- * VESICA_MOST_DESCENT_ITERATIONS. schedule: VESICA_SCHEDULE_...
- */
+/* ---- The same structs and functions with float in place of double ---- */
+
+/** As vesica_metric_closest_f64. */
+typedef struct { float x, y, c_min; } vesica_metric_closest_f32;
+/** As vesica_turned_rect_f64. */
+typedef struct { float cx, cy, angle, width, height; } vesica_turned_rect_f32;
+
+/** As vesica_approximation_f64, without reserved. */
+typedef struct {
+    float outline_error;
+    int32_t iterations;
+} vesica_approximation_f32;
+
+/** As vesica_radius_vector_ellipse_f64. */
+typedef struct { float cx, cy, wx, wy, ratio; } vesica_radius_vector_ellipse_f32;
+
+/** As vesica_descent_settings_f64. */
 typedef struct {
     float tolerance, rate, decay;
     int32_t iterations, schedule;
 } vesica_descent_settings_f32;
 
-/**
- * The two outline points as angles t of C + a cos(t) u + b sin(t) perp(u), in radians of [-pi, pi]; their distance; the
- * error there; how often the gradient was evaluated; 1 when the error came below the tolerance, else 0.
- */
+/** As vesica_descent_result_f64. */
 typedef struct {
     float angle_a, angle_b, distance, error;
     int32_t iterations, success;
 } vesica_descent_result_f32;
 
-/**
- * The settings that a schedule starts with: tolerance 1e-8, 10000 iterations, and rate and decay of 1 and 0
- * (scale-aware) or 0.04 and 0.002 (literal).
- *
- * out: untouched on error. Returns 0. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (schedule). Since 0.1.
- */
+/** As vesica_method_rect_ellipse_all_features_f64. */
+VESICA_API int32_t vesica_method_rect_ellipse_all_features_f32(const vesica_rect_f32 *rect,
+                                                               const vesica_ellipse_f32 *ellipse);
+/** As vesica_method_rect_ellipse_closest_features_f64. */
+VESICA_API int32_t vesica_method_rect_ellipse_closest_features_f32(const vesica_rect_f32 *rect,
+                                                                   const vesica_ellipse_f32 *ellipse);
+/** As vesica_method_rect_ellipse_minkowski_sum_f64. */
+VESICA_API int32_t vesica_method_rect_ellipse_minkowski_sum_f32(const vesica_rect_f32 *rect,
+                                                                const vesica_ellipse_f32 *ellipse);
+/** As vesica_method_rect_ellipse_point_parallelogram_distance_f64. */
+VESICA_API int32_t vesica_method_rect_ellipse_point_parallelogram_distance_f32(const vesica_rect_f32 *rect,
+                                                                               const vesica_ellipse_f32 *ellipse,
+                                                                               vesica_metric_closest_f32 *out);
+/** As vesica_method_rect_rect_bounds_f64. */
+VESICA_API int32_t vesica_method_rect_rect_bounds_f32(const vesica_rect_f32 *a, const vesica_rect_f32 *b);
+/** As vesica_method_rect_rect_sample_points_f64. */
+VESICA_API int32_t vesica_method_rect_rect_sample_points_f32(const vesica_rect_f32 *a, const vesica_rect_f32 *b,
+                                                             int32_t k);
+/** As vesica_method_rect_rect_separating_lines_f64. */
+VESICA_API int32_t vesica_method_rect_rect_separating_lines_f32(const vesica_rect_f32 *a, const vesica_rect_f32 *b);
+/** As vesica_method_turned_rects_separating_lines_f64. */
+VESICA_API int32_t vesica_method_turned_rects_separating_lines_f32(const vesica_turned_rect_f32 *a,
+                                                                   const vesica_turned_rect_f32 *b);
+/** As vesica_method_rect_corners_f64. */
+VESICA_API int32_t vesica_method_rect_corners_f32(const vesica_rect_f32 *rect, float out[8]);
+/** As vesica_method_point_rect_frame_f64. */
+VESICA_API int32_t vesica_method_point_rect_frame_f32(const vesica_point_f32 *point, const vesica_rect_f32 *rect);
+/** As vesica_method_point_aabb_intervals_f64. */
+VESICA_API int32_t vesica_method_point_aabb_intervals_f32(const vesica_point_f32 *point, const vesica_aabb_f32 *box);
+/** As vesica_method_aabb_aabb_intervals_f64. */
+VESICA_API int32_t vesica_method_aabb_aabb_intervals_f32(const vesica_aabb_f32 *a, const vesica_aabb_f32 *b);
+/** As vesica_method_circle_ellipse_closed_form_f64. */
+VESICA_API int32_t vesica_method_circle_ellipse_closed_form_f32(const vesica_circle_f32 *circle,
+                                                                const vesica_ellipse_f32 *ellipse);
+/** As vesica_method_segment_circle_division_free_f64. */
+VESICA_API int32_t vesica_method_segment_circle_division_free_f32(const vesica_segment_f32 *segment,
+                                                                  const vesica_circle_f32 *circle);
+/** As vesica_method_circle_ellipse_polygonal_sandwich_f64. */
+VESICA_API int32_t vesica_method_circle_ellipse_polygonal_sandwich_f32(const vesica_circle_f32 *circle,
+                                                                       const vesica_ellipse_f32 *ellipse, int32_t n,
+                                                                       vesica_approximation_f32 *out);
+/** As vesica_method_circle_ellipse_circle_approximation_f64. */
+VESICA_API int32_t vesica_method_circle_ellipse_circle_approximation_f32(const vesica_circle_f32 *circle,
+                                                                         const vesica_ellipse_f32 *ellipse, int32_t n,
+                                                                         vesica_approximation_f32 *out);
+/** As vesica_method_ellipse_ellipse_parallel_axes_f64. */
+VESICA_API int32_t vesica_method_ellipse_ellipse_parallel_axes_f32(const vesica_ellipse_f32 *a,
+                                                                   const vesica_ellipse_f32 *b, int32_t n,
+                                                                   vesica_approximation_f32 *out);
+/** As vesica_method_ellipse_ellipse_any_axes_f64. */
+VESICA_API int32_t vesica_method_ellipse_ellipse_any_axes_f32(const vesica_ellipse_f32 *a, const vesica_ellipse_f32 *b,
+                                                              int32_t n, vesica_approximation_f32 *out);
+/** As vesica_method_radius_vector_ellipses_any_axes_f64. */
+VESICA_API int32_t vesica_method_radius_vector_ellipses_any_axes_f32(const vesica_radius_vector_ellipse_f32 *a,
+                                                                     const vesica_radius_vector_ellipse_f32 *b,
+                                                                     int32_t n, vesica_approximation_f32 *out);
+/** As vesica_method_descent_settings_f64. */
 VESICA_API int32_t vesica_method_descent_settings_f32(int32_t schedule, vesica_descent_settings_f32 *out);
-
-/**
- * Distance between the outlines of two ellipses by gradient descent over the angles of a point on each ("Minimum
- * Distance Between Ellipses", 2021). Overlapping ones start from the nearest of 24 x 24 vertices, others on the line of
- * centres. Descent is in double for both scalars.
- *
- * settings: NULL for the scale-aware defaults. errors: the first `capacity` iterations' errors, or NULL with capacity
- * 0; what lies beyond out->iterations is untouched. Nothing written may overlap anything else.
- * Returns 1 when it converged, else 0, which is out->success. Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_ARGUMENT
- * (a setting, or capacity < 0), VESICA_E_RANGE (the distance is beyond the finite numbers; errors may then be written).
- *
- * Accuracy (scale-aware, defaults): never below the true distance but by rounding; with s the two larger half lengths
- * and the distance d, within about 1e-16 s^3 / d^2 of it for disjoint ellipses. Nearer contact than about s / 1000 the
- * iterations may run out. Of overlapping ones, whose outlines have several local minima, 0.4% to 3% end in one that is
- * not the least. Cost: 60 ns an iteration, about 18 s / d iterations. Since 0.1.
- */
+/** As vesica_method_ellipse_ellipse_distance_gradient_descent_f64. */
 VESICA_API int32_t vesica_method_ellipse_ellipse_distance_gradient_descent_f32(
-    const vesica_ellipse_f32 *a, const vesica_ellipse_f32 *b, const vesica_descent_settings_f32 *settings,
+     const vesica_ellipse_f32 *a, const vesica_ellipse_f32 *b, const vesica_descent_settings_f32 *settings,
     vesica_descent_result_f32 *out, float *errors, int32_t capacity);
 
 #ifdef __cplusplus

@@ -1,10 +1,15 @@
-# What `cmake --install` lays down: library, headers, pkg-config file, CMake package.
+# What `cmake --install` lays down: libraries, headers, pkg-config files, CMake package.
 include(CMakePackageConfigHelpers)
 
-install(TARGETS vesica vesica_core EXPORT vesica-targets
+install(TARGETS vesica vesica_methods vesica_core EXPORT vesica-targets
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(FILES ${PROJECT_SOURCE_DIR}/capi/vesica.h ${PROJECT_SOURCE_DIR}/capi/vesica_methods.h
+install(FILES
+    ${PROJECT_SOURCE_DIR}/capi/vesica.h
+    ${PROJECT_SOURCE_DIR}/capi/vesica_generic.h
+    ${PROJECT_SOURCE_DIR}/capi/vesica_methods.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/vesica DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
@@ -19,8 +24,16 @@ else()
 endif()
 set(VESICA_PC_LIBDIR "\${prefix}/${CMAKE_INSTALL_LIBDIR}")
 set(VESICA_PC_INCLUDEDIR "\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}")
+# Beside an archive alone, libm is needed by everyone and not only with pkg-config --static.
+if(BUILD_SHARED_LIBS)
+  set(VESICA_PC_LIBS_PRIVATE -lm)
+else()
+  set(VESICA_PC_LIBS " -lm")
+endif()
 configure_file(${CMAKE_CURRENT_LIST_DIR}/vesica.pc.in vesica.pc @ONLY)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/vesica.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/vesica-methods.pc.in vesica-methods.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/vesica.pc ${CMAKE_CURRENT_BINARY_DIR}/vesica-methods.pc
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/vesica)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/vesica-config.cmake.in vesica-config.cmake

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "batch.hpp"
 
-#include <vesica/overlap.hpp>
-
 #include "columns.hpp"
+#include "query.hpp"
 
 namespace vesica::batch {
 
 namespace {
 
-/// The pair that was asked for and the pair that is computed: kinds in the order of shapes.
+/// A pair of kinds, in the order of shapes, with its kernels.
 template <class T>
 struct Question {
   const KernelTable& kernels;
@@ -25,24 +24,82 @@ struct Question {
         fields_second(field_count(second)),
         pair(table.of(T{})[first][second]) {}
 
-  const PairKernels<double>& double_pair() const noexcept { return kernels.f64[kind_first][kind_second]; }
+  Question<double> in_double() const noexcept { return {kernels, kind_first, kind_second}; }
 };
 
-/// The scalar function's answer for flat numbers.
-std::int32_t ask_scalar(std::int32_t kind_a, const double* a, std::int32_t kind_b, const double* b) noexcept {
-  return with_shape(kind_a, a, [&]<template <class> class A>(const A<double>& shape_a) {
-    return with_shape(kind_b, b, [&]<template <class> class B>(const B<double>& shape_b) -> std::int32_t {
-      if constexpr (detail::in_order<A<double>, B<double>>) return overlap_or_error(shape_a, shape_b);
-      return error_kind;
-    });
-  });
+/// Answers a block by a kernel, which takes whole vectors only. The rest lies in the last vector, which is answered a
+/// second time as a whole, or where the block is shorter than a vector, in a copy.
+template <class T>
+class RestOfBlock {
+ public:
+  RestOfBlock(const Question<T>& question, Repeat repeat) noexcept
+      : width_(question.kernels.width(T{})),
+        fields_first_(repeat == Repeat::first ? 0 : question.fields_first),
+        fields_second_(repeat == Repeat::second ? 0 : question.fields_second) {}
+
+  BlockResult answer(BlockKernel<T> kernel, const Block<T>& block) const noexcept {
+    const std::int32_t rest = block.count % width_;
+    if (rest == 0) return kernel(block);
+    Block<T> part = block;
+    part.count = block.count - rest;
+    const BlockResult result = kernel(part);
+    return result.undecided > block.give_up ? result : answer_rest(kernel, block, rest, result);
+  }
+
+ private:
+  static constexpr std::int32_t widest = 16;
+  using Copy = T[max_fields][widest];
+
+  std::int32_t width_;
+  int fields_first_, fields_second_;  // of operands that do not repeat
+
+  BlockResult answer_rest(BlockKernel<T> kernel, const Block<T>& block, std::int32_t rest,
+                          BlockResult result) const noexcept {
+    Copy copy_first, copy_second;
+    std::uint8_t bytes[widest];
+    std::int32_t undecided[widest];
+    Block<T> last = block;
+    last.count = width_;
+    last.out = bytes;
+    last.undecided = undecided;
+    last.give_up = width_;
+    const std::int32_t begin = block.count - width_, skipped = begin < 0 ? 0 : width_ - rest;
+    if (begin < 0) {
+      copy(last.first, fields_first_, rest, copy_first);
+      copy(last.second, fields_second_, rest, copy_second);
+    } else {
+      for (int k = 0; k < fields_first_; ++k) last.first[k] += begin;
+      for (int k = 0; k < fields_second_; ++k) last.second[k] += begin;
+    }
+    const BlockResult found = kernel(last);
+    const std::int32_t whole = block.count - rest;
+    for (std::int32_t i = 0; i < rest; ++i) {
+      block.out[whole + i] = bytes[skipped + i];
+      result.overlaps += bytes[skipped + i];
+    }
+    for (std::int32_t i = 0; i < found.undecided; ++i) {
+      const std::int32_t lane = undecided[i] - skipped;
+      if (lane >= 0 && lane < rest) block.undecided[result.undecided++] = whole + lane;
+    }
+    return result;
+  }
+
+  /// Lanes without an element repeat the first.
+  void copy(const T* (&field)[max_fields], int fields, std::int32_t rest, Copy& copied) const noexcept {
+    for (int k = 0; k < fields; ++k) {
+      for (std::int32_t i = 0; i < width_; ++i) std::memcpy(&copied[k][i], field[k] + (i < rest ? i : 0), sizeof(T));
+      field[k] = copied[k];
+    }
+  }
+};
+
+template <class T>
+BlockResult answer_block(const Question<T>& question, Repeat repeat, BlockKernel<T> kernel,
+                         const Block<T>& block) noexcept {
+  return RestOfBlock<T>(question, repeat).answer(kernel, block);
 }
 
-constexpr std::int32_t block_length(std::int64_t rest, std::int32_t size) noexcept {
-  return static_cast<std::int32_t>(rest < size ? rest : size);
-}
-
-/// Elements asked again in double lanes at a time, and room for them; so few are asked by the scalar function at once.
+/// Undecided elements are asked again in double lanes, so many at a time. Up to `few` go straight to the scalar function.
 inline constexpr std::int32_t retry_chunk = 128, few = 8;
 
 struct RetryBlock {
@@ -53,7 +110,7 @@ struct RetryBlock {
 
   explicit RetryBlock(std::int32_t n) noexcept : count(n) {}
 
-  BlockResult answer(BlockKernel<double> kernel) noexcept {
+  BlockResult answer(const Question<double>& question, Repeat repeat) noexcept {
     Block<double> block{};
     for (int k = 0; k < max_fields; ++k) {
       block.first[k] = first[k];
@@ -63,7 +120,7 @@ struct RetryBlock {
     block.out = answers;
     block.undecided = open;
     block.give_up = count;
-    return kernel(block);
+    return answer_block(question, repeat, question.pair.general[static_cast<int>(repeat)], block);
   }
 };
 
@@ -97,29 +154,30 @@ struct Answerer {
     double a[max_fields][1], b[max_fields][1];
     gather(block.first, question.fields_first, repeat == Repeat::first, &i, 1, a);
     gather(block.second, question.fields_second, repeat == Repeat::second, &i, 1, b);
-    settle(ask_scalar(question.kind_first, a[0], question.kind_second, b[0]), block.out + i);
+    settle(queries::overlap.doubles.of[question.kind_first][question.kind_second](a, b, nullptr), block.out + i);
   }
 
-  /// Elements that a quick kernel or float lanes left open, in double lanes; what those leave open, one by one.
+  /// Asks in double lanes for elements that a quick kernel or float lanes left undecided. What those leave undecided too is
+  /// asked one by one.
   void retry(const Block<T>& block, Repeat repeat, const std::int32_t* index, std::int32_t n) noexcept {
     RetryBlock retry(n);
     gather(block.first, question.fields_first, repeat == Repeat::first, index, n, retry.first);
     gather(block.second, question.fields_second, repeat == Repeat::second, index, n, retry.second);
-    const BlockResult result = retry.answer(question.double_pair().general[static_cast<int>(Repeat::none)]);
+    const BlockResult result = retry.answer(question.in_double(), Repeat::none);
     tally.overlaps += result.overlaps;
     for (std::int32_t i = 0; i < n; ++i) block.out[index[i]] = retry.answers[i];
     for (std::int32_t i = 0; i < result.undecided; ++i) resolve(block, repeat, index[retry.open[i]]);
   }
 
-  /// All elements of a block in double lanes: for blocks of which float lanes left much open, as near contact.
+  /// Answers a whole block in double lanes: float lanes left much of it undecided, as happens near contact.
   void redo_in_double(const Block<T>& block, Repeat repeat) noexcept {
-    const BlockKernel<double> general = question.double_pair().general[static_cast<int>(repeat)];
+    const Question<double> in_double = question.in_double();
     for (std::int32_t begin = 0; begin < block.count; begin += retry_chunk) {
       const std::int32_t n = block_length(block.count - begin, retry_chunk);
       RetryBlock retry(n);
       widen_stretch(block.first, question.fields_first, repeat == Repeat::first, begin, n, retry.first);
       widen_stretch(block.second, question.fields_second, repeat == Repeat::second, begin, n, retry.second);
-      const BlockResult result = retry.answer(general);
+      const BlockResult result = retry.answer(in_double, repeat);
       tally.overlaps += result.overlaps;
       std::memcpy(block.out + begin, retry.answers, static_cast<std::size_t>(n));
       for (std::int32_t i = 0; i < result.undecided; ++i) resolve(block, repeat, begin + retry.open[i]);
@@ -133,7 +191,7 @@ struct Answerer {
     }
   }
 
-  /// Elements that a kernel left open.
+  /// Answers the elements that a kernel left undecided.
   void finish(const Block<T>& block, Repeat repeat, std::int32_t undecided, bool by_general) noexcept {
     if (undecided <= few || (!is_float && by_general)) {
       for (std::int32_t i = 0; i < undecided; ++i) resolve(block, repeat, block.undecided[i]);
@@ -144,10 +202,10 @@ struct Answerer {
     }
   }
 
-  /// Answers a block by the general kernel, or where float lanes leave much open, as near contact, in double lanes.
+  /// Answers a block by the general kernel, or in double lanes where float lanes leave much undecided.
   void answer_generally(Block<T>& block, Repeat repeat) noexcept {
     block.give_up = is_float ? block.count / 4 : block.count;
-    const BlockResult result = question.pair.general[static_cast<int>(repeat)](block);
+    const BlockResult result = answer_block(question, repeat, question.pair.general[static_cast<int>(repeat)], block);
     if constexpr (is_float) {
       if (result.undecided > block.give_up) return redo_in_double(block, repeat);
     }
@@ -155,12 +213,12 @@ struct Answerer {
     finish(block, repeat, result.undecided, true);
   }
 
-  /// Answers a block by the kernel for unit axes, or where that leaves more open than it is worth, another way.
+  /// Answers a block by the kernel for unit axes. Where that leaves too much undecided to pay, another way is taken.
   void answer(Block<T>& block, Repeat repeat) noexcept {
     const BlockKernel<T> unit = question.pair.unit[static_cast<int>(repeat)];
     if (unit == question.pair.general[static_cast<int>(repeat)]) return answer_generally(block, repeat);
     block.give_up = block.count / 32;
-    const BlockResult result = unit(block);
+    const BlockResult result = answer_block(question, repeat, unit, block);
     if (result.undecided > block.give_up) {
       if constexpr (is_float) {
         if (!general_decides(block, repeat)) return redo_in_double(block, repeat);
@@ -171,8 +229,8 @@ struct Answerer {
     finish(block, repeat, result.undecided, false);
   }
 
-  /// Whether the general kernel decides the first element that the one for unit axes left open: it does where an axis
-  /// is to blame, and does not near contact.
+  /// Whether the general kernel decides the first element that the kernel for unit axes left undecided. It does where the
+  /// cause was an axis of another length, and does not near contact.
   bool general_decides(const Block<T>& block, Repeat repeat) noexcept {
     const std::int32_t i = block.undecided[0];
     std::uint8_t answer;
@@ -186,7 +244,7 @@ struct Answerer {
     one.give_up = 1;
     one.out = &answer;
     one.undecided = &open;
-    return question.pair.general[static_cast<int>(repeat)](one).undecided == 0;
+    return answer_block(question, repeat, question.pair.general[static_cast<int>(repeat)], one).undecided == 0;
   }
 };
 
@@ -209,8 +267,10 @@ Block<T> make_block(const T* const* first, const T* const* second, std::int32_t 
 template <class T, class Place, class Done>
 Tally in_step(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, Place place,
               Done done) noexcept {
-  const Shapes<T>& first = a.kind <= b.kind ? a : b;
-  const Shapes<T>& second = a.kind <= b.kind ? b : a;
+  // Of two shapes of one kind the second never repeats alone: there are no kernels for it.
+  const bool in_order = a.kind < b.kind || (a.kind == b.kind && b.stride != 0);
+  const Shapes<T>& first = in_order ? a : b;
+  const Shapes<T>& second = in_order ? b : a;
   const Question<T> question(kernels, first.kind, second.kind);
   const Repeat repeat = first.stride == 0 ? Repeat::first : second.stride == 0 ? Repeat::second : Repeat::none;
   Answerer<T> answerer{question, {}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Overlap of whole arrays: layouts, blocks, and the way from an undecided lane to its exact answer.
+// Overlap of whole arrays: layouts, blocks, and how an undecided lane gets its exact answer.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +39,7 @@ template <class T>
 Tally select(const KernelTable& kernels, const Shapes<T>& one, const Shapes<T>& many, std::int64_t* out,
              std::int64_t capacity) noexcept;
 
-/// The same for one block of columns, kinds in the order of shapes, n <= 512.
+/// out[i] as in many(), for one block of columns, kinds in the order of shapes, n <= 512.
 Tally overlap_block(const KernelTable& kernels, std::int32_t kind_first, const double* const* first,
                     std::int32_t kind_second, const double* const* second, std::int32_t n, std::uint8_t* out) noexcept;
 

@@ -3,13 +3,10 @@
 #pragma once
 
 #include <cstring>
+#include <vesica/each_shape.hpp>
 #include <vesica/shapes.hpp>
 
 namespace vesica {
-
-/// X(shape, Shape): every shape by its lower-case and its type name, in the order of shapes.
-#define VESICA_EACH_SHAPE(X) \
-  X(point, Point) X(segment, Segment) X(circle, Circle) X(aabb, Aabb) X(rect, Rect) X(ellipse, Ellipse)
 
 inline bool is_kind(std::int32_t kind) noexcept { return kind >= 0 && kind < kind_count; }
 

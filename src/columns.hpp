@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stretch of an array of shapes as contiguous columns: the array's own where it has them, else a copy.
+// Arrays of shapes, read a block at a time. Both engines, overlap's and that of the other queries, read through this.
 #pragma once
 
 #include "batch.hpp"
@@ -14,6 +14,19 @@ inline constexpr std::int32_t block_size = 4096 / sizeof(T);
 
 /// Elements a block holds where no operand needs copying: what is spent on a block then shows less.
 inline constexpr std::int32_t long_block_size = 4096;
+
+constexpr std::int32_t block_length(std::int64_t rest, std::int32_t size) noexcept {
+  return static_cast<std::int32_t>(rest < size ? rest : size);
+}
+
+/// One shape of an array, repeated.
+template <class T>
+Shapes<T> element(const Shapes<T>& shapes, std::int64_t i) noexcept {
+  Shapes<T> one = shapes;
+  one.stride = 0;
+  for (int k = 0; k < field_count(shapes.kind); ++k) one.field[k] = advance(shapes.field[k], i * shapes.stride);
+  return one;
+}
 
 /// Whether any stretch of the array can be read where it lies.
 template <class T>
@@ -30,6 +43,23 @@ bool lies_in_records(const Shapes<T>& shapes, int fields) noexcept {
   return true;
 }
 
+/// Copies elements [begin, begin + n) to columns.
+template <class T, std::size_t length>
+void copy_to_columns(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n,
+                     T (&columns)[max_fields][length]) noexcept {
+  constexpr auto column_length = static_cast<std::int32_t>(length);
+  const int fields = field_count(shapes.kind);
+  const auto at = [&](int k) { return advance(shapes.field[k], begin * shapes.stride); };
+  if (lies_in_columns(shapes)) {
+    for (int k = 0; k < fields; ++k) std::memcpy(columns[k], at(k), static_cast<std::size_t>(n) * sizeof(T));
+  } else if (lies_in_records(shapes, fields)) {
+    records_to_columns(at(0), shapes.stride, fields, n, columns[0], column_length);
+  } else {
+    for (int k = 0; k < fields; ++k) records_to_columns(at(k), shapes.stride, 1, n, columns[k], column_length);
+  }
+}
+
+/// A stretch of an array as contiguous columns: the array's own where it has them, else a copy.
 template <class T>
 struct Columns {
   const T* field[max_fields];
@@ -37,15 +67,11 @@ struct Columns {
 
   /// Elements [begin, begin + n); at most block_size if they must be copied.
   void set(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n) noexcept {
-    const int fields = field_count(shapes.kind);
-    for (int k = 0; k < fields; ++k) field[k] = advance(shapes.field[k], begin * shapes.stride);
-    if (lies_in_columns(shapes) || n == 1) return;
-    if (lies_in_records(shapes, fields)) {
-      records_to_columns(field[0], shapes.stride, fields, n, copy[0], block_size<T>);
-    } else {
-      for (int k = 0; k < fields; ++k) records_to_columns(field[k], shapes.stride, 1, n, copy[k], block_size<T>);
+    const bool in_place = lies_in_columns(shapes) || n == 1;
+    if (!in_place) copy_to_columns(shapes, begin, n, copy);
+    for (int k = 0; k < field_count(shapes.kind); ++k) {
+      field[k] = in_place ? advance(shapes.field[k], begin * shapes.stride) : copy[k];
     }
-    for (int k = 0; k < fields; ++k) field[k] = copy[k];
   }
 };
 

@@ -29,102 +29,140 @@ inline double reach_of(double cx, double cy, double ux, double uy, double hx, do
   return usable ? std::sqrt(square) * (1 + 0x1p-48) + zero : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// A block of shapes of one kind, all numbers as doubles, filled up with the first element to whole vectors.
-struct Operand {
-  std::int32_t kind;
-  bool repeated;
-  double number[max_fields][query_block];
-  double area[query_block] = {};
-  double reach[query_block] = {};
+/// A block of shapes of one kind, all numbers as doubles, in whole vectors.
+class NumberColumns {
+ public:
+  std::int32_t kind() const noexcept { return kind_; }
+  bool repeated() const noexcept { return repeated_; }
 
   /// Elements [begin, begin + n), or one shape repeated.
   template <class T>
-  void set(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n, const Query& query) noexcept {
-    kind = shapes.kind;
-    repeated = shapes.stride == 0;
-    if (repeated) n = 1;
+  void set(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n, const Query& query,
+           const KernelTable& kernels) noexcept {
+    kind_ = shapes.kind;
+    repeated_ = shapes.stride == 0;
+    if (repeated_) n = 1;
     // overlap_block() reads whole columns.
-    const std::int32_t end = repeated && query.known == Known::overlap ? query_block : whole_vectors(n);
-    for (int k = 0; k < field_count(kind); ++k) {
-      const T* from = advance(shapes.field[k], begin * shapes.stride);
-      for (std::int32_t i = 0; i < n; ++i) {
-        T x;
-        std::memcpy(&x, advance(from, i * shapes.stride), sizeof x);
-        number[k][i] = static_cast<double>(x);
-      }
-      for (std::int32_t i = n; i < end; ++i) number[k][i] = number[k][0];
+    const std::int32_t end = repeated_ && query.known == Known::overlap ? query_block : whole_vectors(n);
+    if (!read_in_place(shapes, begin, n, end)) {
+      read(shapes, begin, n, kernels);
+      fill_up(n, end);
+      for (int k = 0; k < max_fields; ++k) number_[k] = copy_[k];
     }
     if (query.shape_area != nullptr) set_areas(n, end, query.shape_area);
-    if (query.known == Known::reach && kind == static_cast<std::int32_t>(Kind::rect)) {
+    if (query.known == Known::reach && kind_ == static_cast<std::int32_t>(Kind::rect)) {
       set_reaches(end, query.shape_area != nullptr);
     }
   }
 
-  /// n > 0 elements of another, filled up likewise.
-  void gather(const Operand& from, const std::int32_t* list, std::int32_t n) noexcept {
-    kind = from.kind;
-    repeated = false;
-    const auto pick = [&](const double(&source)[query_block], double(&to)[query_block]) {
+  /// n > 0 elements of another.
+  void gather(const NumberColumns& from, const std::int32_t* list, std::int32_t n) noexcept {
+    kind_ = from.kind_;
+    repeated_ = false;
+    const auto pick = [&](const double* source, double(&to)[query_block]) {
       for (std::int32_t i = 0; i < whole_vectors(n); ++i) to[i] = source[list[i < n ? i : 0]];
     };
-    for (int k = 0; k < field_count(kind); ++k) pick(from.number[k], number[k]);
-    pick(from.area, area);
-    pick(from.reach, reach);
+    for (int k = 0; k < field_count(kind_); ++k) {
+      pick(from.number_[k], copy_[k]);
+      number_[k] = copy_[k];
+    }
+    pick(from.area_, area_);
+    pick(from.reach_, reach_);
   }
 
-  QueryOperand columns() const noexcept {
-    QueryOperand out{{}, area, reach, repeated};
-    for (int k = 0; k < max_fields; ++k) out.number[k] = number[k];
+  const double* area() const noexcept { return area_; }
+  const double* const* numbers() const noexcept { return number_; }
+
+  QueryOperand operand() const noexcept {
+    QueryOperand out{{}, area_, reach_, repeated_};
+    for (int k = 0; k < max_fields; ++k) out.number[k] = number_[k];
     return out;
   }
 
   void element(std::int32_t i, double (&out)[max_fields]) const noexcept {
-    if (repeated) i = 0;
-    for (int k = 0; k < field_count(kind); ++k) out[k] = number[k][i];
+    for (int k = 0; k < field_count(kind_); ++k) out[k] = number_[k][repeated_ ? 0 : i];
   }
 
  private:
+  std::int32_t kind_;
+  bool repeated_;
+  const double* number_[max_fields] = {};
+  double copy_[max_fields][query_block];
+  double area_[query_block] = {};
+  double reach_[query_block] = {};
+
+  /// Whole vectors of aligned doubles that lie in columns need no copy.
+  bool read_in_place(const Shapes<double>& shapes, std::int64_t begin, std::int32_t n, std::int32_t end) noexcept {
+    if (!lies_in_columns(shapes) || n != end) return false;
+    for (int k = 0; k < field_count(kind_); ++k) {
+      number_[k] = advance(shapes.field[k], begin * shapes.stride);
+      if (reinterpret_cast<std::uintptr_t>(number_[k]) % alignof(double) != 0) return false;
+    }
+    return true;
+  }
+  static bool read_in_place(const Shapes<float>&, std::int64_t, std::int32_t, std::int32_t) noexcept { return false; }
+
+  void read(const Shapes<double>& shapes, std::int64_t begin, std::int32_t n, const KernelTable&) noexcept {
+    copy_to_columns(shapes, begin, n, copy_);
+  }
+  void read(const Shapes<float>& shapes, std::int64_t begin, std::int32_t n, const KernelTable& kernels) noexcept {
+    float narrow[max_fields][query_block];
+    const bool in_place = lies_in_columns(shapes) || n == 1;
+    if (!in_place) copy_to_columns(shapes, begin, n, narrow);
+    for (int k = 0; k < field_count(kind_); ++k) {
+      kernels.widen_column(in_place ? advance(shapes.field[k], begin * shapes.stride) : narrow[k], n, copy_[k]);
+    }
+  }
+
+  /// Whole vectors repeat the first element behind the last one.
+  void fill_up(std::int32_t n, std::int32_t end) noexcept {
+    for (int k = 0; k < field_count(kind_); ++k) {
+      for (std::int32_t i = n; i < end; ++i) copy_[k][i] = copy_[k][0];
+    }
+  }
+
   void set_areas(std::int32_t n, std::int32_t end, ShapeArea shape_area) noexcept {
     for (std::int32_t i = 0; i < n; ++i) {
       double numbers[max_fields];
       element(i, numbers);
-      area[i] = shape_area(kind, numbers);
+      area_[i] = shape_area(kind_, numbers);
     }
-    for (std::int32_t i = n; i < end; ++i) area[i] = area[0];
+    for (std::int32_t i = n; i < end; ++i) area_[i] = area_[0];
   }
 
   void set_reaches(std::int32_t n, bool with_areas) noexcept {
     for (std::int32_t i = 0; i < n; ++i) {
-      reach[i] = reach_of(number[0][i], number[1][i], number[2][i], number[3][i], number[4][i], number[5][i]);
+      reach_[i] = reach_of(number_[0][i], number_[1][i], number_[2][i], number_[3][i], number_[4][i], number_[5][i]);
       // Where areas are asked for, one of 0 is an error for some pairs, and one of odd magnitude needs the scalar care.
-      const bool usual = (area[i] >= 0x1p-700) & (area[i] <= 0x1p700);
-      if (with_areas && !usual) reach[i] = std::numeric_limits<double>::quiet_NaN();
+      const bool usual = (area_[i] >= 0x1p-700) & (area_[i] <= 0x1p700);
+      if (with_areas && !usual) reach_[i] = std::numeric_limits<double>::quiet_NaN();
     }
   }
 };
 
 struct Pairs {
-  Operand a, b;
+  NumberColumns a, b;
   std::int32_t n;
 
-  bool reversed() const noexcept { return a.kind > b.kind; }
-  const Operand& first() const noexcept { return reversed() ? b : a; }
-  const Operand& second() const noexcept { return reversed() ? a : b; }
+  bool reversed() const noexcept { return a.kind() > b.kind(); }
+  const NumberColumns& first() const noexcept { return reversed() ? b : a; }
+  const NumberColumns& second() const noexcept { return reversed() ? a : b; }
 };
 
 using Results = double[max_results][query_block];
 
-/// Relation codes seen from the other shape.
-constexpr double converse[] = {0, 1, 2, 5, 6, 3, 4, 7};
-
-/// Results of (second, first) as those of (first, second), but for exchanged points, which the kernel wrote in place.
-void reverse(Reversal reversal, std::int32_t n, Results& results) noexcept {
-  for (std::int32_t i = 0; i < n; ++i) {
-    if (std::isnan(results[0][i])) continue;
-    if (reversal == Reversal::converse) results[0][i] = converse[static_cast<int>(results[0][i])];
-    if (reversal == Reversal::direction) {
+/// Kernel results of (second, first) as those of (first, second). Points were exchanged as the kernel wrote them.
+void reverse_columns(Reversal reversal, std::int32_t n, Results& results) noexcept {
+  if (reversal == Reversal::direction) {
+    for (std::int32_t i = 0; i < n; ++i) {
       results[1][i] = 0 - results[1][i];  // no -0
       results[2][i] = 0 - results[2][i];
+    }
+  }
+  if (reversal == Reversal::converse) {
+    for (std::int32_t i = 0; i < n; ++i) {
+      if (std::isnan(results[0][i])) continue;
+      results[0][i] = static_cast<double>(converse(static_cast<Relation>(static_cast<int>(results[0][i]))));
     }
   }
 }
@@ -145,12 +183,12 @@ std::int32_t mend(const Query& query, std::int32_t n, const Results& results, St
   std::int32_t error = 0;
   for (std::int32_t i = 0; i < n; ++i) {
     bool in_range = true;
-    for (int k = 0; k < query.results; ++k) in_range = in_range && !std::isinf(out[k][i]);
+    for (int k = 0; k < query.columns(); ++k) in_range = in_range && !std::isinf(out[k][i]);
     const bool lost = query.is_length && out[0][i] == 0 && results[0][i] > 0;
     if (lost) out[0][i] = std::numeric_limits<float>::denorm_min();
     if (in_range) continue;
     error = error_range;
-    for (int k = 0; k < query.results; ++k) out[k][i] = std::numeric_limits<float>::quiet_NaN();
+    for (int k = 0; k < query.columns(); ++k) out[k][i] = std::numeric_limits<float>::quiet_NaN();
   }
   return error;
 }
@@ -158,14 +196,15 @@ std::int32_t mend(const Query& query, std::int32_t n, const Results& results, St
 /// Rounds n results once, as the scalar functions do. A float beyond the range is an error.
 std::int32_t store(const Query& query, std::int32_t n, const Results& results, Stored<float>& out) noexcept {
   bool in_range = true;
-  for (int k = 0; k < query.results; ++k) {
+  for (int k = 0; k < query.columns(); ++k) {
     for (std::int32_t i = 0; i < n; ++i) out[k][i] = static_cast<float>(results[k][i]);
     in_range = in_range && !any_infinite(out[k], n);
   }
   return in_range && !query.is_length ? 0 : mend(query, n, results, out);
 }
 std::int32_t store(const Query& query, std::int32_t n, const Results& results, Stored<double>& out) noexcept {
-  for (int k = 0; k < query.results; ++k) std::memcpy(out[k], results[k], static_cast<std::size_t>(n) * sizeof(double));
+  for (int k = 0; k < query.columns(); ++k)
+    std::memcpy(out[k], results[k], static_cast<std::size_t>(n) * sizeof(double));
   return 0;
 }
 std::int32_t store(const Query&, std::int32_t n, const Results& results, Stored<std::uint8_t>& out) noexcept {
@@ -193,25 +232,29 @@ class Engine {
   const Query& query_;
   const KernelTable& kernels_;
   std::int32_t error_ = 0;
-  Operand first_near_, second_near_;
+  NumberColumns first_near_, second_near_;
 
   void answer(const Query& query, const Pairs& pairs, Results& results) noexcept {
-    if (query.from_relation != nullptr) {
-      answer(*query.relation, pairs, results);
-      for (std::int32_t i = 0; i < pairs.n; ++i) results[0][i] = query.from_relation(results[0][i]);
+    if (query.asked_instead != nullptr) {
+      answer(*query.asked_instead, pairs, results);
+      for (std::int32_t i = 0; i < pairs.n; ++i) results[0][i] = query.from_code(results[0][i]);
       return;
     }
-    const QueryKernel kernel = (kernels_.queries->*query.kernels)[pairs.first().kind][pairs.second().kind];
+    const QueryKernel kernel = kernel_of(query, pairs.first().kind(), pairs.second().kind());
     if (kernel != nullptr && ask_kernel(kernel, query, pairs, results)) return;
     for (std::int32_t i = 0; i < pairs.n; ++i) {
       if (kernel == nullptr || std::isnan(results[0][i])) ask_scalar(query, pairs, i, results);
     }
   }
 
+  QueryKernel kernel_of(const Query& query, std::int32_t first, std::int32_t second) const noexcept {
+    return query.kernels == nullptr ? nullptr : (kernels_.queries->*query.kernels)[first][second];
+  }
+
   /// Whether that answered all.
   bool ask_kernel(QueryKernel kernel, const Query& query, const Pairs& pairs, Results& results) noexcept {
     double known[query_block];
-    const QueryColumns asked{pairs.first().columns(), pairs.second().columns(), known};
+    const QueryColumns asked{pairs.first().operand(), pairs.second().operand(), known};
     tell(query, pairs, asked, known);
     if (query.known == Known::reach) {
       std::int32_t near[query_block];
@@ -224,7 +267,7 @@ class Engine {
       std::swap(columns[2], columns[4]);
     }
     const bool all_settled = kernel(asked, whole_vectors(pairs.n), columns);
-    if (pairs.reversed()) reverse(query.reversal, pairs.n, results);
+    if (pairs.reversed()) reverse_columns(query.reversal, pairs.n, results);
     return all_settled;
   }
 
@@ -246,7 +289,7 @@ class Engine {
     for (std::int32_t i = 0; i < pairs.n; ++i) results[0][i] = 0;
     if (count == 0) return true;
     const QueryColumns asked{gathered(pairs.first(), list, count, first_near_),
-                             gathered(pairs.second(), list, count, second_near_), first_near_.area};
+                             gathered(pairs.second(), list, count, second_near_), first_near_.area()};
     double found[query_block];
     double* columns[max_results] = {found};
     const bool all_settled = kernel(asked, whole_vectors(count), columns);
@@ -254,11 +297,11 @@ class Engine {
     return all_settled;
   }
 
-  static QueryOperand gathered(const Operand& from, const std::int32_t* list, std::int32_t count,
-                               Operand& room) noexcept {
-    if (from.repeated) return from.columns();
+  static QueryOperand gathered(const NumberColumns& from, const std::int32_t* list, std::int32_t count,
+                               NumberColumns& room) noexcept {
+    if (from.repeated()) return from.operand();
     room.gather(from, list, count);
-    return room.columns();
+    return room.operand();
   }
 
   /// Whether they overlap. Errors show again when the scalar function is asked.
@@ -266,7 +309,7 @@ class Engine {
     if (query.known == Known::overlap) {
       std::uint8_t bytes[query_block];
       const std::int32_t n = whole_vectors(pairs.n);
-      overlap_block(kernels_, pairs.first().kind, asked.first.number, pairs.second().kind, asked.second.number, n,
+      overlap_block(kernels_, pairs.first().kind(), asked.first.number, pairs.second().kind(), asked.second.number, n,
                     bytes);
       for (std::int32_t i = 0; i < n; ++i) known[i] = bytes[i];
     }
@@ -280,10 +323,11 @@ class Engine {
     double a[max_fields], b[max_fields], numbers[max_results];
     pairs.a.element(i, a);
     pairs.b.element(i, b);
-    const std::int32_t error = query.answer(pairs.a.kind, a, pairs.b.kind, b, numbers);
-    note(error);
-    for (int k = 0; k < query.results; ++k) {
-      results[k][i] = error < 0 ? std::numeric_limits<double>::quiet_NaN() : numbers[k];
+    const std::int32_t code = query.doubles.of[pairs.a.kind()][pairs.b.kind()](a, b, numbers);
+    note(code);
+    if (query.numbers == 0) numbers[0] = code;
+    for (int k = 0; k < query.columns(); ++k) {
+      results[k][i] = code < 0 ? std::numeric_limits<double>::quiet_NaN() : numbers[k];
     }
   }
 };
@@ -293,10 +337,6 @@ std::int64_t count(const Query& query, const Out* numbers, std::int32_t n) noexc
   std::int32_t count = 0;
   for (std::int32_t i = 0; i < n; ++i) count += query.counts_zero ? numbers[i] == 0 : numbers[i] > 0;
   return count;
-}
-
-std::int32_t block_length(std::int64_t rest) noexcept {
-  return static_cast<std::int32_t>(rest < query_block ? rest : query_block);
 }
 
 }  // namespace
@@ -309,12 +349,12 @@ QueryTally query_many(const Query& query, const KernelTable& kernels, const Shap
   Stored<Out> results;
   std::int64_t counted = 0;
   for (std::int64_t begin = 0; begin < n; begin += query_block) {
-    pairs.n = block_length(n - begin);
-    if (begin == 0 || a.stride != 0) pairs.a.set(a, begin, pairs.n, query);
-    if (begin == 0 || b.stride != 0) pairs.b.set(b, begin, pairs.n, query);
+    pairs.n = block_length(n - begin, query_block);
+    if (begin == 0 || a.stride != 0) pairs.a.set(a, begin, pairs.n, query, kernels);
+    if (begin == 0 || b.stride != 0) pairs.b.set(b, begin, pairs.n, query, kernels);
     engine.answer<Out>(pairs, results);
     counted += count(query, results[0], pairs.n);
-    for (int k = 0; k < query.results; ++k) {
+    for (int k = 0; k < query.columns(); ++k) {
       if (columns[k] == nullptr) continue;
       std::memcpy(columns[k] + begin, results[k], static_cast<std::size_t>(pairs.n) * sizeof(Out));
     }
@@ -330,13 +370,10 @@ QueryTally query_matrix(const Query& query, const KernelTable& kernels, const Sh
   Stored<Out> results;
   std::int64_t counted = 0;
   for (std::int64_t begin = 0; begin < b.count; begin += query_block) {
-    pairs.n = block_length(b.count - begin);
-    pairs.b.set(b, begin, pairs.n, query);
+    pairs.n = block_length(b.count - begin, query_block);
+    pairs.b.set(b, begin, pairs.n, query, kernels);
     for (std::int64_t row = 0; row < a.count; ++row) {
-      Shapes<T> one = a;
-      one.stride = 0;
-      for (int k = 0; k < field_count(a.kind); ++k) one.field[k] = advance(a.field[k], row * a.stride);
-      pairs.a.set(one, 0, pairs.n, query);
+      pairs.a.set(element(a, row), 0, pairs.n, query, kernels);
       engine.answer<Out>(pairs, results);
       counted += count(query, results[0], pairs.n);
       std::memcpy(out + row * row_stride + begin, results[0], static_cast<std::size_t>(pairs.n) * sizeof(Out));

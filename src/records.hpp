@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records to columns, a few records at a time: vectors of 16 bytes, which every processor built for has.
+// Copies records to columns by transposing a few records at a time. Vectors of 16 bytes are used, which every supported
+// processor has.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +14,7 @@ const T* advance(const T* p, std::ptrdiff_t bytes) noexcept {
   return reinterpret_cast<const T*>(reinterpret_cast<const unsigned char*>(p) + bytes);
 }
 
-/// As many numbers of a record as fit, and as many records are turned at once.
+/// 16 bytes of a record. As many records as a row has numbers are transposed at once.
 template <class T>
 using Row [[gnu::vector_size(16)]] = T;
 template <class T>
@@ -50,7 +51,8 @@ void transpose_rows(const T* from, std::ptrdiff_t stride, std::int32_t n, T* col
   }
 }
 
-/// Copies n records of `fields` numbers, side by side, to columns. The last row of a record may overlap the one before.
+/// Copies n records of `fields` adjacent numbers to columns. Where a record is not a whole number of rows, its last row
+/// overlaps the one before.
 template <class T>
 void records_to_columns(const T* from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
                         std::int32_t column_length) noexcept {

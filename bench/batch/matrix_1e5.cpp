@@ -29,8 +29,8 @@ Result run_matrix_1e5(const Spec& spec) {
   const std::size_t bytes = rows_of_window * columns_of_matrix;
   const Memory<std::uint8_t> out = allocate<std::uint8_t>(bytes);
   std::fill_n(out.get(), bytes, std::uint8_t{0});
-  Batch<T> hot(spec.kind_a, spec.kind_b, batch_length<T>);
-  const Memory<std::uint8_t> lane_out = allocate<std::uint8_t>(rows_in_cache * batch_length<T>);
+  Batch<T> few(spec.kind_a, spec.kind_b, batch_length<T>);
+  const Memory<std::uint8_t> out_in_cache = allocate<std::uint8_t>(rows_in_cache * batch_length<T>);
 
   std::size_t slice = 0;
   std::int64_t hits = 0, slices = 0;
@@ -44,13 +44,13 @@ Result run_matrix_1e5(const Spec& spec) {
     return found.overlaps;
   };
   const Pass in_cache = [&] {
-    return batch::matrix<T>(*spec.isa->kernels, lanes.a.shapes(rows_in_cache), lanes.b.shapes(batch_length<T>),
-                            lane_out.get(), batch_length<T>)
+    return batch::matrix<T>(*spec.isa->kernels, few.a.shapes(rows_in_cache), few.b.shapes(batch_length<T>),
+                            out_in_cache.get(), batch_length<T>)
         .overlaps;
   };
   const auto draw = [&](std::uint64_t round) {
     fill(a, pool.a, stretch_of_round(round, pool.a.capacity(), 1).a);
-    lanes.draw(pool, round, rows_in_cache, batch_length<T>);
+    few.draw(pool, round, rows_in_cache, batch_length<T>);
   };
   const auto times = contest(draw, {in_slices, in_cache}, {.seconds = 0.5, .rounds = 15, .long_passes = true});
 

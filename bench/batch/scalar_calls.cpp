@@ -3,6 +3,7 @@
 
 #include <map>
 #include <tuple>
+#include <vesica/each_shape.hpp>
 
 #include "batch/contest.hpp"
 #include "batch/pools.hpp"
@@ -30,36 +31,21 @@ double time_of_call(const Pool& pool) {
   return median(times[0]) / static_cast<double>(pairs_per_pass);
 }
 
-template <auto... call>
-std::vector<ScalarCall> list_of() {
-  return {{kind_of<typename Arguments<decltype(call)>::A>, kind_of<typename Arguments<decltype(call)>::B>,
-           std::is_same_v<typename Described<typename Arguments<decltype(call)>::A>::Scalar, float>,
-           time_of_call<call>}...};
+template <auto call>
+ScalarCall scalar_call() {
+  using Call = Arguments<decltype(call)>;
+  return {kind_of<typename Call::A>, kind_of<typename Call::B>,
+          std::is_same_v<typename Described<typename Call::A>::Scalar, float>, time_of_call<call>};
 }
 
-std::vector<ScalarCall> calls_f64() {
-  return list_of<vesica_overlap_point_point_f64, vesica_overlap_point_segment_f64, vesica_overlap_point_circle_f64,
-                 vesica_overlap_point_aabb_f64, vesica_overlap_point_rect_f64, vesica_overlap_point_ellipse_f64,
-                 vesica_overlap_segment_segment_f64, vesica_overlap_segment_circle_f64, vesica_overlap_segment_aabb_f64,
-                 vesica_overlap_segment_rect_f64, vesica_overlap_segment_ellipse_f64, vesica_overlap_circle_circle_f64,
-                 vesica_overlap_circle_aabb_f64, vesica_overlap_circle_rect_f64, vesica_overlap_circle_ellipse_f64,
-                 vesica_overlap_aabb_aabb_f64, vesica_overlap_aabb_rect_f64, vesica_overlap_aabb_ellipse_f64,
-                 vesica_overlap_rect_rect_f64, vesica_overlap_rect_ellipse_f64, vesica_overlap_ellipse_ellipse_f64>();
-}
-
-std::vector<ScalarCall> calls_f32() {
-  return list_of<vesica_overlap_point_point_f32, vesica_overlap_point_segment_f32, vesica_overlap_point_circle_f32,
-                 vesica_overlap_point_aabb_f32, vesica_overlap_point_rect_f32, vesica_overlap_point_ellipse_f32,
-                 vesica_overlap_segment_segment_f32, vesica_overlap_segment_circle_f32, vesica_overlap_segment_aabb_f32,
-                 vesica_overlap_segment_rect_f32, vesica_overlap_segment_ellipse_f32, vesica_overlap_circle_circle_f32,
-                 vesica_overlap_circle_aabb_f32, vesica_overlap_circle_rect_f32, vesica_overlap_circle_ellipse_f32,
-                 vesica_overlap_aabb_aabb_f32, vesica_overlap_aabb_rect_f32, vesica_overlap_aabb_ellipse_f32,
-                 vesica_overlap_rect_rect_f32, vesica_overlap_rect_ellipse_f32, vesica_overlap_ellipse_ellipse_f32>();
-}
+#define VESICA_CALLS(a, A, b, B) \
+  scalar_call<vesica_overlap_##a##_##b##_f64>(), scalar_call<vesica_overlap_##a##_##b##_f32>(),
+const ScalarCall calls[] = {VESICA_EACH_PAIR(VESICA_CALLS)};
+#undef VESICA_CALLS
 
 double measured(const Spec& spec) {
-  for (const ScalarCall& call : spec.single ? calls_f32() : calls_f64()) {
-    if (call.kind_a == spec.kind_a && call.kind_b == spec.kind_b) {
+  for (const ScalarCall& call : calls) {
+    if (call.single == spec.single && call.kind_a == spec.kind_a && call.kind_b == spec.kind_b) {
       return call.time(pool_of(spec.kind_a, spec.kind_b, Workload::mixed));
     }
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// area(a, b): the area of the intersection of two shapes. iou(a, b): that over the area of their union.
 ///
-/// Which case a pair is in, apart, one inside the other, equal or crossing, is decided by relation(), exactly; only the
-/// area of a crossing pair is computed. Laws, each tested, without a tolerance: area(a, b) == area(b, a);
+/// relation() decides exactly whether the shapes are disjoint, nested, equal or crossing; only the area of a crossing
+/// pair is computed here. Laws, each tested, without a tolerance: area(a, b) == area(b, a);
 /// 0 for shapes that are disjoint, touch, or have no area; shape_area() of the inner one where one contains the other;
 /// never more than the area of either; more than 0 where insides meet, unless that underflows; 0 <= iou <= 1, and 1 for
 /// equal shapes; times 4^k, or unchanged for iou, when both shapes are scaled by 2^k without leaving the format.
@@ -25,15 +25,12 @@ namespace vesica {
 
 namespace detail::area {
 
-inline Oval<double> oval(const Circle<double>& s) noexcept { return {1, 0, s.r, s.r}; }
-inline Oval<double> oval(const Ellipse<double>& s) noexcept { return {s.ux, s.uy, s.a, s.b}; }
-
 template <class Shape>
 inline constexpr bool is_box = ShapeTraits<Shape>::kind == Kind::aabb || ShapeTraits<Shape>::kind == Kind::rect;
 template <class Shape>
 inline constexpr bool has_area = ShapeTraits<Shape>::kind >= Kind::circle;
 
-/// The core of a pair, from shapes as they are or in standard units.
+/// The area of a crossing pair by the pair's core, from shapes as stored or in standard units.
 template <class A, class B>
 VESICA_INLINE Settled<double, bool> crossing_area(const filter::Box<double>& a, const filter::Box<double>& b,
                                                   const filter::Centre<double>& d) noexcept {
@@ -48,14 +45,9 @@ VESICA_INLINE Settled<double, bool> crossing_area(const filter::Box<double>& a, 
   }
 }
 
-inline filter::Box<double> core_form(const Rect<double>& s) noexcept { return filter::box(s); }
-inline filter::Box<double> core_form(const Aabb<double>& s) noexcept { return filter::box(s); }
-inline filter::Box<double> core_form(const Circle<double>& s) noexcept { return {1, 0, s.r, s.r}; }
-inline filter::Box<double> core_form(const Ellipse<double>& s) noexcept { return {s.ux, s.uy, s.a, s.b}; }
-
 template <class A, class B>
 VESICA_INLINE Settled<double, bool> quick_area(const A& a, const B& b) noexcept {
-  return crossing_area<A, B>(core_form(a), core_form(b), filter::offset(filter::place(a), filter::place(b)));
+  return crossing_area<A, B>(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
 }
 
 /// Which of two shapes of a form is to be the frame.
@@ -128,7 +120,8 @@ Measure precise_area(const A& a, const B& b, const Measure& area_a, const Measur
   }
 }
 
-/// Insides that meet share something, if less than can be told; and never more than the lesser has.
+/// Insides that meet share some area, and never more than the lesser shape has. A computed area that is not positive is
+/// replaced by one far below the accuracy.
 inline Measure between_bounds(const Measure& area, const Measure& least) noexcept {
   if (!(area.value > 0)) return {least.value, least.exponent - 120};
   return detail::area::least(area, least);
@@ -140,11 +133,12 @@ struct Shares {
   bool equal;
 };
 
-/// The relation, with a short way to equality: detections come in twice, and exact arithmetic takes a microsecond.
+/// The relation, with a short way to equality: detections often come twice, and exact arithmetic takes a microsecond.
 template <class A, class B>
 std::int32_t relation_of(const A& a, const B& b) noexcept {
   if constexpr (std::is_same_v<A, B>) {
-    if (std::memcmp(&a, &b, sizeof a) == 0)
+    // Bits, not values: shapes that differ in the sign of a zero go the long way.
+    if (std::memcmp(&a, &b, sizeof a) == 0)  // NOLINT(bugprone-suspicious-memory-comparison)
       return check(a) == 0 ? static_cast<std::int32_t>(Relation::equal) : error_shape;
   }
   return relation_or_error(a, b);
@@ -210,19 +204,22 @@ std::int32_t shared_measure(const A& a, const B& b, detail::area::Measure& out) 
 }
 
 /// shared / (a + b - shared), in an order in which nothing exceeds 1.
-inline double ratio_of_union(const detail::area::Measure& shared, const detail::area::Measure& a, const detail::area::Measure& b) noexcept {
-  const detail::area::Measure most = detail::area::standard(detail::area::less(a, b) ? b : a), lesser = detail::area::least(a, b);
+inline double ratio_of_union(const detail::area::Measure& shared, const detail::area::Measure& a,
+                             const detail::area::Measure& b) noexcept {
+  const detail::area::Measure most = detail::area::standard(detail::area::less(a, b) ? b : a),
+                              lesser = detail::area::least(a, b);
   const detail::area::Measure part = detail::area::standard(shared);
   const int unit = most.exponent;
   const double rest = detail::area::in_units(lesser, unit) - detail::area::in_units(part, unit);
   const double all = most.value + rest;
-  return scale(part.value / all, part.exponent - unit);
+  return arithmetic::scale(part.value / all, part.exponent - unit);
 }
 
 }  // namespace detail
 
-/// The area of the intersection. Any kinds, in either order; points and segments have none. Returns 0, error_shape, or
-/// error_range when the area would be beyond the finite numbers; on error `out` is untouched.
+/// The checked form: writes the area of the intersection. Any kinds, in either order; points and segments have none.
+/// Returns 0, error_shape, or error_range when the area would be beyond the finite numbers; on error `out` is
+/// untouched.
 template <template <class> class A, template <class> class B, class T>
 std::int32_t area_or_error(const A<T>& a, const B<T>& b, T& out) noexcept {
   if constexpr (!detail::in_order<A<T>, B<T>>) {
@@ -234,7 +231,8 @@ std::int32_t area_or_error(const A<T>& a, const B<T>& b, T& out) noexcept {
   }
 }
 
-/// The same as a value: 0 where a shape is invalid, the greatest finite number for an area beyond it.
+/// The area of the intersection. For valid shapes: it is 0 where one is invalid, and the greatest finite number for an
+/// area beyond it. area_or_error() is the checked form.
 template <template <class> class A, template <class> class B, class T>
 T area(const A<T>& a, const B<T>& b) noexcept {
   T out = 0;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 /// boundary_distance(a, b): how far apart are two outlines, and where do they come closest?
 ///
-/// The outline of a shape with area is the curve around it; of a point or a segment (any shape with a zero size) it is
-/// all of it. Outlines that share a point have distance 0, and both closest points are one such point. Disjoint shapes
-/// give what nearest() gives. Of nested shapes the inner one lies strictly inside: then it is the least distance over
-/// the whole outline, never a local minimum. Several pairs of points may be equally close; then it is one of them.
-/// Which case it is, relation() decides exactly.
+/// The outline of a shape with area is the curve around it. The outline of a point, a segment, or any shape with a zero
+/// size is the whole shape. Outlines that share a point have distance 0, and both closest points are one such point.
+/// Disjoint shapes give what nearest() gives. If one shape lies strictly inside the other, the answer is the least
+/// distance over the whole outline, never a local minimum only. If several pairs of points are equally close, the
+/// answer is one of them. relation() decides exactly which case it is.
 ///
 /// Accuracy, u = 2^-53 and scale the largest coordinate of the offset of centres or half length: the distance is right
 /// to 4u scale at aspect ratios up to 1e6, and never rounded to 0 where outlines are apart; each point is within 4u
@@ -18,29 +18,30 @@
 #include <limits>
 #include <vesica/boundary_distance/box_box.hpp>
 #include <vesica/boundary_distance/common_point.hpp>
+#include <vesica/boundary_distance/lane_pairs.hpp>
 #include <vesica/boundary_distance/nested.hpp>
-#include <vesica/least/lane_pairs.hpp>
 #include <vesica/nearest.hpp>
 #include <vesica/relation.hpp>
 
 namespace vesica {
 
-namespace detail {
+namespace detail::boundary_distance {
 
 /// Outlines of which one is strictly inside the other.
-inline ClosestPoints<double> nested_outlines(const outline::Form& outer, const outline::Form& inner) noexcept {
+inline ClosestPoints<double> nested_outlines(const Form& outer, const Form& inner) noexcept {
   if (!outer.curved && !inner.curved) {
-    const auto boxes = outline::nested_boxes(outline::box_pair(outer, inner));
+    const auto boxes = nested_boxes(box_pair(outer, inner));
     if (boxes.settled) {
-      const outline::Vector p = outline::located(outer, {boxes.outer_x, boxes.outer_y}, 0);
-      const outline::Vector q = outline::located(inner, {boxes.inner_x, boxes.inner_y}, 0);
+      const PlaneVector p = located(outer, {boxes.outer_x, boxes.outer_y}, 0);
+      const PlaneVector q = located(inner, {boxes.inner_x, boxes.inner_y}, 0);
       return {boxes.distance, p.x, p.y, q.x, q.y};
     }
   }
-  const outline::Nested n = outline::nested_distance(outer, inner);
-  const outline::Vector p = outline::located(outer, n.outer, n.exponent);
-  const outline::Vector q = outline::located(inner, n.inner, n.exponent);
-  const double distance = std::fmax(scale(n.distance, n.exponent), std::numeric_limits<double>::denorm_min());
+  const Nested n = nested_distance(outer, inner);
+  const PlaneVector p = located(outer, n.outer, n.exponent);
+  const PlaneVector q = located(inner, n.inner, n.exponent);
+  const double distance =
+      std::fmax(arithmetic::scale(n.distance, n.exponent), std::numeric_limits<double>::denorm_min());
   return {distance, p.x, p.y, q.x, q.y};
 }
 
@@ -48,51 +49,55 @@ inline ClosestPoints<double> points_exchanged(const ClosestPoints<double>& c) no
   return {c.distance, c.bx, c.by, c.ax, c.ay};
 }
 
-inline ClosestPoints<double> closest_outline_points(Relation relation, const outline::Form& a,
-                                                    const outline::Form& b) noexcept {
-  if (relation == Relation::inside && !outline::flat(b)) return points_exchanged(nested_outlines(b, a));
-  if (relation == Relation::contains && !outline::flat(a)) return nested_outlines(a, b);
-  const outline::Vector p = outline::common_outline_point(a, b);
+inline ClosestPoints<double> closest_points_of_forms(Relation relation, const Form& a, const Form& b) noexcept {
+  if (relation == Relation::inside && !flat(b)) return points_exchanged(nested_outlines(b, a));
+  if (relation == Relation::contains && !flat(a)) return nested_outlines(a, b);
+  const PlaneVector p = common_outline_point(a, b);
   return {0, p.x, p.y, p.x, p.y};
 }
 
-/// The pairs whose common case batches answer in lanes have the same core here, if one is inside the other; false where
-/// it is not settled.
+/// The pairs that batches answer in lanes use the same core here if one shape is inside the other. Returns false where
+/// that core is not settled.
 template <class A, class B>
 bool settled_outlines(const A&, const B&, Relation, ClosestPoints<double>&) noexcept {
   return false;
 }
 template <class A>
 bool settled_outlines(const A& a, const Ellipse<double>& b, Relation relation, ClosestPoints<double>& out) noexcept {
-  if constexpr (detail::nearest::has_lanes<A, Ellipse<double>>) {
+  if constexpr (nearest::has_lanes<A, Ellipse<double>>) {
     const bool inside = relation == Relation::inside;
     if (!inside && relation != Relation::contains) return false;
-    const auto lanes = least::lane_nested(a, b, inside, false);
+    const auto lanes = lane_nested(a, b, inside, false);
     if (lanes.settled) out = {lanes.distance, lanes.ax, lanes.ay, lanes.bx, lanes.by};
     return lanes.settled;
   }
   return false;
 }
 
-}  // namespace detail
+template <class A, class B>
+ClosestPoints<double> closest_outline_points(Relation relation, const A& a, const B& b) noexcept {
+  return closest_points_of_forms(relation, support_minimum::form(a), support_minimum::form(b));
+}
 
-/// Writes the distance of the outlines of two shapes of any kinds, in either order, and their closest points. Returns
-/// 0, error_shape when either is invalid, or error_range when a number would exceed the largest finite one; on error
-/// `out` is untouched.
+}  // namespace detail::boundary_distance
+
+/// The checked form: writes the distance of the outlines of two shapes of any kinds, in either order, and their closest
+/// points. Returns 0, error_shape when either is invalid, or error_range when a number would exceed the largest finite
+/// one; on error `out` is untouched.
 template <template <class> class A, template <class> class B>
 std::int32_t boundary_distance_or_error(const A<double>& a, const B<double>& b, ClosestPoints<double>& out) noexcept {
   if constexpr (!detail::in_order<A<double>, B<double>>) {
     ClosestPoints<double> found;
     const std::int32_t error = boundary_distance_or_error(b, a, found);
-    if (error == 0) out = detail::points_exchanged(found);
+    if (error == 0) out = detail::boundary_distance::points_exchanged(found);
     return error;
   } else {
     const std::int32_t relation = relation_or_error(a, b);
     if (relation < 0) return relation;
     if (relation == static_cast<std::int32_t>(Relation::disjoint)) return nearest_or_error(a, b, out);
     ClosestPoints<double> found;
-    if (!detail::settled_outlines(a, b, static_cast<Relation>(relation), found)) {
-      found = detail::closest_outline_points(static_cast<Relation>(relation), outline::form(a), outline::form(b));
+    if (!detail::boundary_distance::settled_outlines(a, b, static_cast<Relation>(relation), found)) {
+      found = detail::boundary_distance::closest_outline_points(static_cast<Relation>(relation), a, b);
     }
     return detail::nearest::rounded_to(found, found.distance == 0, out) ? 0 : error_range;
   }
@@ -106,8 +111,8 @@ std::int32_t boundary_distance_or_error(const A<float>& a, const B<float>& b, Cl
   return detail::nearest::rounded_to(wide, wide.distance == 0, out) ? 0 : error_range;
 }
 
-/// The distance of the outlines of two valid shapes and their closest points; NaN where boundary_distance_or_error()
-/// has an error.
+/// The distance of the outlines of two shapes and their closest points. For valid shapes: all numbers are NaN where
+/// boundary_distance_or_error(), the checked form, returns an error.
 template <template <class> class A, template <class> class B, class T>
 ClosestPoints<T> boundary_distance(const A<T>& a, const B<T>& b) noexcept {
   constexpr T none = std::numeric_limits<T>::quiet_NaN();

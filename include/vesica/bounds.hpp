@@ -5,14 +5,14 @@
 
 #include <cmath>
 #include <limits>
+#include <vesica/arithmetic/rounding.hpp>
 #include <vesica/check.hpp>
-#include <vesica/directed.hpp>
 #include <vesica/exact/number.hpp>
 #include <vesica/shapes.hpp>
 
 namespace vesica {
 
-namespace detail {
+namespace detail::bounds {
 
 /// Along one coordinate a shape reaches from c - extent to c + extent, where the extent is |p0 q0| + |p1 q1| for
 /// a rectangle and sqrt((p0 q0)^2 + (p1 q1)^2) for an ellipse.
@@ -20,8 +20,10 @@ struct Reach {
   double c, p0, q0, p1, q1;
 };
 
-/// A place to start looking from, without a promise.
-inline directed::Estimate unknown(double guess) noexcept { return {guess, 0, std::numeric_limits<double>::infinity()}; }
+/// A guess for a search to start from; nothing is known of its error.
+inline arithmetic::Estimate unknown(double guess) noexcept {
+  return {guess, 0, std::numeric_limits<double>::infinity()};
+}
 
 /// Whether the product of p and q is 0 exactly, or lies where its square and the remainders have full precision.
 inline bool in_range(double p, double q, double product) noexcept {
@@ -29,30 +31,34 @@ inline bool in_range(double p, double q, double product) noexcept {
 }
 
 /// |p0 q0| + |p1 q1|. The error is 0 when high + low is all of it, as it is for numbers of few digits.
-inline directed::Estimate estimate_sum(const directed::Pair& x, const directed::Pair& y) noexcept {
-  const auto [high, a] = directed::sum(x.high, y.high);
-  const auto [b, c] = directed::sum(x.low, y.low);
-  const auto [low, d] = directed::sum(a, b);
+inline arithmetic::Estimate estimate_sum(const arithmetic::Pair<double>& x,
+                                         const arithmetic::Pair<double>& y) noexcept {
+  const auto [high, a] = arithmetic::two_sum(x.high, y.high);
+  const auto [b, c] = arithmetic::two_sum(x.low, y.low);
+  const auto [low, d] = arithmetic::two_sum(a, b);
   return {high, low, (std::fabs(c) + std::fabs(d)) * (1 + 0x1p-50)};
 }
 
 /// sqrt(x^2 + y^2): a rounded root and one Newton step. The root h is off by at most 2u h (u = 2^-53), so the residual
 /// x^2 + y^2 - h^2 is a sum of seven terms of together at most 11u h^2; their rounding and the two squares left out
 /// cost 82u^2 h^2, the division and Newton's own error 21u^2 h more: below 64u^2 h altogether, and 128u^2 is claimed.
-inline directed::Estimate estimate_root(const directed::Pair& x, const directed::Pair& y) noexcept {
-  const auto xx = directed::product(x.high, x.high), yy = directed::product(y.high, y.high);
-  const auto squares = directed::sum(xx.high, yy.high);
+inline arithmetic::Estimate estimate_root(const arithmetic::Pair<double>& x,
+                                          const arithmetic::Pair<double>& y) noexcept {
+  const auto xx = arithmetic::two_product_fused(x.high, x.high), yy = arithmetic::two_product_fused(y.high, y.high);
+  const auto squares = arithmetic::two_sum(xx.high, yy.high);
   const double root = std::sqrt(squares.high);
-  const auto rr = directed::product(root, root);
+  const auto rr = arithmetic::two_product_fused(root, root);
   const double lows = ((xx.low + yy.low) - rr.low) + squares.low;
   const double residual = (squares.high - rr.high) + (lows + 2 * (x.high * x.low + y.high * y.low));
   return {root, residual / (2 * root), root * 0x1p-99};
 }
 
-inline directed::Estimate estimate(const Rect<double>&, const directed::Pair& x, const directed::Pair& y) noexcept {
+inline arithmetic::Estimate estimate(const Rect<double>&, const arithmetic::Pair<double>& x,
+                                     const arithmetic::Pair<double>& y) noexcept {
   return estimate_sum(x, y);
 }
-inline directed::Estimate estimate(const Ellipse<double>&, const directed::Pair& x, const directed::Pair& y) noexcept {
+inline arithmetic::Estimate estimate(const Ellipse<double>&, const arithmetic::Pair<double>& x,
+                                     const arithmetic::Pair<double>& y) noexcept {
   return x.high == 0 || y.high == 0 ? estimate_sum(x, y) : estimate_root(x, y);
 }
 
@@ -61,7 +67,7 @@ inline bool exact_upper(const Rect<double>&, const Reach& r, double start, doubl
   using namespace exact;
   const auto value =
       from_double(r.c) + abs(from_double(r.p0) * from_double(r.q0)) + abs(from_double(r.p1) * from_double(r.q1));
-  return directed::search_up(
+  return arithmetic::search_up(
       start, [&](double m) { return compare(from_double(m), value) >= 0; }, out);
 }
 inline bool exact_upper(const Ellipse<double>&, const Reach& r, double start, double& out) noexcept {
@@ -73,19 +79,20 @@ inline bool exact_upper(const Ellipse<double>&, const Reach& r, double start, do
     const auto distance = from_double(m) - c;
     return distance.sign >= 0 && compare(square(distance), extent_squared) >= 0;
   };
-  return directed::search_up(start, reaches, out);
+  return arithmetic::search_up(start, reaches, out);
 }
 
 /// The smallest double at or above c + extent; false when it is beyond the finite ones.
 template <class Shape>
-bool upper(const Shape& s, const Reach& r, const directed::Estimate& extent, double& out) noexcept {
-  return directed::round_up(directed::add(r.c, extent), out) || exact_upper(s, r, r.c + extent.high, out);
+bool upper(const Shape& s, const Reach& r, const arithmetic::Estimate& extent, double& out) noexcept {
+  return arithmetic::round_up(arithmetic::add(r.c, extent), out) || exact_upper(s, r, r.c + extent.high, out);
 }
 
 /// The shape's interval along one coordinate.
 template <class Shape>
 bool interval(const Shape& s, const Reach& r, double& low, double& high) noexcept {
-  const auto x = directed::product(std::fabs(r.p0), r.q0), y = directed::product(std::fabs(r.p1), r.q1);
+  const auto x = arithmetic::two_product_fused(std::fabs(r.p0), r.q0),
+             y = arithmetic::two_product_fused(std::fabs(r.p1), r.q1);
   const bool usable = in_range(r.p0, r.q0, x.high) && in_range(r.p1, r.q1, y.high) && std::fabs(r.c) <= 0x1p400;
   const auto extent = usable ? estimate(s, x, y) : unknown(x.high + y.high);
   double minus_low;
@@ -126,14 +133,14 @@ inline int bounds_of_valid(const Ellipse<double>& s, Aabb<double>& out) noexcept
   return oblique_bounds(s, s.a, s.b, out);
 }
 
-}  // namespace detail
+}  // namespace detail::bounds
 
 /// Smallest box of doubles that contains the shape. Returns 0, error_shape, or error_range when a side would be
 /// beyond the finite doubles; on error `out` is untouched.
 template <template <class> class Shape>
 int bounds(const Shape<double>& s, Aabb<double>& out) noexcept {
   if (check(s) != 0) return error_shape;
-  return detail::bounds_of_valid(s, out);
+  return detail::bounds::bounds_of_valid(s, out);
 }
 
 /// The same among floats: the smallest double at or above a number, rounded up to a float, is the smallest float.
@@ -143,8 +150,10 @@ int bounds(const Shape<float>& s, Aabb<float>& out) noexcept {
   const int error = bounds(widen(s), wide);
   if (error != 0) return error;
   Aabb<float> box;
-  if (!directed::round_up_to(-wide.min_x, box.min_x) || !directed::round_up_to(-wide.min_y, box.min_y) ||
-      !directed::round_up_to(wide.max_x, box.max_x) || !directed::round_up_to(wide.max_y, box.max_y)) {
+  if (!detail::arithmetic::round_up_to(-wide.min_x, box.min_x) ||
+      !detail::arithmetic::round_up_to(-wide.min_y, box.min_y) ||
+      !detail::arithmetic::round_up_to(wide.max_x, box.max_x) ||
+      !detail::arithmetic::round_up_to(wide.max_y, box.max_y)) {
     return error_range;
   }
   out = {0 - box.min_x, 0 - box.min_y, box.max_x, box.max_y};

@@ -4,10 +4,10 @@
 #pragma once
 
 #include <cmath>
+#include <vesica/arithmetic/rounding.hpp>
+#include <vesica/arithmetic/spectrum.hpp>
 #include <vesica/check.hpp>
-#include <vesica/directed.hpp>
 #include <vesica/shapes.hpp>
-#include <vesica/spectrum.hpp>
 
 namespace vesica {
 
@@ -32,45 +32,51 @@ T sine(T angle) noexcept {
 
 /// A product rounded once; 0 or infinite where it leaves the range.
 template <class T>
-T multiply(const Scaled& a, const Scaled& b) noexcept {
-  return static_cast<T>(scale(a.value * b.value, a.exponent + b.exponent));
+T multiply(const arithmetic::Scaled& a, const arithmetic::Scaled& b) noexcept {
+  return static_cast<T>(arithmetic::scale(a.value * b.value, a.exponent + b.exponent));
 }
 /// 1 / a.
 template <class T>
-T invert(const Scaled& a) noexcept {
-  return static_cast<T>(scale(1 / a.value, -a.exponent));
+T invert(const arithmetic::Scaled& a) noexcept {
+  return static_cast<T>(arithmetic::scale(1 / a.value, -a.exponent));
 }
 
-inline Scaled take_apart(double x) noexcept {
-  const int exponent = exponent_of(x);
-  return {scale(x, -exponent), exponent};
+inline arithmetic::Scaled take_apart(double x) noexcept {
+  const int exponent = arithmetic::exponent_of(x);
+  return {arithmetic::scale(x, -exponent), exponent};
 }
 
 /// a + b + c + d to 1 roundoff of itself plus 2^-100 of the largest term.
 inline double sum_of_four(double a, double b, double c, double d) noexcept {
-  const auto ab = directed::sum(a, b), cd = directed::sum(c, d), all = directed::sum(ab.high, cd.high);
+  const auto ab = arithmetic::two_sum(a, b), cd = arithmetic::two_sum(c, d),
+             all = arithmetic::two_sum(ab.high, cd.high);
   return all.high + (all.low + (ab.low + cd.low));
 }
 
 /// A quarter of a length.
-inline Scaled quarter(const Scaled& length) noexcept { return {length.value / 4, length.exponent}; }
+inline arithmetic::Scaled quarter(const arithmetic::Scaled& length) noexcept {
+  return {length.value / 4, length.exponent};
+}
 
 /// A rectangle whose sizes still carry their power of two.
 struct MeanRect {
   double cx, cy, ux, uy;
-  Scaled hx, hy;
+  arithmetic::Scaled hx, hy;
 };
 
 /// The mean rectangle of four corners x0 y0 ... x3 y3 in order, all of magnitude at most 2^1021.
 inline MeanRect mean_rect(const double (&p)[8]) noexcept {
   const double cx = sum_of_four(p[0], p[2], p[4], p[6]) / 4, cy = sum_of_four(p[1], p[3], p[5], p[7]) / 4;
   // Twice the mean edge from corner 0 to 1 and 3 to 2, and from 0 to 3 and 1 to 2.
-  const Direction first = direction(sum_of_four(p[2], -p[0], p[4], -p[6]), sum_of_four(p[3], -p[1], p[5], -p[7]));
-  const Direction second = direction(sum_of_four(p[6], -p[0], p[4], -p[2]), sum_of_four(p[7], -p[1], p[5], -p[3]));
-  // The longer pair gives the direction, for rounded corners turn it least; of the shorter, the part across counts.
-  const Scaled hx = quarter(first.length), hy = quarter(second.length);
+  const auto first =
+      arithmetic::unit_and_length(sum_of_four(p[2], -p[0], p[4], -p[6]), sum_of_four(p[3], -p[1], p[5], -p[7]));
+  const auto second =
+      arithmetic::unit_and_length(sum_of_four(p[6], -p[0], p[4], -p[2]), sum_of_four(p[7], -p[1], p[5], -p[3]));
+  // The longer pair gives the direction, since rounded corners turn it least. Of the shorter pair the part across it
+  // counts.
+  const arithmetic::Scaled hx = quarter(first.length), hy = quarter(second.length);
   const double across = std::fabs(first.x * second.y - first.y * second.x);
-  if (scale(hy.value, hy.exponent - hx.exponent) <= hx.value) {
+  if (arithmetic::scale(hy.value, hy.exponent - hx.exponent) <= hx.value) {
     return {cx, cy, first.x, first.y, hx, {hy.value * across, hy.exponent}};
   }
   const double turn = first.x * second.y < first.y * second.x ? -1 : 1;
@@ -116,12 +122,12 @@ int rect_from_corners(const T (&corners)[8], Rect<T>& out) noexcept {
     largest = std::fmax(largest, std::fabs(p[i]));
   }
   const int lift = largest > 0x1p1020 ? 3 : 0;  // room for sums of four
-  for (double& number : p) number = detail::scale(number, -lift);
+  for (double& number : p) number = detail::arithmetic::scale(number, -lift);
   const detail::MeanRect r = detail::mean_rect(p);
-  const detail::Scaled unit{1, lift};
-  return detail::store(Rect<T>{static_cast<T>(detail::scale(r.cx, lift)), static_cast<T>(detail::scale(r.cy, lift)),
-                               static_cast<T>(r.ux), static_cast<T>(r.uy), detail::multiply<T>(r.hx, unit),
-                               detail::multiply<T>(r.hy, unit)},
+  const detail::arithmetic::Scaled unit{1, lift};
+  return detail::store(Rect<T>{static_cast<T>(detail::arithmetic::scale(r.cx, lift)),
+                               static_cast<T>(detail::arithmetic::scale(r.cy, lift)), static_cast<T>(r.ux),
+                               static_cast<T>(r.uy), detail::multiply<T>(r.hx, unit), detail::multiply<T>(r.hy, unit)},
                        out);
 }
 
@@ -154,10 +160,11 @@ template <class T>
 int ellipse_from_covariance(T mean_x, T mean_y, T cxx, T cxy, T cyy, T k, Ellipse<T>& out) noexcept {
   if (!detail::all_finite(mean_x, mean_y, cxx, cxy, cyy, k)) return error_not_finite;
   if (k < 0) return error_negative_size;
-  detail::Spectrum s;
-  const auto kind = detail::spectrum(static_cast<double>(cxx), static_cast<double>(cxy), static_cast<double>(cyy), s);
-  if (kind == detail::Definite::no) return error_argument;
-  const detail::Scaled times = detail::take_apart(static_cast<double>(k));
+  detail::arithmetic::Spectrum s;
+  const auto kind =
+      detail::arithmetic::spectrum(static_cast<double>(cxx), static_cast<double>(cxy), static_cast<double>(cyy), s);
+  if (kind == detail::arithmetic::Definite::no) return error_argument;
+  const detail::arithmetic::Scaled times = detail::take_apart(static_cast<double>(k));
   const T a = detail::multiply<T>(times, s.larger), b = detail::multiply<T>(times, s.smaller);
   return detail::store(Ellipse<T>{mean_x, mean_y, static_cast<T>(s.x), static_cast<T>(s.y), a, std::fmin(a, b)}, out);
 }
@@ -170,9 +177,10 @@ template <class T>
 int ellipse_from_matrix(T cx, T cy, T mxx, T mxy, T myy, Ellipse<T>& out) noexcept {
   if (!detail::all_finite(cx, cy, mxx, mxy, myy)) return error_not_finite;
   // The inverse of M is a positive multiple of (myy, -mxy, mxx), which has M's eigenvalues and the inverse's axis.
-  detail::Spectrum s;
-  const auto kind = detail::spectrum(static_cast<double>(myy), static_cast<double>(-mxy), static_cast<double>(mxx), s);
-  if (kind != detail::Definite::positive) return error_argument;
+  detail::arithmetic::Spectrum s;
+  const auto kind =
+      detail::arithmetic::spectrum(static_cast<double>(myy), static_cast<double>(-mxy), static_cast<double>(mxx), s);
+  if (kind != detail::arithmetic::Definite::positive) return error_argument;
   const T a = detail::invert<T>(s.smaller), b = detail::invert<T>(s.larger);
   out = {cx, cy, static_cast<T>(s.x), static_cast<T>(s.y), a, std::fmin(a, b)};
   return 0;

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 /// depth(a, b): how far must b be moved, and which way, so that two overlapping shapes only touch?
 ///
-/// Definition: the least length of a translation of b after which some line has a on its one side and b on its other,
-/// both up to the line itself. With area on at least one side that is when their insides no longer meet. Two shapes
-/// without area that lie along one line (or two equal points, or a point of a segment) have such a line already: depth
-/// 0. Disjoint shapes give three zeros; overlapping ones always a direction, also at depth 0. Several directions may do
-/// equally well; then it is one of them.
+/// Definition: the length of the shortest translation of b after which a line separates the two shapes. Both may touch
+/// the line. If at least one shape has area, this is when their insides no longer meet. Two shapes without area that
+/// lie on one line are separated by that line as they are, so their depth is 0; so are two equal points, and a point of
+/// a segment. Disjoint shapes give three zeros. Overlapping shapes always give a direction, also at depth 0. If several
+/// directions are equally short, the answer is one of them.
 ///
-/// Accuracy, u = 2^-53 and scale the largest offset of centres or half length: the depth is right to 4u scale, the
-/// direction is a unit vector to 3u and moves b clear but for 4u scale. The depth of shapes that overlap is never
-/// rounded to 0 unless it is 0, and one that is 0 never away from it: that is decided exactly.
+/// Accuracy, with u = 2^-53 and scale the largest coordinate of the offset of centres or half length: the depth is
+/// right to 4u scale. The direction is a unit vector to 3u; moving b along it by the depth separates the shapes to
+/// within 4u scale. Whether the depth is 0 is decided exactly: it is 0 only where the true depth is.
 ///
-/// Laws, each tested: depth(b, a) has the same bits with the direction turned round (equal shapes at one place
-/// excepted, for which both are one call); unchanged when both shapes are moved by the same exact amounts; b moved by a
-/// billionth less overlaps a, by a billionth more it does not.
+/// Laws, each tested: depth(b, a) has the same bits with the opposite direction (except for equal shapes at one place,
+/// where both calls are the same); the answer is unchanged when both shapes are moved by the same exact amounts; b
+/// moved by a billionth less than the depth overlaps a, by a billionth more it does not.
 #pragma once
 
 #include <limits>
 #include <vesica/depth/box_box.hpp>
 #include <vesica/depth/exact_zero.hpp>
+#include <vesica/depth/lane_pairs.hpp>
 #include <vesica/depth/search.hpp>
-#include <vesica/least/lane_pairs.hpp>
 #include <vesica/overlap.hpp>
 
 namespace vesica {
@@ -32,40 +32,40 @@ struct Penetration {
   T x, y;   ///< unit vector along which b must move; 0 for disjoint shapes
 };
 
-namespace detail {
+namespace detail::depth {
 
-/// Below this share of the pair's scale a computed depth or distance does not show its sign.
+/// Below this share of the pair's scale the sign of a computed depth is uncertain.
 inline constexpr double surely_positive = 0x1p-48;
 
 template <class A, class B>
 std::int32_t depth_of_overlapping(const A& a, const B& b, Penetration<double>& out) noexcept {
-  const outline::Form f = outline::form(a), g = outline::form(b);
+  const Form f = support_minimum::form(a), g = support_minimum::form(b);
   if (!f.curved && !g.curved) {
-    const auto d = outline::box_box_depth(outline::box_pair(f, g));
+    const auto d = box_box_depth(box_pair(f, g));
     if (d.settled) {
       out = {d.depth, d.x, d.y};
       return 0;
     }
   }
-  const outline::Depth d = outline::searched_depth(f, g);
+  const Depth d = searched_depth(f, g);
   Penetration<double> result{0, d.direction.x + 0.0, d.direction.y + 0.0};  // no -0
-  if (d.value > surely_positive || !exact::has_no_depth(exact::form(a), exact::form(b))) {
-    result.depth = std::fmax(scale(d.value, d.exponent), std::numeric_limits<double>::denorm_min());
+  if (d.value > surely_positive || !has_no_depth(exact::form(a), exact::form(b))) {
+    result.depth = std::fmax(arithmetic::scale(d.value, d.exponent), std::numeric_limits<double>::denorm_min());
   }
   if (!all_finite(result.depth)) return error_range;
   out = result;
   return 0;
 }
 
-/// The pairs whose common case batches answer in lanes have the same core here; false where it is not settled.
+/// The pairs that batches answer in lanes use the same core here. Returns false where that core is not settled.
 template <class A, class B>
 bool settled_depth(const A&, const B&, Penetration<double>&) noexcept {
   return false;
 }
 template <class A>
 bool settled_depth(const A& a, const Ellipse<double>& b, Penetration<double>& out) noexcept {
-  if constexpr (detail::nearest::has_lanes<A, Ellipse<double>>) {
-    const auto lanes = least::lane_depth(a, b, false);
+  if constexpr (nearest::has_lanes<A, Ellipse<double>>) {
+    const auto lanes = lane_depth(a, b, false);
     if (lanes.settled) out = {lanes.depth, lanes.x, lanes.y};
     return lanes.settled;
   }
@@ -76,7 +76,7 @@ inline Penetration<double> turned_round(const Penetration<double>& p) noexcept {
   return {p.depth, 0.0 - p.x, 0.0 - p.y};
 }
 
-/// Rounded once; a depth that is not 0 stays so. False where it would exceed the finite numbers.
+/// Rounds once. A depth that is not 0 stays so. Returns false where it would exceed the finite numbers.
 inline bool rounded_to(const Penetration<double>& p, Penetration<float>& out) noexcept {
   Penetration<float> r{static_cast<float>(p.depth), static_cast<float>(p.x), static_cast<float>(p.y)};
   if (p.depth > 0 && r.depth == 0) r.depth = std::numeric_limits<float>::denorm_min();
@@ -85,20 +85,21 @@ inline bool rounded_to(const Penetration<double>& p, Penetration<float>& out) no
   return true;
 }
 
-}  // namespace detail
+}  // namespace detail::depth
 
-/// Writes the depth of two shapes of any kinds, in either order. Returns 0, error_shape when either is invalid, or
-/// error_range when the depth exceeds the largest finite number; on error `out` is untouched.
+/// The checked form: writes the depth of two shapes of any kinds, in either order. Returns 0, error_shape when either
+/// is invalid, or error_range when the depth exceeds the largest finite number; on error `out` is untouched.
 template <template <class> class A, template <class> class B>
 std::int32_t depth_or_error(const A<double>& a, const B<double>& b, Penetration<double>& out) noexcept {
   if constexpr (!detail::in_order<A<double>, B<double>>) {
     const std::int32_t error = depth_or_error(b, a, out);
-    if (error == 0) out = detail::turned_round(out);
+    if (error == 0) out = detail::depth::turned_round(out);
     return error;
   } else {
     const std::int32_t overlapping = overlap_or_error(a, b);
     if (overlapping < 0) return overlapping;
-    if (overlapping == 1) return detail::settled_depth(a, b, out) ? 0 : detail::depth_of_overlapping(a, b, out);
+    if (overlapping == 1)
+      return detail::depth::settled_depth(a, b, out) ? 0 : detail::depth::depth_of_overlapping(a, b, out);
     out = {0, 0, 0};
     return 0;
   }
@@ -109,11 +110,11 @@ std::int32_t depth_or_error(const A<float>& a, const B<float>& b, Penetration<fl
   Penetration<double> wide;
   const std::int32_t error = depth_or_error(widen(a), widen(b), wide);
   if (error != 0) return error;
-  return detail::rounded_to(wide, out) ? 0 : error_range;
+  return detail::depth::rounded_to(wide, out) ? 0 : error_range;
 }
 
-/// The depth of two shapes of any kinds, in either order. With an invalid shape (see check()) or beyond the range it is
-/// that of disjoint shapes.
+/// The depth of two shapes of any kinds, in either order. For valid shapes: it is that of disjoint shapes where
+/// depth_or_error(), the checked form, returns an error.
 template <template <class> class A, template <class> class B, class T>
 Penetration<T> depth(const A<T>& a, const B<T>& b) noexcept {
   Penetration<T> out{0, 0, 0};

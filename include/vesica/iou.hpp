@@ -9,7 +9,8 @@ namespace vesica {
 namespace detail {
 
 /// For valid shapes with the shared area known and of which not both have none.
-inline double iou_of(const detail::area::Measure& shared, const detail::area::Measure& a, const detail::area::Measure& b) noexcept {
+inline double iou_of(const detail::area::Measure& shared, const detail::area::Measure& a,
+                     const detail::area::Measure& b) noexcept {
   return shared.value == 0 ? 0 : ratio_of_union(shared, a, b);
 }
 
@@ -37,8 +38,9 @@ std::int32_t iou_of_pair(const A& a, const B& b, double& out) noexcept {
 
 }  // namespace detail
 
-/// Intersection over union. Returns 0, error_shape, or error_argument when neither shape has an area (with one that
-/// has, it is 0); on error `out` is untouched. Nothing overflows, whatever the sizes. A float is the double rounded.
+/// The checked form: writes the intersection over union. Returns 0, error_shape, or error_argument when neither shape
+/// has an area (with one that has, it is 0); on error `out` is untouched. Nothing overflows, whatever the sizes. A
+/// float is the double rounded.
 template <template <class> class A, template <class> class B, class T>
 std::int32_t iou_or_error(const A<T>& a, const B<T>& b, T& out) noexcept {
   if constexpr (!detail::in_order<A<T>, B<T>>) {
@@ -51,7 +53,7 @@ std::int32_t iou_or_error(const A<T>& a, const B<T>& b, T& out) noexcept {
   }
 }
 
-/// The same as a value: 0 where there is an error.
+/// Intersection over union. For valid shapes: it is 0 where iou_or_error(), the checked form, returns an error.
 template <template <class> class A, template <class> class B, class T>
 T iou(const A<T>& a, const B<T>& b) noexcept {
   T out = 0;

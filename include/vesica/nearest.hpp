@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// nearest(a, b): how far apart are two solid shapes, and which points of them are closest?
 ///
-/// Disjoint shapes have a distance > 0 and the two closest points, which prove the answer: a line across the middle
-/// between them separates the shapes. Shapes that share a point (touching counts) have distance 0, and both closest
-/// points are one point of both. Which case it is, overlap() decides exactly. Where several pairs of points are equally
-/// close it is one of them.
+/// Disjoint shapes have a distance > 0 and two closest points. These prove the answer: the line at right angles to
+/// their connection, through its middle, separates the shapes. Shapes that share a point (touching counts) have
+/// distance 0, and both closest points are one point of both. overlap() decides exactly which case it is. If several
+/// pairs of points are equally close, the answer is one of them.
 ///
 /// Accuracy, u = 2^-53, scale the largest coordinate of the offset of centres or half length: the distance is within 4u
 /// scale at any aspect ratio (in tests always within 2u, beyond aspect 1e15 too); within 2u of itself where it is above
@@ -38,7 +38,7 @@ ClosestPoints<double> disjoint_points(const A& a, const B& b, int& steps) noexce
   const Closest c = closest(p, steps);
   const Located first = located(a, p.a, c.a, p.exponent), second = located(b, p.b, c.b, p.exponent);
   const Located on_a = located_beside(a, p.a, c.a, first, second), on_b = located_beside(b, p.b, c.b, second, first);
-  const double distance = scale(rounded(c.distance), p.exponent);
+  const double distance = arithmetic::scale_far(rounded(c.distance), p.exponent);
   return {distance, on_a.x, on_a.y, on_b.x, on_b.y};
 }
 
@@ -68,7 +68,7 @@ VESICA_COLD ClosestPoints<double> general_points(const A& a, const B& b, bool ov
   return overlapping ? common_points(a, b) : disjoint_points(a, b, steps);
 }
 
-/// What batches answer in lanes; false where it is not settled.
+/// The core that batches run in lanes. Returns false where it is not settled.
 template <class A, class B>
 VESICA_INLINE bool settled_points(const A& a, const B& b, bool overlapping, ClosestPoints<double>& out) noexcept {
   if constexpr (has_lanes<A, B>) {
@@ -79,7 +79,7 @@ VESICA_INLINE bool settled_points(const A& a, const B& b, bool overlapping, Clos
   return false;
 }
 
-/// Rounded once; a distance that is not 0 stays so. False where a number would exceed the finite ones.
+/// Rounds once. A distance that is not 0 stays so. Returns false where a number would exceed the finite ones.
 template <class T>
 VESICA_INLINE bool rounded_to(const ClosestPoints<double>& c, bool overlapping, ClosestPoints<T>& out) noexcept {
   ClosestPoints<T> r{static_cast<T>(c.distance), static_cast<T>(c.ax), static_cast<T>(c.ay), static_cast<T>(c.bx),
@@ -95,9 +95,9 @@ VESICA_INLINE bool rounded_to(const ClosestPoints<double>& c, bool overlapping, 
 
 }  // namespace detail::nearest
 
-/// Writes the distance of two shapes of any kinds, in either order, and their closest points. Returns 0, error_shape
-/// when either is invalid, or error_range when a number would exceed the largest finite one; on error `out` is
-/// untouched.
+/// The checked form: writes the distance of two shapes of any kinds, in either order, and their closest points. Returns
+/// 0, error_shape when either is invalid, or error_range when a number would exceed the largest finite one; on error
+/// `out` is untouched.
 template <template <class> class A, template <class> class B, class T>
 VESICA_INLINE std::int32_t nearest_or_error(const A<T>& a, const B<T>& b, ClosestPoints<T>& out) noexcept {
   if constexpr (!detail::in_order<A<T>, B<T>>) {
@@ -108,7 +108,8 @@ VESICA_INLINE std::int32_t nearest_or_error(const A<T>& a, const B<T>& b, Closes
   } else {
     const auto wide_a = widen(a);
     const auto wide_b = widen(b);
-    // Spares the predicate. What is settled is of moderate, so valid shapes; else the predicate is asked after all.
+    // Often spares the exact predicate. A settled answer is only given for shapes of moderate numbers, which are valid;
+    // otherwise the predicate is asked after all.
     const bool apart = detail::nearest::apart_along_offset(wide_a, wide_b);
     std::int32_t overlapping = apart ? 0 : overlap_or_error(a, b);
     if (overlapping < 0) return overlapping;
@@ -122,7 +123,8 @@ VESICA_INLINE std::int32_t nearest_or_error(const A<T>& a, const B<T>& b, Closes
   }
 }
 
-/// The distance of two valid shapes and their closest points; NaN where nearest_or_error() has an error.
+/// The distance of two shapes and their closest points. For valid shapes: all numbers are NaN where nearest_or_error(),
+/// the checked form, returns an error.
 template <template <class> class A, template <class> class B, class T>
 ClosestPoints<T> nearest(const A<T>& a, const B<T>& b) noexcept {
   constexpr T none = std::numeric_limits<T>::quiet_NaN();

@@ -2,8 +2,8 @@
 /// Greedy non-maximum suppression: of shapes with scores, in the order of their scores, each is kept unless its iou()
 /// with one kept before exceeds a threshold.
 ///
-/// What a kept shape suppresses is marked at once. Only shapes whose bounds meet its own are asked, and those that can
-/// are found by a binary search: all are sorted by the left side of their bounds.
+/// What a kept shape suppresses is marked at once. Only shapes whose bounds meet its own are compared with it. All
+/// shapes are sorted by the left side of their bounds, so a binary search finds them.
 #pragma once
 
 #include <cstdint>
@@ -94,8 +94,8 @@ constexpr std::int64_t nms_scratch(std::int64_t count) noexcept {
 }
 
 /// Writes the indices of what is kept, in the order of scores, to keep, which needs room for `count`, and how many to
-/// kept. shape_at(i): the shape i; score_at(i): its score. Equal scores go by index. Left out, as if they were not
-/// there, are invalid shapes and those whose score is NaN: then error_shape is returned, else 0.
+/// kept. shape_at(i): the shape i; score_at(i): its score. Equal scores go by index. Invalid
+/// shapes and those whose score is NaN are left out; if there are any, error_shape is returned, else 0.
 /// scratch: nms_scratch(count) bytes.
 template <class Real, class ShapeAt, class ScoreAt>
 std::int32_t nms(std::int64_t count, const ShapeAt& shape_at, const ScoreAt& score_at, Real threshold, void* scratch,

@@ -36,7 +36,7 @@ namespace vesica {
 
 namespace detail {
 
-/// For what a filter could not decide: invalid shapes get their error here, the rest their exact answer.
+/// For pairs that a filter left undecided. Invalid shapes get their error here, valid ones their exact answer.
 template <class A, class B>
 VESICA_COLD std::int32_t decide_undecided(const A& a, const B& b) noexcept {
   if (check(a) != 0 || check(b) != 0) return error_shape;
@@ -48,15 +48,15 @@ inline constexpr bool in_order = ShapeTraits<A>::kind <= ShapeTraits<B>::kind;
 
 }  // namespace detail
 
-/// 1 when the shapes share a point, 0 when not, error_shape when either is invalid: what the C face returns.
-/// Any kinds, in either order. A float is a double exactly, so one path serves both.
+/// The checked form: 1 when the shapes share a point, 0 when not, error_shape when either is invalid, as the C
+/// functions return. Any kinds, in either order. A float is a double exactly, so one path serves both.
 template <template <class> class A, template <class> class B, class T>
 VESICA_INLINE std::int32_t overlap_or_error(const A<T>& a, const B<T>& b) noexcept {
   if constexpr (!detail::in_order<A<T>, B<T>>) {
     return overlap_or_error(b, a);
   } else {
     const auto verdict = detail::overlap::filter(widen(a), widen(b));
-    // 1, 0 or -1 for undecided, by arithmetic: a jump on the answer itself could not be predicted.
+    // 1, 0, or -1 for undecided; by arithmetic, since a jump on the answer could not be predicted.
     const std::int32_t answer = 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
     if (answer >= 0) [[likely]]
       return answer;
@@ -64,7 +64,8 @@ VESICA_INLINE std::int32_t overlap_or_error(const A<T>& a, const B<T>& b) noexce
   }
 }
 
-/// Whether two shapes of any kinds, in either order, share a point. An invalid shape (see check()) overlaps nothing.
+/// Whether two shapes of any kinds, in either order, share a point. For valid shapes: an invalid one overlaps nothing.
+/// overlap_or_error() is the checked form.
 template <template <class> class A, template <class> class B, class T>
 VESICA_INLINE bool overlap(const A<T>& a, const B<T>& b) noexcept {
   return overlap_or_error(a, b) == 1;

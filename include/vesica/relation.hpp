@@ -3,8 +3,9 @@
 /// valid input, touching included.
 ///
 /// Definition, for closed convex sets. The outline of a shape is its relative boundary: for a shape with area the curve
-/// around it, for a segment (or a shape of one zero size) its two end points; a point (or a shape without any size) has
-/// none. The inside is what the outline leaves: a segment without its ends, a point itself. The first that holds:
+/// around it, for a segment (or a shape with one zero size) its two end points; a point (or a shape without any size)
+/// has none. The inside is the rest of the shape: of a segment all but its ends, of a point the point itself. The
+/// relation is the first of these that holds:
 ///   equal            each contains the other: the same set of points, whatever kinds and numbers describe it;
 ///   inside           b contains a, and a has no point of b's outline;
 ///   inside_touch     b contains a, and a has points of b's outline;
@@ -40,7 +41,8 @@ template <class A, class B>
 VESICA_COLD std::int32_t decide_relation(const A& a, const B& b) noexcept {
   if (check(a) != 0 || check(b) != 0) return error_shape;
   if constexpr (is_compared<A> && is_compared<B>) {
-    return static_cast<std::int32_t>(detail::relation::aabb_aabb(detail::relation::as_aabb(a), detail::relation::as_aabb(b)));
+    return static_cast<std::int32_t>(
+        detail::relation::aabb_aabb(detail::relation::as_aabb(a), detail::relation::as_aabb(b)));
   } else {
     return static_cast<std::int32_t>(exact::relate(exact::relation_form(widen(a)), exact::relation_form(widen(b))));
   }
@@ -56,7 +58,7 @@ VESICA_COLD std::int32_t decide_containment(const A& a, const B& b) noexcept {
   }
 }
 
-/// What the pair's filter knows about a and b, of kinds in either order.
+/// What the pair's filter knows for certain about a and b, of kinds in either order.
 template <class A, class B>
 VESICA_INLINE auto certain_facts(const A& a, const B& b) noexcept {
   if constexpr (in_order<A, B>) {
@@ -68,8 +70,8 @@ VESICA_INLINE auto certain_facts(const A& a, const B& b) noexcept {
 
 }  // namespace detail
 
-/// The relation of a to b as a number of 0 to 7 (see Relation), error_shape when either is invalid: what the C face
-/// returns. Any kinds, in either order.
+/// The checked form: the relation of a to b as a number of 0 to 7 (see Relation), error_shape when either is invalid,
+/// as the C functions return. Any kinds, in either order.
 template <template <class> class A, template <class> class B, class T>
 VESICA_INLINE std::int32_t relation_or_error(const A<T>& a, const B<T>& b) noexcept {
   if constexpr (detail::are_points<A<T>, B<T>>) {
@@ -77,7 +79,7 @@ VESICA_INLINE std::int32_t relation_or_error(const A<T>& a, const B<T>& b) noexc
     return same > 0 ? static_cast<std::int32_t>(Relation::equal) : same;
   } else {
     const auto certain = filter::certain_relation(detail::certain_facts(a, b));
-    // By arithmetic, as in overlap: at most one of them is certain, and -1 stands for none.
+    // By arithmetic, without a jump, as in overlap. At most one of them is certain; -1 stands for none.
     const std::int32_t answer = std::int32_t{certain.disjoint} + 3 * std::int32_t{certain.cross} +
                                 4 * std::int32_t{certain.inside} + 6 * std::int32_t{certain.contains} - 1;
     if (answer >= 0) [[likely]]
@@ -86,14 +88,15 @@ VESICA_INLINE std::int32_t relation_or_error(const A<T>& a, const B<T>& b) noexc
   }
 }
 
-/// The relation of a to b, shapes of any kinds. An invalid shape (see check()) is disjoint from everything.
+/// The relation of a to b, shapes of any kinds. For valid shapes: an invalid one is disjoint from everything.
+/// relation_or_error() is the checked form.
 template <template <class> class A, template <class> class B, class T>
 VESICA_INLINE Relation relation(const A<T>& a, const B<T>& b) noexcept {
   const std::int32_t answer = relation_or_error(a, b);
   return answer < 0 ? Relation::disjoint : static_cast<Relation>(answer);
 }
 
-/// 1 when a contains all of b, 0 when not, error_shape when either is invalid.
+/// The checked form: 1 when a contains all of b, 0 when not, error_shape when either is invalid.
 template <template <class> class A, template <class> class B, class T>
 VESICA_INLINE std::int32_t contains_or_error(const A<T>& a, const B<T>& b) noexcept {
   if constexpr (detail::are_points<A<T>, B<T>>) {
@@ -107,7 +110,8 @@ VESICA_INLINE std::int32_t contains_or_error(const A<T>& a, const B<T>& b) noexc
   }
 }
 
-/// Whether a contains all of b, shapes of any kinds. An invalid shape contains nothing and is contained in nothing.
+/// Whether a contains all of b, shapes of any kinds. For valid shapes: an invalid one contains nothing and is contained
+/// in nothing. contains_or_error() is the checked form.
 template <template <class> class A, template <class> class B, class T>
 VESICA_INLINE bool contains(const A<T>& a, const B<T>& b) noexcept {
   return contains_or_error(a, b) == 1;

@@ -15,8 +15,8 @@
 #error "Vesica needs arithmetic in the operands' own precision: on 32-bit x86 compile with -msse2 -mfpmath=sse."
 #endif
 
-/// Filters are one expression spread over several functions: a call in the middle costs as much as the filter does.
-/// What they leave undecided is out of the way.
+/// A filter is one expression spread over several functions, which must be inlined: a call in the middle would cost as
+/// much as the whole filter. Code for what filters leave undecided is kept out of the way.
 #if defined(__GNUC__)
 #define VESICA_INLINE [[gnu::always_inline]] inline
 #define VESICA_COLD [[gnu::noinline, gnu::cold]]
@@ -54,8 +54,8 @@ struct ScalarTraits<float> {
 
 namespace lane {
 
-// max and min as SSE has them: NaN in either argument yields the second. Filters do not rely on it, NaN must reach a
-// bound by addition; but src/kernels/unit_contact_cubic.hpp does, and says so.
+// max and min as SSE has them: NaN in either argument yields the second. Filters do not rely on it, since NaN reaches
+// their bounds by addition; but src/kernels/unit_contact_cubic.hpp does, and says so.
 constexpr double max(double a, double b) noexcept { return a > b ? a : b; }
 constexpr double min(double a, double b) noexcept { return a < b ? a : b; }
 constexpr float max(float a, float b) noexcept { return a > b ? a : b; }
@@ -78,7 +78,7 @@ constexpr bool both(bool a, bool b) noexcept { return static_cast<bool>(static_c
 constexpr bool either(bool a, bool b) noexcept { return static_cast<bool>(static_cast<int>(a) | static_cast<int>(b)); }
 constexpr bool and_not(bool a, bool b) noexcept { return both(a, !b); }
 
-// By bits and by arithmetic: a ternary on fresh data becomes a mispredicted branch.
+// By bit masks: a compiler may turn a ternary into a branch, which is mispredicted on fresh data.
 inline double select(bool m, double yes, double no) noexcept {
   const std::uint64_t mask = std::uint64_t{0} - static_cast<std::uint64_t>(m);
   return std::bit_cast<double>((std::bit_cast<std::uint64_t>(yes) & mask) | (std::bit_cast<std::uint64_t>(no) & ~mask));

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <limits>
-#include <vesica/area/double_double.hpp>
 #include <vesica/area/measure.hpp>
 #include <vesica/check.hpp>
 #include <vesica/exact/form.hpp>
@@ -22,22 +21,33 @@ struct Sizes {
   bool round;
 };
 
-/// Whether a valid shape has no area.
-inline bool is_flat(const Aabb<double>& s) noexcept { return s.min_x == s.max_x || s.min_y == s.max_y; }
-inline bool is_flat(const Rect<double>& s) noexcept { return s.hx == 0 || s.hy == 0; }
-inline bool is_flat(const Circle<double>& s) noexcept { return s.r == 0; }
-inline bool is_flat(const Ellipse<double>& s) noexcept { return s.a == 0 || s.b == 0; }
+struct SizeNumbers {
+  DoubleDouble operator()(const form::Length<double>& l) const noexcept { return l.x; }
+  DoubleDouble operator()(const form::Ratio<double>& r) const noexcept { return r.x; }
+  DoubleDouble operator()(const form::HalfWidth<double>& w) const noexcept {
+    return arithmetic::difference<DoubleDouble>(w.to, w.from);
+  }
+};
 
-inline Sizes sizes(const Aabb<double>& s) noexcept {
-  return {difference<DoubleDouble>(s.max_x, s.min_x), difference<DoubleDouble>(s.max_y, s.min_y), 0.5, 0, false};
+template <class Shape>
+Sizes sizes(const Shape& s) noexcept {
+  constexpr form::AsStored<double> axis;
+  const auto f = form::of(s);
+  return {SizeNumbers{}(f.hx), SizeNumbers{}(f.hy), axis(f.ux), axis(f.uy), f.outline != form::Outline::straight};
 }
-inline Sizes sizes(const Rect<double>& s) noexcept { return {s.hx, s.hy, s.ux, s.uy, false}; }
-inline Sizes sizes(const Circle<double>& s) noexcept { return {s.r, s.r, 1, 0, true}; }
-inline Sizes sizes(const Ellipse<double>& s) noexcept { return {s.a, s.b, s.ux, s.uy, true}; }
+
+inline bool is_flat(const Sizes& s) noexcept { return s.size_0.high == 0 || s.size_1.high == 0; }
+
+/// Whether a valid shape has no area.
+template <class Shape>
+bool is_flat(const Shape& s) noexcept {
+  return is_flat(sizes(s));
+}
 
 /// The area to 2^-98 of itself, for numbers in the range of in_area_range().
 inline DoubleDouble area_estimate(const Sizes& s) noexcept {
-  const directed::Pair xx = directed::product(s.ux, s.ux), yy = directed::product(s.uy, s.uy);
+  const arithmetic::Pair<double> xx = arithmetic::two_product_fused(s.ux, s.ux),
+                                 yy = arithmetic::two_product_fused(s.uy, s.uy);
   const DoubleDouble squared_axis = DoubleDouble(xx.high, xx.low) + DoubleDouble(yy.high, yy.low);
   const DoubleDouble factor = s.round ? DoubleDouble(pi_high, pi_low) : DoubleDouble(4);
   return s.size_0 * s.size_1 * squared_axis * factor;
@@ -80,13 +90,13 @@ inline Measure exact_area(const exact::Ellipse& s) noexcept {
 
 /// x * 2^-exponent for the exponents of doubles.
 inline DoubleDouble scaled_down(const DoubleDouble& x, int exponent) noexcept {
-  return {vesica::detail::scale(x.high, -exponent), vesica::detail::scale(x.low, -exponent)};
+  return {arithmetic::scale(x.high, -exponent), arithmetic::scale(x.low, -exponent)};
 }
 
 /// The same shape with sizes and the longer part of its axis in [1/2, 1), and the exponent this took.
 inline int standardise(Sizes& s) noexcept {
-  using vesica::detail::exponent_of;
-  using vesica::detail::scale;
+  using arithmetic::exponent_of;
+  using arithmetic::scale;
   const int e0 = exponent_of(s.size_0.high), e1 = exponent_of(s.size_1.high);
   const int axis = exponent_of(std::fmax(std::fabs(s.ux), std::fabs(s.uy)));
   s.size_0 = scaled_down(s.size_0, e0);
@@ -100,7 +110,7 @@ inline int standardise(Sizes& s) noexcept {
 template <class Shape>
 Measure shape_measure(const Shape& shape) noexcept {
   Sizes s = sizes(shape);
-  if (is_flat(shape)) return {0, 0};
+  if (is_flat(s)) return {0, 0};
   // Differences of the greatest numbers may be infinite; exact ones are not.
   if (!(s.size_0.high <= 0x1p1020 && s.size_1.high <= 0x1p1020)) return exact_area(exact::form(shape));
   const int exponent = in_area_range(s) ? 0 : standardise(s);
@@ -123,17 +133,18 @@ std::int32_t store(const Measure& m, T& out) noexcept {
 
 }  // namespace detail::area
 
-/// The area of a shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment; the nearest
-/// double to the true area (a float: that double rounded), also among the subnormal ones but for a second rounding.
-/// Returns 0, error_shape, or error_range when the area would be beyond the finite numbers; on error `out` is
-/// untouched.
+/// The checked form: writes the area of a shape, 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or
+/// a segment; the nearest double to the true area (a float: that double rounded), also among the subnormal ones but for
+/// a second rounding. Returns 0, error_shape, or error_range when the area would be beyond the finite numbers; on error
+/// `out` is untouched.
 template <template <class> class Shape, class T>
 std::int32_t shape_area_or_error(const Shape<T>& s, T& out) noexcept {
   if (check(s) != 0) return error_shape;
   return detail::area::store(detail::area::shape_measure(widen(s)), out);
 }
 
-/// The same as a value: 0 for an invalid shape, the greatest finite number for an area beyond it.
+/// The area of a shape. For valid shapes: it is 0 for an invalid one, and the greatest finite number for an area beyond
+/// it. shape_area_or_error() is the checked form.
 template <template <class> class Shape, class T>
 T shape_area(const Shape<T>& s) noexcept {
   T area = 0;

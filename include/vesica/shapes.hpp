@@ -3,11 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <vesica/each_shape.hpp>
 #include <vesica/scalar.hpp>
 
 namespace vesica {
 
-/// All shapes are closed and solid: they own their outline and what it encloses. A shape is exactly what its
+/// All shapes are closed and solid: their outline and what it encloses belong to them. A shape is exactly what its
 /// stored numbers say. An axis (ux, uy) is a direction and a unit of length, never renormalised;
 /// perp(u) = (-uy, ux). Members stand in the order of the C structs, which these equal byte for byte.
 
@@ -65,66 +66,60 @@ enum Error : std::int32_t {
   error_range = -9,
 };
 
+/// The kind of a shape template.
+template <template <class> class Shape>
+inline constexpr Kind kind_of = Kind{-1};
+#define VESICA_KIND_OF(name, Name) \
+  template <>                      \
+  inline constexpr Kind kind_of<Name> = Kind::name;
+VESICA_EACH_SHAPE(VESICA_KIND_OF)
+#undef VESICA_KIND_OF
+
 /// What a shape type is: its kind, its scalar, how many numbers it has.
 template <class Shape>
 struct ShapeTraits;
-
-template <class T>
-struct ShapeTraits<Point<T>> {
+template <template <class> class Shape, class T>
+struct ShapeTraits<Shape<T>> {
   using Scalar = T;
-  static constexpr Kind kind = Kind::point;
-  static constexpr int fields = 2;
-};
-template <class T>
-struct ShapeTraits<Segment<T>> {
-  using Scalar = T;
-  static constexpr Kind kind = Kind::segment;
-  static constexpr int fields = 4;
-};
-template <class T>
-struct ShapeTraits<Circle<T>> {
-  using Scalar = T;
-  static constexpr Kind kind = Kind::circle;
-  static constexpr int fields = 3;
-};
-template <class T>
-struct ShapeTraits<Aabb<T>> {
-  using Scalar = T;
-  static constexpr Kind kind = Kind::aabb;
-  static constexpr int fields = 4;
-};
-template <class T>
-struct ShapeTraits<Rect<T>> {
-  using Scalar = T;
-  static constexpr Kind kind = Kind::rect;
-  static constexpr int fields = 6;
-};
-template <class T>
-struct ShapeTraits<Ellipse<T>> {
-  using Scalar = T;
-  static constexpr Kind kind = Kind::ellipse;
-  static constexpr int fields = 6;
+  static constexpr Kind kind = kind_of<Shape>;
+  static constexpr int fields = sizeof(Shape<T>) / sizeof(T);
 };
 
-// A float is a double exactly, so scalar queries on float shapes are answered on these.
+namespace detail {
+
+/// Calls action with a shape's numbers in their order.
+template <class Shape, class Action>
+VESICA_INLINE constexpr auto with_numbers(const Shape& s, Action action) noexcept {
+  constexpr int fields = ShapeTraits<Shape>::fields;
+  if constexpr (fields == 2) {
+    const auto& [p, q] = s;
+    return action(p, q);
+  } else if constexpr (fields == 3) {
+    const auto& [p, q, r] = s;
+    return action(p, q, r);
+  } else if constexpr (fields == 4) {
+    const auto& [p, q, r, t] = s;
+    return action(p, q, r, t);
+  } else if constexpr (fields == 5) {
+    const auto& [p, q, r, t, u] = s;
+    return action(p, q, r, t, u);
+  } else {
+    const auto& [p, q, r, t, u, v] = s;
+    return action(p, q, r, t, u, v);
+  }
+}
+
+}  // namespace detail
+
+/// The same shape in double. A float is a double exactly, so scalar queries on float shapes are answered on these.
 constexpr double widen(float x) noexcept { return static_cast<double>(x); }
 template <template <class> class Shape>
 constexpr const Shape<double>& widen(const Shape<double>& s) noexcept {
   return s;
 }
-constexpr Point<double> widen(const Point<float>& s) noexcept { return {widen(s.x), widen(s.y)}; }
-constexpr Segment<double> widen(const Segment<float>& s) noexcept {
-  return {widen(s.x0), widen(s.y0), widen(s.x1), widen(s.y1)};
-}
-constexpr Circle<double> widen(const Circle<float>& s) noexcept { return {widen(s.cx), widen(s.cy), widen(s.r)}; }
-constexpr Aabb<double> widen(const Aabb<float>& s) noexcept {
-  return {widen(s.min_x), widen(s.min_y), widen(s.max_x), widen(s.max_y)};
-}
-constexpr Rect<double> widen(const Rect<float>& s) noexcept {
-  return {widen(s.cx), widen(s.cy), widen(s.ux), widen(s.uy), widen(s.hx), widen(s.hy)};
-}
-constexpr Ellipse<double> widen(const Ellipse<float>& s) noexcept {
-  return {widen(s.cx), widen(s.cy), widen(s.ux), widen(s.uy), widen(s.a), widen(s.b)};
+template <template <class> class Shape>
+VESICA_INLINE constexpr Shape<double> widen(const Shape<float>& s) noexcept {
+  return detail::with_numbers(s, [](auto... numbers) { return Shape<double>{widen(numbers)...}; });
 }
 
 }  // namespace vesica

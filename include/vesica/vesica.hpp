@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Everything in the core.
+///
+/// Invalid shapes: every question has a checked form, as overlap_or_error(a, b) or nearest_or_error(a, b, out), which
+/// returns a negative Error for a shape that check() refuses, and then leaves `out` as it was. The plain form, as
+/// overlap(a, b), is for shapes known to be valid: for it an invalid shape has nothing in common with any other (no
+/// overlap, no area, no depth, no crossings), and its distance from any other is NaN.
+///
+/// bounds() and the functions that construct shapes have the checked form only.
 #pragma once
 
 #include <vesica/area.hpp>

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one loop behind every batch: load lanes, ask the pair's filter, store bytes, note what it left undecided.
+// The loop behind every batch of overlap: load lanes, ask the filter, store bytes, list the undecided elements.
 // Included once by each source in src/isa, after the lanes of its instruction set.
 #pragma once
 
 #include <cstring>
 #include <type_traits>
 #include <utility>
+#include <vesica/each_shape.hpp>
 #include <vesica/overlap.hpp>
 
 #include "kernels/filters.hpp"
@@ -34,13 +35,14 @@ VESICA_INLINE Shape<LanesOf<T>> broadcast(const T* const* field, std::index_sequ
   return {LanesOf<T>(load_unaligned(field[Field]))...};
 }
 
-/// One operand of a kernel. Its pointers are copied: stores through a byte pointer could otherwise change them.
+/// One operand of a kernel. It keeps copies of the column pointers: a store through a byte pointer may alias anything, so
+/// the compiler would load the originals again in each iteration.
 template <template <class> class Shape, class T, bool Repeated>
-struct Operand {
+struct LaneOperand {
   static constexpr int fields = ShapeTraits<Shape<T>>::fields;
   const T* field[fields];
 
-  VESICA_INLINE explicit Operand(const T* const* from) noexcept {
+  VESICA_INLINE explicit LaneOperand(const T* const* from) noexcept {
     for (int k = 0; k < fields; ++k) field[k] = from[k];
   }
   VESICA_INLINE Shape<LanesOf<T>> at(std::int32_t i) const noexcept {
@@ -49,15 +51,15 @@ struct Operand {
 };
 
 template <template <class> class Shape, class T>
-struct Operand<Shape, T, true> {
+struct LaneOperand<Shape, T, true> {
   Shape<LanesOf<T>> shape;
 
-  VESICA_INLINE explicit Operand(const T* const* from) noexcept
+  VESICA_INLINE explicit LaneOperand(const T* const* from) noexcept
       : shape(broadcast<Shape>(from, std::make_index_sequence<ShapeTraits<Shape<T>>::fields>{})) {}
   VESICA_INLINE const Shape<LanesOf<T>>& at(std::int32_t) const noexcept { return shape; }
 };
 
-/// The verdicts on vectors 0, 1, ... of n elements, asked for in turn.
+/// The verdicts on n elements, a vector at a time, in order.
 template <class Filter, class First, class Second>
 class Verdicts {
  public:
@@ -70,9 +72,8 @@ class Verdicts {
   const Second& second_;
 };
 
-/// Of a filter in two halves, each a long chain of operations: the first for the next vector is done with the second
-/// for this one, or the processor would wait for either chain while the operations that could fill in are out of its
-/// sight.
+/// Software pipelining, for a filter in two halves. Each half is a long chain of dependent operations, so the first half
+/// of the next vector is computed beside the second half of this one. The processor then has two chains to work on.
 template <class Filter, class First, class Second>
 requires HalfDone<decltype(Filter::filter(std::declval<First>().at(0), std::declval<Second>().at(0)))>
 class Verdicts<Filter, First, Second> {
@@ -101,13 +102,13 @@ VESICA_INLINE std::int32_t* append(std::uint32_t open, std::int32_t i, std::int3
   return list;
 }
 
-/// Answers a whole number of vectors.
+/// Answers a whole number of vectors; whoever calls takes care of a rest.
 template <class Filter, template <class> class A, template <class> class B, class T, Repeat repeat>
 [[gnu::noinline]] BlockResult answer_vectors(const Block<T>& block) noexcept {
   constexpr std::int32_t width = LanesOf<T>::width;
   constexpr std::uint32_t lanes = (1u << width) - 1;
-  const Operand<A, T, repeat == Repeat::first> first(block.first);
-  const Operand<B, T, repeat == Repeat::second> second(block.second);
+  const LaneOperand<A, T, repeat == Repeat::first> first(block.first);
+  const LaneOperand<B, T, repeat == Repeat::second> second(block.second);
   const std::int32_t n = block.count;
   std::uint8_t* const out = block.out;
   std::int32_t* list = block.undecided;
@@ -127,53 +128,13 @@ template <class Filter, template <class> class A, template <class> class B, clas
   return {overlaps, static_cast<std::int32_t>(list - block.undecided)};
 }
 
-/// Copies `rest` elements, fewer than a vector, so that nothing beyond the arrays is read; lanes without one repeat the
-/// first.
-template <template <class> class Shape, class T>
-[[gnu::noinline]] void copy_rest(const T* const* field, std::int32_t begin, std::int32_t rest,
-                                 T (*copy)[LanesOf<T>::width], const T** copied) noexcept {
-  for (int k = 0; k < ShapeTraits<Shape<T>>::fields; ++k) {
-    for (int j = 0; j < LanesOf<T>::width; ++j) {
-      std::memcpy(&copy[k][j], field[k] + begin + (j < rest ? j : 0), sizeof(T));
-    }
-    copied[k] = copy[k];
-  }
-}
-
-/// Answers a block: the whole vectors in place, the rest in a vector of its own.
-template <class Filter, template <class> class A, template <class> class B, class T, Repeat repeat>
-BlockResult answer_block(const Block<T>& block) noexcept {
-  constexpr std::int32_t width = LanesOf<T>::width;
-  const std::int32_t rest = block.count % width, whole = block.count - rest;
-  Block<T> part = block;
-  part.count = whole;
-  BlockResult result = answer_vectors<Filter, A, B, T, repeat>(part);
-  if (rest == 0 || result.undecided > block.give_up) return result;
-
-  T copy_first[max_fields][width], copy_second[max_fields][width];
-  std::uint8_t bytes[width];
-  std::int32_t undecided[width];
-  if constexpr (repeat != Repeat::first) copy_rest<A, T>(block.first, whole, rest, copy_first, part.first);
-  if constexpr (repeat != Repeat::second) copy_rest<B, T>(block.second, whole, rest, copy_second, part.second);
-  part.count = width;
-  part.out = bytes;
-  part.undecided = undecided;
-  const BlockResult last = answer_vectors<Filter, A, B, T, repeat>(part);
-  for (std::int32_t i = 0; i < rest; ++i) {
-    block.out[whole + i] = bytes[i];
-    result.overlaps += bytes[i];
-  }
-  for (std::int32_t i = 0; i < last.undecided && undecided[i] < rest; ++i) {
-    block.undecided[result.undecided++] = whole + undecided[i];
-  }
-  return result;
-}
-
 template <class Filter, template <class> class A, template <class> class B, class T>
 constexpr void fill(BlockKernel<T> (&kernel)[repeat_count]) noexcept {
-  kernel[static_cast<int>(Repeat::none)] = answer_block<Filter, A, B, T, Repeat::none>;
-  kernel[static_cast<int>(Repeat::first)] = answer_block<Filter, A, B, T, Repeat::first>;
-  kernel[static_cast<int>(Repeat::second)] = answer_block<Filter, A, B, T, Repeat::second>;
+  kernel[static_cast<int>(Repeat::none)] = answer_vectors<Filter, A, B, T, Repeat::none>;
+  kernel[static_cast<int>(Repeat::first)] = answer_vectors<Filter, A, B, T, Repeat::first>;
+  if constexpr (!std::is_same_v<A<T>, B<T>>) {
+    kernel[static_cast<int>(Repeat::second)] = answer_vectors<Filter, A, B, T, Repeat::second>;
+  }
 }
 
 template <template <class> class A, template <class> class B, class T>
@@ -183,7 +144,7 @@ constexpr void fill_pair(ScalarKernels<T>& kernels) noexcept {
   fill<General, A, B, T>(pair.unit);
 }
 
-/// After fill_pair(), a quicker kernel for unit axes.
+/// Replaces the kernel for unit axes, which fill_pair() set to the general one.
 template <template <class> class A, template <class> class B, class T>
 constexpr void fill_unit_pair(ScalarKernels<T>& kernels) noexcept {
   auto& pair = kernels[static_cast<int>(ShapeTraits<A<T>>::kind)][static_cast<int>(ShapeTraits<B<T>>::kind)];
@@ -192,27 +153,9 @@ constexpr void fill_unit_pair(ScalarKernels<T>& kernels) noexcept {
 
 template <class T>
 constexpr void fill_pairs(ScalarKernels<T>& kernels) noexcept {
-  fill_pair<Point, Point>(kernels);
-  fill_pair<Point, Segment>(kernels);
-  fill_pair<Point, Circle>(kernels);
-  fill_pair<Point, Aabb>(kernels);
-  fill_pair<Point, Rect>(kernels);
-  fill_pair<Point, Ellipse>(kernels);
-  fill_pair<Segment, Segment>(kernels);
-  fill_pair<Segment, Circle>(kernels);
-  fill_pair<Segment, Aabb>(kernels);
-  fill_pair<Segment, Rect>(kernels);
-  fill_pair<Segment, Ellipse>(kernels);
-  fill_pair<Circle, Circle>(kernels);
-  fill_pair<Circle, Aabb>(kernels);
-  fill_pair<Circle, Rect>(kernels);
-  fill_pair<Circle, Ellipse>(kernels);
-  fill_pair<Aabb, Aabb>(kernels);
-  fill_pair<Aabb, Rect>(kernels);
-  fill_pair<Aabb, Ellipse>(kernels);
-  fill_pair<Rect, Rect>(kernels);
-  fill_pair<Rect, Ellipse>(kernels);
-  fill_pair<Ellipse, Ellipse>(kernels);
+#define VESICA_FILL(a, A, b, B) fill_pair<A, B>(kernels);
+  VESICA_EACH_PAIR(VESICA_FILL)
+#undef VESICA_FILL
   fill_unit_pair<Rect, Rect>(kernels);
   fill_unit_pair<Rect, Ellipse>(kernels);
   fill_unit_pair<Circle, Ellipse>(kernels);
@@ -231,6 +174,8 @@ consteval KernelTable make_table(const char* name, const QueryTable& queries) no
   KernelTable table{};
   table.name = name;
   table.queries = &queries;
+  table.width_f32 = Floats::width;
+  table.width_f64 = Doubles::width;
   table.widen_column = widen_column;
   fill_pairs<float>(table.f32);
   fill_pairs<double>(table.f64);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The filters that kernels run: the pair's own, and for the most asked pairs a quicker one for unit axes.
+// The filters that kernels run: the one of the pair, and for four common pairs a quicker one for unit axes.
 #pragma once
 
 #include <vesica/overlap.hpp>
@@ -11,7 +11,7 @@
 namespace vesica {
 namespace {
 
-/// The pair's own.
+/// The pair's own filter, for any axes.
 struct General {
   template <class A, class B>
   VESICA_INLINE static auto filter(const A& a, const B& b) noexcept {
@@ -19,7 +19,7 @@ struct General {
   }
 };
 
-/// For axes of unit length; all but the first stop after their first half.
+/// For axes of unit length. All but the first are filters in two halves: see HalfDone.
 struct UnitAxes {
   template <class V>
   VESICA_INLINE static auto filter(const Rect<V>& a, const Rect<V>& b) noexcept {
@@ -39,7 +39,8 @@ struct UnitAxes {
   }
 };
 
-/// A filter's answer that waits for the second half of its work.
+/// What a filter in two halves returns after the first. decide() computes the second half and returns the verdict, so
+/// that a loop can do other work between the two.
 template <class Answer>
 concept HalfDone = requires(const Answer& answer) {
   decide(answer);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernels' parts for depths and for distances of outlines, as query_cores.hpp.
+// What the kernels of depth and of boundary distance compute, in the form that query_cores.hpp describes.
 #pragma once
 
 #include <vesica/boundary_distance.hpp>
@@ -10,7 +10,7 @@
 namespace vesica {
 namespace {
 
-/// The five numbers of a lane's answer, where they are wanted, settled and finite.
+/// Writes the five numbers of an answer to the lanes in which it is wanted, settled and finite. Returns those lanes.
 VESICA_INLINE PairMask put(const detail::nearest::LaneAnswer<Doubles>& c, PairMask wanted, Doubles* out) noexcept {
   const Doubles points[] = {c.distance, c.ax, c.ay, c.bx, c.by};
   const PairMask settled = both(both(wanted, c.settled), detail::all_finite(c.distance, c.ax, c.ay, c.bx, c.by));
@@ -20,22 +20,22 @@ VESICA_INLINE PairMask put(const detail::nearest::LaneAnswer<Doubles>& c, PairMa
 
 /// The outlines of shapes of which one is strictly inside the other.
 VESICA_INLINE detail::nearest::LaneAnswer<Doubles> nested_outlines(const Rect<Doubles>& a, const Rect<Doubles>& b,
-                                                          PairMask a_inside, PairMask) noexcept {
+                                                                   PairMask a_inside, PairMask) noexcept {
   const auto choose = [&](const Rect<Doubles>& yes, const Rect<Doubles>& no) {
     const auto pick = [&](Doubles x, Doubles y) { return select(a_inside, x, y); };
     return Rect<Doubles>{pick(yes.cx, no.cx), pick(yes.cy, no.cy), pick(yes.ux, no.ux),
                          pick(yes.uy, no.uy), pick(yes.hx, no.hx), pick(yes.hy, no.hy)};
   };
   const Rect<Doubles> outer = choose(b, a), inner = choose(a, b);
-  const auto f = outline::nested_boxes(outline::box_pair(outer, inner));
+  const auto f = detail::boundary_distance::nested_boxes(detail::support_minimum::box_pair(outer, inner));
   const detail::nearest::LaneAnswer<Doubles> found{f.distance,           outer.cx + f.outer_x, outer.cy + f.outer_y,
-                                          inner.cx + f.inner_x, inner.cy + f.inner_y, f.settled};
-  return detail::nearest::choose(a_inside, least::points_exchanged(found), found);
+                                                   inner.cx + f.inner_x, inner.cy + f.inner_y, f.settled};
+  return detail::nearest::choose(a_inside, detail::boundary_distance::points_exchanged(found), found);
 }
 template <class A>
-VESICA_INLINE detail::nearest::LaneAnswer<Doubles> nested_outlines(const A& a, const Ellipse<Doubles>& b, PairMask a_inside,
-                                                          PairMask idle) noexcept {
-  return least::lane_nested(a, b, a_inside, idle);
+VESICA_INLINE detail::nearest::LaneAnswer<Doubles> nested_outlines(const A& a, const Ellipse<Doubles>& b,
+                                                                   PairMask a_inside, PairMask idle) noexcept {
+  return detail::boundary_distance::lane_nested(a, b, a_inside, idle);
 }
 
 /// Outlines of disjoint shapes are as far apart as the shapes. Nested ones are answered where the filter is certain
@@ -75,11 +75,11 @@ struct DepthCore {
 
  private:
   VESICA_INLINE static auto depth(const Rect<Doubles>& a, const Rect<Doubles>& b, PairMask) noexcept {
-    return outline::box_box_depth(outline::box_pair(a, b));
+    return detail::depth::box_box_depth(detail::support_minimum::box_pair(a, b));
   }
   template <class A>
   VESICA_INLINE static auto depth(const A& a, const Ellipse<Doubles>& b, PairMask idle) noexcept {
-    return least::lane_depth(a, b, idle);
+    return detail::depth::lane_depth(a, b, idle);
   }
 };
 

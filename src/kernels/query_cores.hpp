@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What each query's kernel computes for one vector of pairs: the core's templates, as the scalar functions use them.
 //
-// evaluate(a, b, known, out) writes the results and returns where they hold: elsewhere the scalar function is asked,
-// which takes the same first step and then goes on.
+// evaluate(a, b, known, out) writes the results and returns the lanes in which they are final. For the other lanes the
+// scalar function is asked, which begins with the same step and then continues with slower ones.
 #pragma once
 
 #include <vesica/area.hpp>
@@ -62,7 +62,8 @@ VESICA_INLINE PairMask circles_apart(Doubles dx, Doubles dy, Doubles reach) noex
 /// The area of valid rectangles that certainly cross or are certainly disjoint.
 VESICA_INLINE PairMask shared_area(const Rect<Doubles>& a, const Rect<Doubles>& b, const KnownLanes<Doubles>& known,
                                    Doubles& area) noexcept {
-  const PairMask disjoint = detail::overlap::filter(a, b).disjoint, valid = known.reach_a + known.reach_b > Doubles(0.0);
+  const PairMask disjoint = detail::overlap::filter(a, b).disjoint,
+                 valid = known.reach_a + known.reach_b > Doubles(0.0);
   area = Doubles(0.0);
   if (all(both(disjoint, valid))) return disjoint;
   const auto crossing = detail::area::crossing_area(a, b);
@@ -78,7 +79,8 @@ struct AreaCore {
   }
 };
 
-/// Areas whose reach is known need none of the care that iou() takes of their range; the same bits come out.
+/// A known reach means areas of moderate size, so the scaling with which iou() avoids overflow is left out. The bits are
+/// the same.
 struct IouCore {
   static constexpr int results = 1;
   VESICA_INLINE static PairMask evaluate(const Rect<Doubles>& a, const Rect<Doubles>& b,

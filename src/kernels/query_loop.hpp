@@ -22,8 +22,9 @@ VESICA_INLINE Shape<V> load_shape(const double* const* field, std::int32_t i) no
   return load_shape<Shape, V>(field, i, std::make_index_sequence<ShapeTraits<Shape<double>>::fields>{});
 }
 
-// As check(): finite numbers, no negative size, an axis that is not zero. The filters behind a relation see to it
-// themselves, for every shape; what is known of rectangles says it where areas are asked for.
+// Whether a shape is valid, by the rules of check(): finite numbers, no negative size, an axis that is not zero.
+// Relations need none of these: a filter decides nothing about an invalid shape. Areas need none either: the reach of an
+// invalid rectangle is NaN.
 template <class V>
 VESICA_INLINE MaskOf<V> valid(const Circle<V>& s) noexcept {
   const V zero(0.0);
@@ -40,6 +41,7 @@ VESICA_INLINE MaskOf<V> valid(const Ellipse<V>& s) noexcept {
   return valid(Rect<V>{s.cx, s.cy, s.ux, s.uy, s.a, s.b});
 }
 
+/// The loop: loads a vector of pairs, asks Core, stores the results.
 template <class Core, template <class> class A, template <class> class B, class V>
 bool answer_vectors(const QueryColumns& columns, std::int32_t n, double* const* results) noexcept {
   constexpr bool sees_validity =
@@ -64,6 +66,7 @@ bool answer_vectors(const QueryColumns& columns, std::int32_t n, double* const* 
   return all(all_settled);
 }
 
+/// The ApartKernel: one comparison a pair.
 inline void find_apart(const QueryColumns& columns, std::int32_t n, std::uint8_t* out) noexcept {
   const std::int32_t step_a = columns.first.repeated ? 0 : 1, step_b = columns.second.repeated ? 0 : 1;
   for (std::int32_t i = 0; i < n; i += Doubles::width) {

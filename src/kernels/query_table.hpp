@@ -18,17 +18,21 @@ inline constexpr std::int32_t query_block = 128;
 /// The doubles of the widest vectors, two as one.
 inline constexpr std::int32_t widest_vector = 16;
 
-/// One side's columns of n numbers, n a multiple of the vector's width; a shape that is repeated has but widest_vector.
+/// One operand's columns of n numbers, n a multiple of the vector's width. One shape that is repeated has widest_vector
+/// copies of its numbers, whatever n is.
 struct QueryOperand {
   const double* number[max_fields];
-  const double* area;   // where the query asks for it; any numbers elsewhere
-  const double* reach;  // the same: the radius of a circle about the centre, 2^-48 to spare. NaN for an invalid shape
+  /// Set where the query has shape_area, arbitrary elsewhere.
+  const double* area;
+  /// The radius of a circle about the centre that holds the shape, with 2^-48 of itself to spare; NaN for an invalid
+  /// shape. Set where the query knows reaches, arbitrary elsewhere.
+  const double* reach;
   bool repeated;
 };
 
 struct QueryColumns {
   QueryOperand first, second;
-  const double* known;  // 1 where the shapes overlap, 0 elsewhere, where asked for
+  const double* known;  // 1 where the shapes overlap, else 0; set where the query knows overlaps
 };
 
 /// Fills results[k][i] for i < n. Where a kernel cannot answer, or a shape is invalid, results[0][i] is NaN, and the

@@ -15,7 +15,7 @@ template <class T>
 struct Block {
   const T* first[max_fields];
   const T* second[max_fields];
-  std::int32_t count;
+  std::int32_t count;       // for kernels a multiple of the vector's width
   std::uint8_t* out;        // count bytes: 1 where the filter is sure of overlap, else 0
   std::int32_t* undecided;  // room for count indices, ascending
   std::int32_t give_up;     // more undecided than this, and the kernel stops: the caller then asks another way
@@ -29,7 +29,7 @@ struct BlockResult {
 template <class T>
 using BlockKernel = BlockResult (*)(const Block<T>&) noexcept;
 
-/// Which operand, if any, is one shape repeated.
+/// Which operand, if any, is one shape repeated. Of two shapes of one kind the second has no kernel of its own.
 enum class Repeat { none, first, second };
 inline constexpr int repeat_count = 3;
 
@@ -49,16 +49,20 @@ struct QueryTable;
 
 struct KernelTable {
   const char* name;
-  const QueryTable* queries;  // of the same instruction set
+  const QueryTable* queries;          // of the same instruction set
+  std::int32_t width_f32, width_f64;  // lanes of a vector
   void (*widen_column)(const float* from, std::int32_t n, double* to) noexcept;
   ScalarKernels<float> f32;
   ScalarKernels<double> f64;
 
+  std::int32_t width(float) const noexcept { return width_f32; }
+  std::int32_t width(double) const noexcept { return width_f64; }
   const ScalarKernels<float>& of(float) const noexcept { return f32; }
   const ScalarKernels<double>& of(double) const noexcept { return f64; }
 };
 
-/// The instruction sets built for this machine's architecture; the portable one is a single lane, and runs anywhere.
+/// The instruction sets built for this machine's architecture. The portable one is a single lane and runs anywhere; the
+/// library has it only where the architecture's baseline has no vectors that it knows.
 extern const KernelTable kernels_portable;
 #if defined(__x86_64__)
 extern const KernelTable kernels_sse2, kernels_avx2, kernels_avx512;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One lane: what machines without a kernel of their own run, from the scalar arithmetic of the core.
+// One lane, of the scalar arithmetic of the core: for processors without vectors that the library knows.
 #pragma once
 
 #include <cstdint>

@@ -13,7 +13,7 @@ fail() {
 command -v "$1" >/dev/null || fail "no nm ('$1'): nothing can be checked"
 command -v "$2" >/dev/null || fail "no readelf ('$2'): nothing can be checked"
 names=$("$1" -D "$3" | awk '{print $NF}')
-grep -q '^vesica_version' <<<"$names" || fail "$3 exports no vesica_version: not the library"
+grep -q '^vesica_[a-z0-9_]*@' <<<"$names" || fail "$3 exports no vesica_...: not the library"
 # __cxa_finalize and __cxa_atexit are libc's; every other __cxa_ and every _Unwind_ is of a C++ runtime.
 if grep -E '^_Z|^__cxa_|^__gxx|^_Unwind_' <<<"$names" | grep -Ev '^__cxa_(finalize|atexit)(@|$)'; then
   fail "these names are C++"

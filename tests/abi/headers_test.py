@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""headers_test.py LIBRARY: the headers, the version script, the library and tests/capi agree, with nothing left out.
+"""headers_test.py LIBRARY METHODS: headers, version scripts, libraries and tests/capi agree, with nothing left out.
 
 What exists is taken from the headers (capi/describe.py), so that what is added later is checked without a new line.
 """
 import ctypes
+import json
 import pathlib
 import re
 import sys
@@ -20,40 +21,46 @@ def expect(condition, message):
         failures.append(message)
 
 
-def nodes_of_map():
+def nodes_of_map(name):
     """{name: release} of every exported name."""
     result, release = {}, None
-    for line in (ROOT / "capi/vesica.map").read_text().split("\n"):
-        node = re.match(r"VESICA_(\d+\.\d+) \{", line)
-        name = re.fullmatch(r" +(vesica_\w+);", line)
+    for line in (ROOT / "capi" / name).read_text().split("\n"):
+        node = re.match(r"VESICA(?:_METHODS)?_(\d+\.\d+) \{", line)
+        function = re.fullmatch(r" +(vesica_\w+);", line)
         if node:
             release = node[1]
-        elif name:
-            expect(name[1] not in result, f"{name[1]} is in vesica.map twice")
-            result[name[1]] = release
+        elif function:
+            expect(function[1] not in result, f"{function[1]} is in {name} twice")
+            result[function[1]] = release
     return result
 
 
-def functions_are_exported(description, nodes):
-    declared = {entry["name"]: entry["since"] for entry in description["functions"]}
+def functions_are_exported(description, header, library):
+    where = describe.MAPS[header]
+    nodes = nodes_of_map(where)
+    declared = {entry["name"]: entry["since"] for entry in description["functions"] if entry["header"] == header}
     for name in declared.keys() | nodes.keys():
-        expect(name in declared, f"{name} is in vesica.map, but in no header")
-        expect(name in nodes, f"{name} is in a header, but not in vesica.map")
+        expect(name in declared, f"{name} is in {where}, but not in {header}")
+        expect(name in nodes, f"{name} is in {header}, but not in {where}")
         expect(declared.get(name) == nodes.get(name),
-               f"{name}: since {declared.get(name)} in its header, at the node of {nodes.get(name)} in vesica.map")
+               f"{name}: since {declared.get(name)} in its header, at the node of {nodes.get(name)} in {where}")
+        expect(hasattr(library, name), f"{name} is not in the library")
 
 
-def constants_are_functions(description, library):
-    declared = {entry["name"]: entry for entry in description["functions"]}
-    for entry in description["constants"]:
-        function = declared.get(entry["function"])
-        if function is None or (function["returns"], function["parameters"]) != ("int32_t", []):
-            expect(False, f"{entry['name']} has no function int32_t {entry['function']}(void)")
-        elif not hasattr(library, entry["function"]):
-            expect(False, f"{entry['function']} is not in the library")
-        else:
-            value = getattr(library, entry["function"])()
-            expect(value == entry["value"], f"{entry['name']} is {entry['value']}, its function returns {value}")
+def constants_agree(description):
+    """A header's own text, vesica.json and the declarations hold the same constants. None of them is a function."""
+    described = json.loads((ROOT / "capi/vesica.json").read_text())["constants"]
+    functions = {entry["name"] for entry in description["functions"]}
+    for header in describe.HEADERS:
+        path = ROOT / "capi" / header
+        written = dict(re.findall(r"^#define (VESICA_\w+)[ (]+(-?\d+)", path.read_text(), re.M))
+        declared = dict(re.findall(r"^    (VESICA_\w+) = (-?\d+),$", path.with_suffix(".cdef").read_text(), re.M))
+        listed = {entry["name"]: str(entry["value"]) for entry in described if entry["header"] == header}
+        expect(written, f"{header} has no constants")
+        for name in written.keys() | declared.keys() | listed.keys():
+            values = written.get(name), listed.get(name), declared.get(name)
+            expect(len(set(values)) == 1, f"{name}: header, vesica.json and declarations say {values}")
+            expect(name.startswith("VESICA_VERSION") or name.lower() not in functions, f"{name} is a function too")
 
 
 def structs_are_pinned(description):
@@ -66,11 +73,12 @@ def structs_are_pinned(description):
                f"{entry['name']} has {entry['size']} bytes, tests/capi says otherwise")
 
 
-def main(path):
+def main(*libraries):
     description = describe.describe()
     expect(len(description["constants"]) >= 19 and len(description["structs"]) >= 14, "the headers were not understood")
-    functions_are_exported(description, nodes_of_map())
-    constants_are_functions(description, ctypes.CDLL(path))
+    for header, library in zip(describe.HEADERS, libraries, strict=True):
+        functions_are_exported(description, header, ctypes.CDLL(library))
+    constants_agree(description)
     structs_are_pinned(description)
     for failure in failures:
         print(failure)
@@ -80,4 +88,4 @@ def main(path):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1]))
+    sys.exit(main(*sys.argv[1:]))

@@ -1,25 +1,29 @@
 -- SPDX-License-Identifier: Apache-2.0
--- luajit_test.lua LIBRARY CDEF: LuaJIT reads capi/vesica.cdef as it stands, finds every function, and calls.
+-- luajit_test.lua LIBRARY CDEF METHODS CDEF: LuaJIT reads capi/*.cdef as they stand, finds every function, and calls.
 local ffi = require("ffi")
-local file = assert(io.open(arg[2]))
-local cdef = file:read("*a")
-file:close()
-ffi.cdef(cdef)
-local vesica = ffi.load(arg[1])
 
-local functions = 0
-for name in cdef:gmatch("[ *](vesica_[%w_]+)%(") do
-  assert(vesica[name] ~= nil)
-  functions = functions + 1
+-- A library with its declarations read; how many functions and constants these have.
+local function load(path, declarations)
+  local file = assert(io.open(declarations))
+  local cdef = file:read("*a")
+  file:close()
+  ffi.cdef(cdef)
+  local library, functions, constants = ffi.load(path), 0, 0
+  for name in cdef:gmatch("[ *](vesica_[%w_]+)%(") do
+    assert(library[name] ~= nil)
+    functions = functions + 1
+  end
+  for name, value in cdef:gmatch("(VESICA_[%w_]+) = (%-?%d+),") do
+    assert(library[name] == tonumber(value), name)
+    constants = constants + 1
+  end
+  return library, functions, constants
 end
-assert(functions >= 93, functions)
-local constants = 0
-for name, value in cdef:gmatch("(VESICA_[%w_]+) = (%-?%d+),") do
-  assert(vesica[name] == tonumber(value), name)
-  assert(vesica[name:lower()]() == tonumber(value), name)
-  constants = constants + 1
-end
-assert(constants >= 19, constants)
+
+local vesica, functions, constants = load(arg[1], arg[2])
+assert(functions >= 121 and constants >= 27)
+local methods, named, limits = load(arg[3], arg[4])
+assert(named >= 42 and limits >= 8)
 assert(ffi.sizeof("vesica_rect_f64") == 48)
 assert(ffi.offsetof("vesica_shapes_f32", "field") == 24)
 
@@ -32,5 +36,7 @@ assert(vesica.vesica_overlap_circle_rect_f64(disc, square) == 0)
 disc.r = 0 / 0
 local status = vesica.vesica_overlap_circle_rect_f64(disc, square)
 assert(status == vesica.VESICA_E_SHAPE)
+local corners = ffi.new("double[8]")
+assert(methods.vesica_method_rect_corners_f64(square, corners) == 0 and corners[0] == -0.5 and corners[2] == 0.5)
 assert(ffi.string(vesica.vesica_strerror(status)):find("a shape is invalid", 1, true) == 1)
-print(jit.version, "finds", functions, "functions")
+print(jit.version, "finds", functions + named, "functions")

@@ -4,17 +4,15 @@
 #include <vesica.h>
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
+#include "area/real.hpp"
+
 namespace reference {
 namespace {
-
-namespace mp = boost::multiprecision;
-using Real = mp::number<mp::cpp_bin_float<110>, mp::et_off>;
 
 const Real pi = 4 * atan(Real(1));
 
@@ -271,7 +269,7 @@ double distance_to_outline(int kind, const double* numbers, double x, double y) 
   // Distances from the lines of the nearer edges, and beyond their ends.
   const Real out_x = (abs(c.x) - 1) * l0, out_y = (abs(c.y) - 1) * l1;
   if (out_x <= 0 && out_y <= 0) return static_cast<double>(std::min(Real(-out_x), Real(-out_y)));
-  const Real dx = std::max(Real(0), out_x), dy = std::max(Real(0), out_y);
+  const Real dx = std::max(Real(0.0), out_x), dy = std::max(Real(0.0), out_y);
   return static_cast<double>(sqrt(dx * dx + dy * dy));
 }
 

@@ -23,7 +23,7 @@ struct InstructionSet {
   int lanes(double) const { return doubles; }
 };
 
-/// From the plainest to the best, as the library ranks them.
+/// Those the library chooses from, the plainest first.
 std::span<const InstructionSet> instruction_sets();
 
 /// One body of a test: an instruction set, a scalar type, two kinds in either order.
@@ -33,7 +33,7 @@ struct Case {
   int kind_a, kind_b;
 };
 
-/// Every instruction set with both scalars and all 36 ordered pairs of kinds.
+/// Every instruction set, the portable one too, with both scalars and all 36 ordered pairs of kinds.
 std::vector<Case> all_cases();
 
 /// As in "avx2_f32_rect_ellipse".

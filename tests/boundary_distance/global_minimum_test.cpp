@@ -32,7 +32,7 @@ vesica::Ellipse<double> ellipse(int kind, const properties::Numbers& n) {
 }
 
 void count_search(const Pair& pair, Tally& tally) {
-  using namespace vesica::outline;
+  using namespace vesica::detail::support_minimum;
   const auto placed = place(form(ellipse(pair.kind_a, pair.a)), form(ellipse(pair.kind_b, pair.b)));
   const Minimum m = minimise(Frame(placed).objective(-1));
   tally.limits_met += !m.settled;
@@ -81,7 +81,7 @@ void run(int outer, int inner, int pairs_a_style, int limit) {
 }
 
 /// A quarter of the limit, which no search may ever meet.
-constexpr int expected_evaluations = vesica::outline::evaluation_limit / 4;
+constexpr int expected_evaluations = vesica::detail::support_minimum::evaluation_limit / 4;
 
 TEST(GlobalMinimum, EllipseInEllipse) { run(VESICA_ELLIPSE, VESICA_ELLIPSE, 18000, expected_evaluations); }
 TEST(GlobalMinimum, CircleInEllipse) { run(VESICA_ELLIPSE, VESICA_CIRCLE, 2000, expected_evaluations); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each constant is also a function, and no number of this file may ever change: they are the ABI.
+// No number of this file may ever change: they are the ABI.
 #include <gtest/gtest.h>
 #include <vesica.h>
 #include <vesica_methods.h>
@@ -92,42 +92,30 @@ TEST(CapiConstants, LayoutOfMethods) {
   EXPECT_EQ(sizeof(vesica_descent_result_f32), 24u);
 }
 
-struct Constant {
-  std::int32_t macro;
-  std::int32_t (*function)();
-  std::int32_t value;
-};
-
-TEST(CapiConstants, MacrosFunctionsAndValuesAgree) {
-  const Constant constants[] = {
-      {VESICA_POINT, vesica_point, 0},
-      {VESICA_SEGMENT, vesica_segment, 1},
-      {VESICA_CIRCLE, vesica_circle, 2},
-      {VESICA_AABB, vesica_aabb, 3},
-      {VESICA_RECT, vesica_rect, 4},
-      {VESICA_ELLIPSE, vesica_ellipse, 5},
-      {VESICA_DISJOINT, vesica_disjoint, 0},
-      {VESICA_TOUCH, vesica_touch, 1},
-      {VESICA_CROSS, vesica_cross, 2},
-      {VESICA_INSIDE, vesica_inside, 3},
-      {VESICA_INSIDE_TOUCH, vesica_inside_touch, 4},
-      {VESICA_CONTAINS, vesica_contains, 5},
-      {VESICA_CONTAINS_TOUCH, vesica_contains_touch, 6},
-      {VESICA_EQUAL, vesica_equal, 7},
-      {VESICA_E_NULL, vesica_e_null, -1},
-      {VESICA_E_SHAPE, vesica_e_shape, -2},
-      {VESICA_E_KIND, vesica_e_kind, -3},
-      {VESICA_E_ARGUMENT, vesica_e_argument, -4},
-      {VESICA_E_NOT_FINITE, vesica_e_not_finite, -5},
-      {VESICA_E_NEGATIVE_SIZE, vesica_e_negative_size, -6},
-      {VESICA_E_ZERO_AXIS, vesica_e_zero_axis, -7},
-      {VESICA_E_INVERTED, vesica_e_inverted, -8},
-      {VESICA_E_RANGE, vesica_e_range, -9},
-  };
-  for (const Constant& constant : constants) {
-    EXPECT_EQ(constant.macro, constant.value);
-    EXPECT_EQ(constant.function(), constant.value);
-  }
+TEST(CapiConstants, Values) {
+  EXPECT_EQ(VESICA_POINT, 0);
+  EXPECT_EQ(VESICA_SEGMENT, 1);
+  EXPECT_EQ(VESICA_CIRCLE, 2);
+  EXPECT_EQ(VESICA_AABB, 3);
+  EXPECT_EQ(VESICA_RECT, 4);
+  EXPECT_EQ(VESICA_ELLIPSE, 5);
+  EXPECT_EQ(VESICA_DISJOINT, 0);
+  EXPECT_EQ(VESICA_TOUCH, 1);
+  EXPECT_EQ(VESICA_CROSS, 2);
+  EXPECT_EQ(VESICA_INSIDE, 3);
+  EXPECT_EQ(VESICA_INSIDE_TOUCH, 4);
+  EXPECT_EQ(VESICA_CONTAINS, 5);
+  EXPECT_EQ(VESICA_CONTAINS_TOUCH, 6);
+  EXPECT_EQ(VESICA_EQUAL, 7);
+  EXPECT_EQ(VESICA_E_NULL, -1);
+  EXPECT_EQ(VESICA_E_SHAPE, -2);
+  EXPECT_EQ(VESICA_E_KIND, -3);
+  EXPECT_EQ(VESICA_E_ARGUMENT, -4);
+  EXPECT_EQ(VESICA_E_NOT_FINITE, -5);
+  EXPECT_EQ(VESICA_E_NEGATIVE_SIZE, -6);
+  EXPECT_EQ(VESICA_E_ZERO_AXIS, -7);
+  EXPECT_EQ(VESICA_E_INVERTED, -8);
+  EXPECT_EQ(VESICA_E_RANGE, -9);
 }
 
 TEST(CapiConstants, Version) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/* The C11 macro vesica_overlap: kinds and scalar from the types of two pointers. Its own program, as it needs C11. */
+/* The C11 macros: kinds and scalar from the types of pointers. Its own program, as it needs C11. */
 #include <stdio.h>
+#include <string.h>
 #include <vesica.h>
 
 static int failures = 0;
@@ -77,6 +78,99 @@ static void test_float(void) {
   EXPECT(vesica_overlap(&apart, &ellipse), 0);
 }
 
+/* Each query of a kind, as first and as second shape, is the function called with kinds and numbers: the same answer and
+   the same bytes. */
+#define EXPECT_ANSWER(query, scalar, T, a, KIND_A, b, KIND_B) \
+  EXPECT(query(a, b), query##_##scalar(KIND_A, (const T*)(a), KIND_B, (const T*)(b)))
+#define EXPECT_RESULT(query, scalar, T, Result, a, KIND_A, b, KIND_B)                                       \
+  do {                                                                                                      \
+    Result generic, direct;                                                                                 \
+    memset(&generic, 0xaa, sizeof generic);                                                                 \
+    memset(&direct, 0x55, sizeof direct);                                                                   \
+    EXPECT(query(a, b, &generic), query##_##scalar(KIND_A, (const T*)(a), KIND_B, (const T*)(b), &direct)); \
+    EXPECT(memcmp(&generic, &direct, sizeof direct), 0);                                                    \
+  } while (0)
+#define EXPECT_OF_ONE(query, scalar, T, Result, a, KIND_A)                        \
+  do {                                                                            \
+    Result generic, direct;                                                       \
+    memset(&generic, 0xaa, sizeof generic);                                       \
+    memset(&direct, 0x55, sizeof direct);                                         \
+    EXPECT(query(a, &generic), query##_##scalar(KIND_A, (const T*)(a), &direct)); \
+    EXPECT(memcmp(&generic, &direct, sizeof direct), 0);                          \
+  } while (0)
+#define EXPECT_PAIR(scalar, T, a, KIND_A, b, KIND_B)                                                          \
+  do {                                                                                                        \
+    EXPECT_ANSWER(vesica_overlap, scalar, T, a, KIND_A, b, KIND_B);                                           \
+    EXPECT_ANSWER(vesica_relation, scalar, T, a, KIND_A, b, KIND_B);                                          \
+    EXPECT_ANSWER(vesica_contains, scalar, T, a, KIND_A, b, KIND_B);                                          \
+    EXPECT_RESULT(vesica_crossings, scalar, T, vesica_crossing_points_##scalar, a, KIND_A, b, KIND_B);        \
+    EXPECT_RESULT(vesica_nearest, scalar, T, vesica_closest_points_##scalar, a, KIND_A, b, KIND_B);           \
+    EXPECT_RESULT(vesica_boundary_distance, scalar, T, vesica_closest_points_##scalar, a, KIND_A, b, KIND_B); \
+    EXPECT_RESULT(vesica_depth, scalar, T, vesica_penetration_##scalar, a, KIND_A, b, KIND_B);                \
+    EXPECT_RESULT(vesica_area, scalar, T, T, a, KIND_A, b, KIND_B);                                           \
+    EXPECT_RESULT(vesica_iou, scalar, T, T, a, KIND_A, b, KIND_B);                                            \
+  } while (0)
+#define EXPECT_KIND(scalar, T, a, KIND_A)                                     \
+  do {                                                                        \
+    EXPECT(vesica_check(a), vesica_check_##scalar(KIND_A, (const T*)(a)));    \
+    EXPECT_OF_ONE(vesica_shape_area, scalar, T, T, a, KIND_A);                \
+    EXPECT_OF_ONE(vesica_bounds, scalar, T, vesica_aabb_##scalar, a, KIND_A); \
+    EXPECT_PAIR(scalar, T, a, KIND_A, &probe, VESICA_ELLIPSE);                \
+    EXPECT_PAIR(scalar, T, &probe, VESICA_ELLIPSE, a, KIND_A);                \
+  } while (0)
+#define TEST_EVERY_QUERY(scalar, T)                                     \
+  static void test_every_query_##scalar(void) {                         \
+    const vesica_ellipse_##scalar probe = {4, 1, (T)0.6, (T)0.8, 3, 1}; \
+    const vesica_point_##scalar point = {4, 2};                         \
+    const vesica_segment_##scalar segment = {0, 0, 4, 2};               \
+    vesica_circle_##scalar circle = {1, 0, 2};                          \
+    vesica_aabb_##scalar aabb = {0, -1, 3, 1};                          \
+    const vesica_rect_##scalar rect = {1, 0, 1, 0, 2, 1};               \
+    const vesica_ellipse_##scalar ellipse = {1, 0, 1, 0, 2, 1};         \
+    const vesica_ellipse_##scalar invalid = {1, 0, 1, 0, 2, -1};        \
+    EXPECT_KIND(scalar, T, &point, VESICA_POINT);                       \
+    EXPECT_KIND(scalar, T, &segment, VESICA_SEGMENT);                   \
+    EXPECT_KIND(scalar, T, &circle, VESICA_CIRCLE);                     \
+    EXPECT_KIND(scalar, T, &aabb, VESICA_AABB);                         \
+    EXPECT_KIND(scalar, T, &rect, VESICA_RECT);                         \
+    EXPECT_KIND(scalar, T, &ellipse, VESICA_ELLIPSE);                   \
+    EXPECT(vesica_check(&ellipse), 0);                                  \
+    EXPECT(vesica_check(&invalid), VESICA_E_NEGATIVE_SIZE);             \
+  }
+TEST_EVERY_QUERY(f64, double)
+TEST_EVERY_QUERY(f32, float)
+
+/* Known numbers, so that a macro that calls another query would be found out. */
+static void test_results(void) {
+  const vesica_circle_f64 disc = {0, 0, 2};
+  const vesica_aabb_f32 box = {0, 0, 2, 1}, other = {1, 0, 4, 1};
+  const vesica_point_f64 point = {5, 0};
+  vesica_closest_points_f64 closest;
+  vesica_crossing_points_f32 places;
+  vesica_penetration_f32 penetration;
+  vesica_aabb_f64 bounds;
+  float number;
+
+  EXPECT(vesica_nearest(&disc, &point, &closest), 0);
+  EXPECT(closest.distance == 3 && closest.ax == 2 && closest.bx == 5, 1);
+  EXPECT(vesica_boundary_distance(&point, &disc, &closest), 0);
+  EXPECT(closest.distance == 3 && closest.ax == 5 && closest.bx == 2, 1);
+  EXPECT(vesica_relation(&box, &other), VESICA_CROSS);
+  EXPECT(vesica_contains(&box, &box), 1);
+  EXPECT(vesica_crossings(&box, &other, &places), 4);
+  EXPECT(places.count == 4 && places.shared == 1, 1);
+  EXPECT(vesica_depth(&box, &other, &penetration), 0);
+  EXPECT(penetration.depth == 1, 1);
+  EXPECT(vesica_area(&box, &other, &number), 0);
+  EXPECT(number == 1, 1);
+  EXPECT(vesica_iou(&box, &other, &number), 0);
+  EXPECT(number == 0.25f, 1);
+  EXPECT(vesica_shape_area(&box, &number), 0);
+  EXPECT(number == 2, 1);
+  EXPECT(vesica_bounds(&disc, &bounds), 0);
+  EXPECT(bounds.min_x == -2 && bounds.max_y == 2, 1);
+}
+
 static void test_arguments(void) {
   const vesica_point_f64 points[] = {{0, 0}, {9, 9}};
   const vesica_point_f64* next = points;
@@ -95,6 +189,9 @@ static void test_arguments(void) {
 int main(void) {
   test_double();
   test_float();
+  test_every_query_f64();
+  test_every_query_f32();
+  test_results();
   test_arguments();
   return failures != 0;
 }

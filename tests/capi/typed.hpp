@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The typed functions of the C face, callable with flat numbers, so that one test body can serve all 21 pairs.
+/// The typed functions of the C face, callable with flat numbers, so that one test body can serve all pairs.
 #pragma once
 
 #include <vesica.h>
 
 #include <cstdint>
 #include <cstring>
+#include <vesica/each_shape.hpp>
+#include <vesica/shapes.hpp>
 
 namespace capi {
 
@@ -13,66 +15,19 @@ namespace capi {
 template <class Struct>
 struct KindOf;
 
-template <>
-struct KindOf<vesica_point_f64> {
-  using Scalar = double;
-  static constexpr std::int32_t kind = VESICA_POINT;
-};
-template <>
-struct KindOf<vesica_segment_f64> {
-  using Scalar = double;
-  static constexpr std::int32_t kind = VESICA_SEGMENT;
-};
-template <>
-struct KindOf<vesica_circle_f64> {
-  using Scalar = double;
-  static constexpr std::int32_t kind = VESICA_CIRCLE;
-};
-template <>
-struct KindOf<vesica_aabb_f64> {
-  using Scalar = double;
-  static constexpr std::int32_t kind = VESICA_AABB;
-};
-template <>
-struct KindOf<vesica_rect_f64> {
-  using Scalar = double;
-  static constexpr std::int32_t kind = VESICA_RECT;
-};
-template <>
-struct KindOf<vesica_ellipse_f64> {
-  using Scalar = double;
-  static constexpr std::int32_t kind = VESICA_ELLIPSE;
-};
-template <>
-struct KindOf<vesica_point_f32> {
-  using Scalar = float;
-  static constexpr std::int32_t kind = VESICA_POINT;
-};
-template <>
-struct KindOf<vesica_segment_f32> {
-  using Scalar = float;
-  static constexpr std::int32_t kind = VESICA_SEGMENT;
-};
-template <>
-struct KindOf<vesica_circle_f32> {
-  using Scalar = float;
-  static constexpr std::int32_t kind = VESICA_CIRCLE;
-};
-template <>
-struct KindOf<vesica_aabb_f32> {
-  using Scalar = float;
-  static constexpr std::int32_t kind = VESICA_AABB;
-};
-template <>
-struct KindOf<vesica_rect_f32> {
-  using Scalar = float;
-  static constexpr std::int32_t kind = VESICA_RECT;
-};
-template <>
-struct KindOf<vesica_ellipse_f32> {
-  using Scalar = float;
-  static constexpr std::int32_t kind = VESICA_ELLIPSE;
-};
+#define VESICA_KIND_OF(name, Name)                                                \
+  template <>                                                                     \
+  struct KindOf<vesica_##name##_f64> {                                            \
+    using Scalar = double;                                                        \
+    static constexpr auto kind = static_cast<std::int32_t>(::vesica::Kind::name); \
+  };                                                                              \
+  template <>                                                                     \
+  struct KindOf<vesica_##name##_f32> {                                            \
+    using Scalar = float;                                                         \
+    static constexpr auto kind = static_cast<std::int32_t>(::vesica::Kind::name); \
+  };
+VESICA_EACH_SHAPE(VESICA_KIND_OF)
+#undef VESICA_KIND_OF
 
 /// A typed function of two shapes, as its structs and as a function of flat numbers. NULL is passed on as NULL.
 template <auto function>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// All 21 typed overlap functions of a scalar type, in the order of shapes.
+/// The typed overlap functions of all pairs.
 #pragma once
 
-#include <array>
+#include <vesica/each_shape.hpp>
 
 #include "capi/typed.hpp"
 
@@ -14,32 +14,18 @@ struct TypedPair {
   std::int32_t (*overlap)(const T*, const T*);
 };
 
-template <auto... function>
-constexpr auto typed_pairs_of() {
-  using T = std::common_type_t<typename Typed<function>::Scalar...>;
-  return std::array<TypedPair<T>, sizeof...(function)>{
-      TypedPair<T>{Typed<function>::kind_a, Typed<function>::kind_b, Typed<function>::call}...};
+template <auto function>
+constexpr auto typed_pair() {
+  return TypedPair<typename Typed<function>::Scalar>{Typed<function>::kind_a, Typed<function>::kind_b,
+                                                     Typed<function>::call};
 }
 
-inline constexpr auto typed_pairs_f64 =
-    typed_pairs_of<vesica_overlap_point_point_f64, vesica_overlap_point_segment_f64, vesica_overlap_point_circle_f64,
-                   vesica_overlap_point_aabb_f64, vesica_overlap_point_rect_f64, vesica_overlap_point_ellipse_f64,
-                   vesica_overlap_segment_segment_f64, vesica_overlap_segment_circle_f64,
-                   vesica_overlap_segment_aabb_f64, vesica_overlap_segment_rect_f64, vesica_overlap_segment_ellipse_f64,
-                   vesica_overlap_circle_circle_f64, vesica_overlap_circle_aabb_f64, vesica_overlap_circle_rect_f64,
-                   vesica_overlap_circle_ellipse_f64, vesica_overlap_aabb_aabb_f64, vesica_overlap_aabb_rect_f64,
-                   vesica_overlap_aabb_ellipse_f64, vesica_overlap_rect_rect_f64, vesica_overlap_rect_ellipse_f64,
-                   vesica_overlap_ellipse_ellipse_f64>();
-
-inline constexpr auto typed_pairs_f32 =
-    typed_pairs_of<vesica_overlap_point_point_f32, vesica_overlap_point_segment_f32, vesica_overlap_point_circle_f32,
-                   vesica_overlap_point_aabb_f32, vesica_overlap_point_rect_f32, vesica_overlap_point_ellipse_f32,
-                   vesica_overlap_segment_segment_f32, vesica_overlap_segment_circle_f32,
-                   vesica_overlap_segment_aabb_f32, vesica_overlap_segment_rect_f32, vesica_overlap_segment_ellipse_f32,
-                   vesica_overlap_circle_circle_f32, vesica_overlap_circle_aabb_f32, vesica_overlap_circle_rect_f32,
-                   vesica_overlap_circle_ellipse_f32, vesica_overlap_aabb_aabb_f32, vesica_overlap_aabb_rect_f32,
-                   vesica_overlap_aabb_ellipse_f32, vesica_overlap_rect_rect_f32, vesica_overlap_rect_ellipse_f32,
-                   vesica_overlap_ellipse_ellipse_f32>();
+#define VESICA_PAIR_F64(a, A, b, B) typed_pair<vesica_overlap_##a##_##b##_f64>(),
+#define VESICA_PAIR_F32(a, A, b, B) typed_pair<vesica_overlap_##a##_##b##_f32>(),
+inline constexpr TypedPair<double> typed_pairs_f64[] = {VESICA_EACH_PAIR(VESICA_PAIR_F64)};
+inline constexpr TypedPair<float> typed_pairs_f32[] = {VESICA_EACH_PAIR(VESICA_PAIR_F32)};
+#undef VESICA_PAIR_F64
+#undef VESICA_PAIR_F32
 
 /// The functions of one scalar type under one name each.
 template <class T>

@@ -64,10 +64,10 @@ void depths(const char* what, double aspect, double share) {
     const B b = draw<B>(random, aspect, 1);
     if (!overlap(a, b)) continue;
     ++tally.pairs;
-    const auto found = least::lane_depth(a, b, false);
+    const auto found = detail::depth::lane_depth(a, b, false);
     if (!found.settled) continue;
     ++tally.settled;
-    const auto d = outline::searched_depth(outline::form(a), outline::form(b));
+    const auto d = detail::depth::searched_depth(detail::support_minimum::form(a), detail::support_minimum::form(b));
     tally.worst = std::max(tally.worst, std::abs(found.depth - std::ldexp(d.value, d.exponent)));
   }
   tally.report(what, aspect, share);
@@ -91,11 +91,12 @@ void nested(const char* what, double aspect, bool a_inside, double share) {
     }
     if (relation(a, b) != wanted) continue;
     ++tally.pairs;
-    const auto found = least::lane_nested(a, b, a_inside, false);
+    const auto found = detail::boundary_distance::lane_nested(a, b, a_inside, false);
     if (!found.settled) continue;
     ++tally.settled;
-    const auto f = outline::form(a), g = outline::form(b);
-    const auto n = a_inside ? outline::nested_distance(g, f) : outline::nested_distance(f, g);
+    const auto f = detail::support_minimum::form(a), g = detail::support_minimum::form(b);
+    const auto n =
+        a_inside ? detail::boundary_distance::nested_distance(g, f) : detail::boundary_distance::nested_distance(f, g);
     tally.worst = std::max(tally.worst, std::abs(found.distance - std::ldexp(n.distance, n.exponent)));
   }
   tally.report(what, aspect, share);

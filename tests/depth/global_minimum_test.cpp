@@ -53,9 +53,10 @@ Shape as(const Numbers& n) {
   return {n[0], n[1], n[2], n[3], n[4], n[5]};
 }
 
-vesica::outline::Form form(int kind, const Numbers& n) {
+vesica::detail::support_minimum::Form form(int kind, const Numbers& n) {
   using namespace vesica;
-  return kind == VESICA_RECT ? outline::form(as<Rect<double>>(n)) : outline::form(as<Ellipse<double>>(n));
+  return kind == VESICA_RECT ? detail::support_minimum::form(as<Rect<double>>(n))
+                             : detail::support_minimum::form(as<Ellipse<double>>(n));
 }
 
 void run(int kind_a, int kind_b, double most_aspect, int pairs) {
@@ -69,7 +70,7 @@ void run(int kind_a, int kind_b, double most_aspect, int pairs) {
     if (found.x == 0 && found.y == 0) continue;
     ++overlapping;
     {
-      using namespace vesica::outline;
+      using namespace vesica::detail::support_minimum;
       const auto placed = place(form(kind_a, d.a), form(kind_b, d.b));
       const Minimum m = minimise(Frame(placed).objective(1));
       EXPECT_TRUE(m.settled);
@@ -85,7 +86,7 @@ void run(int kind_a, int kind_b, double most_aspect, int pairs) {
     }
   }
   EXPECT_EQ(missed, 0);
-  EXPECT_LE(most_evaluations, vesica::outline::evaluation_limit / 4);
+  EXPECT_LE(most_evaluations, vesica::detail::support_minimum::evaluation_limit / 4);
   EXPECT_GT(overlapping, pairs / 3);
   std::printf(
       "%s, %s, aspect up to 1e%g: %d pairs, %d missed; evaluations %.1f on average, %d at most, %d arcs at most\n",

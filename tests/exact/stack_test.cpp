@@ -109,11 +109,11 @@ Shapes touching_ellipses() {
 
 /// Ellipses with one axis v, the second half as long along it and touching the first from inside at v.
 Shapes nested_ellipses() {
-  return {VESICA_ELLIPSE,
-          VESICA_ELLIPSE,
-          {0, 0, 0x1.5555555555555p1022, 0x1.2345678p-1050, 1, 0x1.89abcdefp1},
-          {0x1.5555555555555p1021, 0x1.2345678p-1051, 0x1.5555555555555p1022, 0x1.2345678p-1050, 0.5,
-           0x1.2345678p-1050}};
+  return {
+      VESICA_ELLIPSE,
+      VESICA_ELLIPSE,
+      {0, 0, 0x1.5555555555555p1022, 0x1.2345678p-1050, 1, 0x1.89abcdefp1},
+      {0x1.5555555555555p1021, 0x1.2345678p-1051, 0x1.5555555555555p1022, 0x1.2345678p-1050, 0.5, 0x1.2345678p-1050}};
 }
 
 using Query = std::int32_t (*)(std::int32_t, const double*, std::int32_t, const double*);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # host_test.sh MOVED WORK HOST OLDER: a host's folder, built by its own host.sh, answers the vectors with the library
-# installed in MOVED; finds every answer that is made wrong in them; and refuses the library in OLDER.
+# installed in MOVED (HOST may be a path); finds every answer that is made wrong in them; and refuses the library in OLDER.
 set -euo pipefail
 
 # Not every language's tools can take a library from a place with a space in its name.
@@ -11,7 +11,7 @@ ln -s "$1" "$plain/moved"
 set -- "$plain/moved/" "${@:2}"
 
 . "$(dirname "${BASH_SOURCE[0]}")/../install/prefix.sh"
-host=$here/$3 older=$4 vectors=$here/vectors.txt failures=0
+host=$(cd "$here" && cd "$3" && pwd) older=$4 vectors=$here/vectors.txt failures=0
 
 complain() {
   printf '%s: %s; it printed\n%s\n' "$host" "$1" "$(head -n 30 <<<"$output")" >&2
@@ -21,9 +21,14 @@ complain() {
 # shellcheck source=/dev/null
 . "$host/host.sh"  # build, into $work; run VECTORS
 cd "$work"
+# What a host needs may be missing: the command that failed is named, there and in `run`.
+trap 'echo "$host: failed: $BASH_COMMAND" >&2' ERR
+set -E
 build
+set +E
+trap - ERR
 
-output=$(run "$vectors") || complain 'fails'
+output=$(run "$vectors") || complain "fails in $(declare -f run | sed '1,2d; $d')"
 counts=$(awk '/^f/ { calls++ } /^many/ { batch++ } END { printf "%d calls, %d in a batch", calls, batch }' "$vectors")
 grep -Fxq "$counts" <<<"$output" || complain "does not report '$counts'"
 grep -q '^NaN: .*a shape is invalid' <<<"$output" || complain "has no error to show for NaN"

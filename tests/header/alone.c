@@ -20,6 +20,15 @@ typedef char ellipse_f32_is_flat[sizeof(vesica_ellipse_f32) == 6 * sizeof(float)
 #error "VESICA_VERSION does not fit its parts"
 #endif
 
+/* The macros of C11 are for C11 alone. */
+#if !defined(__cplusplus) && __STDC_VERSION__ >= 201112L
+#ifndef vesica_overlap
+#error "no C11 macros"
+#endif
+#elif defined(vesica_overlap) || defined(VESICA_GENERIC_H)
+#error "C11 macros in another language"
+#endif
+
 int main(void) {
   const vesica_circle_f64 disc = {0, 0, 1};
   const vesica_ellipse_f64 ellipse = {0, 0, 1, 0, 2, 1};

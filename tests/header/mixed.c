@@ -1,15 +1,18 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Must not compile in C11: vesica_overlap takes two shapes of one scalar type. Compiles with SAME defined. */
+/* A C11 macro, CALL, on shapes and results of double and of OTHER: compiles for f64, and must not for f32. */
 #include <vesica.h>
 
-#ifdef SAME
-typedef vesica_circle_f64 second_shape;
-#else
-typedef vesica_circle_f32 second_shape;
-#endif
+#define OF_(name, scalar) vesica_##name##_##scalar
+#define OF(name, scalar) OF_(name, scalar)
+typedef double f64;
+typedef float f32;
 
 int main(void) {
   const vesica_circle_f64 a = {0, 0, 1};
-  const second_shape b = {0, 0, 1};
-  return vesica_overlap(&a, &b);
+  const OF(circle, OTHER) b = {0, 0, 1};
+  OF(closest_points, OTHER) points = {0, 0, 0, 0, 0};
+  OF(aabb, OTHER) box = {0, 0, 0, 0};
+  OTHER number = 0;
+  (void)&a, (void)&b, (void)&points, (void)&box, (void)&number;
+  return CALL;
 }

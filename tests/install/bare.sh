@@ -4,7 +4,8 @@
 # root (debootstrap and git, nothing else), clones this repository's HEAD into it, and runs there, as root, each command
 # that the README prints under "Two commands", word for word. Needs root and the network; run by hand, for it takes
 # minutes. The root is packed into CACHE (build/bare unless told) and kept; what runs is a fresh copy every time.
-# VESICA_MIRROR names another Debian mirror. Exit status 0 when every command's is.
+# After each command it prints how long that took and what has been installed beyond the bare root. VESICA_MIRROR names
+# another Debian mirror. Exit status 0 when every command's is.
 set -euo pipefail
 
 # shellcheck source=/dev/null
@@ -42,12 +43,20 @@ inside() {
     inside "$bare" "$1"
 }
 
+# Megabytes of all that is installed, as the packages say.
+installed() {
+  # shellcheck disable=SC2016
+  chroot "$bare" dpkg-query -W -f='${db:Status-Status} ${Installed-Size}\n' |
+    awk '$1 == "installed" { kb += $2 } END { printf "%d", kb / 1000 }'
+}
+
 failures=0
+bare_size=$(installed)
 for command in "${commands[@]}"; do
   echo "bare: $command"
   before=$SECONDS status=0
   inside "$command" || status=$?
-  echo "bare: status $status after $((SECONDS - before)) s"
+  echo "bare: status $status after $((SECONDS - before)) s, $(($(installed) - bare_size)) MB of packages installed"
   [ $status = 0 ] || failures=$((failures + 1))
 done
 [ $failures = 0 ]

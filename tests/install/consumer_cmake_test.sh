@@ -9,7 +9,13 @@ cmake -S "$here/consumer" -B "$work" -G Ninja -DCMAKE_PREFIX_PATH="$moved" -DCMA
   -DCMAKE_CXX_FLAGS=-Werror -DCMAKE_C_FLAGS=-Werror
 grep -F "vesica_DIR:PATH=$moved/" "$work/CMakeCache.txt"
 cmake --build "$work"
-for program in c_user cpp_user core_user; do "$work/$program"; done
-# The core is complete without the library; the others do use the shared one.
+for program in c_user methods_user cpp_user core_user; do "$work/$program"; done
+# The core is complete without the library; the others use it as it was built, and C never sees a C++ runtime.
 if readelf -d "$work/core_user" | grep -F libvesica; then exit 1; fi
-readelf -d "$work/c_user" | grep -F 'libvesica.so.0'
+if readelf -d "$work/c_user" "$work/methods_user" | grep -F libstdc++; then exit 1; fi
+if [ -n "$(find "$moved" -name libvesica.so)" ]; then
+  readelf -d "$work/c_user" | grep -F 'libvesica.so.0'
+  readelf -d "$work/methods_user" | grep -F 'libvesica-methods.so.0'
+else
+  if readelf -d "$work/c_user" "$work/methods_user" | grep -F libvesica; then exit 1; fi
+fi

@@ -17,6 +17,13 @@ block c 1 >"$work/demo.c"
 "$CC" -std=c99 -Wall -Wextra -Wpedantic -Werror -o "$work/demo" "$work/demo.c" "${flags[@]}"
 [ "$("$work/demo")" = overlap ]
 
+# The line that compiles it, word for word, where ./run has installed the library: here, that is the moved install.
+rm "$work/demo"
+mkdir "$work/build"
+ln -s "$moved" "$work/build/install"
+line=$(sed -n 's/^    \(cc demo\.c .*\)/\1/p' "$readme")
+(cd "$work" && env -u PKG_CONFIG_PATH -u LD_LIBRARY_PATH bash -euc "$line && ./demo") | grep -qx overlap
+
 {
   printf '#include <stdio.h>\n#include <vesica.h>\nint main(void) {\n'
   printf 'struct record { int id; vesica_rect_f32 box; } records[2] = {{1, {0, 0, 1, 0, 1, 1}}, {2, {9, 9, 1, 0, 1, 1}}};\n'

@@ -30,26 +30,35 @@ check 'its complaint' "run: 'nowhere' is not a file" "$complaint"
 check 'first line of help' 'usage: ./run [COMMAND]' "$("$run" help | head -n 1)"
 check 'help by option' "$("$run" help)" "$("$run" --help)"
 
-# needs USER PACKAGE...: what `need PACKAGE...` runs where only `here` and `twice` are installed.
+status=0
+complaint=$("$run" test --everything 2>&1) || status=$?
+check 'status of an unknown size of test' 2 $status
+check 'its complaint' 'run: test takes --all, --slow, --cross or nothing' "$complaint"
+
+# pretend: within a subshell, only `here` and `twice` are installed, and nothing beyond this script is run.
+pretend() {
+  # shellcheck source=/dev/null
+  . "$run"
+  dpkg-query() {
+    case ${*: -1} in
+      here) echo installed ;;
+      twice) printf 'installed\nnot-installed\n' ;;
+      removed) echo config-files ;;
+      *) return 1 ;;
+    esac
+  }
+  id() { echo "$user"; }
+  sudo() { echo "sudo $*"; }
+  apt-get() { echo "apt-get $*"; }
+  env() { echo "env $*"; }
+}
+
+# needs USER PACKAGE...: what `need PACKAGE...` runs.
 needs() {
   (
     user=$1
-    shift
-    # shellcheck source=/dev/null
-    . "$run"
-    dpkg-query() {
-      case ${*: -1} in
-        here) echo installed ;;
-        twice) printf 'installed\nnot-installed\n' ;;
-        removed) echo config-files ;;
-        *) return 1 ;;
-      esac
-    }
-    id() { echo "$user"; }
-    sudo() { echo "sudo $*"; }
-    apt-get() { echo "apt-get $*"; }
-    env() { echo "env $*"; }
-    need "$@"
+    pretend
+    need "${@:2}"
   )
 }
 install='env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends'
@@ -58,5 +67,52 @@ check 'as root' "apt-get update
 $install removed away" "$(needs 0 here removed away)"
 check 'as another' "sudo apt-get update
 sudo $install away" "$(needs 1000 away twice)"
+
+# What cannot be had is passed over and named; the others are installed.
+possible() {
+  (
+    user=0
+    pretend
+    env() {
+      [[ " $* " != *' nowhere '* ]] || return 100
+      echo "env $*"
+    }
+    need_if_possible "$@" 2>&1
+  )
+}
+check 'with one that cannot be had' "apt-get update
+$install away
+run: cannot be had: apt-get install nowhere" "$(possible here away nowhere)"
+check 'with all that can be had' "apt-get update
+$install away" "$(possible here away)"
+
+# steps ARGUMENT...: what ./run does for these arguments, but for asking Debian for packages.
+steps() {
+  (
+    user=0
+    pretend
+    need() { echo "need: $# packages"; }
+    cmake() { echo "cmake $*"; }
+    ctest() { echo "ctest $*"; }
+    answer() { echo "answer ${1#"$root/"}"; }
+    main "$@"
+  ) | sed -e '/^need:/d' -e "s,$(dirname "$run")/,,"
+}
+tests='cmake --preset test
+cmake --build --preset test
+cmake --install build/test
+answer tests/corpus/cases.csv
+ctest --preset test'
+check 'without a command' 'cmake --workflow --preset release
+answer tests/corpus/cases.csv' "$(steps)"
+check 'the tests' "$tests" "$(steps test | sed '/^$/d')"
+check 'all tests' "$tests
+cmake --preset test
+cmake --build --preset rest
+ctest --preset rest" "$(steps test --all)"
+
+# `./run test` asks for nothing of npm, and for no language but C, C++ and Python.
+check 'packages of the tests' 'cmake g++ libgmp-dev libgtest-dev libmpfr-dev libxml2-utils ninja-build pkg-config python3-cffi python3-numpy' \
+  "$(. "$run" && printf '%s\n' "${test_packages[@]}" | sort | paste -sd ' ')"
 
 [ $failures = 0 ]

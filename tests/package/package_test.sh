@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# package_test.sh WORK: the Debian packages of this tree. Run by hand, for it takes some minutes; needs what
+# package_test.sh WORK: the Debian packages of this tree. Takes some minutes; needs what
 # `./run package` installs, and lintian, man-db and pkg-config.
 #   - two builds in folders of different names and depths give the same packages, byte for byte
 #   - lintian has nothing to say, pedantry and experiments included, and nothing is overridden
@@ -48,8 +48,10 @@ libdir=$(dirname "$(find "$unpacked" -name libvesica.so)")
 
 step 'manual'
 pages=$unpacked/usr/share/man/man3
-nm -D --defined-only "$libdir/libvesica.so.0" | awk '$2 == "T" { sub("@.*", "", $3); print $3 }' | sort >"$work/names"
-[ -s "$work/names" ] || fail 'the library exports nothing'
+nm -D --defined-only "$libdir/libvesica.so.0" "$libdir/libvesica-methods.so.0" | awk '$2 == "T" { sub("@.*", "", $3); print $3 }' | sort >"$work/names"
+for name in vesica_overlap_f64 vesica_method_rect_corners_f64; do
+  grep -qx "$name" "$work/names" || fail "$name is not exported"
+done
 while read -r name; do
   [ -e "$pages/$name.3.gz" ] || fail "$name has no manual page"
 done <"$work/names"
@@ -62,6 +64,8 @@ step 'pkg-config'
 export PKG_CONFIG_PATH=$libdir/pkgconfig
 flags=$(pkg-config --cflags --libs vesica | sed 's/ *$//')
 [ "$flags" = -lvesica ] || fail "pkg-config says '$flags'"
+methods=$(pkg-config --cflags --libs vesica-methods | sed 's/ *$//')
+[ "$methods" = '-lvesica-methods -lvesica' ] || fail "pkg-config says '$methods' of the named methods"
 export LD_LIBRARY_PATH=$libdir
 cc -std=c99 -Wall -Wextra -Werror -isystem "$unpacked/usr/include" -o "$work/c_user" \
   "$root/tests/install/consumer/c_user.c" -L"$libdir" "$flags"
@@ -71,6 +75,6 @@ step 'find_package'
 cmake -S "$root/tests/install/consumer" -B "$work/consumer" -DCMAKE_PREFIX_PATH="$unpacked/usr" >"$work/consumer.log"
 grep -F "vesica_DIR:PATH=$libdir/cmake/vesica" "$work/consumer/CMakeCache.txt" >/dev/null || fail 'CMake found another'
 cmake --build "$work/consumer" >>"$work/consumer.log"
-for program in c_user cpp_user core_user; do "$work/consumer/$program"; done
+for program in c_user methods_user cpp_user core_user; do "$work/consumer/$program"; done
 
 step 'passed'

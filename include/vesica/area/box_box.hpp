@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The area that two boxes share. In the frame of one box, the other's outline is followed and clamped to the first:
-/// the area is the integral of -y dx along the clamped outline. Nothing is sorted and no case told apart, and the
-/// formula is a template over V, a double or lanes of them.
+/// The area that two boxes share. In the frame of one box, the outline of the other is clamped to the first box; the
+/// shared area is the integral of -y dx along the clamped outline. There are no cases and nothing is sorted, so one
+/// formula serves a double and lanes of doubles.
 #pragma once
 
 #include <type_traits>
@@ -14,7 +14,7 @@ namespace vesica::detail::area {
 
 using namespace lane;  // for scalars; lanes of a vector bring the same names by argument-dependent lookup
 
-/// An area, and where it is one: elsewhere the caller needs the exact predicates or more digits.
+/// An area, and whether it is settled. If not, the caller needs the exact predicates or more digits.
 template <class V, class Mask>
 struct Settled {
   V area;
@@ -79,12 +79,13 @@ VESICA_INLINE V clipped_area(const Extents<V>& e, const Strips<V>& b) noexcept {
 
 /// The exponent of an axis: times 2^-exponent, its longer part is in [1/2, 1).
 inline int axis_exponent(double ux, double uy) noexcept {
-  return vesica::detail::exponent_of(std::fmax(std::fabs(ux), std::fabs(uy)));
+  return arithmetic::exponent_of(std::fmax(std::fabs(ux), std::fabs(uy)));
 }
 
-/// An order of two shapes about one centre by what they are: an axis's power of two may be in the axis or in the sizes.
+/// An order of two shapes about one centre by their numbers. A power of two may be moved between axis and sizes without
+/// changing a shape, so the numbers are compared with the axes at one scale.
 inline bool precedes(const filter::Box<double>& a, const filter::Box<double>& b) noexcept {
-  using vesica::detail::scale;
+  using arithmetic::scale;
   const int i = axis_exponent(a.ux, a.uy), j = axis_exponent(b.ux, b.uy);
   const double numbers_a[] = {scale(a.hx, i), scale(a.hy, i), scale(a.ux, -i), scale(a.uy, -i)};
   const double numbers_b[] = {scale(b.hx, j), scale(b.hy, j), scale(b.ux, -j), scale(b.uy, -j)};
@@ -94,9 +95,9 @@ inline bool precedes(const filter::Box<double>& a, const filter::Box<double>& b)
   return false;
 }
 
-/// Which of two shapes goes first, so that an exchange of the arguments, or another scale, changes no bit: the one of
-/// lesser area; of equals the one to the left, or the lower one. Equals about one centre lanes leave to the scalar
-/// call.
+/// Which of two shapes goes first, so that exchanging the arguments, or another scale, changes no bit: the one of
+/// lesser area; of equal areas the one to the left, or the lower one. Lanes leave shapes of equal area about one centre
+/// to the scalar call.
 template <class Mask>
 struct Order {
   Mask first, known;
@@ -183,7 +184,7 @@ VESICA_INLINE auto crossing_area(const Rect<V>& a, const Rect<V>& b) noexcept {
 
 /// m * 2^-exponent, kept within bounds so that no product overflows.
 inline double bounded(const Measure& m, int exponent, double bound) noexcept {
-  return clamp(vesica::detail::scale(m.value, m.exponent - exponent), -bound, bound);
+  return clamp(arithmetic::scale(m.value, m.exponent - exponent), -bound, bound);
 }
 
 /// A line w.X = 4 passes by a box in units of its own: no X is longer than 2, no w than 2^(1/2). No line need be
@@ -197,7 +198,7 @@ struct UnitBox {
 };
 
 inline UnitBox unit_box(const exact::Box& s) noexcept {
-  using vesica::detail::scale;
+  using arithmetic::scale;
   const Measure ux = exact::rounded(s.ux), uy = exact::rounded(s.uy), hx = exact::rounded(s.hx),
                 hy = exact::rounded(s.hy);
   const auto exponent = [](const Measure& m) { return m.value == 0 ? -10000 : m.exponent; };

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cmath>
-#include <vesica/area/double_double.hpp>
+#include <vesica/area/measure.hpp>
 
 namespace vesica::detail::area {
 

@@ -3,10 +3,10 @@
 /// other lie along x and y. Across that frame the shared region is cut into slices, each under one arc and above
 /// another.
 ///
-/// Why slices: each is a trapezium and two segments, none of them negative, taken between points that lie on their own
-/// arcs. A cut that is a little off its crossing costs the gap there times how far it is off, so tangent, osculating
-/// and nearly equal outlines, whose crossings no arithmetic can find well, do no harm. And an arc above or below a
-/// slice is less than half a turn, so no angle has to be told from its complement.
+/// Why slices: each is a trapezium and two circular segments, none of them negative, between points that lie on their
+/// own arcs. A cut that misses its crossing changes the area only by the gap there times the distance missed. So
+/// tangent, osculating and nearly equal outlines, whose crossings are ill-conditioned, do no harm. And the arc above or
+/// below a slice is less than half a turn, so no angle has to be distinguished from its complement.
 #pragma once
 
 #include <vesica/area/box_ellipse.hpp>
@@ -30,8 +30,8 @@ struct Placed {
   bool exchange;
 };
 
-/// One Jacobi rotation makes the image of f's matrix diagonal. What the rotation rounds turns f, centre and axes
-/// alike, about the disc, which does not mind. d: from e's centre to f's.
+/// One Jacobi rotation makes the image of f's matrix diagonal. Its rounding turns f as a whole, centre and axes, about
+/// the disc; this does not change the shared area. d: from e's centre to f's.
 template <class V>
 Placed<V> placed(const Oval<V>& e, const Oval<V>& f, const filter::Centre<V>& d) noexcept {
   const V one(1.0), zero(0.0);
@@ -42,7 +42,8 @@ Placed<V> placed(const Oval<V>& e, const Oval<V>& f, const filter::Centre<V>& d)
   const V s00 = (ac * ac + bs * bs) * (over_a * over_a), s11 = (as * as + bc * bc) * (over_b * over_b);
   const V s01 = (f.a - f.b) * (f.a + f.b) * (c * s) * overs;
   V tangent = zero;
-  // What is nothing beside the rest may be lost at another scale, and would still choose the axes of a disc's image.
+  // A negligible s01 may underflow at another scale. It is ignored at every scale: of a disc's image it would otherwise
+  // determine the axes.
   if (abs(s01) > V(0x1p-200) * (s00 + s11)) {
     const V cotangent = (s11 - s00) / (V(2.0) * s01);  // of twice the angle
     const V size = one / (abs(cotangent) + sqrt(one + cotangent * cotangent));
@@ -112,8 +113,8 @@ struct HalfCircle {
   }
 };
 
-/// Where the value changes its sign between two places at which it has different ones: Newton's method from the
-/// secant's place, the interval halved where a step would leave it or does not shrink.
+/// A sign change of the value between two places at which its signs differ: Newton's method from the secant's zero. The
+/// interval is halved where a step would leave it or does not shrink.
 template <class V>
 double crossing(const HalfCircle<V>& half, double low, double at_low, double high, double at_high) noexcept {
   double x = low - at_low * ((high - low) / (at_high - at_low)), last_angle = 4;
@@ -183,9 +184,9 @@ void add_crossings(const HalfCircle<V>& half, const Place& low, const Place& hig
   }
 }
 
-/// r^(1/3) for 0 < r < 1, to a few digits and more: it only parts intervals.
+/// r^(1/3) for 0 < r < 1, to a few digits: it only divides intervals.
 inline double cube_root(double r) noexcept {
-  double x = vesica::detail::power_of_two(vesica::detail::exponent_of(r) / 3);
+  double x = arithmetic::power_of_two(arithmetic::exponent_of(r) / 3);
   for (int i = 0; i < 6; ++i) x = (2 * x + r / (x * x)) / 3;
   return x;
 }

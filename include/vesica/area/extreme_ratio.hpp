@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Shapes that cross one so much larger that two doubles a number do not tell where its outline runs, or that it is
-/// straight as far as they can tell: the outline's place is worked out exactly and rounded once.
+/// A small shape that crosses the outline of an extremely larger one. Double-doubles then cannot tell where the outline
+/// runs, or it is straight as far as they can tell. So the outline's place is computed exactly and rounded once.
 #pragma once
 
 #include <vesica/area/ellipse_ellipse.hpp>
@@ -28,9 +28,9 @@ inline int later(const exact::Length& x, const exact::Length& y) noexcept {
   return s > t ? s : t;
 }
 
-/// The larger ellipse's tangent line where it passes by the point (cx, cy): with F the quadratic form that is 1 on the
-/// outline, F = 1 + (F(c) - 1) + gradient . X + terms of X^2 that a straight outline has none of. F(c) - 1 cancels, and
-/// is exact.
+/// The larger ellipse's outline near the point c = (cx, cy), as a straight line. Let F be the quadratic form that is 1
+/// on the outline; then F(c + X) = F(c) + gradient . X + terms of X^2, which are negligible for a straight outline. The
+/// line is where this is 1. F(c) - 1 cancels, so it is computed exactly.
 inline HalfPlane tangent_half_plane(const exact::Ellipse& e, const exact::Length& cx, const exact::Length& cy,
                                     int unit) noexcept {
   const exact::Length dx = cx - e.cx, dy = cy - e.cy;
@@ -41,11 +41,11 @@ inline HalfPlane tangent_half_plane(const exact::Ellipse& e, const exact::Length
   const int axis = later(e.ux, e.uy), length = later(e.a, e.b);
   const auto part = [](const exact::Length& x, int exponent) {
     const Measure m = exact::rounded(x);
-    return vesica::detail::scale(m.value, m.exponent - exponent);
+    return arithmetic::scale(m.value, m.exponent - exponent);
   };
   const double vx = part(e.ux, axis), vy = part(e.uy, axis), a = part(e.a, length), b = part(e.b, length);
-  const double x = vesica::detail::scale(k0.value / r.value, k0.exponent - r.exponent);
-  const double y = vesica::detail::scale(k1.value / r.value, k1.exponent - r.exponent);
+  const double x = arithmetic::scale(k0.value / r.value, k0.exponent - r.exponent);
+  const double y = arithmetic::scale(k1.value / r.value, k1.exponent - r.exponent);
   const double vv = vx * vx + vy * vy, n0 = x / (a * vv), n1 = y / (b * vv);
   const double wx = n0 * vx - n1 * vy, wy = n0 * vy + n1 * vx, longer = std::fmax(std::fabs(wx), std::fabs(wy));
   const Measure distance{-0.5 * value.value / (r.value * r.value * longer), value.exponent - 2 * r.exponent};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A pair of shapes of any magnitude in standard units: axes whose longer part is in [1/2, 1), the greatest size in
-/// [1/2, 1). Only powers of two are taken out, so that the same pair at another scale is the same in these units.
+/// A pair of shapes of any magnitude in standard units: the longer component of each axis in [1/2, 1), and the greatest
+/// size in [1/2, 1). Only powers of two are taken out, so the same pair at another scale has the same numbers in these
+/// units.
 #pragma once
 
 #include <vesica/area/box_ellipse.hpp>
@@ -29,39 +30,51 @@ inline double reach_y(const filter::Corners<double>& p) noexcept { return std::f
 
 template <class V>
 filter::Centre<V> lifted(const filter::Centre<double>& p, const Lift& lift) noexcept {
-  using vesica::detail::scale;
+  using arithmetic::scale;
   return {V(scale(p.x, lift.x)), V(scale(p.y, lift.y))};
 }
 template <class V>
 filter::Corners<V> lifted(const filter::Corners<double>& p, const Lift& lift) noexcept {
-  using vesica::detail::scale;
+  using arithmetic::scale;
   return {V(scale(p.x0, lift.x)), V(scale(p.y0, lift.y)), V(scale(p.x1, lift.x)), V(scale(p.y1, lift.y))};
 }
 
-inline Lengths lengths(const Rect<double>& s, const Lift&) noexcept { return {s.ux, s.uy, s.hx, s.hy, 0, 0}; }
-inline Lengths lengths(const Circle<double>& s, const Lift&) noexcept { return {1, 0, s.r, s.r, 0, 0}; }
-inline Lengths lengths(const Ellipse<double>& s, const Lift&) noexcept { return {s.ux, s.uy, s.a, s.b, 0, 0}; }
-inline Lengths lengths(const Aabb<double>& s, const Lift& lift) noexcept {
-  const auto p = lifted<DoubleDouble>(filter::place(s), lift);
-  return {0.5, 0, p.x1 - p.x0, p.y1 - p.y0, -lift.x, -lift.y};
+/// A size as a double-double, and the exponent of its unit: differences are of lifted coordinates.
+struct Size {
+  DoubleDouble value;
+  int exponent;
+};
+inline Size size(const form::Length<double>& l, int) noexcept { return {l.x, 0}; }
+inline Size size(const form::Ratio<double>& r, int) noexcept { return {r.x, 0}; }
+inline Size size(const form::HalfWidth<double>& w, int lift) noexcept {
+  using arithmetic::scale;
+  return {arithmetic::difference<DoubleDouble>(scale(w.to, lift), scale(w.from, lift)), -lift};
+}
+
+template <class Shape>
+Lengths lengths(const Shape& s, const Lift& lift) noexcept {
+  constexpr form::AsStored<double> number;
+  const auto f = form::of(s);
+  const Size x = size(f.hx, lift.x), y = size(f.hy, lift.y);
+  return {number(f.ux), number(f.uy), x.value, y.value, x.exponent, y.exponent};
 }
 
 /// Moves the axis's power of two into the sizes.
 inline void standardise_axis(Lengths& s) noexcept {
   const int axis = axis_exponent(s.ux, s.uy);
-  s.ux = vesica::detail::scale(s.ux, -axis);
-  s.uy = vesica::detail::scale(s.uy, -axis);
+  s.ux = arithmetic::scale(s.ux, -axis);
+  s.uy = arithmetic::scale(s.uy, -axis);
   s.exponent_0 += axis;
   s.exponent_1 += axis;
 }
 
 inline int top_exponent(const Lengths& s) noexcept {
-  const int e0 = s.exponent_0 + vesica::detail::exponent_of(s.size_0.high);
-  const int e1 = s.exponent_1 + vesica::detail::exponent_of(s.size_1.high);
+  const int e0 = s.exponent_0 + arithmetic::exponent_of(s.size_0.high);
+  const int e1 = s.exponent_1 + arithmetic::exponent_of(s.size_1.high);
   return e0 > e1 ? e0 : e1;
 }
 
-inline double scaled_to(double x, int exponent) noexcept { return vesica::detail::scale(x, exponent); }
+inline double scaled_to(double x, int exponent) noexcept { return arithmetic::scale(x, exponent); }
 inline DoubleDouble scaled_to(const DoubleDouble& x, int exponent) noexcept {
   return {scaled_to(x.high, exponent), scaled_to(x.low, exponent)};
 }

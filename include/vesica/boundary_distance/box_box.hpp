@@ -2,12 +2,14 @@
 /// The outlines of two boxes, one strictly inside the other, for scalars and for lanes.
 #pragma once
 
-#include <vesica/outline/box_faces.hpp>
+#include <vesica/support_minimum/box_faces.hpp>
 
-namespace vesica::outline {
+namespace vesica::detail::boundary_distance {
 
-/// The distance, and the closest points as offsets from the centres of their boxes; where not settled, ask the general
-/// search.
+using namespace support_minimum;
+
+/// The distance, and the closest points as offsets from the centres of their boxes. Where not settled, nested.hpp
+/// answers.
 template <class V>
 struct NestedBoxes {
   using Mask = decltype(V() < V());
@@ -22,9 +24,9 @@ VESICA_INLINE V limited(V x, V size) noexcept {
   return max(min(x, size), -size);
 }
 
-/// The second box lies strictly inside the first: the least of its distances from the first's faces, of which only
-/// those on the side of its centre count. The face is chosen in rounded arithmetic, its distance is to twice the
-/// precision.
+/// The second box lies strictly inside the first. The answer is its least distance from the first's faces, of which
+/// only the two on the side of its centre count. The face is chosen in rounded arithmetic; its distance is then
+/// computed in double-doubles.
 template <class V>
 VESICA_INLINE NestedBoxes<V> nested_boxes(const BoxPair<V>& p) noexcept {
   using namespace lane;
@@ -50,4 +52,4 @@ VESICA_INLINE NestedBoxes<V> nested_boxes(const BoxPair<V>& p) noexcept {
           both(in_range(p), clear)};
 }
 
-}  // namespace vesica::outline
+}  // namespace vesica::detail::boundary_distance

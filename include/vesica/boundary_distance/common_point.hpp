@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 /// A point of both outlines, for shapes whose outlines are known to meet (the outline of a point or a segment is all of
-/// it). So this never asks whether, only where: of all candidates the one with the least error is the answer.
+/// it). Since they are known to meet, the candidate with the least error is the answer, whatever its error.
 #pragma once
 
 #include <vesica/boundary_distance/edge.hpp>
 #include <vesica/boundary_distance/ellipse_in_disc.hpp>
-#include <vesica/outline/order.hpp>
+#include <vesica/support_minimum/order.hpp>
 
-namespace vesica::outline {
+namespace vesica::detail::boundary_distance {
 
-/// One step of Newton's method along an edge towards an ellipse's outline, from a crossing that was worked out from the
-/// edge's start and so carries the rounding of all its length: how much of the edge. 0 where the point is not nearly on
-/// the outline, or the edge nearly along it.
-inline double correction(const CentredShape& ellipse, const Vector& p, const Vector& along) noexcept {
+using namespace support_minimum;
+
+/// One step of Newton's method along an edge towards an ellipse's outline, as a share of the edge. The crossing was
+/// computed from the start of the edge and carries a rounding error relative to its whole length, which this removes.
+/// It is 0 where the point is not close to the outline, or the edge is nearly parallel to it.
+inline double correction(const CentredShape& ellipse, const PlaneVector& p, const PlaneVector& along) noexcept {
   const double x = p.x / ellipse.a, y = p.y / ellipse.b;
   const double excess = (x * x + y * y) - 1, slope = 2 * (x * (along.x / ellipse.a) + y * (along.y / ellipse.b));
   const double step = -excess / slope;
@@ -20,35 +22,35 @@ inline double correction(const CentredShape& ellipse, const Vector& p, const Vec
 }
 
 /// The four edges of the second shape, a box, against the first. Without area some of them coincide.
-inline Vector common_point_on_box(const Frame& frame) noexcept {
-  constexpr Vector corners[5] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1}};
+inline PlaneVector common_point_on_box(const Frame& frame) noexcept {
+  constexpr PlaneVector corners[5] = {{1, 1}, {-1, 1}, {-1, -1}, {1, -1}, {1, 1}};
   const CentredShape first = frame.first_by_axis();
   OnEdge best{0, 0x1p1000};
   int edge = 0;
   for (int i = 0; i < 4; ++i) {
-    const Vector &from = corners[i], &to = corners[i + 1];
+    const PlaneVector &from = corners[i], &to = corners[i + 1];
     const OnEdge found = Edge(first, frame.second_by_axis(from.x, from.y), frame.second_by_axis(to.x, to.y)).best();
     if (found.error < best.error) best = found, edge = i;
   }
-  const Vector along = corners[edge + 1] + -corners[edge], w = corners[edge] + best.t * along;
+  const PlaneVector along = corners[edge + 1] + -corners[edge], w = corners[edge] + best.t * along;
   if (!first.curved || best.t == 0 || best.t == 1) return w;
-  const Vector way = frame.second_by_axis(corners[edge + 1].x, corners[edge + 1].y) +
-                     -frame.second_by_axis(corners[edge].x, corners[edge].y);
+  const PlaneVector way = frame.second_by_axis(corners[edge + 1].x, corners[edge + 1].y) +
+                          -frame.second_by_axis(corners[edge].x, corners[edge].y);
   const double t = best.t + correction(first, frame.second_by_axis(w.x, w.y), way);
   return corners[edge] + lane::max(lane::min(t, 1.0), 0.0) * along;
 }
 
-/// A common point of two outlines that meet, rounded. It is walked for on one of the two, and so lies within rounding
-/// of that one and within 4u times the pair's scale of the other.
-inline Vector common_outline_point(const Form& a, const Form& b) noexcept {
+/// A common point of two outlines that meet, rounded. It is found as a point of one outline, so it is on that one to
+/// rounding, and within 4u times the pair's scale of the other.
+inline PlaneVector common_outline_point(const Form& a, const Form& b) noexcept {
   const PlacedPair given = place(a, b);
-  // The edges of a box are what is walked, so here a box comes second.
+  // The edges of the second shape are walked, so a box comes second.
   const bool exchange = a.curved == b.curved ? out_of_order(a, b, given) : b.curved;
   const PlacedPair pair = exchange ? exchanged(given) : given;
   const Frame frame(pair);
-  const Vector w = pair.second.centred.curved ? EllipseInDisc(frame).common() : common_point_on_box(frame);
+  const PlaneVector w = pair.second.centred.curved ? EllipseInDisc(frame).common() : common_point_on_box(frame);
   const PlacedShape& s = pair.second;
   return located(exchange ? a : b, out_of_frame(s.u, {s.a * w.x, s.b * w.y}), pair.exponent);
 }
 
-}  // namespace vesica::outline
+}  // namespace vesica::detail::boundary_distance

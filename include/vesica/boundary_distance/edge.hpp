@@ -2,22 +2,24 @@
 /// Where an edge meets, or comes closest to, the outline of a shape.
 #pragma once
 
-#include <vesica/outline/frame.hpp>
+#include <vesica/support_minimum/frame.hpp>
 
-namespace vesica::outline {
+namespace vesica::detail::boundary_distance {
+
+using namespace support_minimum;
 
 /// How far a point in the frame of a shape is from the shape's outline; for an ellipse to first order, and from inside
 /// no more than the centre is.
-inline double distance_to_outline(const CentredShape& s, const Vector& p) noexcept {
+inline double distance_to_outline(const CentredShape& s, const PlaneVector& p) noexcept {
   if (s.curved) {
     const double x = p.x / s.a, y = p.y / s.b;
-    const Vector slope{x / s.a, y / s.b};
+    const PlaneVector slope{x / s.a, y / s.b};
     const double excess = (x * x + y * y) - 1, off = lane::abs(excess) / (2 * lane::sqrt(dot(slope, slope)));
     return excess < 0 ? lane::min(off, lane::min(s.a, s.b)) : off;
   }
   const double x = lane::abs(p.x) - s.a, y = lane::abs(p.y) - s.b;
   if (x < 0 && y < 0) return lane::min(-x, -y);
-  const Vector outside{lane::positive_part(x), lane::positive_part(y)};
+  const PlaneVector outside{lane::positive_part(x), lane::positive_part(y)};
   return lane::sqrt(dot(outside, outside));
 }
 
@@ -26,11 +28,12 @@ struct OnEdge {
   double t, error;
 };
 
-/// An edge in the frame of a shape. Candidates are its ends, its crossings with the outline, and where it passes an
-/// ellipse; a crossing that rounding put off the edge has its end instead.
+/// An edge in the frame of a shape. The candidates are its ends, its crossings with the outline, and the point where it
+/// is closest to an ellipse's centre in the ellipse's metric. A crossing that rounding puts beyond an end is left out:
+/// then the end itself is close enough.
 class Edge {
  public:
-  Edge(const CentredShape& shape, const Vector& from, const Vector& to) noexcept
+  Edge(const CentredShape& shape, const PlaneVector& from, const PlaneVector& to) noexcept
       : shape_(shape), from_(from), to_(to), along_(to + -from) {}
 
   OnEdge best() noexcept {
@@ -48,7 +51,7 @@ class Edge {
  private:
   void consider(double t) noexcept {
     if (!(t >= 0 && t <= 1)) return;
-    const Vector p = t < 0.5 ? from_ + t * along_ : to_ + (t - 1) * along_;
+    const PlaneVector p = t < 0.5 ? from_ + t * along_ : to_ + (t - 1) * along_;
     const double error = distance_to_outline(shape_, p);
     if (error < best_.error) best_ = {t, error};
   }
@@ -60,7 +63,7 @@ class Edge {
 
   /// The middle of the chord is also where an edge that misses by rounding comes closest.
   void meet_ellipse() noexcept {
-    const Vector p{from_.x / shape_.a, from_.y / shape_.b}, d{along_.x / shape_.a, along_.y / shape_.b};
+    const PlaneVector p{from_.x / shape_.a, from_.y / shape_.b}, d{along_.x / shape_.a, along_.y / shape_.b};
     const double dd = dot(d, d), middle = -dot(p, d) / dd, off = cross(p, d);
     const double half = lane::sqrt(lane::positive_part(dd - off * off)) / dd;
     consider(middle);
@@ -69,8 +72,8 @@ class Edge {
   }
 
   const CentredShape& shape_;
-  Vector from_, to_, along_;
+  PlaneVector from_, to_, along_;
   OnEdge best_{0, 0x1p1000};
 };
 
-}  // namespace vesica::outline
+}  // namespace vesica::detail::boundary_distance

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where the outlines of two ellipses meet, seen where the first is the unit disc.
+/// Where the outlines of two ellipses meet, in the frame in which the first is the unit disc.
 #pragma once
 
-#include <vesica/outline/arc_bound.hpp>
-#include <vesica/outline/frame.hpp>
+#include <vesica/support_minimum/arc_bound.hpp>
+#include <vesica/support_minimum/frame.hpp>
 
-namespace vesica::outline {
+namespace vesica::detail::boundary_distance {
+
+using namespace support_minimum;
 
 /// The outline of the second ellipse: centre + x p + y q for w = (x, y) on the unit circle. Its excess at w is its
 /// squared distance from the first centre, less 1. It is negative at the closest point if anywhere, and positive at the
@@ -16,71 +18,73 @@ class EllipseInDisc {
  public:
   explicit EllipseInDisc(const Frame& frame) noexcept {
     const CentredShape first = frame.first_by_axis();
-    const auto mapped = [&](const Vector& v) { return Vector{v.x / first.a, v.y / first.b}; };
+    const auto mapped = [&](const PlaneVector& v) { return PlaneVector{v.x / first.a, v.y / first.b}; };
     centre_ = mapped(frame.offset_by_axis());
     p_ = mapped(frame.second_along());
     q_ = mapped(frame.second_across());
   }
 
-  /// Of the common points one; where by rounding there is none, the extreme that is nearly one.
-  Vector common() const noexcept {
-    const Vector axis = principal();
-    const Vector a = towards_centre(axis), b = towards_centre(perp(axis));
+  /// One of the common points. If rounding leaves none, the extreme point that is closest to the first outline.
+  PlaneVector common() const noexcept {
+    const PlaneVector axis = principal();
+    const PlaneVector a = towards_centre(axis), b = towards_centre(perp(axis));
     // Round the circle: the closest point lies between the first two corners, the furthest between their opposites.
     const bool turned = cross(a, b) < 0;
-    const Vector first = turned ? b : a, second = turned ? a : b;
-    const Vector closest = extreme(first, second, 1), furthest = extreme(-first, -second, -1);
+    const PlaneVector first = turned ? b : a, second = turned ? a : b;
+    const PlaneVector closest = extreme(first, second, 1), furthest = extreme(-first, -second, -1);
     if (!(excess_at(closest) < 0)) return closest;
     if (!(excess_at(furthest) > 0)) return furthest;
-    const Vector way[4] = {closest, second, -first, furthest};
+    const PlaneVector way[4] = {closest, second, -first, furthest};
     int i = 0;
     while (i < 2 && excess_at(way[i + 1]) < 0) ++i;
     return zero_between(way[i], way[i + 1]);
   }
 
  private:
-  Vector at(const Vector& w) const noexcept { return centre_ + (w.x * p_ + w.y * q_); }
-  double excess_at(const Vector& w) const noexcept {
-    const Vector x = at(w);
+  PlaneVector at(const PlaneVector& w) const noexcept { return centre_ + (w.x * p_ + w.y * q_); }
+  double excess_at(const PlaneVector& w) const noexcept {
+    const PlaneVector x = at(w);
     return dot(x, x) - 1;
   }
   /// Of at(w) by the angle of w.
-  Vector slope_at(const Vector& w) const noexcept { return w.x * q_ + -(w.y * p_); }
+  PlaneVector slope_at(const PlaneVector& w) const noexcept { return w.x * q_ + -(w.y * p_); }
 
   /// The w of an end of an axis of the mapped ellipse: where at(w) - centre is longest or shortest.
-  Vector principal() const noexcept {
+  PlaneVector principal() const noexcept {
     const double difference = dot(p_, p_) - dot(q_, q_), product = 2 * dot(p_, q_);
     if (difference == 0 && product == 0) return {1, 0};
-    const Vector twice = unit_of_any({difference, product});
+    const PlaneVector twice = unit_of_any({difference, product});
     // Half the angle of `twice`, from the sum with whichever of (1, 0) and (-1, 0) does not cancel.
     return twice.x >= 0 ? unit({1 + twice.x, twice.y}) : unit({twice.y, 1 - twice.x});
   }
 
   /// w or -w, whichever leads towards the first centre.
-  Vector towards_centre(const Vector& w) const noexcept { return dot(w.x * p_ + w.y * q_, centre_) > 0 ? -w : w; }
+  PlaneVector towards_centre(const PlaneVector& w) const noexcept {
+    return dot(w.x * p_ + w.y * q_, centre_) > 0 ? -w : w;
+  }
 
   /// Half the first and half the second derivative of the excess by the angle of w.
   struct Derivatives {
     double first, second;
   };
-  Derivatives derivatives(const Vector& w) const noexcept {
-    const Vector x = at(w), slope = slope_at(w);
+  Derivatives derivatives(const PlaneVector& w) const noexcept {
+    const PlaneVector x = at(w), slope = slope_at(w);
     return {dot(x, slope), dot(slope, slope) + dot(x, centre_ + -x)};
   }
 
   /// The one minimum of side * excess on a quadrant between the ellipse's axes: Newton's method on the derivative,
   /// halving the arc where that fails. It falls at a and rises at b, unless the first centre lies on an axis; then the
   /// end of that axis is a minimum itself, or a maximum between two minima.
-  Vector extreme(Vector a, Vector b, double side) const noexcept {
+  PlaneVector extreme(PlaneVector a, PlaneVector b, double side) const noexcept {
     const Derivatives at_a = derivatives(a), at_b = derivatives(b);
     if (side * at_a.first >= 0 && side * at_a.second >= 0) return a;
     if (side * at_b.first <= 0 && side * at_b.second >= 0) return b;
-    Vector w = unit(a + b);
+    PlaneVector w = unit(a + b);
     for (int i = 0; i < step_limit && cross(a, b) > shortest_arc; ++i) {
       const Derivatives d = derivatives(w);
       (side * d.first < 0 ? a : b) = w;
       const double turn = -d.first / d.second;
-      const Vector next = unit(w + turn * perp(w));
+      const PlaneVector next = unit(w + turn * perp(w));
       const bool useful = side * d.second > 0 && inside(a, next, b);
       w = useful ? next : unit(a + b);
       if (useful && lane::abs(turn) < shortest_arc) break;
@@ -90,15 +94,15 @@ class EllipseInDisc {
 
   /// A zero of the excess on an arc of at most a quarter turn, negative at a and positive at b: Newton's method,
   /// halving the arc where that leaves it or fails to halve the excess.
-  Vector zero_between(Vector a, Vector b) const noexcept {
-    Vector w = unit(a + b);
+  PlaneVector zero_between(PlaneVector a, PlaneVector b) const noexcept {
+    PlaneVector w = unit(a + b);
     double before = 0x1p1000;
     for (int i = 0; i < step_limit && cross(a, b) > shortest_arc; ++i) {
-      const Vector x = at(w);
+      const PlaneVector x = at(w);
       const double excess = dot(x, x) - 1, turn = -excess / (2 * dot(x, slope_at(w)));
       if (excess == 0) break;
       (excess < 0 ? a : b) = w;
-      const Vector next = unit(w + turn * perp(w));
+      const PlaneVector next = unit(w + turn * perp(w));
       const bool useful = inside(a, next, b) && lane::abs(excess) <= before / 2;
       before = lane::abs(excess);
       w = useful ? next : unit(a + b);
@@ -107,13 +111,13 @@ class EllipseInDisc {
     return w;
   }
 
-  static bool inside(const Vector& a, const Vector& w, const Vector& b) noexcept {
+  static bool inside(const PlaneVector& a, const PlaneVector& w, const PlaneVector& b) noexcept {
     return cross(a, w) > 0 && cross(w, b) > 0;
   }
 
   static constexpr int step_limit = 100;
 
-  Vector centre_, p_, q_;
+  PlaneVector centre_, p_, q_;
 };
 
-}  // namespace vesica::outline
+}  // namespace vesica::detail::boundary_distance

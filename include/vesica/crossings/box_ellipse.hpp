@@ -3,6 +3,7 @@
 /// quadratic in t, whose signs at the corners, slopes and discriminant are exact; and so accurate are its roots.
 #pragma once
 
+#include <vesica/arithmetic/spectrum.hpp>
 #include <vesica/crossings/box_box.hpp>
 
 namespace vesica::detail::crossings {
@@ -116,7 +117,7 @@ inline Roots roots_inside(const DiscEdge& edge) noexcept {
   // Everything over the square's coefficient: t^2 + 2 b t + c, with c and the discriminant each rounded once.
   const Scaled c = size_of(edge.from.value, [&] { return edge.from.exact_value(edge.frame); });
   const double half = quotient(b, a), product = quotient(c, a);
-  const double squared = vesica::detail::scale(d.value / (a.value * a.value), d.exponent - 2 * a.exponent);
+  const double squared = arithmetic::scale(d.value / (a.value * a.value), d.exponent - 2 * a.exponent);
   const double root = std::sqrt(squared);
   const double low = half > 0 ? -(half + root) : product / (root - half);
   const double high = half > 0 ? product / -(half + root) : root - half;
@@ -133,15 +134,15 @@ class Chord {
     const Scaled x = edge.r0.scaled(), y = edge.r1.scaled(), off = roots.off, d = roots.discriminant;
     const bool steep = x.value == 0 || y.exponent - x.exponent > 1000;
     const auto unit_edge =
-        vesica::detail::direction(x.value, steep ? 0 : vesica::detail::scale(y.value, y.exponent - x.exponent));
+        arithmetic::unit_and_length(x.value, steep ? 0 : arithmetic::scale(y.value, y.exponent - x.exponent));
     ux_ = steep ? 0 : unit_edge.x;
     uy_ = steep ? (y.value < 0 ? -1 : 1) : unit_edge.y;
     // The discriminant's root is half the chord where `off` is its distance.
     const bool odd = (d.exponent & 1) != 0;
     const Scaled half{std::sqrt(odd ? 2 * d.value : d.value), (d.exponent - (odd ? 1 : 0)) / 2};
     const int unit = off.value == 0 || (half.value != 0 && half.exponent > off.exponent) ? half.exponent : off.exponent;
-    off_ = vesica::detail::scale(off.value, off.exponent - unit);
-    half_ = vesica::detail::scale(half.value, half.exponent - unit);
+    off_ = arithmetic::scale(off.value, off.exponent - unit);
+    half_ = arithmetic::scale(half.value, half.exponent - unit);
   }
   Real turn(int side) const noexcept {
     const Real half(side * half_);

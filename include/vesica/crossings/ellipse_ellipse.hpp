@@ -248,7 +248,7 @@ class StoredOutline {
   explicit StoredOutline(const vesica::Circle<double>& s) noexcept
       : StoredOutline(vesica::Ellipse<double>{s.cx, s.cy, 1, 0, s.r, s.r}) {}
   explicit StoredOutline(const vesica::Ellipse<double>& s) noexcept {
-    using vesica::detail::exponent_of, vesica::detail::scale;
+    using arithmetic::exponent_of, arithmetic::scale;
     const int axis = exponent_of(std::fmax(std::fabs(s.ux), std::fabs(s.uy)));
     const int size = axis + exponent_of(std::fmax(s.a, s.b));
     const double far = std::fmax(std::fabs(s.cx), std::fabs(s.cy));
@@ -264,8 +264,8 @@ class StoredOutline {
   void point(const Direction& d, double& x, double& y) const noexcept {
     const Real along = Real(a_) * d.x, across = Real(b_) * d.y;
     const Real dx = Real(ux_) * along - Real(uy_) * across, dy = Real(uy_) * along + Real(ux_) * across;
-    x = vesica::detail::scale(rounded(Real(cx_) + dx), -lift_);
-    y = vesica::detail::scale(rounded(Real(cy_) + dy), -lift_);
+    x = arithmetic::scale(rounded(Real(cx_) + dx), -lift_);
+    y = arithmetic::scale(rounded(Real(cy_) + dy), -lift_);
   }
 
  private:

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstdint>
-#include <vesica/area/double_double.hpp>
+#include <vesica/arithmetic/double_double.hpp>
 #include <vesica/exact/form.hpp>
 #include <vesica/exact/rounded.hpp>
 
@@ -19,14 +19,14 @@ struct CrossingPoints {
 
 namespace detail::crossings {
 
-using Scaled = vesica::detail::Scaled;
-using Real = detail::area::DoubleDouble;
+using Scaled = arithmetic::Scaled;
+using Real = arithmetic::AccurateDoubleDouble;
 
-inline double to_double(const Scaled& s) noexcept { return vesica::detail::scale(s.value, s.exponent); }
+inline double to_double(const Scaled& s) noexcept { return arithmetic::scale(s.value, s.exponent); }
 
 /// a / b for exact numbers' nearest doubles, whatever their exponents.
 inline double quotient(const Scaled& a, const Scaled& b) noexcept {
-  return vesica::detail::scale(a.value / b.value, a.exponent - b.exponent);
+  return arithmetic::scale(a.value / b.value, a.exponent - b.exponent);
 }
 
 template <int Degree>
@@ -38,8 +38,8 @@ double nearest(const exact::Number<Degree>& x) noexcept {
 template <int Degree>
 Real two_doubles(const exact::Number<Degree>& x, int exponent) noexcept {
   const Scaled high = exact::rounded(x), low = exact::rounded(x - exact::from_double(high.value, high.exponent));
-  return {vesica::detail::scale(high.value, high.exponent - exponent),
-          vesica::detail::scale(low.value, low.exponent - exponent)};
+  return {arithmetic::scale(high.value, high.exponent - exponent),
+          arithmetic::scale(low.value, low.exponent - exponent)};
 }
 
 /// Grows with the angle of (x, y) from the positive x axis, from 0 up to 4; 0 for the origin.

@@ -91,7 +91,7 @@ struct Local {
   }
   double height() const noexcept {
     const double t = zero_of_derivative(1);
-    return scale(std::fabs(derivative(0, t)), exponent);
+    return arithmetic::scale(std::fabs(derivative(0, t)), exponent);
   }
 };
 
@@ -154,8 +154,8 @@ class ZeroSearch {
   }
   /// The part within reach of t, a power of two long, if all of the zeros are in it.
   bool narrow(const Interval& i, double t, double reach) noexcept {
-    const int bits = exponent_of(reach) + 1;  // half its length
-    double half = power_of_two(bits < -50 ? -50 : bits);
+    const int bits = arithmetic::exponent_of(reach) + 1;  // half its length
+    double half = arithmetic::power_of_two(bits < -50 ? -50 : bits);
     double low = std::floor((t - half) / half) * half;
     if (low < 0) low = 0;
     double high = low + 4 * half;

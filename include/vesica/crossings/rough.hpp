@@ -32,9 +32,9 @@ struct Rough {
   void normalise() noexcept {
     const double size = std::fmax(std::fabs(rounded(value)), error);
     if (size == 0 || (size >= 0.25 && size < 4)) return;
-    const int shift = vesica::detail::exponent_of(size);
-    value = {vesica::detail::scale(value.high, -shift), vesica::detail::scale(value.low, -shift)};
-    error = vesica::detail::scale(error, -shift);
+    const int shift = arithmetic::exponent_of(size);
+    value = {arithmetic::scale(value.high, -shift), arithmetic::scale(value.low, -shift)};
+    error = arithmetic::scale(error, -shift);
     exponent += shift;
   }
 };
@@ -53,7 +53,7 @@ inline Rough operator+(const Rough& a, const Rough& b) noexcept {
   const int shift = b.exponent - a.exponent;
   // So far below it only adds to the error.
   if (shift < -300) return {a.value, a.error + 0x1p-290, a.exponent};
-  const double factor = vesica::detail::scale(1, shift);
+  const double factor = arithmetic::scale(1, shift);
   const Real other{b.value.high * factor, b.value.low * factor};
   const double size = std::fabs(rounded(a.value)) + std::fabs(rounded(other));
   return {a.value + other, 1.01 * (a.error + b.error * factor) + 0x1p-100 * size, a.exponent};

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How deep two boxes overlap: the least over the four normals of their faces, in closed form, for scalars and for
-/// lanes. Their Minkowski sum has no other face normals, flat boxes included.
+/// How deep two boxes overlap, in closed form, for scalars and for lanes: the least depth along the four normals of
+/// their faces. The Minkowski sum of two boxes, flat ones included, has no other face normals.
 #pragma once
 
-#include <vesica/outline/box_faces.hpp>
+#include <vesica/support_minimum/box_faces.hpp>
 
-namespace vesica::outline {
+namespace vesica::detail::depth {
 
-/// How far the second box is to be moved and along which unit vector; where not settled, ask the general search.
+using namespace support_minimum;
+
+/// How far the second box has to move and along which unit vector. Where not settled, search.hpp answers.
 template <class V>
 struct BoxDepth {
   using Mask = decltype(V() < V());
@@ -15,11 +17,11 @@ struct BoxDepth {
   Mask settled;
 };
 
-/// A depth below this share of the sizes may be 0, which it takes exact arithmetic to tell.
+/// A computed depth below this share of the sizes may stand for 0. Exact arithmetic tells.
 inline constexpr double least_settled_depth = 0x1p-46;
 
-/// Whether the pair is to be exchanged, so that (a, b) and (b, a) do the same work: by the boxes' numbers, equal boxes
-/// by the sign of their offset.
+/// Whether the pair is to be exchanged, so that (a, b) and (b, a) do the same work. Boxes are ordered by their numbers,
+/// and equal boxes by the sign of their offset.
 template <class V>
 VESICA_INLINE auto out_of_order(const BoxPair<V>& p) noexcept {
   using namespace lane;
@@ -59,4 +61,4 @@ VESICA_INLINE BoxDepth<V> box_box_depth(const BoxPair<V>& given) noexcept {
           both(in_range(given), clear)};
 }
 
-}  // namespace vesica::outline
+}  // namespace vesica::detail::depth

@@ -8,8 +8,8 @@ namespace vesica::exact {
 
 namespace detail {
 
-/// Sign of the gap that an axis shows between two intervals, p between their midpoints and r the sum of their half
-/// lengths: 1 apart, 0 end to end, -1 overlapping. Equal points have their insides in common, as any equal intervals.
+/// Sign of the gap between two intervals on an axis, where p is the distance of their midpoints and r the sum of their
+/// half lengths: 1 apart, 0 end to end, -1 overlapping. Two equal points count as overlapping, as any equal intervals.
 template <int P, int R>
 int gap(const Number<P>& p, const Number<R>& r) noexcept {
   const int sign = compare(abs(p), r);

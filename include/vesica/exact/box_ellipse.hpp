@@ -23,11 +23,11 @@ int segment_gap(const Number<P>& p00, const Number<P>& p01, const Number<D>& det
 }
 
 /// A box and an ellipse in the frame of the box, in units of |u|, folded so that the ellipse's centre k lies in the
-/// first quadrant; the visible edges then are those towards +x and +y. Where the centre lies beside the box along an
-/// axis (x or y zero) the tested segment runs inside the box instead, through the centre's foot, so that meeting it
-/// proves overlap: a point of both shapes seen from the centre lies behind a visible edge, so no case is left out, and
-/// the same for the ellipse's inside. Degree 18. The regions are those of D. Eberly, "Intersection of Rectangle and
-/// Ellipse" (Geometric Tools).
+/// first quadrant. The edges visible from there are those towards +x and +y. Testing these two suffices: a common point
+/// of both shapes, seen from the centre, lies behind a visible edge, so the ellipse meets that edge too. If the centre
+/// lies beside the box along an axis (x or y is then 0), the tested segment runs inside the box instead, through the
+/// centre's foot, so meeting it also proves overlap. The same holds for the inside of the ellipse. Degree 18. The
+/// regions are those of D. Eberly, "Intersection of Rectangle and Ellipse" (Geometric Tools).
 struct VisibleEdges {
   Number<6> p00, p01, p11;
   Number<12> det;
@@ -75,7 +75,7 @@ inline bool overlap(const Box& box, const Ellipse& ellipse) noexcept {
 }
 
 /// -1 when the inside of an ellipse that is not degenerate meets the box, 0 when only its outline does, 1 when they are
-/// disjoint. What meets the inside of the ellipse, an open set, meets it in the box's relative inside too.
+/// disjoint. The inside of the ellipse is open, so if it meets the box, it also meets the box's relative inside.
 inline int contact(const Box& box, const Ellipse& ellipse) noexcept {
   const detail::VisibleEdges edges(box, ellipse);
   if (edges.centre_inside) return -1;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Discs, exactly, by the low degrees they allow: touching discs on integer grids are everyday input.
+/// Discs, exactly, in polynomials of low degree: touching discs on integer grids are common input, so speed counts.
 #pragma once
 
 #include <vesica/exact/form.hpp>
-#include <vesica/relation/code.hpp>
+#include <vesica/relation_code.hpp>
 
 namespace vesica::exact {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <vesica/exact/box_ellipse.hpp>
-#include <vesica/relation/code.hpp>
+#include <vesica/relation_code.hpp>
 
 namespace vesica::exact {
 
@@ -73,7 +73,8 @@ inline Relation concentric(const ContactCubic& p) noexcept {
 }
 
 /// Whether the first ellipse lies in the second, for ellipses that overlap without a common centre, the first of lesser
-/// area, c1, c2 >= 0 and p with three real roots (counted with multiplicity).
+/// area, c1, c2 >= 0 and p with three real roots (counted with multiplicity). The following shows that three signs, of
+/// numbers a + b sqrt(delta), decide it; so containment needs no root to be computed.
 ///
 /// By the S-lemma it does iff q(y) = p(-y) = (1 - y) det M - y D . adj(M) D reaches 0 for some y at which M = y S2 - S1
 /// is positive semidefinite, that is from y+ = (mu + sqrt(mu^2 - 4 d1 d2)) / (2 d2) on. There q <= 0, so q must rise at
@@ -114,9 +115,9 @@ inline void exchange_ellipses(ContactCubic& p) noexcept {
 
 }  // namespace detail
 
-/// How two ellipses relate, neither degenerate. With a multiple root, containment is touching unless the ellipses are a
-/// projective image of two circles about one centre, and not only where they have one centre themselves: only then does
-/// the double root belong to the lower two of q's three, which a contained ellipse has y+ between.
+/// How two ellipses relate, neither degenerate. If p has a multiple root and one ellipse contains the other, they
+/// touch, with one exception: ellipses that are a projective image of two concentric circles. Then, and only then, the
+/// double root of q is the pair of lower roots, which enclose y+ whenever one ellipse contains the other.
 inline Relation relation(const Ellipse& e, const Ellipse& f) noexcept {
   ContactCubic p = contact_cubic(e, f);
   if (p.al.sign == 0) return detail::concentric(p);

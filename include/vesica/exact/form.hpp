@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The two forms the exact stage knows, and how each shape becomes one, without rounding.
+/// The two forms the exact stage knows. Each shape becomes one without rounding, by the mapping of form/form.hpp.
 #pragma once
 
 #include <vesica/exact/number.hpp>
-#include <vesica/shapes.hpp>
+#include <vesica/form/form.hpp>
 
 namespace vesica::exact {
 
@@ -21,38 +21,41 @@ struct Ellipse {
 
 inline Length half(double x) noexcept { return from_double(x, -1); }
 
-inline Box form(const Point<double>& s) noexcept {
-  return {from_double(s.x), from_double(s.y), from_double(1), from_double(0), from_double(0), from_double(0)};
+namespace detail {
+
+namespace parts = vesica::detail::form;
+
+inline Length number(const parts::Length<double>& l) noexcept { return from_double(l.x); }
+inline Length number(const parts::Ratio<double>& r) noexcept { return from_double(r.x); }
+inline Length number(const parts::Difference<double>& d) noexcept { return from_double(d.to) - from_double(d.from); }
+inline Length number(const parts::HalfWidth<double>& w) noexcept { return half(w.to) - half(w.from); }
+inline Length number(parts::Constant c) noexcept { return from_double(static_cast<double>(c.x)); }
+inline Length number(parts::WidthAxis) noexcept { return from_double(1); }
+
+inline Length centre_x(const parts::Centre<double>& p) noexcept { return from_double(p.x); }
+inline Length centre_y(const parts::Centre<double>& p) noexcept { return from_double(p.y); }
+inline Length centre_x(const parts::Corners<double>& p) noexcept { return half(p.x0) + half(p.x1); }
+inline Length centre_y(const parts::Corners<double>& p) noexcept { return half(p.y0) + half(p.y1); }
+
+template <class Exact, class Form>
+Exact exact_form(const Form& f) noexcept {
+  return {centre_x(f.place), centre_y(f.place), number(f.ux), number(f.uy), number(f.hx), number(f.hy)};
 }
 
-/// The axis is the difference of the end points and the half extent 1/2; a segment of no length needs some axis.
-inline Box form(const Segment<double>& s) noexcept {
-  if (s.x0 == s.x1 && s.y0 == s.y1) return form(Point<double>{s.x0, s.y0});
-  return {half(s.x0) + half(s.x1),
-          half(s.y0) + half(s.y1),
-          from_double(s.x1) - from_double(s.x0),
-          from_double(s.y1) - from_double(s.y0),
-          from_double(0.5),
-          from_double(0)};
-}
+}  // namespace detail
 
-inline Box form(const Aabb<double>& s) noexcept {
-  return {half(s.min_x) + half(s.max_x), half(s.min_y) + half(s.max_y), from_double(1), from_double(0),
-          half(s.max_x) - half(s.min_x), half(s.max_y) - half(s.min_y)};
-}
-
-inline Box form(const Rect<double>& s) noexcept {
-  return {from_double(s.cx), from_double(s.cy), from_double(s.ux),
-          from_double(s.uy), from_double(s.hx), from_double(s.hy)};
-}
-
-inline Ellipse form(const Circle<double>& s) noexcept {
-  return {from_double(s.cx), from_double(s.cy), from_double(1), from_double(0), from_double(s.r), from_double(s.r)};
-}
-
-inline Ellipse form(const vesica::Ellipse<double>& s) noexcept {
-  return {from_double(s.cx), from_double(s.cy), from_double(s.ux),
-          from_double(s.uy), from_double(s.a),  from_double(s.b)};
+/// A shape, exactly. Where its axis vanishes it is the point it starts at.
+template <class Shape>
+auto form(const Shape& s) noexcept {
+  const auto f = vesica::detail::form::of(s);
+  if constexpr (f.outline != vesica::detail::form::Outline::straight) {
+    return detail::exact_form<Ellipse>(f);
+  } else {
+    if constexpr (f.axis_may_vanish) {
+      if (f.ux.to == f.ux.from && f.uy.to == f.uy.from) return form(Point<double>{f.place.x0, f.place.y0});
+    }
+    return detail::exact_form<Box>(f);
+  }
 }
 
 /// With a half length of zero an ellipse is the segment or point that the box of the same numbers is.

@@ -2,15 +2,15 @@
 /// From exact numbers back to floating point.
 #pragma once
 
+#include <vesica/arithmetic/scaled.hpp>
 #include <vesica/exact/number.hpp>
-#include <vesica/spectrum.hpp>
 
 namespace vesica::exact {
 
 /// The nearest value * 2^exponent with a value of 53 bits, half of it or more below 1 and ties to even; 0 for 0. The
 /// exponent may be far beyond those of double.
 template <int Degree>
-vesica::detail::Scaled rounded(const Number<Degree>& x) noexcept {
+vesica::detail::arithmetic::Scaled rounded(const Number<Degree>& x) noexcept {
   if (x.sign == 0) return {0, 0};
   const auto at = [&](int i) { return i < 0 ? Limb{0} : x.limb[i]; };
   const int last = x.size - 1, shift = std::countl_zero(x.limb[last]);

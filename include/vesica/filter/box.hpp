@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Rectangles, AABBs and segments as one form for the filters, and the offset between centres.
+/// Shapes as the filters see them, by the mapping of form/form.hpp, and the offset between centres.
 #pragma once
 
 #include <vesica/filter/estimate.hpp>
+#include <vesica/form/form.hpp>
 
 namespace vesica::filter {
 
@@ -13,56 +14,21 @@ struct Box {
   V ux, uy, hx, hy;
 };
 
-template <class V>
-VESICA_INLINE Box<V> box(const Rect<V>& s) noexcept {
-  return {s.ux, s.uy, s.hx, s.hy};
+/// Any shape's axis and half sizes; those of a round shape are its half lengths.
+template <template <class> class Shape, class V>
+VESICA_INLINE Box<V> box(const Shape<V>& s) noexcept {
+  constexpr detail::form::AsStored<V> number;
+  const auto f = detail::form::of(s);
+  return {number(f.ux), number(f.uy), number(f.hx), number(f.hy)};
 }
 
-/// With an axis of length 1/2 the half extents are the widths, and nothing is halved: min > max shows as a negative
-/// size even among subnormals.
-template <class V>
-VESICA_INLINE Box<V> box(const Aabb<V>& s) noexcept {
-  return {V(0.5f), V(0.0f), s.max_x - s.min_x, s.max_y - s.min_y};
-}
-
-template <class V>
-VESICA_INLINE Box<V> box(const Segment<V>& s) noexcept {
-  return {s.x1 - s.x0, s.y1 - s.y0, V(0.5f), V(0.0f)};
-}
+using detail::form::Centre;
+using detail::form::Corners;
 
 /// The two end points of a segment or two corners of an AABB; a shape with a centre has it once.
-template <class V>
-struct Corners {
-  V x0, y0, x1, y1;
-};
-template <class V>
-struct Centre {
-  V x, y;
-};
-
-template <class V>
-VESICA_INLINE Corners<V> place(const Segment<V>& s) noexcept {
-  return {s.x0, s.y0, s.x1, s.y1};
-}
-template <class V>
-VESICA_INLINE Corners<V> place(const Aabb<V>& s) noexcept {
-  return {s.min_x, s.min_y, s.max_x, s.max_y};
-}
-template <class V>
-VESICA_INLINE Centre<V> place(const Point<V>& s) noexcept {
-  return {s.x, s.y};
-}
-template <class V>
-VESICA_INLINE Centre<V> place(const Circle<V>& s) noexcept {
-  return {s.cx, s.cy};
-}
-template <class V>
-VESICA_INLINE Centre<V> place(const Rect<V>& s) noexcept {
-  return {s.cx, s.cy};
-}
-template <class V>
-VESICA_INLINE Centre<V> place(const Ellipse<V>& s) noexcept {
-  return {s.cx, s.cy};
+template <class Shape>
+VESICA_INLINE auto place(const Shape& s) noexcept {
+  return detail::form::of(s).place;
 }
 
 /// Centre of b minus centre of a. Between two centres each coordinate has a relative error of u. With corners the

@@ -7,8 +7,8 @@
 
 namespace vesica::filter {
 
-/// Axes between 2^-25 and 2^25 long (double: 2^-200 and 2^200): products of their components then cannot underflow
-/// by anything that matters beside them.
+/// Axes between 2^-25 and 2^25 long (double: 2^-200 and 2^200): what their products lose by underflow is then
+/// negligible beside them.
 template <class V>
 VESICA_INLINE auto box_axis_in_range(V squared_length) noexcept {
   return in_range(squared_length, guard_power<V, -50>(), guard_power<V, 50>());
@@ -16,8 +16,8 @@ VESICA_INLINE auto box_axis_in_range(V squared_length) noexcept {
 
 /// Widest gap between the shapes' projections on the two axes of a box, times |u|; negative when both overlap.
 ///
-/// p0 = u.D, p1 = u x D; r0, r1 the sums of half extents along them. Bound, to first order: a coordinate of D errs by
-/// 2u of itself plus u times corner extents (offset()), one of u by u; two roundings follow, so
+/// The error bound, to first order. p0 = u.D, p1 = u x D; r0, r1 are the sums of half extents along them. A coordinate
+/// of D errs by 2u of itself plus u times corner extents (offset()), one of u by u; two roundings follow, so
 ///   |error p_i| <= 5u |u||D| + 2u (r0 + r1)     as |u||e| <= |c| + |s| for a segment, and sums to r for an AABB;
 ///   |error r_i| <= 8u (r0 + r1)                 (U: 4u; c, s: 4u |u||w| <= 4u (|c| + |s|); sizes u; 3 roundings)
 /// and |u||D| <= |p0| + |p1|. With the subtraction's u: 6u (|p0| + |p1|) + 11u (r0 + r1) <= 12u of the sum of all.
@@ -68,7 +68,7 @@ VESICA_INLINE auto box_box(const Box<V>& a, const Box<V>& b, const Centre<V>& d)
                  either(certainly_positive(axes.gap_a), certainly_positive(axes.gap_b)));
 }
 
-/// Crossing and disjoint as above; each box's own axes tell what reaches out of it.
+/// The gap tells whether the boxes cross or are disjoint; each box's own axes tell how far the other reaches out of it.
 template <class V>
 VESICA_INLINE auto box_box_certain_facts(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
   const BoxBox<V> axes = separating_axes(a, b, d);

@@ -7,9 +7,9 @@
 
 namespace vesica::filter {
 
-/// How far two segments, one along each axis of the box's frame, miss the ellipse: positive where they do. The shapes
-/// are disjoint iff both do, that is iff the lesser value is positive. exact/box_ellipse.hpp says which segments, and
-/// why two suffice. One error bounds both.
+/// How far two segments, one along each axis of the box's frame, miss the ellipse: positive for a segment that misses.
+/// The shapes are disjoint iff both miss, that is iff the lesser value is positive. exact/box_ellipse.hpp says which
+/// segments these are and why two suffice. One error bounds both values.
 template <class V>
 struct BoxEllipse {
   V misses_x, misses_y, error;
@@ -128,7 +128,8 @@ VESICA_INLINE auto box_ellipse(const Box<V>& box, const Ellipse<V>& ellipse, con
 /// The same guard, and errors of the same limit. Then (a b V)^2 >= 2^-50 and p00 + p11 >= 2^-30 are normal in every
 /// bound, and X0^2, X1^2 and the squared room are below 2^20 times bounds that are finite.
 template <class V>
-VESICA_INLINE auto box_ellipse_certain_facts(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
+VESICA_INLINE auto box_ellipse_certain_facts(const Box<V>& box, const Ellipse<V>& ellipse,
+                                             const Centre<V>& d) noexcept {
   const BoxFrame<V> frame = box_frame(box, ellipse, d);
   const BoxEllipse<V> edges = visible_edges(frame, ellipse);
   const Estimate<V> least{min(edges.misses_x, edges.misses_y), edges.error};

@@ -40,7 +40,7 @@ VESICA_INLINE auto aabb_aabb_certain_facts(const Aabb<V>& a, const Aabb<V>& b) n
   const auto ordered = both(both(a.min_x <= a.max_x, a.min_y <= a.max_y), both(b.min_x <= b.max_x, b.min_y <= b.max_y));
   return guarded(both(all_finite(left, right, low, high), ordered),
                  CertainFacts<decltype(gap > zero)>{gap > zero, gap < zero, farthest_out<zero, least_room> zero,
-                                                both(not_inside, not_contains), not_inside, not_contains});
+                                                    both(not_inside, not_contains), not_inside, not_contains});
 }
 
 template <class V>

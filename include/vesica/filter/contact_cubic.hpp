@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Two ellipses, two-sided: a point t where the contact cubic is negative proves them disjoint; its minimum being
-/// positive proves overlap. One square root, one division, no iteration and no case.
+/// Whether two ellipses overlap, by the sign of the contact cubic near its minimum: a negative value proves them
+/// disjoint, a positive minimum proves overlap. One square root, one division, no iteration and no cases.
 #pragma once
 
 #include <vesica/filter/box.hpp>
@@ -65,8 +65,9 @@ VESICA_INLINE auto totals_in_range(const ContactCubic<V>& p) noexcept {
 ///   mu: c and s err by 2u N, so c^2 by 4u (c^2 + |c s|) + u c^2: in all 11u mu + 4u |c s| (a0^2 + a1^2)(b0^2 + b1^2)
 ///   al: x0 and x1 err by 3u M, so al by 10u al + 6u (a0^2 + a1^2) |x0 x1|
 ///   c1 = d1 + mu - al: two roundings more; 13u total1.
-/// For ellipses thinner than 1 : 2^-26 second order shows where first order vanishes: b^2 (3u M)^2 in al when x0 is
-/// nearly zero, (2u N)^2 (a0^2 + a1^2)(b0^2 + b1^2) in mu when c or s is. The u^2 terms in the totals cover them.
+/// For ellipses thinner than 1 : 2^-26 errors of second order count where those of first order vanish: b^2 (3u M)^2 in
+/// al when x0 is nearly zero, (2u N)^2 (a0^2 + a1^2)(b0^2 + b1^2) in mu when c or s is. The u^2 terms in the totals
+/// cover them.
 template <class V>
 VESICA_INLINE Pencil<V> pencil(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d, V vv, V ww) noexcept {
   const V c = e.ux * f.ux + e.uy * f.uy, s = e.ux * f.uy - e.uy * f.ux;

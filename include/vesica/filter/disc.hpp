@@ -31,11 +31,11 @@ template <class V>
 VESICA_INLINE auto disc_disc_certain_facts(const Centre<V>& d, V radius_a, V radius_b) noexcept {
   const Estimate<V> gap = beyond_reach(d, radius_a + radius_b), out = beyond_reach(d, radius_a - radius_b);
   const auto usable = at_least(V(0.0f), radius_a, radius_b);
-  return guarded(usable,
-                 certain_facts(guarded(usable, gap), certainly_negative(out), certainly_positive(out), radius_a > radius_b));
+  return guarded(usable, certain_facts(guarded(usable, gap), certainly_negative(out), certainly_positive(out),
+                                       radius_a > radius_b));
 }
 
-/// The nearest point of an AABB differs from the centre in each coordinate by a single rounded difference, or not.
+/// From the centre to the nearest point of an AABB each coordinate is one rounded difference, or 0.
 template <class V>
 VESICA_INLINE Centre<V> nearest_offset(const Circle<V>& disc, const Aabb<V>& box) noexcept {
   return {positive_part(max(box.min_x - disc.cx, disc.cx - box.max_x)),
@@ -72,7 +72,7 @@ VESICA_INLINE auto disc_aabb_certain_facts(const Circle<V>& disc, const Aabb<V>&
   const V width = box.max_x - box.min_x, height = box.max_y - box.min_y;
   const auto usable = both(at_least(V(0.0f), width, height, disc.r), all_finite(width, height, disc.cx, disc.cy));
   return guarded(usable, certain_facts(beyond_reach(nearest_offset(disc, box), disc.r), disc_out_of_aabb(disc, box),
-                                  beyond_reach(farthest_offset(disc, box), disc.r)));
+                                       beyond_reach(farthest_offset(disc, box), disc.r)));
 }
 
 /// (distance from the disc's centre to the box)^2 - r^2, times U = u.u; d from the box's centre to the disc's.
@@ -91,7 +91,7 @@ VESICA_INLINE Estimate<V> disc_beyond_box(const Box<V>& b, const Centre<V>& d, V
 }
 
 /// Axes between 2^-10 and 2^10 (double: 2^-80 and 2^80) long. What underflows then errs by less than 2^-139 in k,
-/// that is by a hair of e or by less than 2^-90 in x, and by less than 2^-128 in r^2 U: beneath the 2^-60 above.
+/// that is by far less than e or by less than 2^-90 in x, and by less than 2^-128 in r^2 U: beneath the 2^-60 above.
 template <class V>
 VESICA_INLINE auto disc_box(const Box<V>& b, const Centre<V>& d, V radius) noexcept {
   const V uu = b.ux * b.ux + b.uy * b.uy;

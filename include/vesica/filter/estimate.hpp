@@ -6,9 +6,9 @@
 /// for the rest, and tests/filter measures observed error over bound. Fused operations only drop roundings, so
 /// the bounds hold with and without them.
 ///
-/// Two habits make validity checks free. NaN and infinity reach every bound by addition, and nothing compares true
-/// with a bound that is NaN or infinite: such input is left undecided. Only negative sizes and zero axes could
-/// pass unseen, so each filter's guard looks at those. Undecided goes to the exact stage, which checks first.
+/// Checks for validity cost almost nothing. NaN and infinity reach every bound by addition, and no comparison with a
+/// bound that is NaN or infinite is true: such input stays undecided. Only negative sizes and zero axes would pass
+/// unseen, so the guard of each filter looks at those. What is undecided goes to the exact stage, which first checks.
 #pragma once
 
 #include <vesica/scalar.hpp>

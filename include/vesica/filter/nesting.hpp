@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which of two ellipses contains the other, with certainty: the contact cubic looked at from its other side.
+/// Which of two ellipses contains the other, where that is certain: by the contact cubic at negative arguments.
 #pragma once
 
-#include <vesica/filter/contact_cubic.hpp>
 #include <vesica/filter/certain_facts.hpp>
+#include <vesica/filter/contact_cubic.hpp>
 
 namespace vesica::filter {
 
@@ -33,7 +33,8 @@ VESICA_INLINE auto certainly_not_nested(const Nesting<V>& n) noexcept {
   return either(certainly_negative(n.top), n.beyond.value + n.slack < -n.beyond.error);
 }
 
-/// Of a pencil whose first ellipse has the lesser area, or an area equal but for rounding.
+/// Of a pencil whose first ellipse has the lesser area, or an area equal but for rounding. What follows proves that the
+/// answers certainly_nested() and certainly_not_nested() are right despite all rounding.
 ///
 /// The first lies in the second iff q(y) = p(-y) = d1 - c1 y + c2 y^2 - d2 y^3 reaches 0 at some y at which M = y S2 -
 /// S1 is positive semidefinite, that is at or beyond y+, the greater root of the convex det M = det1 - mu y + det2 y^2;

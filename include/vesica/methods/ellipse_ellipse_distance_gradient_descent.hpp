@@ -116,8 +116,8 @@ inline Angles scaled_gradient(const OutlinePair& p, const Slope& s) noexcept {
 
 /// The gradient of the squared distance in the caller's units; infinite where it leaves the range.
 inline Angles literal_gradient(const OutlinePair& p, const Slope& s) noexcept {
-  return {vesica::detail::scale(2 * s.gradient.a, 2 * p.exponent),
-          vesica::detail::scale(2 * s.gradient.b, 2 * p.exponent)};
+  return {vesica::detail::arithmetic::scale(2 * s.gradient.a, 2 * p.exponent),
+          vesica::detail::arithmetic::scale(2 * s.gradient.b, 2 * p.exponent)};
 }
 
 /// From a stationary point, the steepest way down by second derivatives, in the measure in which their bounds are 1.
@@ -205,8 +205,8 @@ std::int32_t gradient_descent_distance(const Ellipse<T>& a, const Ellipse<T>& b,
       overlap(a, b) ? detail::start_at_nearest_vertices(p) : detail::start_on_line_of_centres(p);
   const detail::Descent end = detail::descend(p, start, settings, errors, capacity);
   // In two steps, for the exponents of lengths go up to twice those of numbers.
-  const double half_way = vesica::detail::scale(end.slope.distance, p.exponent / 2);
-  const double distance = vesica::detail::scale(half_way, p.exponent - p.exponent / 2);
+  const double half_way = vesica::detail::arithmetic::scale(end.slope.distance, p.exponent / 2);
+  const double distance = vesica::detail::arithmetic::scale(half_way, p.exponent - p.exponent / 2);
   if (!(distance <= static_cast<double>(std::numeric_limits<T>::max()))) return error_range;
   out = {static_cast<T>(std::atan2(end.slope.a.sine, end.slope.a.cosine)),
          static_cast<T>(std::atan2(end.slope.b.sine, end.slope.b.cosine)),

@@ -11,7 +11,7 @@
 /// and the rounding, 50 + 64 iterations roundoffs of the stretched pair's size.
 #pragma once
 
-#include <vesica/directed.hpp>
+#include <vesica/arithmetic/rounding.hpp>
 #include <vesica/methods/sandwich.hpp>
 
 namespace vesica::methods {
@@ -21,7 +21,8 @@ namespace detail {
 /// a b == c d, exactly, products that differ by less than the smallest numbers apart.
 inline bool equal_products(double a, double b, double c, double d) noexcept {
   if (a * b != c * d) return false;
-  const auto first = directed::product(a, b), second = directed::product(c, d);
+  const auto first = vesica::detail::arithmetic::two_product_fused(a, b),
+             second = vesica::detail::arithmetic::two_product_fused(c, d);
   return first.low == second.low;
 }
 inline bool equal_products(float a, float b, float c, float d) noexcept {

@@ -29,7 +29,7 @@ struct OutlinePair {
 inline OutlinePair outline_pair(const Ellipse<double>& a, const Ellipse<double>& b) noexcept {
   const auto r =
       rescale<double>(Rect<double>{a.cx, a.cy, a.ux, a.uy, a.a, a.b}, Rect<double>{b.cx, b.cy, b.ux, b.uy, b.a, b.b});
-  const int axis_exponent = vesica::detail::exponent_of(larger(std::fabs(a.ux), std::fabs(a.uy)));
+  const int axis_exponent = vesica::detail::arithmetic::exponent_of(larger(std::fabs(a.ux), std::fabs(a.uy)));
   return {outline(r.ux, r.uy, r.h0, r.h1), outline(r.wx, r.wy, r.g0, r.g1), r.dx, r.dy, r.exponent + axis_exponent};
 }
 

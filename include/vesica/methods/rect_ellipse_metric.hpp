@@ -57,8 +57,9 @@ VESICA_INLINE Stretch<T> stretch(const RescaledPair<T>& p, const Ellipse<T>& ell
   // From the stored numbers: rescaling may have lost those of a tiny ellipse.
   const double a = static_cast<double>(ellipse.a), b = static_cast<double>(ellipse.b);
   if (a == 0 && b == 0) return {1, 1, 1};
-  const int own = vesica::detail::exponent_of(larger(a, b)), seen = vesica::detail::exponent_of(double(longer));
-  return {in_unit<T>({a, 0}, own), in_unit<T>({b, 0}, own), static_cast<T>(vesica::detail::scale(1, seen))};
+  const int own = vesica::detail::arithmetic::exponent_of(larger(a, b)),
+            seen = vesica::detail::arithmetic::exponent_of(double(longer));
+  return {in_unit<T>({a, 0}, own), in_unit<T>({b, 0}, own), static_cast<T>(vesica::detail::arithmetic::scale(1, seen))};
 }
 
 template <class T>

@@ -136,7 +136,7 @@ bool is_needle(const Stretch<T>& s) noexcept {
 template <class T>
 T stored(T rescaled, int exponent, T half) noexcept {
   const auto apart = vesica::detail::take_apart(static_cast<double>(rescaled));
-  return clamp(static_cast<T>(vesica::detail::scale(apart.value, apart.exponent + exponent)), half);
+  return clamp(static_cast<T>(vesica::detail::arithmetic::scale(apart.value, apart.exponent + exponent)), half);
 }
 
 /// The level on the side of 0 that the answer demands: rounding may have put it on the other one.

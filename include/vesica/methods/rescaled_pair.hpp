@@ -37,7 +37,7 @@ VESICA_INLINE bool is_moderate(const RescaledPair<T>& p) noexcept {
 }
 
 /// to - from, which may exceed the largest number.
-inline vesica::detail::Scaled difference(double to, double from) noexcept {
+inline vesica::detail::arithmetic::Scaled difference(double to, double from) noexcept {
   const double whole = to - from;
   if (std::isfinite(whole)) return vesica::detail::take_apart(whole);
   const auto half = vesica::detail::take_apart(to / 2 - from / 2);
@@ -45,26 +45,26 @@ inline vesica::detail::Scaled difference(double to, double from) noexcept {
 }
 
 /// A size whose axis had 2^axis_exponent taken out.
-inline vesica::detail::Scaled size_of(double size, int axis_exponent) noexcept {
+inline vesica::detail::arithmetic::Scaled size_of(double size, int axis_exponent) noexcept {
   const auto apart = vesica::detail::take_apart(size);
   return {apart.value, apart.exponent + axis_exponent};
 }
 
-inline int larger_exponent(const vesica::detail::Scaled& x, int exponent) noexcept {
+inline int larger_exponent(const vesica::detail::arithmetic::Scaled& x, int exponent) noexcept {
   return x.value != 0 && x.exponent > exponent ? x.exponent : exponent;
 }
 
 template <class T>
-T in_unit(const vesica::detail::Scaled& x, int unit) noexcept {
-  return static_cast<T>(vesica::detail::scale(x.value, x.exponent - unit));
+T in_unit(const vesica::detail::arithmetic::Scaled& x, int unit) noexcept {
+  return static_cast<T>(vesica::detail::arithmetic::scale(x.value, x.exponent - unit));
 }
 
 /// Any magnitudes: the larger component of each axis and the largest length come to lie in [1/2, 1). What is smaller
 /// than them by more than the range of T is lost, and with it nothing that the method's own rounding would have kept.
 template <class T>
 RescaledPair<T> rescale(const Rect<double>& a, const Rect<double>& b) noexcept {
-  using vesica::detail::exponent_of;
-  using vesica::detail::Scaled;
+  using vesica::detail::arithmetic::exponent_of;
+  using vesica::detail::arithmetic::Scaled;
   const int u = exponent_of(larger(std::fabs(a.ux), std::fabs(a.uy)));
   const int w = exponent_of(larger(std::fabs(b.ux), std::fabs(b.uy)));
   const Scaled lengths[6] = {difference(b.cx, a.cx), difference(b.cy, a.cy), size_of(a.hx, u),

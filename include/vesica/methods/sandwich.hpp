@@ -155,14 +155,14 @@ std::int32_t sandwich(const EllipseAndDisc<T>& s, std::int32_t n, std::int32_t& 
 /// 2^(0.303 - 2 iterations) times the larger half length.
 template <class T>
 T outline_error(const Ellipse<T>& ellipse, std::int32_t iterations) noexcept {
-  using vesica::detail::power_of_two;
   using vesica::detail::take_apart;
+  using vesica::detail::arithmetic::power_of_two;
   constexpr double ratio = 0x1.3bd43bab2c296p+0;  // 2^0.303
   const Ellipse<double> e = widen(ellipse);
   const double factor = ratio * power_of_two(-2 * iterations), half = larger(e.a, e.b),
                square = e.ux * e.ux + e.uy * e.uy;
   if (square > 0x1p-900 && square < 0x1p900) return static_cast<T>(factor * half * std::sqrt(square));
-  const auto axis = vesica::detail::direction(e.ux, e.uy).length;
+  const auto axis = vesica::detail::arithmetic::unit_and_length(e.ux, e.uy).length;
   return vesica::detail::multiply<T>(take_apart(factor * take_apart(half).value),
                                      {axis.value, axis.exponent + take_apart(half).exponent});
 }

@@ -40,7 +40,7 @@ VESICA_INLINE T largest_length(const SegmentAndCircle<T>& s) noexcept {
 /// Any magnitudes, and the nearer end first; the largest length comes to lie in [1/2, 1).
 template <class T>
 SegmentAndCircle<T> rescale(const Segment<double>& s, const Circle<double>& c) noexcept {
-  using vesica::detail::Scaled;
+  using vesica::detail::arithmetic::Scaled;
   const Scaled lengths[7] = {difference(s.x0, c.cx), difference(s.y0, c.cy), difference(s.x1, c.cx),
                              difference(s.y1, c.cy), difference(s.x1, s.x0), difference(s.y1, s.y0),
                              size_of(c.r, 0)};

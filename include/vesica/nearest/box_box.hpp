@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Two disjoint boxes: a vertex of one against the other, in closed form.
 ///
-/// Seen along the normal n in which the boxes are farthest apart, either n is a face's normal and the other box's
-/// farthest vertex lies above that face, or n leads from vertex to vertex. Then n lies between two neighbouring ones of
-/// the eight face normals, and of either of them the farthest vertex of the other box is one of the two vertices. So
-/// there are four candidates: for each axis, the vertex that reaches farthest towards the box whose axis it is.
+/// Four candidates suffice: for each of the four axes, the vertex of the other box that reaches farthest towards the
+/// box whose axis it is. To see this, let n be the normal along which the boxes are farthest apart. Either n is a
+/// face's normal; then the other box's farthest vertex lies above that face. Or the shortest connection leads from
+/// vertex to vertex; then n lies between two neighbouring face normals of the eight, and for each of these two the
+/// farthest vertex of the other box is one of the two vertices.
 #pragma once
 
 #include <vesica/nearest/direction.hpp>
@@ -71,7 +72,7 @@ VESICA_INLINE Direction<V> out_of(const Box<V>& box, const PointBox<V>& p) noexc
   return {x * ux - y * uy, x * uy + y * ux};
 }
 
-/// What two disjoint boxes answer: the distance, the closest points by their places, and a vector from a to b of any
+/// The result for two disjoint boxes: the distance, the closest points by their places, and a vector from a to b of any
 /// length.
 template <class V>
 struct BoxBox {
@@ -98,9 +99,9 @@ VESICA_INLINE Vector<V> flipped(const Vector<V>& d, V sign) noexcept {
 
 /// The distance between two disjoint boxes, d from a's centre to b's.
 ///
-/// The best candidate by plain arithmetic is evaluated in twice the precision and then proved: if its vertex lies above
-/// a face, it is the farthest one along that face's normal by exact signs; if it faces a vertex, the direction between
-/// the two must have neither box's edges falling back from it. Ties within rounding may fail the proof: not settled.
+/// The best candidate by plain arithmetic is evaluated in twice the precision, and then checked. If its vertex lies
+/// above a face, exact signs chose it as the farthest along that face's normal. If it faces a vertex, no edge at either
+/// vertex may lead towards the other box. Ties within rounding may fail this check; then the answer is not settled.
 template <class V>
 VESICA_INLINE BoxBox<V> box_box(const Box<V>& a, const Box<V>& b, const Vector<V>& d) noexcept {
   const V zero(0.0), one(1.0);

@@ -19,11 +19,11 @@ struct Feature {
 /// In the frame of the box, folded so that the ellipse's centre k lies in the first quadrant, only the faces towards
 /// +x and +y can be closest.
 ///
-/// Where a gap is seen along a face's normal, the support point of the ellipse above the face, beyond its one end or
-/// beyond its other tells: this face, or the vertex to that side (or the other face, likewise). Where none is seen
-/// along either, the vertex is the point of the box that is closest in the ellipse's own metric: the normal there
-/// separates the two, and so does every direction from it to the best one, so no face's normal lies between (the
-/// regions are those of D. Eberly, "Intersection of Rectangle and Ellipse", Geometric Tools).
+/// If the shapes have a gap along a face's normal, the ellipse's support point decides: it is above the face, and the
+/// face is closest, or beyond one of its ends, and the vertex there is closest. If there is no gap along either normal,
+/// the closest feature is the vertex that is closest to the ellipse's centre in the ellipse's own metric. The reason:
+/// the normal there separates the shapes, and so does every direction from it to the best one, so no face's normal lies
+/// between. The regions are those of D. Eberly, "Intersection of Rectangle and Ellipse" (Geometric Tools).
 template <class V>
 VESICA_INLINE Feature<V> closest_feature(const Box<V>& box, const Axes<V>& e, V dx, V dy) noexcept {
   const V zero(0.0), one(1.0);
@@ -45,7 +45,7 @@ VESICA_INLINE Feature<V> closest_feature(const Box<V>& box, const Axes<V>& e, V 
   return {flip_sign(select(face_x, one, i), kx), flip_sign(select(face_y, one, j), ky), face_x, face_y};
 }
 
-/// What a disjoint box and ellipse answer: the distance, the place in the box, the offset from the ellipse's centre,
+/// The result for a disjoint box and ellipse: the distance, the place in the box, the offset from the ellipse's centre,
 /// and the unit vector from the box to the ellipse.
 template <class V>
 struct BoxEllipse {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A point of both of two placed shapes that overlap. Nothing here asks whether: where rounding leaves no point in
-/// both, it is one that is in them to rounding.
+/// A common point of two placed shapes that are known to overlap. If rounding leaves no point that is in both, it is
+/// one that is in both to rounding.
 ///
-/// A centre that the other shape holds is such a point. So is a shape too small to matter. Where neither centre is
-/// held, neither shape contains the other, and their outlines meet.
+/// The centre of one shape will do if it lies in the other. So will the centre of a shape that is small beyond
+/// rounding. If neither centre lies in the other shape, neither shape contains the other, and their outlines meet.
 #pragma once
 
 #include <vesica/nearest/disjoint.hpp>

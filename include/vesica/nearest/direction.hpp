@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The normal along which an ellipse is farthest from a point outside it, or from another ellipse.
+/// The direction of the shortest connection between an ellipse and a point outside it, or between two ellipses.
 ///
-/// phi(n) = n.D - sum of h(n), with h the support functions, is the width of the gap seen along the unit vector n. It
-/// is concave wherever it is positive, and its maximum is the distance. With g = D - sum of x(n), x the support points:
-/// phi' = n x g, phi'' = -(phi + sum of rho), rho the radii of curvature. Within a quarter turn of the maximum phi'
-/// points to it also where phi is negative: g lies beyond the line that is the distance away.
+/// phi(n) = n.D - sum of h(n), with h the support functions, is the width of the gap seen along the unit vector n. Its
+/// maximum is the distance, and it is concave wherever it is positive, so Newton-like steps find the maximum. With
+/// g = D - sum of x(n), x the support points: phi' = n x g, phi'' = -(phi + sum of rho), rho the radii of curvature.
+/// Within a quarter turn of the maximum phi' leads towards it even where phi is negative. The reason: g lies on the far
+/// side of the line at right angles to the best direction whose distance from the origin is the maximum.
 #pragma once
 
 #include <vesica/nearest/support.hpp>
@@ -23,7 +24,7 @@ VESICA_INLINE SemiAxes<V> semi_axes(const Axes<V>& e) noexcept {
   return {e.a * e.ux, e.a * e.uy, -(e.b * e.uy), e.b * e.ux, area * area};
 }
 
-/// What D leads to, from a point: one ellipse; or between: two.
+/// What D leads to: an ellipse, from a point; or from one ellipse to another.
 template <class V>
 struct OneEllipse {
   Axes<V> a;
@@ -185,14 +186,14 @@ VESICA_INLINE Direction<V> middle_seen_by(const Axes<V>& e, const Bracket<V>& br
   return unit(s * e.ux - t * e.uy, s * e.uy + t * e.ux);
 }
 
-/// Whether D leads up or right: what must not depend on which shape is called a goes by this.
+/// Whether D leads right, or straight up. Choices that must not depend on the order of the arguments use this.
 template <class V>
 VESICA_INLINE MaskOf<V> in_order(V dx, V dy) noexcept {
   const V zero(0.0);
   return either(dx > zero, both(dx == zero, dy > zero));
 }
 
-/// Plainly, and as each ellipse sees it, in turn.
+/// By turns: half the angle, and halfway as each ellipse sees it.
 template <class V>
 VESICA_INLINE Direction<V> middle(const OneEllipse<V>& s, const Direction<V>&, const Bracket<V>& bracket,
                                   int step) noexcept {
@@ -227,9 +228,9 @@ struct FoundDirection {
   int steps;
 };
 
-/// The maximiser of phi between two directions, from one of them or between. A turn that would leave the bracket, or
-/// that turns back by more than half of what the one before turned, gives way to halving the bracket; that ends every
-/// search. Lanes that are done, some from the start, stand still.
+/// The maximiser of phi between the two directions of a bracket, starting at n. A step that would leave the bracket, or
+/// that goes back by more than half of the step before, is replaced by halving the bracket; so every search ends. Lanes
+/// that are done keep their direction.
 template <class V, class Shapes>
 VESICA_INLINE FoundDirection<V> search_between(const Shapes& shapes, const Direction<V>& d, V size, Direction<V> n,
                                                Bracket<V> bracket, MaskOf<V> done, int step_limit) noexcept {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Two placed shapes that are disjoint: the distance, and where it is reached. What the pairs' own searches leave
-/// unsettled, ties within rounding for the most part, is settled here by trying all there is.
+/// Two placed shapes that are disjoint: the distance, and where it is reached. The pairs' own searches may end
+/// unsettled, mostly at ties within rounding. Then every vertex and face is tried here.
 #pragma once
 
 #include <vesica/nearest/box_ellipse.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The four pairs that batches run in lanes: one template over double and lanes of double. The scalar call is its
-/// instance for double, so both give the same bits; what is not settled takes the general way, in both.
+/// instance for double, so both give the same bits. Where it is not settled, both take the general way (disjoint.hpp,
+/// common_point.hpp).
 #pragma once
 
 #include <vesica/filter/estimate.hpp>
@@ -21,8 +22,8 @@ inline constexpr bool has_lanes<Circle<T>, Ellipse<T>> = true;
 template <class T>
 inline constexpr bool has_lanes<Ellipse<T>, Ellipse<T>> = true;
 
-/// The answer, where settled; elsewhere (numbers far from 1, no convergence, ties within rounding, a common point that
-/// is no centre) it means nothing.
+/// The answer where settled. Elsewhere it means nothing: numbers far from 1, no convergence, ties within rounding, or a
+/// common point that is not a centre.
 template <class V>
 struct LaneAnswer {
   V distance, ax, ay, bx, by;
@@ -108,7 +109,7 @@ VESICA_INLINE LaneAnswer<V> choose(MaskOf<V> m, const LaneAnswer<V>& yes, const 
 /// Offsets from centres to places.
 template <class A, class B, class V>
 VESICA_INLINE LaneAnswer<V> located(const A& a, const B& b, const Twofold<V>& distance, V ax, V ay, V bx, V by,
-                                   MaskOf<V> settled) noexcept {
+                                    MaskOf<V> settled) noexcept {
   const V least = rounded(distance);
   return {least, a.cx + ax, a.cy + ay, b.cx + bx, b.cy + by, both(settled, least > V(0.0))};
 }

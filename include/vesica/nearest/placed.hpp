@@ -1,55 +1,58 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Any two shapes, brought to one form, one place and one scale.
+/// Any two shapes, brought to one form, one place and one scale (form/placement.hpp).
 ///
-/// A shape is a box or an ellipse about a centre; a circle is a point that reaches r farther. Of stored coordinates
-/// only differences are formed, as exactly as two doubles hold them, so that moving both shapes by the same exact
-/// amount changes nothing. Lengths come in a power of two near the largest of them: what is smaller by more than the
-/// range of double is lost, and nothing that the accuracy speaks of.
+/// A shape is a box or an ellipse about a centre; a circle is a point that reaches r farther. Lengths are measured in a
+/// power of two near the largest of them. A number smaller than that by more than the range of double underflows to 0;
+/// this is far below the error bound.
 #pragma once
 
+#include <vesica/form/placement.hpp>
 #include <vesica/nearest/box_box.hpp>
-#include <vesica/shapes.hpp>
-#include <vesica/spectrum.hpp>
 
 namespace vesica::detail::nearest {
 
-/// A shape before it is placed. Its centre is the mean of two stored points. Lengths are k times what is stored, k a
-/// power of two.
+/// A shape before it is placed. Its lengths are k times what is stored, k a power of two.
 struct Form {
-  double from_x, from_y, to_x, to_y;
+  form::Corners<double> place;
   Box<double> box;  // of an ellipse: its half lengths
   double radius;
   bool curved;
 };
 
-inline Box<double> plain_box(double ux, double uy, double hx, double hy) noexcept {
-  return {{{ux, 0}, {uy, 0}}, {hx, 0}, {hy, 0}};
-}
+/// The parts of a form as twofolds, lengths times k. Differences are exact.
+struct LengthsTimes {
+  double k;
+  Twofold<double> operator()(const form::Length<double>& l) const noexcept { return {k * l.x, 0}; }
+  Twofold<double> operator()(const form::Ratio<double>& r) const noexcept { return {r.x, 0}; }
+  Twofold<double> operator()(const form::Difference<double>& d) const noexcept {
+    return exact_difference(k * d.to, k * d.from);
+  }
+  Twofold<double> operator()(const form::HalfWidth<double>& w) const noexcept {
+    return exact_difference(k * w.to, k * w.from);
+  }
+  Twofold<double> operator()(form::Constant c) const noexcept { return {static_cast<double>(c.x), 0}; }
+  Twofold<double> operator()(form::WidthAxis) const noexcept { return {0.5, 0}; }
+};
 
-inline Form form(const Point<double>& s, double k) noexcept {
-  return {k * s.x, k * s.y, k * s.x, k * s.y, plain_box(1, 0, 0, 0), 0, false};
-}
-inline Form form(const Segment<double>& s, double k) noexcept {
-  const double x0 = k * s.x0, y0 = k * s.y0, x1 = k * s.x1, y1 = k * s.y1;
-  if (x0 == x1 && y0 == y1) return {x0, y0, x1, y1, plain_box(1, 0, 0, 0), 0, false};
-  return {x0, y0, x1, y1, {{exact_difference(x1, x0), exact_difference(y1, y0)}, {0.5, 0}, {0, 0}}, 0, false};
-}
-inline Form form(const Aabb<double>& s, double k) noexcept {
-  const double x0 = k * s.min_x, y0 = k * s.min_y, x1 = k * s.max_x, y1 = k * s.max_y;
-  // With an axis of length 1/2 the half extents are the widths, and nothing is halved.
-  return {x0, y0, x1, y1, {{{0.5, 0}, {0, 0}}, exact_difference(x1, x0), exact_difference(y1, y0)}, 0, false};
-}
-inline Form form(const Rect<double>& s, double k) noexcept {
-  return {k * s.cx, k * s.cy, k * s.cx, k * s.cy, plain_box(k * s.ux, k * s.uy, s.hx, s.hy), 0, false};
-}
-inline Form form(const Circle<double>& s, double k) noexcept {
-  return {k * s.cx, k * s.cy, k * s.cx, k * s.cy, plain_box(1, 0, 0, 0), k * s.r, false};
-}
-inline Form form(const Ellipse<double>& s, double k) noexcept {
-  const Rect<double> numbers{s.cx, s.cy, s.ux, s.uy, s.a, s.b};
-  Form f = form(numbers, k);
-  f.curved = s.a > 0 && s.b > 0;
-  return f;
+/// The box of a point.
+inline constexpr Box<double> no_box{{{1, 0}, {0, 0}}, {0, 0}, {0, 0}};
+
+template <class Shape>
+Form form_times(const Shape& s, double k) noexcept {
+  const auto f = form::of(s);
+  const LengthsTimes number{k};
+  const form::Corners<double> stored = form::corners(f.place);
+  const form::Corners<double> place{k * stored.x0, k * stored.y0, k * stored.x1, k * stored.y1};
+  if constexpr (f.outline == form::Outline::disc) {
+    return {place, no_box, number(f.hx).high, false};
+  } else {
+    const Box<double> box{{number(f.ux), number(f.uy)}, number(f.hx), number(f.hy)};
+    if constexpr (f.axis_may_vanish) {
+      if (box.u.x.high == 0 && box.u.y.high == 0) return {place, no_box, 0, false};
+    }
+    const bool round = f.outline == form::Outline::round;
+    return {place, box, 0, round && box.hx.high > 0 && box.hy.high > 0};
+  }
 }
 
 /// A shape at the common scale.
@@ -70,35 +73,26 @@ struct PlacedPair {
   int exponent;
 };
 
-using detail::exponent_of;
-
-/// x * 2^exponent, of lengths that may themselves be beyond the range of double.
-inline double scale(double x, int exponent) noexcept {
-  return detail::scale(detail::scale(x, exponent / 2), exponent - exponent / 2);
-}
-
 inline Twofold<double> scaled(const Twofold<double>& x, int exponent) noexcept {
-  return {scale(x.high, exponent), scale(x.low, exponent)};
+  return {scale_far(x.high, exponent), scale_far(x.low, exponent)};
 }
 
-/// Exponent of a length; very small for 0.
-inline int length_exponent(double size, int unit = 0) noexcept { return size == 0 ? -9999 : exponent_of(size) + unit; }
-
-inline int axis_exponent(const Form& f) noexcept { return exponent_of(max(abs(f.box.u.x.high), abs(f.box.u.y.high))); }
+inline int axis_exponent(const Form& f) noexcept { return form::axis_exponent(f.box.u.x.high, f.box.u.y.high); }
 
 inline int largest_exponent(const Form& f) noexcept {
-  const int k = axis_exponent(f), x = length_exponent(f.box.hx.high, k), y = length_exponent(f.box.hy.high, k);
-  const int r = length_exponent(f.radius), longer = x > y ? x : y;
+  const int k = axis_exponent(f), x = form::length_exponent(f.box.hx.high, k);
+  const int y = form::length_exponent(f.box.hy.high, k), r = form::length_exponent(f.radius), longer = x > y ? x : y;
   return longer > r ? longer : r;
 }
 
-/// Ellipses thinner than this are segments to all that can be told of them, those smaller points.
+/// An ellipse thinner than this share of its length is taken for a segment, one smaller than this share of the pair for
+/// a point: the difference is below the error bound.
 inline constexpr double thinnest = 0x1p-52, smallest = 0x1p-120;
 
 inline Placed placed(const Form& f, int unit) noexcept {
   const int k = axis_exponent(f);
   Placed p{{{scaled(f.box.u.x, -k), scaled(f.box.u.y, -k)}, scaled(f.box.hx, k - unit), scaled(f.box.hy, k - unit)},
-           scale(f.radius, -unit),
+           scale_far(f.radius, -unit),
            f.curved};
   if (!p.curved) return p;
   double &a = p.box.hx.high, &b = p.box.hy.high;
@@ -112,24 +106,20 @@ inline Placed placed(const Form& f, int unit) noexcept {
 inline double reach(const Placed& p) noexcept { return p.radius + (p.box.hx.high + p.box.hy.high); }
 
 inline PlacedPair placed(const Form& a, const Form& b) noexcept {
-  const auto twice = [](double to0, double to1, double from0, double from1) {
-    return renormalised(exact_difference(to0, from0) + exact_difference(to1, from1));
-  };
-  const Vector<double> d{twice(b.from_x, b.to_x, a.from_x, a.to_x), twice(b.from_y, b.to_y, a.from_y, a.to_y)};
-  const int exponents[4] = {largest_exponent(a), largest_exponent(b), length_exponent(d.x.high, -1),
-                            length_exponent(d.y.high, -1)};
-  int unit = -9999;
-  for (const int e : exponents) unit = e > unit ? e : unit;
-  if (unit == -9999) unit = 0;
+  const arithmetic::Pair<double> x = form::twice_offset_x(a.place, b.place, 1);
+  const arithmetic::Pair<double> y = form::twice_offset_y(a.place, b.place, 1);
+  const Vector<double> d{{x.high, x.low}, {y.high, y.low}};
+  const int unit = form::common_exponent({largest_exponent(a), largest_exponent(b), form::length_exponent(d.x.high, -1),
+                                          form::length_exponent(d.y.high, -1)});
   PlacedPair p{placed(a, unit), placed(b, unit), {scaled(d.x, -1 - unit), scaled(d.y, -1 - unit)}, 0, unit};
   p.size = (reach(p.a) + reach(p.b)) + (abs(p.d.x.high) + abs(p.d.y.high));
   return p;
 }
 
-/// Whether any sum or difference of the pair's coordinates overflowed.
+/// Whether any sum or difference of the pair's coordinates overflowed. Then all lengths are taken at an eighth.
 inline bool overflowed(const Form& a, const Form& b) noexcept {
-  const double x = ((b.from_x - a.from_x) + (b.to_x - a.to_x)) + (a.box.u.x.high + b.box.u.x.high);
-  const double y = ((b.from_y - a.from_y) + (b.to_y - a.to_y)) + (a.box.u.y.high + b.box.u.y.high);
+  const double x = ((b.place.x0 - a.place.x0) + (b.place.x1 - a.place.x1)) + (a.box.u.x.high + b.box.u.x.high);
+  const double y = ((b.place.y0 - a.place.y0) + (b.place.y1 - a.place.y1)) + (a.box.u.y.high + b.box.u.y.high);
   const double sizes = (a.box.hx.high - a.box.hx.high) + (b.box.hx.high - b.box.hx.high);
   const double others = (a.box.hy.high - a.box.hy.high) + (b.box.hy.high - b.box.hy.high);
   return !((x - x) + (y - y) + (sizes + others) == 0);
@@ -137,10 +127,10 @@ inline bool overflowed(const Form& a, const Form& b) noexcept {
 
 template <class A, class B>
 PlacedPair placed_pair(const A& a, const B& b) noexcept {
-  Form fa = form(a, 1), fb = form(b, 1);
+  Form fa = form_times(a, 1), fb = form_times(b, 1);
   int eighths = 0;
   if (overflowed(fa, fb)) {
-    fa = form(a, 0.125), fb = form(b, 0.125);
+    fa = form_times(a, 0.125), fb = form_times(b, 0.125);
     eighths = 3;
   }
   PlacedPair p = placed(fa, fb);
@@ -159,19 +149,13 @@ struct Located {
 };
 
 /// From a centre that is stored.
-inline Located located(double cx, double cy, const Contact& c, int exponent) noexcept {
-  return {cx + scale(c.x, exponent), cy + scale(c.y, exponent)};
+template <class Shape>
+Located located(const Shape& s, const Placed&, const Contact& c, int exponent) noexcept {
+  const form::Centre<double> centre = form::of(s).place;
+  return {centre.x + scale_far(c.x, exponent), centre.y + scale_far(c.y, exponent)};
 }
+/// Without a sum, which would lose the sign of a zero.
 inline Located located(const Point<double>& s, const Placed&, const Contact&, int) noexcept { return {s.x, s.y}; }
-inline Located located(const Circle<double>& s, const Placed&, const Contact& c, int exponent) noexcept {
-  return located(s.cx, s.cy, c, exponent);
-}
-inline Located located(const Rect<double>& s, const Placed&, const Contact& c, int exponent) noexcept {
-  return located(s.cx, s.cy, c, exponent);
-}
-inline Located located(const Ellipse<double>& s, const Placed&, const Contact& c, int exponent) noexcept {
-  return located(s.cx, s.cy, c, exponent);
-}
 
 /// The number at share f of the way between two, from the middle (0) to either (-1, 1), which are met exactly.
 inline double between(double low, double high, double f) noexcept {

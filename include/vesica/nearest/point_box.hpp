@@ -20,7 +20,7 @@ struct Spot {
   V s, t;
 };
 
-/// What a box and a point outside it answer: the distance, the place in the box, and the direction from there to the
+/// The result for a box and a point outside it: the distance, the place in the box, and the direction from there to the
 /// point in the box's frame (folded into the first quadrant; of any length).
 template <class V>
 struct PointBox {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How far an ellipse reaches along a direction, and where: its support function. And the distance between two shapes
-/// along a normal, from theirs.
+/// The support function of an ellipse: how far it reaches along a direction, and where. And the distance between two
+/// shapes along a direction, from their support functions.
 #pragma once
 
-#include <vesica/nearest/twofold.hpp>
+#include <vesica/arithmetic/twofold.hpp>
 
 namespace vesica::detail::nearest {
+
+using namespace arithmetic;
 
 /// Whether a loop over lanes may end; the lanes of a vector bring their own.
 constexpr bool all(bool mask) noexcept { return mask; }
@@ -30,7 +32,7 @@ struct Direction {
   V x, y;
 };
 
-/// A normal N, as long as it comes; its length and the unit vector (rounded).
+/// A normal N of any length; its length and the unit vector, both rounded.
 template <class V, class F>
 struct Normal {
   VectorFactor<F> vector;
@@ -76,10 +78,9 @@ VESICA_INLINE Support<V> no_support() noexcept {
   return {{zero, zero}, zero, zero, zero};
 }
 
-/// What two shapes a distance apart answer: the distance, and the closest points as offsets from the shapes' own
-/// centres, and the unit vector from a to b. `settled` tells where the search ended well; elsewhere the rest means
-/// nothing. Of shapes that are nearly in contact the distance may be 0 or below, by less than some 2^-100 of their
-/// size.
+/// The result for two disjoint shapes: the distance, the closest points as offsets from the shapes' own centres, and
+/// the unit vector from a to b. `settled` tells whether the search converged; if not, the rest means nothing. Of shapes
+/// that are nearly in contact the distance may be 0 or below, by less than some 2^-100 of their size.
 template <class V>
 struct ClosestOffsets {
   Twofold<V> distance;
@@ -87,7 +88,7 @@ struct ClosestOffsets {
   MaskOf<V> settled;
 };
 
-/// A distance is taken for found where the slope that is left is this share of what its terms are made of.
+/// A search has converged where the slope left is below this share of the size of its terms.
 inline constexpr double settled_slope = 0x1p-46;
 
 /// The distance between two shapes along a normal N that points from a to b and that is, nearly, the one along which
@@ -106,8 +107,7 @@ VESICA_INLINE ClosestOffsets<V> separation(const Vector<V>& d, const Normal<V, F
   const V turn = slope / select(bend > zero, bend, one);
   const Twofold<V> phi = factor(dot(n.vector, factor(d)) - (a.height + b.height)) * factor(n.inverse_length);
   const V move_a = a.curvature * turn, move_b = b.curvature * turn;
-  const auto converged =
-      either(smooth == zero, both(bend > zero, abs(slope) <= V(settled_slope) * (size + curvature)));
+  const auto converged = either(smooth == zero, both(bend > zero, abs(slope) <= V(settled_slope) * (size + curvature)));
   const Twofold<V> distance{phi.high, phi.low + V(0.5) * (slope * turn)};
   return {distance,
           a.x - move_a * n.unit.y,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Points, segments, AABBs and rectangles against each other, but for those that comparisons decide: what separating
-/// axes say.
+/// Points, segments, AABBs and rectangles against each other, by separating axes. Pairs that comparisons decide are in
+/// comparison.hpp.
 #pragma once
 
 #include <vesica/exact/relation.hpp>
@@ -23,30 +23,32 @@ VESICA_INLINE auto certain_facts(const Point<V>& point, const Rect<V>& rect) noe
 
 template <class V>
 VESICA_INLINE auto certain_facts(const Segment<V>& a, const Segment<V>& b) noexcept {
-  return filter::box_box_certain_facts(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
+  return filter::box_box_certain_facts(filter::box(a), filter::box(b),
+                                       filter::offset(filter::place(a), filter::place(b)));
 }
 
 template <class V>
 VESICA_INLINE auto certain_facts(const Segment<V>& segment, const Aabb<V>& aabb) noexcept {
   return filter::box_box_certain_facts(filter::box(segment), filter::box(aabb),
-                                  filter::offset(filter::place(segment), filter::place(aabb)));
+                                       filter::offset(filter::place(segment), filter::place(aabb)));
 }
 
 template <class V>
 VESICA_INLINE auto certain_facts(const Segment<V>& segment, const Rect<V>& rect) noexcept {
   return filter::box_box_certain_facts(filter::box(segment), filter::box(rect),
-                                  filter::offset(filter::place(segment), filter::place(rect)));
+                                       filter::offset(filter::place(segment), filter::place(rect)));
 }
 
 template <class V>
 VESICA_INLINE auto certain_facts(const Aabb<V>& aabb, const Rect<V>& rect) noexcept {
   return filter::box_box_certain_facts(filter::box(aabb), filter::box(rect),
-                                  filter::offset(filter::place(aabb), filter::place(rect)));
+                                       filter::offset(filter::place(aabb), filter::place(rect)));
 }
 
 template <class V>
 VESICA_INLINE auto certain_facts(const Rect<V>& a, const Rect<V>& b) noexcept {
-  return filter::box_box_certain_facts(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
+  return filter::box_box_certain_facts(filter::box(a), filter::box(b),
+                                       filter::offset(filter::place(a), filter::place(b)));
 }
 
 }  // namespace vesica::detail::relation

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Points and AABBs, whose relation comparisons of stored numbers decide. Of two points, overlap is all there is.
+/// Points and AABBs: comparisons of stored numbers decide their relation. Two points are equal or disjoint.
 #pragma once
 
 #include <vesica/filter/comparison.hpp>
-#include <vesica/relation/code.hpp>
+#include <vesica/relation_code.hpp>
 #include <vesica/shapes.hpp>
 
 namespace vesica::detail::relation {
@@ -18,8 +18,8 @@ constexpr const Aabb<T>& as_aabb(const Aabb<T>& box) noexcept {
   return box;
 }
 
-/// How two intervals stand to each other. An AABB is a product of two, and so are its inside and its outline's
-/// complement: it is in another's inside iff both intervals are, where an interval of one point is its own inside.
+/// How two intervals relate. An AABB is a product of two intervals, and so is its inside. So it lies in another's
+/// inside iff both intervals do, where an interval of one point is its own inside.
 struct Intervals {
   bool meet, insides_meet, a_in_b, a_in_inside_of_b, b_in_a, b_in_inside_of_a;
 };
@@ -43,10 +43,6 @@ constexpr Relation aabb_aabb(const Aabb<T>& a, const Aabb<T>& b) noexcept {
   if (x.insides_meet && y.insides_meet) return Relation::cross;
   return x.meet && y.meet ? Relation::touch : Relation::disjoint;
 }
-
-}  // namespace vesica::detail::relation
-
-namespace vesica::detail::relation {
 
 template <class V>
 VESICA_INLINE auto certain_facts(const Point<V>& point, const Aabb<V>& aabb) noexcept {

@@ -14,8 +14,8 @@ VESICA_INLINE auto certain_facts(const Point<V>& point, const Circle<V>& circle)
 
 template <class V>
 VESICA_INLINE auto certain_facts(const Segment<V>& segment, const Circle<V>& circle) noexcept {
-  return filter::disc_box_certain_facts(filter::box(segment), filter::offset(filter::place(segment), filter::place(circle)),
-                                   circle.r)
+  return filter::disc_box_certain_facts(filter::box(segment),
+                                        filter::offset(filter::place(segment), filter::place(circle)), circle.r)
       .exchanged();
 }
 
@@ -32,7 +32,7 @@ VESICA_INLINE auto certain_facts(const Circle<V>& circle, const Aabb<V>& aabb) n
 template <class V>
 VESICA_INLINE auto certain_facts(const Circle<V>& circle, const Rect<V>& rect) noexcept {
   return filter::disc_box_certain_facts(filter::box(rect), filter::offset(filter::place(rect), filter::place(circle)),
-                                   circle.r);
+                                        circle.r);
 }
 
 }  // namespace vesica::detail::relation

@@ -6,6 +6,7 @@ import numpy
 
 VERSION = 100  # of the declarations below
 POINT, SEGMENT, CIRCLE, AABB, RECT, ELLIPSE = range(6)
+E_KIND = -3
 FIELDS = (
     ("x", "y"),
     ("x0", "y0", "x1", "y1"),
@@ -69,7 +70,7 @@ def overlap(kind_a, a, kind_b, b, dtype="f8"):
 def _shapes(kind, array):
     """The library's view of an array: structured, with fields as in FIELDS, or a row a shape and a column a number."""
     if not 0 <= kind < len(FIELDS):
-        raise VesicaError(_library.vesica_e_kind())
+        raise VesicaError(E_KIND)
     if array.dtype.names is None:
         columns = [array[:, i] for i in range(len(FIELDS[kind]))]
     else:

@@ -177,9 +177,6 @@ TEST(GradientDescent, Constants) {
   EXPECT_EQ(VESICA_SCHEDULE_SCALE_AWARE, 0);
   EXPECT_EQ(VESICA_SCHEDULE_LITERAL, 1);
   EXPECT_EQ(VESICA_MOST_DESCENT_ITERATIONS, 1000000);
-  EXPECT_EQ(vesica_schedule_scale_aware(), 0);
-  EXPECT_EQ(vesica_schedule_literal(), 1);
-  EXPECT_EQ(vesica_most_descent_iterations(), 1000000);
 }
 
 }  // namespace

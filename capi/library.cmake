@@ -1,0 +1,65 @@
+# vesica_library(name MAP map SOURCES source... [LINK library...] [HAND_ON library...]): one library behind the C face,
+# shared or static as BUILD_SHARED_LIBS says. Programs that link it also link what is handed on. The target
+# vesica_methods has the alias vesica::methods, and its file is libvesica-methods.
+include(CheckLinkerFlag)
+include(${CMAKE_CURRENT_LIST_DIR}/windows.cmake)
+
+# A linker that does not know a flag does without: names are hidden by the compiler already, and versions of symbols
+# are ELF's alone. The map of the trial is empty, for a linker may insist that the names in a map are defined.
+set(any_map ${CMAKE_CURRENT_BINARY_DIR}/any.map)
+file(WRITE ${any_map} "{ local: *; };\n")
+check_linker_flag(C -Wl,--version-script=${any_map} VESICA_LINKER_HAS_VERSION_SCRIPT)
+set(library_link_options)
+foreach(flag --no-undefined-version -z,defs -O1)
+  string(MAKE_C_IDENTIFIER "VESICA_LINKER_HAS${flag}" known)
+  check_linker_flag(C -Wl,${flag} ${known})
+  if(${known})
+    list(APPEND library_link_options -Wl,${flag})
+  endif()
+endforeach()
+
+function(vesica_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "MAP" "SOURCES;LINK;HAND_ON")
+  string(REGEX REPLACE "^vesica_" "" alias ${name})
+  string(REPLACE "_" "-" output ${name})
+  add_library(${name} ${arg_SOURCES})
+  target_link_libraries(${name}
+    PRIVATE $<BUILD_INTERFACE:vesica_core> $<BUILD_INTERFACE:vesica_flags> ${arg_LINK} m
+    INTERFACE ${arg_HAND_ON})
+  target_include_directories(${name}
+    PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    PRIVATE ${PROJECT_SOURCE_DIR}/src)
+  target_compile_definitions(${name} PRIVATE VESICA_BUILDING)
+  target_compile_options(${name} PRIVATE -fno-exceptions -fno-rtti -fno-threadsafe-statics)
+  # Linked by the C driver, so that nothing of libstdc++ can slip in: an undefined symbol of it fails the link.
+  # Position independent in the archive too, which then serves the shared libraries of other languages.
+  set_target_properties(${name} PROPERTIES
+    OUTPUT_NAME ${output}
+    EXPORT_NAME ${alias}
+    LINKER_LANGUAGE C
+    POSITION_INDEPENDENT_CODE ON
+    DEFINE_SYMBOL ""
+    CXX_VISIBILITY_PRESET hidden
+    VISIBILITY_INLINES_HIDDEN ON
+    VERSION ${PROJECT_VERSION}
+    SOVERSION ${PROJECT_VERSION_MAJOR})
+  if(BUILD_SHARED_LIBS)
+    target_link_options(${name} PRIVATE ${library_link_options})
+    if(WIN32)
+      vesica_windows_exports(${name} ${arg_MAP})
+    elseif(VESICA_LINKER_HAS_VERSION_SCRIPT)
+      target_link_options(${name} PRIVATE -Wl,--version-script=${arg_MAP})
+      set_target_properties(${name} PROPERTIES LINK_DEPENDS ${arg_MAP})
+    endif()
+    add_library(vesica::${alias} ALIAS ${name})
+  else()
+    # Whoever links an archive of C++ is linked by the C++ driver and with its runtime, which this one does not need.
+    # So it is handed on as a file.
+    add_library(${name}_archive INTERFACE)
+    add_dependencies(${name}_archive ${name})
+    target_include_directories(${name}_archive INTERFACE $<TARGET_PROPERTY:${name},INTERFACE_INCLUDE_DIRECTORIES>)
+    list(TRANSFORM arg_HAND_ON APPEND _archive)
+    target_link_libraries(${name}_archive INTERFACE $<TARGET_FILE:${name}> ${arg_LINK} ${arg_HAND_ON} m)
+    add_library(vesica::${alias} ALIAS ${name}_archive)
+  endif()
+endfunction()

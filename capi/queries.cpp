@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// The queries other than overlap: each is its descriptor (src/query.hpp), asked about two shapes or about arrays.
+#include "queries.hpp"
+
+#include <vesica/relation_code.hpp>
+
+#include "arrays.hpp"
+
+namespace {
+
+using namespace vesica::capi;
+using vesica::Query;
+using vesica::Relation;
+using vesica::batch::QueryTally;
+namespace queries = vesica::queries;
+
+/// The result is written in place: a C struct is the core's byte for byte.
+template <class T, class Out>
+int32_t answer(const Query& query, int32_t kind_a, const T* a, int32_t kind_b, const T* b, Out* out) noexcept {
+  return out == nullptr ? VESICA_E_NULL : vesica::ask(query, kind_a, a, kind_b, b, out);
+}
+
+int64_t result(const QueryTally& tally) noexcept { return tally.error != 0 ? tally.error : tally.count; }
+
+/// Columns may be null, but not all of them.
+template <class T, class Out>
+int64_t many(const Query& query, const CShapesOf<T>* a, const CShapesOf<T>* b, Out* const* columns) noexcept {
+  const void* some = nullptr;
+  for (int k = 0; k < query.columns(); ++k) some = columns[k] != nullptr ? columns[k] : some;
+  const int32_t error = check_call(a, b, some, anything(a, b));
+  if (error != 0) return error;
+  const int64_t n = pairs_in_step(*a, *b);
+  if (n < 0) return n;
+  return result(vesica::batch::query_many(query, vesica::kernels(), view<T>(*a), view<T>(*b), n, columns));
+}
+
+template <class T, class Out>
+int64_t matrix(const Query& query, const CShapesOf<T>* a, const CShapesOf<T>* b, Out* out,
+               ptrdiff_t row_stride) noexcept {
+  const int32_t error = check_call(a, b, out, anything(a, b));
+  if (error != 0) return error;
+  if (!rows_apart(a->count, b->count, row_stride, sizeof(Out))) return VESICA_E_ARGUMENT;
+  return result(vesica::batch::query_matrix(query, vesica::kernels(), view<T>(*a), view<T>(*b), out, row_stride));
+}
+
+constexpr bool is_code(Relation relation, int32_t code) { return static_cast<int32_t>(relation) == code; }
+
+// The core's codes are the C face's.
+static_assert(is_code(Relation::disjoint, VESICA_DISJOINT) && is_code(Relation::touch, VESICA_TOUCH));
+static_assert(is_code(Relation::cross, VESICA_CROSS) && is_code(Relation::inside, VESICA_INSIDE));
+static_assert(is_code(Relation::inside_touch, VESICA_INSIDE_TOUCH) && is_code(Relation::contains, VESICA_CONTAINS));
+static_assert(is_code(Relation::contains_touch, VESICA_CONTAINS_TOUCH) && is_code(Relation::equal, VESICA_EQUAL));
+
+}  // namespace
+
+#define VESICA_MANY_AND_MATRIX(name, Out, scalar, T)                                                                  \
+  int64_t vesica_##name##_many_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, Out* out) { \
+    Out* const columns[] = {out};                                                                                     \
+    return many<T>(queries::name, a, b, columns);                                                                     \
+  }                                                                                                                   \
+  int64_t vesica_##name##_matrix_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, Out* out, \
+                                          ptrdiff_t row_stride) {                                                     \
+    return matrix<T>(queries::name, a, b, out, row_stride);                                                           \
+  }
+
+#define VESICA_NUMBERS(name, Out, scalar, T)                                                                           \
+  int32_t vesica_##name##_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b, Out* out) { \
+    return answer(queries::name, kind_a, numbers_a, kind_b, numbers_b, out);                                           \
+  }
+
+/// Queries whose result is the returned code, a byte in batches.
+#define VESICA_CODE(name, scalar, T)                                                                         \
+  int32_t vesica_##name##_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b) { \
+    return vesica::ask(queries::name, kind_a, numbers_a, kind_b, numbers_b, nullptr);                        \
+  }                                                                                                          \
+  VESICA_MANY_AND_MATRIX(name, uint8_t, scalar, T)
+
+/// Queries of one number.
+#define VESICA_NUMBER(name, scalar, T) \
+  VESICA_NUMBERS(name, T, scalar, T)   \
+  VESICA_MANY_AND_MATRIX(name, T, scalar, T)
+
+#define VESICA_DISTANCE(name, scalar, T)                                                                               \
+  VESICA_NUMBERS(name, vesica_closest_points_##scalar, scalar, T)                                                      \
+  int64_t vesica_##name##_many_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, T* distance, \
+                                        T* ax, T* ay, T* bx, T* by) {                                                  \
+    T* const columns[] = {distance, ax, ay, bx, by};                                                                   \
+    return many<T>(queries::name, a, b, columns);                                                                      \
+  }
+
+#define VESICA_DEPTH(scalar, T)                                                                        \
+  VESICA_NUMBERS(depth, vesica_penetration_##scalar, scalar, T)                                        \
+  int64_t vesica_depth_many_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, \
+                                     T* depth_column, T* x, T* y) {                                    \
+    T* const columns[] = {depth_column, x, y};                                                         \
+    return many<T>(queries::depth, a, b, columns);                                                     \
+  }
+
+#define VESICA_QUERIES(scalar, T)               \
+  VESICA_CODE(relation, scalar, T)              \
+  VESICA_CODE(contains, scalar, T)              \
+  VESICA_NUMBER(area, scalar, T)                \
+  VESICA_NUMBER(iou, scalar, T)                 \
+  VESICA_DISTANCE(nearest, scalar, T)           \
+  VESICA_DISTANCE(boundary_distance, scalar, T) \
+  VESICA_DEPTH(scalar, T)
+
+VESICA_QUERIES(f64, double)
+VESICA_QUERIES(f32, float)

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vesica/shape_area.hpp>
+
+#include "by_kind.hpp"
+#include "vesica.h"
+
+namespace {
+
+template <class T>
+int32_t shape_area_by_kind(int32_t kind, const T* numbers, T* out) noexcept {
+  if (out == nullptr) return VESICA_E_NULL;
+  return vesica::with_shape(kind, numbers, [&](const auto& shape) { return vesica::shape_area_or_error(shape, *out); });
+}
+
+}  // namespace
+
+int32_t vesica_shape_area_f64(int32_t kind, const double* numbers, double* out) {
+  return shape_area_by_kind(kind, numbers, out);
+}
+int32_t vesica_shape_area_f32(int32_t kind, const float* numbers, float* out) {
+  return shape_area_by_kind(kind, numbers, out);
+}

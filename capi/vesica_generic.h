@@ -1,0 +1,76 @@
+/*
+ * Vesica in C11: every query by one name, with kinds and scalar taken from the types of its arguments.
+ *
+ * SPDX-License-Identifier: Apache-2.0
+ *
+ * vesica.h includes this file in C11 and later. C99 and C++ never see it.
+ *
+ *     vesica_circle_f64 car = {0, 0, 2};
+ *     vesica_point_f64 person = {5, 0};
+ *     vesica_closest_points_f64 out;
+ *     int32_t error = vesica_nearest(&car, &person, &out);
+ *
+ * Every argument is a pointer to a shape or to a result. Each is evaluated once. Double and float cannot be mixed: such
+ * a call does not compile. Results and errors are those of the functions, such as vesica_nearest_f64.
+ */
+#ifndef VESICA_GENERIC_H
+#define VESICA_GENERIC_H
+
+#include "vesica.h"
+
+#define vesica_check(shape) VESICA_QUERY_(vesica_check, VESICA_SIZE_(shape))(VESICA_SHAPE_(shape))
+#define vesica_shape_area(shape, out) VESICA_ONE_(vesica_shape_area, shape, out)
+#define vesica_bounds(shape, out) VESICA_ONE_(vesica_bounds, shape, out)
+
+#define vesica_overlap(a, b) VESICA_TWO_(vesica_overlap, a, b)
+#define vesica_relation(a, b) VESICA_TWO_(vesica_relation, a, b)
+#define vesica_contains(a, b) VESICA_TWO_(vesica_contains, a, b)
+
+#define vesica_crossings(a, b, out) VESICA_TWO_OUT_(vesica_crossings, a, b, out)
+#define vesica_nearest(a, b, out) VESICA_TWO_OUT_(vesica_nearest, a, b, out)
+#define vesica_boundary_distance(a, b, out) VESICA_TWO_OUT_(vesica_boundary_distance, a, b, out)
+#define vesica_depth(a, b, out) VESICA_TWO_OUT_(vesica_depth, a, b, out)
+#define vesica_area(a, b, out) VESICA_TWO_OUT_(vesica_area, a, b, out)
+#define vesica_iou(a, b, out) VESICA_TWO_OUT_(vesica_iou, a, b, out)
+
+/* Kind of the shape that a pointer points to: VESICA_POINT ... VESICA_ELLIPSE. */
+#define VESICA_KIND_OF(shape) \
+    _Generic(*(shape), \
+        vesica_point_f64: VESICA_POINT, vesica_point_f32: VESICA_POINT, \
+        vesica_segment_f64: VESICA_SEGMENT, vesica_segment_f32: VESICA_SEGMENT, \
+        vesica_circle_f64: VESICA_CIRCLE, vesica_circle_f32: VESICA_CIRCLE, \
+        vesica_aabb_f64: VESICA_AABB, vesica_aabb_f32: VESICA_AABB, \
+        vesica_rect_f64: VESICA_RECT, vesica_rect_f32: VESICA_RECT, \
+        vesica_ellipse_f64: VESICA_ELLIPSE, vesica_ellipse_f32: VESICA_ELLIPSE)
+
+/* ---- The rest is how it works. ---- */
+
+/* Bytes of one number in what a pointer points to, a shape or a result: 8 for double, 4 for float. */
+#define VESICA_SIZE_(pointer) \
+    _Generic(*(pointer), \
+        double: 8, vesica_point_f64: 8, vesica_segment_f64: 8, vesica_circle_f64: 8, vesica_aabb_f64: 8, \
+        vesica_rect_f64: 8, vesica_ellipse_f64: 8, vesica_closest_points_f64: 8, vesica_crossing_points_f64: 8, \
+        vesica_penetration_f64: 8, \
+        float: 4, vesica_point_f32: 4, vesica_segment_f32: 4, vesica_circle_f32: 4, vesica_aabb_f32: 4, \
+        vesica_rect_f32: 4, vesica_ellipse_f32: 4, vesica_closest_points_f32: 4, vesica_crossing_points_f32: 4, \
+        vesica_penetration_f32: 4)
+
+/* Picks by a constant size. Sizes of several arguments are joined by &: 8 & 4 is 0, for which there is no choice. */
+#define VESICA_PICK_(size, of_double, of_float) \
+    _Generic((char (*)[size])0, char (*)[8]: of_double, char (*)[4]: of_float)
+#define VESICA_QUERY_(query, size) VESICA_PICK_(size, query##_f64, query##_f32)
+
+/* A shape as the functions take it: its kind and a pointer to its numbers. */
+#define VESICA_SHAPE_(shape) \
+    VESICA_KIND_OF(shape), VESICA_PICK_(VESICA_SIZE_(shape), (const double *)(const void *)(shape), \
+                                        (const float *)(const void *)(shape))
+
+#define VESICA_ONE_(query, shape, out) \
+    VESICA_QUERY_(query, VESICA_SIZE_(shape) & VESICA_SIZE_(out))(VESICA_SHAPE_(shape), out)
+#define VESICA_TWO_(query, a, b) \
+    VESICA_QUERY_(query, VESICA_SIZE_(a) & VESICA_SIZE_(b))(VESICA_SHAPE_(a), VESICA_SHAPE_(b))
+#define VESICA_TWO_OUT_(query, a, b, out) \
+    VESICA_QUERY_(query, VESICA_SIZE_(a) & VESICA_SIZE_(b) & VESICA_SIZE_(out)) \
+    (VESICA_SHAPE_(a), VESICA_SHAPE_(b), out)
+
+#endif /* VESICA_GENERIC_H */

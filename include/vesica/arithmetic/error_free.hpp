@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Error-free transformations: sums and products of two numbers as an unevaluated pair high + low that is exact. All
+/// arithmetic beyond one double in the library is built from these.
+///
+/// There are two products. The lanes of a vector, and scalar functions that must give the same bits as lanes, split
+/// their factors into halves: this takes plain multiplications and additions only, which every instruction set has.
+/// Scalar functions without lanes use a fused multiply-add: it has no intermediate overflow, so its range is wider.
+#pragma once
+
+#include <cmath>
+#include <vesica/scalar.hpp>
+
+namespace vesica::detail::arithmetic {
+
+using namespace lane;
+using lane::abs;
+using lane::sqrt;
+
+/// The number high + low, where high is the nearest to it.
+template <class V>
+struct Pair {
+  V high, low;
+};
+
+/// a + b, exact unless it overflows (D. E. Knuth's TwoSum).
+template <class V>
+VESICA_INLINE Pair<V> two_sum(V a, V b) noexcept {
+  const V high = a + b, part = high - a;
+  return {high, (a - (high - part)) + (b - part)};
+}
+
+/// a + b, exact where a is 0 or has at least the exponent of b (T. J. Dekker's FastTwoSum).
+template <class V>
+VESICA_INLINE Pair<V> fast_two_sum(V a, V b) noexcept {
+  const V high = a + b;
+  return {high, b - (high - a)};
+}
+
+/// A number as a factor: with its upper and lower 26 bits apart (G. W. Veltkamp's splitting). |high| < 2^990.
+template <class V>
+struct Factor {
+  V high, upper, lower;
+};
+
+template <class V>
+VESICA_INLINE Factor<V> factor(V x) noexcept {
+  const V spread = V(0x1p27 + 1) * x, upper = spread - (spread - x);
+  return {x, upper, x - upper};
+}
+
+/// a.high * b.high (T. J. Dekker), exact unless it underflows: then the loss is below 2^-1020.
+template <class V, class A, class B>
+VESICA_INLINE Pair<V> two_product(const A& a, const B& b) noexcept {
+  const V high = a.high * b.high;
+  return {high, (((a.upper * b.upper - high) + a.upper * b.lower) + a.lower * b.upper) + a.lower * b.lower};
+}
+
+/// The same for a square.
+template <class V, class A>
+VESICA_INLINE Pair<V> two_square(const A& a) noexcept {
+  const V high = a.high * a.high, middle = a.upper * a.lower;
+  return {high, ((a.upper * a.upper - high) + (middle + middle)) + a.lower * a.lower};
+}
+
+/// a * b by a fused multiply-add, exact when 2^-960 <= |a b| <= 2^1000, or a or b is 0.
+inline Pair<double> two_product_fused(double a, double b) noexcept {
+#if defined(FP_FAST_FMA)
+  // A fused operation cannot be fused again: should a compiler contract, this product stays rounded.
+  const double high = std::fma(a, b, 0.0);
+#else
+  const double high = a * b;
+#endif
+  return {high, std::fma(a, b, -high)};
+}
+
+}  // namespace vesica::detail::arithmetic

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Outward rounding without changing the rounding mode. A real number is known as an unevaluated sum of two doubles and
+/// a bound on the error of that sum; this almost always decides the smallest double at or above the number.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <vesica/arithmetic/error_free.hpp>
+
+namespace vesica::detail::arithmetic {
+
+/// The numbers within `error` of high + low. An infinite or NaN error says that nothing is known.
+struct Estimate {
+  double high, low, error;
+};
+
+/// The position of a number among the numbers of its type in ascending order; both zeros share one.
+template <class T>
+auto rank(T x) noexcept {
+  using Integer = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
+  constexpr Integer zero = Integer{1} << (8 * sizeof(T) - 1);
+  const auto bits = std::bit_cast<Integer>(x);
+  return bits < zero ? zero + bits : zero - (bits - zero);
+}
+
+/// The number at a position.
+template <class T, class Integer>
+T at_rank(Integer position) noexcept {
+  constexpr Integer zero = Integer{1} << (8 * sizeof(T) - 1);
+  return position < zero ? -std::bit_cast<T>(zero - position) : std::bit_cast<T>(position - zero);
+}
+
+/// c + e.
+inline Estimate add(double c, const Estimate& e) noexcept {
+  const Pair<double> top = two_sum(c, e.high), rest = two_sum(top.low, e.low);
+  return {top.high, rest.high, (std::fabs(rest.low) + e.error) * (1 + 0x1p-50)};
+}
+
+/// The smallest double at or above the number e stands for; false when e leaves that open.
+inline bool round_up(const Estimate& e, double& out) noexcept {
+  // The number is q and an error above `nearest`, and |q| is at most half the way to the next double on q's side.
+  // So an error below |q| leaves it strictly between `nearest` and that next double.
+  const auto [nearest, q] = two_sum(e.high, e.low);
+  if (!(e.error < std::fabs(q) || e.error == 0)) return false;
+  out = q > 0 ? at_rank<double>(rank(nearest) + 1) : nearest;
+  return true;
+}
+
+/// The smallest finite double for which `reaches` holds, false when there is none. `reaches` must be monotone: false
+/// below some number, true from there on. It is asked about twice the logarithm of how far `start` is off.
+template <class Predicate>
+bool search_up(double start, const Predicate& reaches, double& out) noexcept {
+  constexpr double infinity = std::numeric_limits<double>::infinity(), largest = std::numeric_limits<double>::max();
+  const std::uint64_t none = rank(infinity);
+  std::uint64_t no = rank(-infinity), yes = none, at = rank(std::fmin(std::fmax(start, -largest), largest)), step = 1;
+  while (yes - no > 1) {
+    const bool reached = reaches(at_rank<double>(at));
+    (reached ? yes : no) = at;
+    const bool bracketed = yes != none && no != rank(-infinity);
+    if (bracketed || yes - no <= step) {
+      at = no + (yes - no) / 2;
+    } else {
+      at = reached ? yes - step : no + step;
+      step *= 2;
+    }
+  }
+  if (yes == none) return false;
+  out = at_rank<double>(yes);
+  return true;
+}
+
+/// The smallest T at or above x, false when there is none.
+template <class T>
+bool round_up_to(double x, T& out) noexcept {
+  if (x > static_cast<double>(std::numeric_limits<T>::max())) return false;
+  const T nearest = static_cast<T>(x);
+  out = static_cast<double>(nearest) < x ? at_rank<T>(rank(nearest) + 1) : nearest;
+  return true;
+}
+
+}  // namespace vesica::detail::arithmetic

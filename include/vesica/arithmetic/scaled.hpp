@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Powers of two, and numbers of any magnitude: a double and a power of two that is kept apart from it until the end.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace vesica::detail::arithmetic {
+
+/// value * 2^exponent.
+struct Scaled {
+  double value;
+  int exponent;
+};
+
+/// 2^exponent for an exponent of at most +-1000.
+inline double power_of_two(int exponent) noexcept {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
+}
+
+/// x * 2^exponent: one rounding, and any exponent, for x in [2^-20, 2^20] or 0; for any other x an exponent of at
+/// most +-2000, and results below 2^-1022 may be rounded twice. Unlike the C library's ldexp it leaves errno alone.
+inline double scale(double x, int exponent) noexcept {
+  const int clamped = exponent < -2000 ? -2000 : exponent > 2000 ? 2000 : exponent;
+  return x * power_of_two(clamped / 2) * power_of_two(clamped - clamped / 2);
+}
+
+/// The same for any x and an exponent of at most +-4000: from one end of the range of double to the other and beyond.
+inline double scale_far(double x, int exponent) noexcept {
+  return scale(scale(x, exponent / 2), exponent - exponent / 2);
+}
+
+/// The exponent e with 2^(e-1) <= |x| < 2^e; 0 for 0.
+inline int exponent_of(double x) noexcept {
+  int exponent;
+  std::frexp(x, &exponent);
+  return exponent;
+}
+
+}  // namespace vesica::detail::arithmetic

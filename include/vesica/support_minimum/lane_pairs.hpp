@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What depth/lane_pairs.hpp and boundary_distance/lane_pairs.hpp share: the sizes of a pair that batches run in lanes.
+#pragma once
+
+#include <vesica/support_minimum/box_ellipse.hpp>
+
+namespace vesica::detail::support_minimum {
+
+/// Below this share of the sizes a depth or a distance may be 0, or its direction is of few digits.
+inline constexpr double least_settled = 0x1p-46;
+
+template <class V>
+VESICA_INLINE Ellipse<V> as_ellipse(const Circle<V>& c) noexcept {
+  return {c.cx, c.cy, V(1.0), V(0.0), c.r, c.r};
+}
+template <class V>
+VESICA_INLINE const Ellipse<V>& as_ellipse(const Ellipse<V>& e) noexcept {
+  return e;
+}
+
+template <class V>
+VESICA_INLINE V extent(V ux, V uy, V a, V b) noexcept {
+  return (abs(ux) + abs(uy)) * (a + b);
+}
+template <class V>
+VESICA_INLINE V extent(const Ellipse<V>& e) noexcept {
+  return extent(e.ux, e.uy, e.a, e.b);
+}
+template <class V>
+VESICA_INLINE V extent(const Rect<V>& r) noexcept {
+  return extent(r.ux, r.uy, r.hx, r.hy);
+}
+
+/// At least the scale that error bounds speak of, at most some ten times that.
+template <class A, class B, class V>
+VESICA_INLINE V size_of(const A& a, const B& b, const Vector<V>& d) noexcept {
+  return (extent(a) + extent(b)) + (abs(d.x.high) + abs(d.y.high));
+}
+template <class A, class B, class V>
+VESICA_INLINE MaskOf<V> moderate_pair(const A& a, const B& b, const Vector<V>& d) noexcept {
+  return both(moderate(d), both(moderate(a), moderate(b)));
+}
+
+template <class V>
+VESICA_INLINE Ellipse<V> choose(MaskOf<V> m, const Ellipse<V>& yes, const Ellipse<V>& no) noexcept {
+  return {select(m, yes.cx, no.cx), select(m, yes.cy, no.cy), select(m, yes.ux, no.ux),
+          select(m, yes.uy, no.uy), select(m, yes.a, no.a),   select(m, yes.b, no.b)};
+}
+
+}  // namespace vesica::detail::support_minimum

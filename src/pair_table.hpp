@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// From two kinds to the function that answers a query for that pair.
+#pragma once
+
+#include <cstring>
+#include <utility>
+#include <vesica/each_shape.hpp>
+#include <vesica/relation_code.hpp>
+#include <vesica/shapes.hpp>
+
+namespace vesica {
+
+/// Answers a query for two shapes whose numbers lie side by side. Writes the result, if it is more than a code, to out.
+/// Returns 0 or more, or an error; out is then untouched.
+using PairFunction = std::int32_t (*)(const void* a, const void* b, void* out) noexcept;
+
+/// Indexed by the two kinds.
+struct PairTable {
+  PairFunction of[kind_count][kind_count];
+};
+
+/// How the result for (b, a) becomes the one for (a, b).
+enum class Reversal {
+  none,       // they are the same
+  points,     // (distance, ax, ay, bx, by): the points are exchanged
+  direction,  // (depth, x, y): the direction is turned round
+  converse,   // a relation's code
+  unknown,    // it does not: the query answers each pair in both orders
+};
+
+/// Numbers of a result of (b, a), as those of (a, b).
+template <class T>
+void reverse(Reversal reversal, T* numbers) noexcept {
+  if (reversal == Reversal::points) {
+    std::swap(numbers[1], numbers[3]);
+    std::swap(numbers[2], numbers[4]);
+  } else if (reversal == Reversal::direction) {
+    numbers[1] = 0 - numbers[1];  // no -0
+    numbers[2] = 0 - numbers[2];
+  }
+}
+
+/// A query whose result is more than the returned code.
+template <class Query, class T>
+concept HasResult = requires {
+  typename Query::template Result<T>;
+};
+
+/// Query::answer for shapes read in place: flat numbers are the core's shapes byte for byte. Never inlined, so that the
+/// code of a pair exists once.
+template <class Query, class A, class B>
+[[gnu::noinline]] std::int32_t answer_pair(const void* a, const void* b, [[maybe_unused]] void* out) noexcept {
+  const A& first = *static_cast<const A*>(a);
+  const B& second = *static_cast<const B*>(b);
+  using T = typename ShapeTraits<A>::Scalar;
+  if constexpr (HasResult<Query, T>) {
+    typename Query::template Result<T> result{};
+    const std::int32_t code = Query::answer(first, second, result);
+    if (code >= 0) std::memcpy(out, &result, sizeof result);
+    return code;
+  } else {
+    return Query::answer(first, second);
+  }
+}
+
+/// A float direction cannot be turned round: a component that was rounded to 0 has lost the sign that turning gives it.
+template <class Query, class Scalar>
+inline constexpr bool answers_both_orders = Query::reversal == Reversal::unknown ||
+                                            (Query::reversal == Reversal::direction && std::is_same_v<Scalar, float>);
+
+/// A pair in the other order.
+template <class Query, class A, class B>
+std::int32_t answer_reversed(const void* a, const void* b, void* out) noexcept {
+  if constexpr (answers_both_orders<Query, typename ShapeTraits<A>::Scalar>) {
+    return answer_pair<Query, A, B>(a, b, out);
+  } else {
+    const std::int32_t code = answer_pair<Query, B, A>(b, a, out);
+    if (Query::reversal == Reversal::none || code < 0) return code;
+    if (Query::reversal == Reversal::converse) return static_cast<std::int32_t>(converse(static_cast<Relation>(code)));
+    reverse(Query::reversal, static_cast<typename ShapeTraits<A>::Scalar*>(out));
+    return code;
+  }
+}
+
+/// Every two kinds in either order.
+template <class Query, class T>
+consteval PairTable pair_table() noexcept {
+  PairTable table{};
+  // Of two shapes of one kind the second line overwrites the first.
+#define VESICA_ENTRY(a, A, b, B)                                                                       \
+  table.of[static_cast<int>(Kind::b)][static_cast<int>(Kind::a)] = answer_reversed<Query, B<T>, A<T>>; \
+  table.of[static_cast<int>(Kind::a)][static_cast<int>(Kind::b)] = answer_pair<Query, A<T>, B<T>>;
+  VESICA_EACH_PAIR(VESICA_ENTRY)
+#undef VESICA_ENTRY
+  return table;
+}
+
+}  // namespace vesica

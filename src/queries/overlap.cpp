@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vesica/overlap.hpp>
+
+#include "query.hpp"
+
+namespace vesica::queries {
+
+namespace {
+
+struct OverlapOfPair {
+  static constexpr Reversal reversal = Reversal::none;
+  template <class A, class B>
+  VESICA_INLINE static std::int32_t answer(const A& a, const B& b) noexcept {
+    return overlap_or_error(a, b);
+  }
+};
+
+}  // namespace
+
+// Batches of overlap have an engine of their own.
+constinit const Query overlap{
+    .doubles = pair_table<OverlapOfPair, double>(),
+    .floats = pair_table<OverlapOfPair, float>(),
+    .reversal = OverlapOfPair::reversal,
+};
+
+}  // namespace vesica::queries

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <vesica/relation.hpp>
+
+#include "query.hpp"
+
+namespace vesica::queries {
+
+namespace {
+
+struct RelationOfPair {
+  static constexpr Reversal reversal = Reversal::converse;
+  template <class A, class B>
+  VESICA_INLINE static std::int32_t answer(const A& a, const B& b) noexcept {
+    return relation_or_error(a, b);
+  }
+};
+
+struct ContainsPair {
+  static constexpr Reversal reversal = Reversal::unknown;
+  template <class A, class B>
+  VESICA_INLINE static std::int32_t answer(const A& a, const B& b) noexcept {
+    return contains_or_error(a, b);
+  }
+};
+
+double contains_from_relation(double code) noexcept {
+  return code >= static_cast<double>(Relation::contains) ? 1 : 0 * code;
+}
+
+}  // namespace
+
+constinit const Query relation{
+    .doubles = pair_table<RelationOfPair, double>(),
+    .floats = pair_table<RelationOfPair, float>(),
+    .reversal = RelationOfPair::reversal,
+    .kernels = &QueryTable::relation,
+};
+
+// Containment has no converse. Batches take it from the relation, whose kernels know as much.
+constinit const Query contains{
+    .doubles = pair_table<ContainsPair, double>(),
+    .floats = pair_table<ContainsPair, float>(),
+    .reversal = ContainsPair::reversal,
+    .asked_instead = &relation,
+    .from_code = contains_from_relation,
+};
+
+}  // namespace vesica::queries

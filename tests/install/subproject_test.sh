@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# subproject_test.sh WORK: the library from its sources, shared and static, inside a parent project in C, and what such a
+# build installs. The objects of all builds are the same, so they are compiled once.
+#   - by add_subdirectory and by FetchContent: the parent's program runs, the parent installs nothing of ours
+#   - with VESICA_INSTALL: programs by find_package and by pkg-config against the install, moved
+#   - the whole alone: nothing beside compilers is asked for, and the library is shared, unless told otherwise
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+root=$(cd "$here/../.." && pwd)
+rm -rf "$1"
+mkdir -p "$1"
+work=$(cd "$1" && pwd)
+unset PKG_CONFIG_PATH LD_LIBRARY_PATH
+
+fail() {
+  echo "subproject_test: $1" >&2
+  exit 1
+}
+
+# parent CMAKE_ARGUMENT...: configures and builds the parent, which must not compile the library a second time.
+compiled=
+parent() {
+  cmake -S "$here/subproject" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DVESICA_SOURCE="$root" "$@"
+  cmake --build "$work/build" | tee "$work/log"
+  [ -z "$compiled" ] || ! grep -q 'Building CXX' "$work/log" || fail "compiled again with $*"
+  compiled=yes
+}
+
+# needed PROGRAM: the shared libraries it needs, but for libc and libm.
+needed() {
+  readelf -dW "$1" | sed -n 's/.*(NEEDED).*\[\(.*\)\].*/\1/p' | grep -Ev '^lib[cm]\.so' || true
+}
+
+for linkage in shared static; do
+  shared=$([ $linkage = shared ] && echo ON || echo OFF)
+  library=$([ $linkage = shared ] && echo libvesica.so.0 || true)
+  for by in add_subdirectory FetchContent; do
+    echo "subproject_test: $linkage, $by"
+    parent -DBY=$by -DBUILD_SHARED_LIBS=$shared -DVESICA_INSTALL=OFF
+    "$work/build/c_user"
+    "$work/build/methods_user"
+    [ "$(needed "$work/build/c_user" | grep -v of_parent)" = "$library" ] || fail "c_user needs $(needed "$work/build/c_user")"
+    rm -rf "$work/prefix"
+    cmake --install "$work/build" --prefix "$work/prefix"
+    [ "$(cd "$work/prefix" && find . ! -type d)" = ./bin/c_user ] || fail 'the parent installs more than its program'
+  done
+
+  echo "subproject_test: $linkage, installed"
+  parent -DBY=add_subdirectory -DBUILD_SHARED_LIBS=$shared -DVESICA_INSTALL=ON
+  bash "$here/install_moved.sh" "$work/build" "$work/$linkage"
+  bash "$here/consumer_cmake_test.sh" "$work/$linkage" "$work/by_cmake"
+  bash "$here/consumer_pkgconfig_test.sh" "$work/$linkage" "$work/by_pkgconfig"
+  for program in by_cmake/c_user by_pkgconfig/c_user; do
+    [ "$(needed "$work/$program")" = "$library" ] || fail "$program needs $(needed "$work/$program")"
+  done
+done
+
+echo 'subproject_test: unless told otherwise'
+# Where the parent says nothing: its own library is static, as CMake has it, and ours is shared.
+cmake -S "$here/subproject" -B "$work/silent" -G Ninja -DVESICA_SOURCE="$root"
+ninja -C "$work/silent" -t targets all >"$work/targets"
+grep -q '^libof_parent.a:' "$work/targets" || fail 'our choice of libraries is made for the parent too'
+grep -q '^vesica/capi/libvesica.so:' "$work/targets" || fail 'the library is not shared'
+cmake -S "$root" -B "$work/plain" -G Ninja -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON -DCMAKE_FIND_USE_CMAKE_SYSTEM_PATH=OFF
+ninja -C "$work/plain" -t targets all >"$work/targets"
+grep -q '^capi/libvesica.so:' "$work/targets" || fail 'the library is not shared'
+if grep -q '^tests/' "$work/targets"; then fail 'tests are built'; fi
+echo 'subproject_test: passed'

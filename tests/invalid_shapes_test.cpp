@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// The core's rule for invalid shapes, as vesica.hpp states it: checked forms return error_shape and leave their output
+// alone; for plain forms an invalid shape has nothing in common with any other, and its distance from any other is NaN.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vesica/vesica.hpp>
+
+namespace {
+
+using namespace vesica;
+
+template <class Shape>
+struct Samples;
+template <class T>
+struct Samples<Point<T>> {
+  static constexpr Point<T> valid{0, 0}, invalid{std::numeric_limits<T>::quiet_NaN(), 0};
+};
+template <class T>
+struct Samples<Segment<T>> {
+  static constexpr Segment<T> valid{-1, 0, 1, 0}, invalid{-1, 0, std::numeric_limits<T>::infinity(), 0};
+};
+template <class T>
+struct Samples<Circle<T>> {
+  static constexpr Circle<T> valid{0, 0, 1}, invalid{0, 0, -1};
+};
+template <class T>
+struct Samples<Aabb<T>> {
+  static constexpr Aabb<T> valid{-1, -1, 1, 1}, invalid{1, -1, -1, 1};
+};
+template <class T>
+struct Samples<Rect<T>> {
+  static constexpr Rect<T> valid{0, 0, 1, 0, 1, 1}, invalid{0, 0, 0, 0, 1, 1};
+};
+template <class T>
+struct Samples<Ellipse<T>> {
+  static constexpr Ellipse<T> valid{0, 0, 1, 0, 2, 1}, invalid{0, 0, 1, 0, -2, 1};
+};
+
+template <class Shape>
+using ScalarOf = typename ShapeTraits<Shape>::Scalar;
+
+template <class A, class B>
+void expect_checked_forms_to_refuse(const A& a, const B& b) {
+  using T = ScalarOf<A>;
+  EXPECT_EQ(overlap_or_error(a, b), error_shape);
+  EXPECT_EQ(relation_or_error(a, b), error_shape);
+  EXPECT_EQ(contains_or_error(a, b), error_shape);
+  ClosestPoints<T> points{7, 7, 7, 7, 7};
+  EXPECT_EQ(nearest_or_error(a, b, points), error_shape);
+  EXPECT_EQ(boundary_distance_or_error(a, b, points), error_shape);
+  EXPECT_EQ(points.distance, 7);
+  Penetration<T> penetration{7, 7, 7};
+  EXPECT_EQ(depth_or_error(a, b, penetration), error_shape);
+  EXPECT_EQ(penetration.depth, 7);
+  T number = 7;
+  EXPECT_EQ(area_or_error(a, b, number), error_shape);
+  EXPECT_EQ(iou_or_error(a, b, number), error_shape);
+  EXPECT_EQ(number, 7);
+  CrossingPoints<T> crossing{};
+  crossing.count = 7;
+  EXPECT_EQ(crossings_or_error(a, b, crossing), error_shape);
+  EXPECT_EQ(crossing.count, 7);
+}
+
+template <class A, class B>
+void expect_nothing_in_common(const A& a, const B& b) {
+  EXPECT_FALSE(overlap(a, b));
+  EXPECT_EQ(relation(a, b), Relation::disjoint);
+  EXPECT_FALSE(contains(a, b));
+  EXPECT_TRUE(std::isnan(nearest(a, b).distance));
+  EXPECT_TRUE(std::isnan(nearest(a, b).bx));
+  EXPECT_TRUE(std::isnan(boundary_distance(a, b).distance));
+  EXPECT_TRUE(std::isnan(boundary_distance(a, b).ay));
+  EXPECT_EQ(depth(a, b).depth, 0);
+  EXPECT_EQ(depth(a, b).x, 0);
+  EXPECT_EQ(area(a, b), 0);
+  EXPECT_EQ(iou(a, b), 0);
+  EXPECT_EQ(crossings(a, b).count, 0);
+}
+
+template <class A, class B>
+void expect_the_rule() {
+  const A &a = Samples<A>::valid, &bad_a = Samples<A>::invalid;
+  const B &b = Samples<B>::valid, &bad_b = Samples<B>::invalid;
+  // The same numbers would answer otherwise if they were taken for valid.
+  EXPECT_TRUE(overlap(a, b));
+  expect_checked_forms_to_refuse(bad_a, b);
+  expect_checked_forms_to_refuse(a, bad_b);
+  expect_checked_forms_to_refuse(bad_b, a);
+  expect_nothing_in_common(bad_a, b);
+  expect_nothing_in_common(a, bad_b);
+  expect_nothing_in_common(bad_a, bad_b);
+  expect_nothing_in_common(bad_b, a);
+}
+
+#define VESICA_TEST_PAIR(first, First, second, Second) \
+  TEST(InvalidShapes, first##_##second) {              \
+    expect_the_rule<First<double>, Second<double>>();  \
+    expect_the_rule<First<float>, Second<float>>();    \
+  }
+VESICA_EACH_PAIR(VESICA_TEST_PAIR)
+#undef VESICA_TEST_PAIR
+
+#define VESICA_TEST_SHAPE(name, Name)                                                  \
+  TEST(InvalidShapes, name) {                                                          \
+    double area = 7;                                                                   \
+    EXPECT_EQ(shape_area_or_error(Samples<Name<double>>::invalid, area), error_shape); \
+    EXPECT_EQ(area, 7);                                                                \
+    EXPECT_EQ(shape_area(Samples<Name<double>>::invalid), 0);                          \
+    Aabb<double> box{7, 7, 7, 7};                                                      \
+    EXPECT_EQ(bounds(Samples<Name<double>>::invalid, box), error_shape);               \
+    EXPECT_EQ(box.min_x, 7);                                                           \
+  }
+VESICA_EACH_SHAPE(VESICA_TEST_SHAPE)
+#undef VESICA_TEST_SHAPE
+
+}  // namespace
