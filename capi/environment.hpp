@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #if defined(__SSE2__)
 #include <xmmintrin.h>
@@ -32,7 +33,9 @@ inline FloatControl float_control() noexcept {
   asm volatile("mrs %0, fpcr" : "=r"(control));
   return control;
 }
-inline void set_float_control(FloatControl control) noexcept { asm volatile("msr fpcr, %0" : : "r"(control) : "memory"); }
+inline void set_float_control(FloatControl control) noexcept {
+  asm volatile("msr fpcr, %0" : : "r"(control) : "memory");
+}
 inline constexpr FloatControl default_control = 0, control_settings = ~FloatControl{0};
 
 #elif defined(__arm__)
@@ -75,9 +78,9 @@ inline bool in_default_environment() noexcept {
 /// function(arguments...) in the default environment; the caller's is in force again afterwards, its flags as they
 /// were. The compiler is kept from seeing which function it calls: it could otherwise move its operations out of the
 /// environment that they need.
-template <class Result, class... Parameters, class... Arguments>
-[[gnu::noinline, gnu::cold]] Result call_in_default_environment(Result (*function)(Parameters...),
-                                                               Arguments... arguments) noexcept {
+template <class Result, class... Parameters>
+[[gnu::noinline, gnu::cold]] Result call_in_default_environment(
+    Result (*function)(Parameters...), std::type_identity_t<Parameters>... arguments) noexcept {
   const FloatControl of_caller = float_control();
   set_float_control(default_control);
   asm volatile("" : "+r"(function) : : "memory");
@@ -91,6 +94,6 @@ template <class Result, class... Parameters, class... Arguments>
 
 /// The first statement of each function of the C face that computes: in another environment than the default the
 /// function calls itself again in the default one.
-#define VESICA_DEFAULT_ENVIRONMENT(function, ...)        \
+#define VESICA_DEFAULT_ENVIRONMENT(function, ...)           \
   if (!vesica::capi::in_default_environment()) [[unlikely]] \
   return vesica::capi::call_in_default_environment(function, __VA_ARGS__)
