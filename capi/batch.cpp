@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "arrays.hpp"
+#include "environment.hpp"
 
 namespace {
 
@@ -7,6 +8,7 @@ using namespace vesica::capi;
 
 template <class T>
 int64_t overlap_many(const CShapesOf<T>* a, const CShapesOf<T>* b, uint8_t* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(overlap_many<T>, a, b, out);
   const int32_t error = check_call(a, b, out, anything(a, b));
   if (error != 0) return error;
   const int64_t n = pairs_in_step(*a, *b);
@@ -16,6 +18,7 @@ int64_t overlap_many(const CShapesOf<T>* a, const CShapesOf<T>* b, uint8_t* out)
 
 template <class T>
 int64_t overlap_matrix(const CShapesOf<T>* a, const CShapesOf<T>* b, uint8_t* out, ptrdiff_t row_stride) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(overlap_matrix<T>, a, b, out, row_stride);
   const int32_t error = check_call(a, b, out, anything(a, b));
   if (error != 0) return error;
   if (!rows_apart(a->count, b->count, row_stride, 1)) return VESICA_E_ARGUMENT;
@@ -24,6 +27,7 @@ int64_t overlap_matrix(const CShapesOf<T>* a, const CShapesOf<T>* b, uint8_t* ou
 
 template <class T>
 int64_t overlap_select(const CShapesOf<T>* one, const CShapesOf<T>* many, int64_t* out, int64_t capacity) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(overlap_select<T>, one, many, out, capacity);
   const int32_t error = check_call(one, many, capacity > 0 ? out : static_cast<const void*>(one), anything(one, many));
   if (error != 0) return error;
   if (one->count != 1 || capacity < 0) return VESICA_E_ARGUMENT;

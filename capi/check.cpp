@@ -2,12 +2,14 @@
 #include <vesica/check.hpp>
 
 #include "by_kind.hpp"
+#include "environment.hpp"
 #include "vesica.h"
 
 namespace {
 
 template <class T>
 int32_t check_numbers(int32_t kind, const T* numbers) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(check_numbers<T>, kind, numbers);
   return vesica::with_shape(kind, numbers, [](const auto& shape) { return vesica::check(shape); });
 }
 

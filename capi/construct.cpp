@@ -4,6 +4,7 @@
 #include <vesica/construct.hpp>
 
 #include "by_kind.hpp"
+#include "environment.hpp"
 #include "vesica.h"
 
 namespace {
@@ -41,32 +42,40 @@ int32_t rect_from_corners(const T* corners, CShape* out) noexcept {
 // X(suffix, T): the functions of one scalar type.
 #define VESICA_CONSTRUCTORS(suffix, T)                                                                                 \
   int32_t vesica_bounds_##suffix(int32_t kind, const T* numbers, vesica_aabb_##suffix* out) {                          \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_bounds_##suffix, kind, numbers, out);                                            \
     return bounds(kind, numbers, out);                                                                                 \
   }                                                                                                                    \
   int32_t vesica_aabb_from_corners_##suffix(T x0, T y0, T x1, T y1, vesica_aabb_##suffix* out) {                       \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_aabb_from_corners_##suffix, x0, y0, x1, y1, out);                                \
     return construct<vesica::Aabb<T>>(out, [=](auto& s) { return vesica::aabb_from_corners(x0, y0, x1, y1, s); });     \
   }                                                                                                                    \
   int32_t vesica_rect_from_angle_##suffix(T cx, T cy, T angle, T width, T height, vesica_rect_##suffix* out) {         \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_rect_from_angle_##suffix, cx, cy, angle, width, height, out);                    \
     return construct<vesica::Rect<T>>(                                                                                 \
         out, [=](auto& s) { return vesica::rect_from_angle(cx, cy, angle, width, height, s); });                       \
   }                                                                                                                    \
   int32_t vesica_rect_from_corners_##suffix(const T corners[8], vesica_rect_##suffix* out) {                           \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_rect_from_corners_##suffix, corners, out);                                       \
     return rect_from_corners(corners, out);                                                                            \
   }                                                                                                                    \
   int32_t vesica_ellipse_from_angle_##suffix(T cx, T cy, T angle, T a, T b, vesica_ellipse_##suffix* out) {            \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_ellipse_from_angle_##suffix, cx, cy, angle, a, b, out);                          \
     return construct<vesica::Ellipse<T>>(out,                                                                          \
                                          [=](auto& s) { return vesica::ellipse_from_angle(cx, cy, angle, a, b, s); }); \
   }                                                                                                                    \
   int32_t vesica_ellipse_from_radius_vector_##suffix(T cx, T cy, T wx, T wy, T ratio, vesica_ellipse_##suffix* out) {  \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_ellipse_from_radius_vector_##suffix, cx, cy, wx, wy, ratio, out);                \
     return construct<vesica::Ellipse<T>>(                                                                              \
         out, [=](auto& s) { return vesica::ellipse_from_radius_vector(cx, cy, wx, wy, ratio, s); });                   \
   }                                                                                                                    \
   int32_t vesica_ellipse_from_covariance_##suffix(T mean_x, T mean_y, T cxx, T cxy, T cyy, T k,                        \
                                                   vesica_ellipse_##suffix* out) {                                      \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_ellipse_from_covariance_##suffix, mean_x, mean_y, cxx, cxy, cyy, k, out);        \
     return construct<vesica::Ellipse<T>>(                                                                              \
         out, [=](auto& s) { return vesica::ellipse_from_covariance(mean_x, mean_y, cxx, cxy, cyy, k, s); });           \
   }                                                                                                                    \
   int32_t vesica_ellipse_from_matrix_##suffix(T cx, T cy, T mxx, T mxy, T myy, vesica_ellipse_##suffix* out) {         \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_ellipse_from_matrix_##suffix, cx, cy, mxx, mxy, myy, out);                       \
     return construct<vesica::Ellipse<T>>(                                                                              \
         out, [=](auto& s) { return vesica::ellipse_from_matrix(cx, cy, mxx, mxy, myy, s); });                          \
   }

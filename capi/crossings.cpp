@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vesica/crossings.hpp>
 
+#include "environment.hpp"
 #include "query.hpp"
 #include "vesica.h"
 
@@ -8,6 +9,7 @@ namespace {
 
 template <class T, class Out>
 int32_t crossings(int32_t kind_a, const T* a, int32_t kind_b, const T* b, Out* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT((crossings<T, Out>), kind_a, a, kind_b, b, out);
   static_assert(sizeof(Out) == sizeof(vesica::CrossingPoints<T>));
   if (out == nullptr) return VESICA_E_NULL;
   return vesica::ask(vesica::queries::crossings, kind_a, a, kind_b, b, out);

@@ -2,6 +2,7 @@
 # shared or static as BUILD_SHARED_LIBS says. Programs that link it also link what is handed on. The target
 # vesica_methods has the alias vesica::methods, and its file is libvesica-methods.
 include(CheckLinkerFlag)
+include(${CMAKE_CURRENT_LIST_DIR}/windows.cmake)
 
 # A linker that does not know a flag does without: names are hidden by the compiler already, and versions of symbols
 # are ELF's alone. The map of the trial is empty, for a linker may insist that the names in a map are defined.
@@ -44,7 +45,9 @@ function(vesica_library name)
     SOVERSION ${PROJECT_VERSION_MAJOR})
   if(BUILD_SHARED_LIBS)
     target_link_options(${name} PRIVATE ${library_link_options})
-    if(VESICA_LINKER_HAS_VERSION_SCRIPT)
+    if(WIN32)
+      vesica_windows_exports(${name} ${arg_MAP})
+    elseif(VESICA_LINKER_HAS_VERSION_SCRIPT)
       target_link_options(${name} PRIVATE -Wl,--version-script=${arg_MAP})
       set_target_properties(${name} PROPERTIES LINK_DEPENDS ${arg_MAP})
     endif()

@@ -2,6 +2,7 @@
 #include <vesica/nms.hpp>
 
 #include "arrays.hpp"
+#include "environment.hpp"
 #include "vesica.h"
 
 namespace {
@@ -30,6 +31,7 @@ template <class T>
 int32_t nms(const vesica::capi::CShapesOf<T>* shapes, const T* scores, T threshold, void* scratch, int64_t scratch_size,
             int64_t* keep, int64_t* kept) noexcept {
   using namespace vesica;
+  VESICA_DEFAULT_ENVIRONMENT(nms<T>, shapes, scores, threshold, scratch, scratch_size, keep, kept);
   if (shapes == nullptr || kept == nullptr) return VESICA_E_NULL;
   const bool anything = shapes->count != 0;
   if (anything && (scores == nullptr || scratch == nullptr || keep == nullptr)) return VESICA_E_NULL;

@@ -5,6 +5,7 @@
 #include <vesica/relation_code.hpp>
 
 #include "arrays.hpp"
+#include "environment.hpp"
 
 namespace {
 
@@ -25,6 +26,7 @@ int64_t result(const QueryTally& tally) noexcept { return tally.error != 0 ? tal
 /// Columns may be null, but not all of them.
 template <class T, class Out>
 int64_t many(const Query& query, const CShapesOf<T>* a, const CShapesOf<T>* b, Out* const* columns) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT((many<T, Out>), query, a, b, columns);
   const void* some = nullptr;
   for (int k = 0; k < query.columns(); ++k) some = columns[k] != nullptr ? columns[k] : some;
   const int32_t error = check_call(a, b, some, anything(a, b));
@@ -38,6 +40,7 @@ int64_t many(const Query& query, const CShapesOf<T>* a, const CShapesOf<T>* b, O
 template <class T, class Out>
 int64_t matrix(const Query& query, const CShapesOf<T>* a, const CShapesOf<T>* b, Out* out,
                ptrdiff_t row_stride) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT((matrix<T, Out>), query, a, b, out, row_stride);
   const int32_t error = check_call(a, b, out, anything(a, b));
   if (error != 0) return error;
   if (!query.answers(a->kind, b->kind)) return VESICA_E_KIND;
@@ -67,12 +70,14 @@ static_assert(is_code(Relation::contains_touch, VESICA_CONTAINS_TOUCH) && is_cod
 
 #define VESICA_NUMBERS(name, Out, scalar, T)                                                                           \
   int32_t vesica_##name##_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b, Out* out) { \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_##name##_##scalar, kind_a, numbers_a, kind_b, numbers_b, out);                   \
     return answer(queries::name, kind_a, numbers_a, kind_b, numbers_b, out);                                           \
   }
 
 /// Queries whose result is the returned code, a byte in batches.
 #define VESICA_CODE(name, scalar, T)                                                                         \
   int32_t vesica_##name##_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b) { \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_##name##_##scalar, kind_a, numbers_a, kind_b, numbers_b);              \
     return vesica::ask(queries::name, kind_a, numbers_a, kind_b, numbers_b, nullptr);                        \
   }                                                                                                          \
   VESICA_MANY_AND_MATRIX(name, uint8_t, scalar, T)

@@ -38,8 +38,8 @@
  *
  * Behaviour:
  *  - No function allocates, locks, prints, sets errno or keeps state. All are thread-safe and reentrant.
- *  - The rounding mode must be to-nearest, and floating-point traps must be masked, as C starts with. Calls may raise
- *    floating-point flags.
+ *  - Results are the same bits in every floating-point environment (any rounding mode, flush-to-zero,
+ *    denormals-are-zero, traps), and a call leaves the environment as it was. Calls may raise floating-point flags.
  *  - A call uses at most 128 KiB of stack, a batch at most 256 KiB. Costs are measurements, not promises.
  *
  * Comments have up to six parts, always in this order: Requires, Returns, Errors, Accuracy, Cost, Since. Parts in the
@@ -51,7 +51,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#if defined(VESICA_BUILDING) && defined(__GNUC__)
+#if defined(VESICA_BUILDING) && defined(__GNUC__) && !defined(_WIN32)
 #define VESICA_API __attribute__((visibility("default")))
 #else
 #define VESICA_API

@@ -78,10 +78,15 @@ template <class Query, class A, class B>
   }
 }
 
+/// A float direction cannot be turned round: a component that was rounded to 0 has lost the sign that turning gives it.
+template <class Query, class Scalar>
+inline constexpr bool answers_both_orders = Query::reversal == Reversal::unknown ||
+                                            (Query::reversal == Reversal::direction && std::is_same_v<Scalar, float>);
+
 /// A pair in the other order.
 template <class Query, class A, class B>
 std::int32_t answer_reversed(const void* a, const void* b, void* out) noexcept {
-  if constexpr (Query::reversal == Reversal::unknown) {
+  if constexpr (answers_both_orders<Query, typename ShapeTraits<A>::Scalar>) {
     return answer_pair<Query, A, B>(a, b, out);
   } else {
     const std::int32_t code = answer_pair<Query, B, A>(b, a, out);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Chooses the instruction set, once, when the library is loaded. Tests define VESICA_PORTABLE_ONLY, to run on x86-64 what
 // other processors run.
+#include <atomic>
 #include <cstdlib>
 #include <cstring>
 
@@ -51,17 +52,22 @@ const KernelTable* choose() noexcept {
 #endif
 }
 
-// The library's only variable.
-const KernelTable* chosen = nullptr;
+// The library's only variable. Every thread that finds it empty makes the same choice, so the order does not matter.
+constinit std::atomic<const KernelTable*> chosen = nullptr;
 
-[[gnu::constructor]] void choose_at_load() noexcept { chosen = choose(); }
+const KernelTable& choose_once() noexcept {
+  const KernelTable* const table = choose();
+  chosen.store(table, std::memory_order_relaxed);
+  return *table;
+}
+
+[[gnu::constructor]] void choose_at_load() noexcept { choose_once(); }
 
 }  // namespace
 
 const KernelTable& kernels() noexcept {
-  if (chosen == nullptr) [[unlikely]]
-    chosen = choose();  // called from another library's constructor, before ours
-  return *chosen;
+  const KernelTable* const table = chosen.load(std::memory_order_relaxed);
+  return table != nullptr ? *table : choose_once();  // empty where another library's constructor calls, before ours
 }
 
 #endif

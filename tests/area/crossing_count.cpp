@@ -2,6 +2,7 @@
 #include "area/crossing_count.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -25,7 +26,7 @@ Vector image(const Ellipse& e, const Vector& direction) { return to_disc(e, e.ce
 
 /// f's outline is C + P cos + Q sin; with t the tangent of half the angle, times 1 + t^2, quadratics in t. Where they
 /// are on e's disc's rim is a quartic, of a lower degree where t = infinity is one of the places.
-Meeting meeting(const Ellipse& e, const Ellipse& f) {
+Polynomial quartic_along(const Ellipse& e, const Ellipse& f) {
   const Vector c = to_disc(e, f.centre), p = image(e, f.p), q = image(e, f.q);
   const mpz_class radius = cross(e.p, e.q);
   const auto square = [](const mpz_class& a0, const mpz_class& a1, const mpz_class& a2) {
@@ -35,6 +36,11 @@ Meeting meeting(const Ellipse& e, const Ellipse& f) {
   const Polynomial rim = square(radius, 0, radius);
   Polynomial quartic;
   for (std::size_t i = 0; i < 5; ++i) quartic.push_back(x[i] + y[i] - rim[i]);
+  return quartic;
+}
+
+Meeting meeting(const Ellipse& e, const Ellipse& f) {
+  Polynomial quartic = quartic_along(e, f);
   trim(quartic);
   if (quartic.empty()) return {0, true};
   return {oracle::distinct_real_roots(quartic) + (quartic.size() < 5 ? 1 : 0), false};
@@ -116,7 +122,35 @@ Meeting meeting(const Corners& a, const Corners& b) {
   return {static_cast<int>(places.size()), shared};
 }
 
+/// Times 2^60; the rounding is far below what callers ask about.
+mpz_class whole(double x) { return mpz_class(std::ldexp(x, 60)); }
+
+Polynomial product(const Polynomial& f, const Polynomial& g) {
+  Polynomial out(f.size() + g.size() - 1);
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    for (std::size_t k = 0; k < g.size(); ++k) out[i + k] += f[i] * g[k];
+  }
+  return out;
+}
+
 }  // namespace
+
+/// Half the angle's tangent is p / q; between p0 / q0 and p1 / q1 it is (p0 + s p1) / (q0 + s q1), s > 0.
+int meetings_between(int kind_a, const double* a, int kind_b, const double* b, double from, double to) {
+  const oracle::RegionPair pair = oracle::regions(kind_a, a, kind_b, b);
+  const Polynomial quartic = quartic_along(pair.a.ellipse, pair.b.ellipse);
+  const Polynomial p{whole(std::sin(from / 2)), whole(std::sin(to / 2))},
+      q{whole(std::cos(from / 2)), whole(std::cos(to / 2))};
+  Polynomial sum(5);
+  for (int i = 0; i < 5; ++i) {
+    Polynomial term{quartic[static_cast<std::size_t>(i)]};
+    for (int k = 0; k < 4; ++k) term = product(term, k < i ? p : q);
+    for (std::size_t k = 0; k < 5; ++k) sum[k] += term[k];
+  }
+  trim(sum);
+  while (!sum.empty() && sum.front() == 0) sum.erase(sum.begin());
+  return sum.size() < 2 ? 0 : oracle::distinct_positive_roots(sum);
+}
 
 Meeting meeting(int kind_a, const double* a, int kind_b, const double* b) {
   const oracle::RegionPair pair = oracle::regions(kind_a, a, kind_b, b);

@@ -33,7 +33,7 @@ check 'help by option' "$("$run" help)" "$("$run" --help)"
 status=0
 complaint=$("$run" test --everything 2>&1) || status=$?
 check 'status of an unknown size of test' 2 $status
-check 'its complaint' 'run: test takes --all or nothing' "$complaint"
+check 'its complaint' 'run: test takes --all, --slow, --cross or nothing' "$complaint"
 
 # pretend: within a subshell, only `here` and `twice` are installed, and nothing beyond this script is run.
 pretend() {

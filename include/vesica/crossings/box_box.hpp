@@ -2,7 +2,7 @@
 /// Where the outlines of two boxes meet: which corners lie on the other outline, and which edges cross, by exact signs.
 #pragma once
 
-#include <vesica/crossings/points.hpp>
+#include <vesica/crossings/rough.hpp>
 
 namespace vesica::detail::crossings {
 
@@ -11,70 +11,163 @@ inline exact::Number<4> side(const Edge& e, const Position& x, const Position& y
   return e.dx * (y - e.y) - e.dy * (x - e.x);
 }
 
-/// How far along an edge a point of its line is, times the edge's squared length.
-inline exact::Number<4> along(const Edge& e, const Position& x, const Position& y) noexcept {
-  return e.dx * (x - e.x) + e.dy * (y - e.y);
-}
-inline exact::Number<4> squared_length(const Edge& e) noexcept { return e.dx * e.dx + e.dy * e.dy; }
-
-/// Whether corner i of one is corner j of the other.
-inline bool same_corner(const Corners& a, int i, const Corners& b, int j) noexcept {
-  return exact::compare(a.x[i], b.x[j]) == 0 && exact::compare(a.y[i], b.y[j]) == 0;
+inline bool is_corner(const Corners& a, int i, const Position& x, const Position& y) noexcept {
+  return exact::compare(a.x[i], x) == 0 && exact::compare(a.y[i], y) == 0;
 }
 
-/// Where a corner lies along another outline, from 0 to 4, or -1 where it does not lie on it.
-inline double place_along(const Corners& outline, const Corners& other, int corner) noexcept {
-  const Position &x = other.x[corner], &y = other.y[corner];
+/// A place a part t along edge i: before the edge's end, however t was rounded.
+inline double on_edge(int i, double t) noexcept { return std::fmin(i + t, std::nextafter(i + 1.0, 0.0)); }
+
+/// An edge by one coordinate, that in which it is longer: points of its line are in the order of that.
+struct Shadow {
+  Position from, step, to;
+  int up;
+  bool of_x;
+  explicit Shadow(const Edge& e) noexcept
+      : of_x(e.dy.sign == 0 || (e.dx.sign != 0 && exact::detail::compare_magnitude(e.dx.span(), e.dy.span()) >= 0)) {
+    from = of_x ? e.x : e.y;
+    step = of_x ? e.dx : e.dy;
+    to = from + step;
+    up = step.sign;
+  }
+  const Position& of(const Position& x, const Position& y) const noexcept { return of_x ? x : y; }
+  bool after_start(const Position& at) const noexcept { return up * exact::compare(at, from) > 0; }
+  bool before_end(const Position& at) const noexcept { return up * exact::compare(at, to) < 0; }
+};
+
+/// How far along an edge a point of its line, not its start, is, from 0 to 1; -1 outside it, or at its end.
+inline double part_of_edge(const Edge& e, const Position& x, const Position& y) noexcept {
+  const Shadow shadow(e);
+  const Position& at = shadow.of(x, y);
+  if (!shadow.after_start(at) || !shadow.before_end(at)) return -1;
+  return quotient(exact::rounded(at - shadow.from), exact::rounded(shadow.step));
+}
+
+/// Where a point lies along an outline, from 0 to 4, or -1 where it does not lie on it.
+inline double place_along(const Corners& outline, const Position& x, const Position& y) noexcept {
   for (int i = 0; i < outline.count; ++i) {
-    if (same_corner(outline, i, other, corner)) return i;
+    if (is_corner(outline, i, x, y)) return i;
   }
   for (int i = 0; i < outline.edges; ++i) {
     const Edge e(outline, i);
     if (side(e, x, y).sign != 0) continue;
-    const auto t = along(e, x, y), whole = squared_length(e);
-    if (t.sign > 0 && exact::compare(t, whole) < 0) return i + quotient(exact::rounded(t), exact::rounded(whole));
+    const double t = part_of_edge(e, x, y);
+    if (t >= 0) return on_edge(i, t);
   }
   return -1;
 }
 
+/// An exact coordinate, with what is known of it roughly.
+struct Coordinate {
+  const Position& exact_value;
+  Rough rough;
+  explicit Coordinate(const Position& x) noexcept : exact_value(x), rough(x) {}
+};
+inline Rough operator-(const Coordinate& a, const Coordinate& b) noexcept {
+  const Rough difference = a.rough - b.rough;
+  return difference.sign_is_known() ? difference : Rough(a.exact_value - b.exact_value);
+}
+
+/// An outline's corners and edges. Sides of the edges are worked out once.
+struct Polygon {
+  Corners corners;
+  Coordinate x[4], y[4];
+  Rough dx[4], dy[4];
+
+  explicit Polygon(const exact::Box& box) noexcept
+      : corners(box),
+        x{Coordinate(corners.x[0]), Coordinate(corners.x[1]), Coordinate(corners.x[2]), Coordinate(corners.x[3])},
+        y{Coordinate(corners.y[0]), Coordinate(corners.y[1]), Coordinate(corners.y[2]), Coordinate(corners.y[3])} {
+    for (int i = 0; i < corners.edges; ++i) {
+      dx[i] = x[corners.next(i)] - x[i];
+      dy[i] = y[corners.next(i)] - y[i];
+    }
+  }
+};
+
+/// The side of each edge of one outline on which each corner of another is.
+struct Sides {
+  Rough size[4][4];
+  int sign[4][4];
+
+  Sides(const Polygon& p, const Polygon& q) noexcept {
+    for (int i = 0; i < p.corners.edges; ++i) {
+      for (int j = 0; j < q.corners.count; ++j) {
+        size[i][j] = p.dx[i] * (q.y[j] - p.y[i]) - p.dy[i] * (q.x[j] - p.x[i]);
+        sign[i][j] = sign_of(size[i][j], [&] { return of(p, i, q, j); });
+      }
+    }
+  }
+  /// From one corner to the next of q, which are on different sides of edge i: how far off the edge's line is.
+  double crossing(const Polygon& p, int i, const Polygon& q, int j) const noexcept {
+    const int end = q.corners.next(j);
+    const Scaled from = size_of(size[i][j], [&] { return of(p, i, q, j); });
+    const Scaled whole = size_of(size[i][j] - size[i][end], [&] { return of(p, i, q, j) - of(p, i, q, end); });
+    return quotient(from, whole);
+  }
+
+ private:
+  static exact::Number<4> of(const Polygon& p, int i, const Polygon& q, int j) noexcept {
+    return side(Edge(p.corners, i), q.corners.x[j], q.corners.y[j]);
+  }
+};
+
+/// Where corner j of q lies along p, from 0 to 4, or -1 where it does not lie on it.
+inline double place_along(const Polygon& p, const Sides& sides, const Polygon& q, int j) noexcept {
+  const Position &x = q.corners.x[j], &y = q.corners.y[j];
+  for (int i = 0; i < p.corners.count; ++i) {
+    if (is_corner(p.corners, i, x, y)) return i;
+  }
+  for (int i = 0; i < p.corners.edges; ++i) {
+    if (sides.sign[i][j] != 0) continue;
+    const double t = part_of_edge(Edge(p.corners, i), x, y);
+    if (t >= 0) return on_edge(i, t);
+  }
+  return -1;
+}
+
+/// Whether edges of one line have a stretch in common.
+inline bool share_stretch(const Edge& e, const Edge& f) noexcept {
+  const Shadow shadow(e);
+  const Position &p = shadow.of(f.x, f.y), q = p + (shadow.of_x ? f.dx : f.dy);
+  return (shadow.before_end(p) || shadow.before_end(q)) && (shadow.after_start(p) || shadow.after_start(q));
+}
+
 /// An edge of each: at most one place inside both, or a common stretch.
-inline void cross_edges(const Edge& e, int i, const Edge& f, int j, const Corners& a, const Corners& b,
+inline void cross_edges(const Polygon& a, const Sides& of_a, int i, const Polygon& b, const Sides& of_b, int j,
                         Found& found) noexcept {
-  const auto f0 = side(e, f.x, f.y), f1 = side(e, b.x[b.next(j)], b.y[b.next(j)]);
-  if (f0.sign == 0 && f1.sign == 0) {
-    const auto t0 = along(e, f.x, f.y), t1 = along(e, b.x[b.next(j)], b.y[b.next(j)]), whole = squared_length(e);
-    const bool before_end = exact::compare(t0, whole) < 0 || exact::compare(t1, whole) < 0;
-    if (before_end && (t0.sign > 0 || t1.sign > 0)) found.shared = true;
+  const int f0 = of_a.sign[i][j], f1 = of_a.sign[i][b.corners.next(j)];
+  if (f0 == 0 && f1 == 0) {
+    if (!found.shared) found.shared = share_stretch(Edge(a.corners, i), Edge(b.corners, j));
     return;
   }
-  if (f0.sign * f1.sign >= 0) return;
-  const auto e0 = side(f, e.x, e.y), e1 = side(f, a.x[a.next(i)], a.y[a.next(i)]);
-  if (e0.sign * e1.sign >= 0) return;
-  const double t = quotient(exact::rounded(e0), exact::rounded(e0 - e1));
-  const double s = quotient(exact::rounded(f0), exact::rounded(f0 - f1));
-  if (e.length() < f.length()) {
-    found.add({e.at_x(t), e.at_y(t), i + t, j + s});
-  } else {
-    found.add({f.at_x(s), f.at_y(s), i + t, j + s});
-  }
+  if (f0 * f1 >= 0 || of_b.sign[j][i] * of_b.sign[j][a.corners.next(i)] >= 0) return;
+  const double t = of_b.crossing(b, j, a, i), s = of_a.crossing(a, i, b, j);
+  const Edge e(a.corners, i), f(b.corners, j);
+  // The shorter edge tells the place better. Of equal ones, either order of the boxes takes the same.
+  const double ex = e.at_x(t), ey = e.at_y(t), fx = f.at_x(s), fy = f.at_y(s);
+  const double length_e = e.length(), length_f = f.length();
+  const bool along_e = length_e < length_f || (length_e == length_f && (ex < fx || (ex == fx && ey < fy)));
+  found.add({along_e ? ex : fx, along_e ? ey : fy, on_edge(i, t), on_edge(j, s)});
 }
 
 inline Found crossings(const exact::Box& box_a, const exact::Box& box_b) noexcept {
-  const Corners a(box_a), b(box_b);
+  const Polygon a(box_a), b(box_b);
+  const Sides of_a(a, b), of_b(b, a);
   Found found;
-  for (int i = 0; i < a.count; ++i) {
-    const double at = place_along(b, a, i);
-    if (at >= 0) found.add({nearest(a.x[i]), nearest(a.y[i]), static_cast<double>(i), at});
+  for (int i = 0; i < a.corners.count; ++i) {
+    const double at = place_along(b, of_b, a, i);
+    if (at >= 0) found.add({nearest(a.corners.x[i]), nearest(a.corners.y[i]), static_cast<double>(i), at});
   }
-  for (int j = 0; j < b.count; ++j) {
+  for (int j = 0; j < b.corners.count; ++j) {
+    const Position &x = b.corners.x[j], &y = b.corners.y[j];
     bool common = false;  // found already, as one of a's
-    for (int i = 0; i < a.count; ++i) common = common || same_corner(a, i, b, j);
-    const double at = common ? -1 : place_along(a, b, j);
-    if (at >= 0) found.add({nearest(b.x[j]), nearest(b.y[j]), at, static_cast<double>(j)});
+    for (int i = 0; i < a.corners.count; ++i) common = common || is_corner(a.corners, i, x, y);
+    const double at = common ? -1 : place_along(a, of_a, b, j);
+    if (at >= 0) found.add({nearest(x), nearest(y), at, static_cast<double>(j)});
   }
-  for (int i = 0; i < a.edges; ++i) {
-    const Edge e(a, i);
-    for (int j = 0; j < b.edges; ++j) cross_edges(e, i, Edge(b, j), j, a, b, found);
+  for (int i = 0; i < a.corners.edges; ++i) {
+    for (int j = 0; j < b.corners.edges; ++j) cross_edges(a, of_a, i, b, of_b, j, found);
   }
   return found;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Where the outlines of a box and an ellipse meet. Along an edge P + t E the ellipse's quadratic form less 1 is a
-/// quadratic in t. Its signs at the corners, its slopes and its discriminant are computed exactly, so the number of
-/// roots is exact and the roots are accurate.
+/// quadratic in t, whose signs at the corners, slopes and discriminant are exact; and so accurate are its roots.
 #pragma once
 
-#include <vesica/crossings/points.hpp>
+#include <vesica/arithmetic/spectrum.hpp>
+#include <vesica/crossings/box_box.hpp>
 
 namespace vesica::detail::crossings {
 
@@ -13,8 +13,11 @@ namespace vesica::detail::crossings {
 struct DiscFrame {
   const exact::Ellipse& e;
   exact::Number<4> radius;
+  Rough rough_radius;
   explicit DiscFrame(const exact::Ellipse& ellipse) noexcept
-      : e(ellipse), radius(ellipse.a * ellipse.b * exact::dot(ellipse.ux, ellipse.uy, ellipse.ux, ellipse.uy)) {}
+      : e(ellipse),
+        radius(ellipse.a * ellipse.b * exact::dot(ellipse.ux, ellipse.uy, ellipse.ux, ellipse.uy)),
+        rough_radius(radius) {}
   exact::Number<4> along(const Position& x, const Position& y) const noexcept {
     return e.b * exact::dot(e.ux, e.uy, x, y);
   }
@@ -26,50 +29,136 @@ struct DiscFrame {
 /// A corner there, and the sign and size of its squared distance from the origin less the squared radius.
 struct DiscCorner {
   exact::Number<4> m0, m1;
-  exact::Number<8> value;
+  Rough r0, r1, value;
+  int sign;
+  exact::Number<8> exact_value(const DiscFrame& frame) const noexcept {
+    return exact::square(m0) + exact::square(m1) - exact::square(frame.radius);
+  }
   void set(const DiscFrame& frame, const Position& x, const Position& y) noexcept {
     const Position dx = x - frame.e.cx, dy = y - frame.e.cy;
     m0 = frame.along(dx, dy);
     m1 = frame.across(dx, dy);
-    value = exact::square(m0) + exact::square(m1) - exact::square(frame.radius);
+    r0 = Rough(m0);
+    r1 = Rough(m1);
+    value = square(r0) + square(r1) - square(frame.rough_radius);
+    sign = sign_of(value, [&] { return exact_value(frame); });
   }
 };
 
-/// The roots of square t^2 + 2 slope t + value strictly between 0 and 1, ascending, for exact coefficients.
-struct Roots {
-  double t[2];
-  int count = 0;
-  void add(double root) noexcept { t[count++] = root < 0 ? 0 : root > 1 ? 1 : root; }
+/// Along an edge m + t e the squared distance less the squared radius is square t^2 + 2 slope t + value.
+struct DiscEdge {
+  const DiscFrame& frame;
+  const DiscCorner &from, &to;
+  exact::Number<4> e0, e1;
+  Rough r0, r1, square_, slope, end_slope;
+
+  DiscEdge(const DiscFrame& f, const DiscCorner& start, const DiscCorner& end) noexcept
+      : frame(f),
+        from(start),
+        to(end),
+        e0(end.m0 - start.m0),
+        e1(end.m1 - start.m1),
+        r0(e0),
+        r1(e1),
+        square_(square(r0) + square(r1)),
+        slope(from.r0 * r0 + from.r1 * r1),
+        end_slope(to.r0 * r0 + to.r1 * r1) {}
+  exact::Number<8> exact_square() const noexcept { return exact::square(e0) + exact::square(e1); }
+  exact::Number<8> exact_slope(const DiscCorner& at) const noexcept { return at.m0 * e0 + at.m1 * e1; }
+  /// Of the line from the origin, times the edge's length.
+  exact::Number<8> exact_off() const noexcept { return from.m1 * e0 - from.m0 * e1; }
+  exact::Number<16> exact_discriminant() const noexcept {
+    return exact_square() * exact::square(frame.radius) - exact::square(exact_off());
+  }
+  int slope_sign() const noexcept {
+    return sign_of(slope, [&] { return exact_slope(from); });
+  }
+  int end_slope_sign() const noexcept {
+    return sign_of(end_slope, [&] { return exact_slope(to); });
+  }
 };
 
-inline Roots roots_inside(const exact::Number<8>& square, const exact::Number<8>& slope, const exact::Number<8>& value,
-                          const exact::Number<8>& end_value) noexcept {
+/// The roots strictly between 0 and 1, ascending; on which side of the chord's middle each is, 0 of a double root; and
+/// the discriminant and the chord's distance from the origin, both over powers of the edge's length.
+struct Roots {
+  double t[2];
+  int side[2];
+  int count = 0;
+  Scaled discriminant{0, 0}, off{0, 0};
+  void add(double root, int which) noexcept {
+    t[count] = root < 0 ? 0 : root > 1 ? 1 : root;
+    side[count++] = which;
+  }
+};
+
+inline Roots roots_inside(const DiscEdge& edge) noexcept {
   Roots roots;
-  const int start = value.sign, end = end_value.sign;
-  const auto end_slope = slope + square;
-  const bool dips = slope.sign < 0 && end_slope.sign > 0;
+  const int start = edge.from.sign, end = edge.to.sign;
   if (start < 0 && end <= 0) return roots;
-  if (start == 0 && (end <= 0 || slope.sign >= 0)) return roots;
-  if (end == 0 && end_slope.sign <= 0) return roots;
+  if (start == 0 && (end <= 0 || edge.slope_sign() >= 0)) return roots;
+  if (end == 0 && edge.end_slope_sign() <= 0) return roots;
   const bool both_outside = start > 0 && end > 0;
-  if (both_outside && !dips) return roots;
-  const auto discriminant = exact::square(slope) - square * value;
-  if (discriminant.sign < 0 || (discriminant.sign == 0 && !both_outside)) return roots;
-  const Scaled a = exact::rounded(square), b = exact::rounded(slope), c = exact::rounded(value);
-  if (discriminant.sign == 0) {
-    roots.add(-quotient(b, a));
+  if (both_outside && !(edge.slope_sign() < 0 && edge.end_slope_sign() > 0)) return roots;
+  const Rough off = edge.from.r1 * edge.r0 - edge.from.r0 * edge.r1;
+  const Rough discriminant = edge.square_ * square(edge.frame.rough_radius) - square(off);
+  Scaled d = discriminant.scaled();
+  if (!discriminant.is_precise()) {
+    const auto exact_discriminant = edge.exact_discriminant();
+    d = exact::rounded(exact_discriminant);
+  }
+  if (d.value < 0 || (d.value == 0 && !both_outside)) return roots;
+  roots.off = size_of(off, [&] { return edge.exact_off(); });
+  roots.discriminant = d;
+  const Scaled a = edge.square_.scaled(), b = size_of(edge.slope, [&] { return edge.exact_slope(edge.from); });
+  if (d.value == 0) {
+    roots.add(-quotient(b, a), 0);
     return roots;
   }
   // Everything over the square's coefficient: t^2 + 2 b t + c, with c and the discriminant each rounded once.
+  const Scaled c = size_of(edge.from.value, [&] { return edge.from.exact_value(edge.frame); });
   const double half = quotient(b, a), product = quotient(c, a);
-  const Scaled d = exact::rounded(discriminant);
   const double squared = arithmetic::scale(d.value / (a.value * a.value), d.exponent - 2 * a.exponent);
   const double root = std::sqrt(squared);
   const double low = half > 0 ? -(half + root) : product / (root - half);
   const double high = half > 0 ? product / -(half + root) : root - half;
-  if (start > 0) roots.add(low);
-  if (end > 0) roots.add(high);
+  if (start > 0) roots.add(low, -1);
+  if (end > 0) roots.add(high, 1);
   return roots;
+}
+
+/// Where the line of an edge meets the ellipse's outline: about the point of it that is nearest to the origin, which a
+/// long edge's ends would not tell well.
+class Chord {
+ public:
+  Chord(const DiscEdge& edge, const Roots& roots) noexcept {
+    const Scaled x = edge.r0.scaled(), y = edge.r1.scaled(), off = roots.off, d = roots.discriminant;
+    const bool steep = x.value == 0 || y.exponent - x.exponent > 1000;
+    const auto unit_edge =
+        arithmetic::unit_and_length(x.value, steep ? 0 : arithmetic::scale(y.value, y.exponent - x.exponent));
+    ux_ = steep ? 0 : unit_edge.x;
+    uy_ = steep ? (y.value < 0 ? -1 : 1) : unit_edge.y;
+    // The discriminant's root is half the chord where `off` is its distance.
+    const bool odd = (d.exponent & 1) != 0;
+    const Scaled half{std::sqrt(odd ? 2 * d.value : d.value), (d.exponent - (odd ? 1 : 0)) / 2};
+    const int unit = off.value == 0 || (half.value != 0 && half.exponent > off.exponent) ? half.exponent : off.exponent;
+    off_ = arithmetic::scale(off.value, off.exponent - unit);
+    half_ = arithmetic::scale(half.value, half.exponent - unit);
+  }
+  Real turn(int side) const noexcept {
+    const Real half(side * half_);
+    return crossings::turn(Real(ux_) * half - Real(uy_) * Real(off_), Real(uy_) * half + Real(ux_) * Real(off_));
+  }
+
+ private:
+  double ux_, uy_, off_, half_;
+};
+
+/// The place at which the ellipse's outline begins, if it is one of them, is the first along it.
+inline void mend_start(const Corners& box, const exact::Ellipse& e, Found& found) noexcept {
+  Place* place = found.next_to_start_of_b();
+  if (place == nullptr) return;
+  const Position x = e.cx + e.a * e.ux, y = e.cy + e.a * e.uy;
+  if (place_along(box, x, y) >= 0) *place = {nearest(x), nearest(y), place->along_a, Real(0.0)};
 }
 
 inline Found crossings(const exact::Box& box, const exact::Ellipse& ellipse) noexcept {
@@ -77,28 +166,25 @@ inline Found crossings(const exact::Box& box, const exact::Ellipse& ellipse) noe
   const DiscFrame frame(ellipse);
   DiscCorner corner[4];
   Found found;
-  const int unit = exact::rounded(frame.radius).exponent;
-  const auto part = [unit](const exact::Number<4>& x) {
-    const Scaled s = exact::rounded(x);
-    return arithmetic::scale(s.value, s.exponent - unit);
-  };
   for (int i = 0; i < corners.count; ++i) {
     corner[i].set(frame, corners.x[i], corners.y[i]);
-    if (corner[i].value.sign != 0) continue;
-    const double at = turn(part(corner[i].m0), part(corner[i].m1));
-    found.add({nearest(corners.x[i]), nearest(corners.y[i]), static_cast<double>(i), at});
+    if (corner[i].sign != 0) continue;
+    const int unit = frame.rough_radius.exponent;
+    const Real at = turn(two_doubles(corner[i].m0, unit), two_doubles(corner[i].m1, unit));
+    found.add({nearest(corners.x[i]), nearest(corners.y[i]), Real(i), at});
   }
   for (int i = 0; i < corners.edges; ++i) {
+    const DiscEdge disc_edge(frame, corner[i], corner[corners.next(i)]);
+    const Roots roots = roots_inside(disc_edge);
+    if (roots.count == 0) continue;
     const Edge edge(corners, i);
-    const DiscCorner &from = corner[i], &to = corner[corners.next(i)];
-    const auto e0 = to.m0 - from.m0, e1 = to.m1 - from.m1;
-    const Roots roots =
-        roots_inside(exact::square(e0) + exact::square(e1), from.m0 * e0 + from.m1 * e1, from.value, to.value);
+    const Chord chord(disc_edge, roots);
     for (int k = 0; k < roots.count; ++k) {
-      const double t = roots.t[k], at = turn(part(from.m0) + t * part(e0), part(from.m1) + t * part(e1));
-      found.add({edge.at_x(t), edge.at_y(t), i + t, at});
+      const double t = roots.t[k];
+      found.add({edge.at_x(t), edge.at_y(t), Real(on_edge(i, t)), chord.turn(roots.side[k])});
     }
   }
+  mend_start(corners, ellipse, found);
   return found;
 }
 

@@ -1,300 +1,317 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where the outlines of two ellipses meet. The number of places, and how many of them only touch, is computed exactly.
-/// Then that many places are searched for in double-doubles, along the outline of the lesser ellipse as the unit
-/// circle.
+/// Where the outlines of two ellipses meet. How many places there are, and how many of them only touch, is exact. The
+/// form of one along a quarter of the other's outline is a quartic, formed exactly and rounded once to 300 bits or
+/// more; its zeros are found to 2^-96 of a turn, and zeros closer than that are one spot with as many places as are
+/// missing.
 #pragma once
 
-#include <vesica/area/ellipse_ellipse.hpp>
-#include <vesica/area/standard.hpp>
-#include <vesica/check.hpp>
-#include <vesica/crossings/box_ellipse.hpp>
-#include <vesica/exact/ellipse_ellipse.hpp>
+#include <algorithm>
+#include <cassert>
+#include <initializer_list>
+#include <limits>
+#include <vesica/crossings/census.hpp>
+#include <vesica/crossings/quartic_zeros.hpp>
 
 namespace vesica::detail::crossings {
 
-/// Places at which the outlines cross, and at which they touch. Where they touch and cross at once (osculation) they
-/// cross.
-struct Census {
-  int crossing, touching;
-  bool equal;
+/// A point or a vector in the frame in which f is the disc of radius a b W about the origin.
+template <int Degree>
+struct Image {
+  exact::Number<Degree> x, y;
+};
+template <int Degree>
+Image<Degree + 2> image(const exact::Ellipse& f, const exact::Number<Degree>& x,
+                        const exact::Number<Degree>& y) noexcept {
+  return {f.b * exact::dot(f.ux, f.uy, x, y), f.a * exact::cross(f.ux, f.uy, x, y)};
+}
+template <int A, int B>
+exact::Number<A + B> dot(const Image<A>& p, const Image<B>& q) noexcept {
+  return p.x * q.x + p.y * q.y;
+}
+
+/// e's outline C + P cos + Q sin seen from f, and the rim of f.
+struct Outline {
+  Image<3> c;
+  Image<4> p, q;
+  exact::Number<4> radius;
+
+  Outline(const exact::Ellipse& e, const exact::Ellipse& f) noexcept
+      : c(image(f, e.cx - f.cx, e.cy - f.cy)),
+        p(image(f, e.a * e.ux, e.a * e.uy)),
+        q(image(f, exact::integer(-1) * (e.b * e.uy), e.b * e.ux)),
+        radius(f.a * f.b * exact::dot(f.ux, f.uy, f.ux, f.uy)) {}
 };
 
-/// With three equal roots of p, contact is of the highest order.
-inline bool has_triple_root(const exact::ContactCubic& p) noexcept {
-  return (exact::square(p.c2) - exact::integer(3) * (p.d2 * p.c1)).sign == 0;
-}
+/// Twice the form of f along e: mean + c1 cos + s1 sin + c2 cos of twice the angle + s2 sin of that. Negative within f.
+struct Harmonics {
+  Fixed mean, c1, s1, c2, s2;
 
-/// With the double root x0 = -B / (2A) of p, whether S1 + x0 S2 has rank 1: d2 x0^2 + mu x0 + d1 = 0. Of nested
-/// ellipses, these touch at two places. p'(x0) = c1 + 2 c2 x0 + 3 d2 x0^2 = 0 makes it (3 mu - 2 c2) x0 = c1 - 3 d1:
-/// degree 24.
-inline bool has_rank_one(const exact::ContactCubic& p) noexcept {
-  const auto a = exact::square(p.c2) - exact::integer(3) * (p.d2 * p.c1);
-  const auto b = p.c1 * p.c2 - exact::integer(9) * (p.d1 * p.d2);
-  const exact::Number<8> left = exact::integer(2) * p.c2 - exact::integer(3) * p.mu;
-  const exact::Number<8> right = exact::integer(2) * p.c1 - exact::integer(6) * p.d1;
-  return exact::compare(left * b, right * a) == 0;
-}
-
-inline Census census(const exact::Ellipse& e, const exact::Ellipse& f) noexcept {
-  const exact::ContactCubic p = exact::contact_cubic(e, f);
-  const bool concentric = p.al.sign == 0;
-  switch (exact::relation(e, f)) {
-    case Relation::disjoint:
-    case Relation::inside:
-    case Relation::contains:
-      return {0, 0, false};
-    case Relation::equal:
-      return {0, 0, true};
-    case Relation::touch:
-      return {0, 1, false};
-    case Relation::inside_touch:
-    case Relation::contains_touch:
-      return {0, concentric || (!has_triple_root(p) && has_rank_one(p)) ? 2 : 1, false};
-    case Relation::cross:
-      break;
+  explicit Harmonics(const Outline& o) noexcept {
+    // Numbers of very unlike exponents have many limbs, of which the first almost always do.
+    if (!set(shortened(o), true)) set(o, false);
   }
-  if (concentric) return {4, 0, false};
-  const int roots = exact::discriminant_sign(p);
-  if (roots < 0) return {2, 0, false};
-  if (roots > 0) return {4, 0, false};
-  return has_triple_root(p) ? Census{2, 0, false} : Census{2, 1, false};
-}
 
-using Real = detail::area::DoubleDouble;
+ private:
+  /// The leading 8 limbs.
+  template <int Degree>
+  static exact::Number<Degree> leading(const exact::Number<Degree>& x) noexcept {
+    if (x.size <= 8) return x;
+    exact::Number<Degree> out;
+    out.sign = x.sign;
+    out.size = 8;
+    out.low = x.low + x.size - 8;
+    for (int i = 0; i < 8; ++i) out.limb[i] = x.limb[x.size - 8 + i];
+    out.strip();
+    return out;
+  }
+  static Outline shortened(Outline o) noexcept {
+    for (auto* x : {&o.c.x, &o.c.y}) *x = leading(*x);
+    for (auto* x : {&o.p.x, &o.p.y, &o.q.x, &o.q.y, &o.radius}) *x = leading(*x);
+    return o;
+  }
+  /// False where shortened numbers leave less than 320 bits: each is right to 448.
+  bool set(const Outline& o, bool is_short) noexcept {
+    const auto two = exact::integer(2), four = exact::integer(4);
+    const exact::Number<8> pp = dot(o.p, o.p), qq = dot(o.q, o.q);
+    const exact::Number<8> centre = exact::square(o.c.x) + exact::square(o.c.y) - exact::square(o.radius);
+    const exact::Number<8> exact_mean = two * centre + pp + qq, exact_c1 = four * dot(o.c, o.p),
+                           exact_s1 = four * dot(o.c, o.q), exact_c2 = pp - qq, exact_s2 = two * dot(o.p, o.q);
+    std::int64_t top = std::numeric_limits<std::int64_t>::min();
+    for (const auto* x : {&exact_mean, &exact_c1, &exact_s1, &exact_c2, &exact_s2}) {
+      if (x->sign != 0) top = std::max(top, exact::detail::top_bit(*x));
+    }
+    if (is_short) {
+      std::int64_t term = std::numeric_limits<std::int64_t>::min();
+      for (const auto* x : {&o.c.x, &o.c.y}) term = x->sign == 0 ? term : std::max(term, exact::detail::top_bit(*x));
+      for (const auto* x : {&o.p.x, &o.p.y, &o.q.x, &o.q.y, &o.radius}) {
+        term = x->sign == 0 ? term : std::max(term, exact::detail::top_bit(*x));
+      }
+      if (top < 2 * term - 100) return false;
+    }
+    // Coefficients of the quartics are less than 72 times the greatest of these.
+    top += 10;
+    mean = fixed(exact_mean, top);
+    c1 = fixed(exact_c1, top);
+    s1 = fixed(exact_s1, top);
+    c2 = fixed(exact_c2, top);
+    s2 = fixed(exact_s2, top);
+    return true;
+  }
 
-/// The circle, cut where the other's quadratic form along it has an extreme, at most 4 such places, and at x = 1 and
-/// x = -1; in order round the circle from x = 1.
-struct Cut {
-  double x, side;
-  double value;  ///< the form less 1: outside the other positive, inside negative
-  bool extreme;
+ public:
+  /// The outline begun a quarter later.
+  void advance() noexcept {
+    const Fixed old = c1;
+    c1 = s1;
+    s1 = -old;
+    c2 = -c2;
+    s2 = -s2;
+  }
+  /// Along the first quarter, times 6 (1 + t^2)^2, for the tangent t of half the angle.
+  Quartic quarter() const noexcept {
+    const auto twice = [](const Fixed& x) { return x + x; };
+    const auto three_times = [](const Fixed& x) { return x + x + x; };
+    const Fixed b0 = three_times(twice(mean + c1 + c2));
+    return {{b0, b0 + three_times(s1 + twice(s2)), twice(twice(twice(mean)) + three_times(c1 + s1 + twice(s2))),
+             three_times(twice(c1 + twice(mean - c2 + s1 + s2))), three_times(twice(twice(twice(mean - c2 + s1))))}};
+  }
 };
 
-struct UnitCircle {
-  const detail::area::Against<Real>& f;
-  Cut cut[12];
+/// Spots next to each other, which are one.
+struct Group {
+  Real at;  ///< quarters of the outline, and within one the tangent of half the angle
+  int most;
+  bool odd;
+  double height;
+  int places = 0;
+};
+
+struct Groups {
+  Group group[16];
   int count = 0;
 
-  void add(double x, double side, bool extreme) noexcept {
-    const double value = detail::area::HalfCircle<Real>{f, side}.value(x);
-    cut[count++] = {x, side, value, extreme};
-  }
-};
-
-/// The place between two where the slope, monotone there, changes its sign, if it does.
-inline void add_extreme(UnitCircle& circle, double side, double low, double high) noexcept {
-  const detail::area::HalfCircle<Real> half{circle.f, side};
-  double at_low = half.slope(low), at_high = half.slope(high);
-  if (!(low < high) || (at_low < 0) == (at_high < 0)) return;
-  double from = low, to = high;
-  for (int i = 0; i < 200; ++i) {
-    double x = to - at_high * ((to - from) / (at_high - at_low));
-    if (i % 3 == 2 || !(x > from && x < to)) x = from + 0.5 * (to - from);
-    if (!(x > from && x < to)) break;
-    const double slope = half.slope(x);
-    const bool before = (slope < 0) == (at_low < 0);
-    (before ? from : to) = x;
-    (before ? at_low : at_high) = slope;
-  }
-  circle.add(std::fabs(at_low) < std::fabs(at_high) ? from : to, side, true);
-}
-
-/// How the form changes along the circle at one of its points: its value less 1, and half its first and second
-/// derivative by the angle.
-struct Form {
-  Real value, slope, bend;
-  Form(const detail::area::Against<Real>& f, const Real& x, const Real& y) noexcept {
-    const Real z0 = (x - f.x) * f.over_p, z1 = (y - f.y) * f.over_q, d0 = -(y * f.over_p), d1 = x * f.over_q;
-    value = z0 * z0 + z1 * z1 - Real(1.0);
-    slope = z0 * d0 + z1 * d1;
-    bend = d0 * d0 + d1 * d1 - (z0 * x * f.over_p + z1 * y * f.over_q);
-  }
-};
-
-/// Half the circle from x = 1 (upper) or from x = -1 (lower), in the parts between which the slope is monotone.
-inline void add_half(UnitCircle& circle, double side) noexcept {
-  const auto& f = circle.f;
-  // An end is an extreme where the other's centre is on the line through both, or so near it that no x tells them
-  // apart.
-  const Form end(f, Real(side), Real(0.0));
-  circle.add(side, side, std::fabs(rounded(end.slope)) <= 0x1p-24 * std::fabs(rounded(end.bend)));
-  if (side < 0) {
-    add_extreme(circle, side, -1, 1);
-    return;
-  }
-  const double concave = detail::area::reach_of_concave(f), bend = concave > 0 ? concave : 1;
-  add_extreme(circle, side, bend, 1);
-  add_extreme(circle, side, -bend, bend);
-  add_extreme(circle, side, -1, -bend);
-}
-
-/// A place on the circle, and how far the form rises or falls beside it. A crossing with a small change is doubtful; an
-/// extreme with a small value may be a place where the outlines touch.
-struct Candidate {
-  double x, side, depth;
-  bool extreme;
-  int beside = 0;  ///< which of two crossings about an extreme it is, -1 or 1
-};
-
-struct Candidates {
-  Candidate candidate[12];
-  int count = 0;
-  void add(const Candidate& c) noexcept {
-    if (count < 12) candidate[count++] = c;
-  }
-  void sort_by_depth() noexcept {
-    for (int i = 1; i < count; ++i) {
-      const Candidate c = candidate[i];
-      int k = i;
-      for (; k > 0 && candidate[k - 1].depth > c.depth; --k) candidate[k] = candidate[k - 1];
-      candidate[k] = c;
+  explicit Groups(const Spots& spots) noexcept {
+    const auto next_to = [](const Real& p, const Real& q) { return std::fabs(rounded(q - p)) < shortest; };
+    int first = 0;
+    const int n = spots.count;
+    if (n == 0) return;
+    // The outline is closed: a group across its start begins with the last spots.
+    const bool closed = next_to(spots.spot[n - 1].to - Real(4.0), spots.spot[0].from);
+    const auto joined = [&](int i) {
+      return i % n == 0 ? closed : next_to(spots.spot[i % n - 1].to, spots.spot[i % n].from);
+    };
+    while (first < n && joined(first)) ++first;
+    if (first == n) first = 0;
+    for (int i = first; i < first + n;) {
+      int end = i + 1;
+      while (end < first + n && joined(end)) ++end;
+      add(spots, i, end);
+      i = end;
     }
   }
+
+ private:
+  void add(const Spots& spots, int from, int end) noexcept {
+    const Spot &p = spots.spot[from % spots.count], &q = spots.spot[(end - 1) % spots.count];
+    Group g{p.from, 0, p.negative_before != q.negative_after, p.height};
+    // Where spots meet may be a zero that is known exactly; a start is.
+    if (end - from > 1) g.at = spots.spot[(from + (end - from) / 2) % spots.count].from;
+    for (int i = from; i < end; ++i) {
+      const Spot& s = spots.spot[i % spots.count];
+      g.most = std::max(g.most, s.most);
+      g.height = std::fmin(g.height, s.height);
+      if (i > from && rounded(s.from) == 0) g.at = Real(0.0);
+    }
+    if ((g.most % 2 == 1) != g.odd) ++g.most;
+    group[count++] = g;
+  }
 };
 
-/// Sign changes between neighbouring cuts. A zero counts as outside, so that each crossing lies between two.
-inline Candidates sign_changes(const UnitCircle& circle) noexcept {
-  Candidates found;
-  for (int i = 0; i < circle.count; ++i) {
-    const Cut &p = circle.cut[i], &q = circle.cut[i + 1 == circle.count ? 0 : i + 1];
-    if ((p.value < 0) == (q.value < 0)) continue;
-    // A part that ends at x = 1 or x = -1 is on the half it begins on.
-    const detail::area::HalfCircle<Real> half{circle.f, p.side};
-    const Cut &low = p.x < q.x ? p : q, &high = p.x < q.x ? q : p;
-    const double x = low.x < high.x ? detail::area::crossing(half, low.x, low.value, high.x, high.value) : low.x;
-    found.add({x, p.side, std::fmin(std::fabs(p.value), std::fabs(q.value)), false});
+/// As many places as the census says: an odd group has a crossing, a touch is where the quartic's extreme is nearest to
+/// 0, and what is missing are crossings too close to be told apart.
+inline void share_out(Groups& groups, const Census& census) noexcept {
+  int crossing = census.crossing, touching = census.touching;
+  for (int i = 0; i < groups.count; ++i) {
+    Group& g = groups.group[i];
+    if (!g.odd || crossing == 0) continue;
+    g.places = 1;
+    g.most -= 1;
+    --crossing;
   }
-  found.sort_by_depth();
-  return found;
+  const auto flatter = [](const Group& g, const Group& h) {
+    if ((g.most >= 2) != (h.most >= 2)) return g.most >= 2;
+    return g.places != h.places ? g.places < h.places : g.height < h.height;
+  };
+  const auto flattest = [&]() -> Group& {
+    return *std::min_element(groups.group, groups.group + groups.count, flatter);
+  };
+  for (; touching > 0; --touching) {
+    Group& g = flattest();
+    ++g.places;
+    g.most -= 2;
+  }
+  for (; crossing > 0; crossing -= 2) {
+    Group& g = flattest();
+    g.places += crossing > 1 ? 2 : 1;
+    g.most -= 2;
+  }
 }
 
-inline Candidates extremes(const UnitCircle& circle) noexcept {
-  Candidates found;
-  for (int i = 0; i < circle.count; ++i) {
-    const Cut& c = circle.cut[i];
-    if (c.extreme) found.add({c.x, c.side, std::fabs(c.value), true});
-  }
-  found.sort_by_depth();
-  return found;
-}
-
-/// As many places as the census says. Two crossings too close to show between extremes are both placed at an extreme.
-/// Crossings that rounding makes beside a place where the outlines touch are recognised by the least change of the
-/// form.
-inline Candidates chosen(const UnitCircle& circle, const Census& census) noexcept {
-  const Candidates crossing = sign_changes(circle), flat = extremes(circle);
-  Candidates all;
-  for (int i = 0; i < census.crossing && i < crossing.count; ++i) all.add(crossing.candidate[crossing.count - 1 - i]);
-  for (int i = 0; all.count < census.crossing && flat.count > 0; ++i) {
-    Candidate c = flat.candidate[i / 2 % flat.count];
-    c.beside = i % 2 == 0 ? -1 : 1;
-    all.add(c);
-  }
-  for (int i = 0; i < census.touching && flat.count > 0; ++i) all.add(flat.candidate[i % flat.count]);
-  return all;
-}
-
-/// A point of the circle.
-struct OnCircle {
+/// Cosine and sine of an angle.
+struct Direction {
   Real x, y;
-
-  /// By the angle whose tangent is given, clockwise.
-  void turn(const Real& tangent) noexcept {
-    const Real length = sqrt(Real(1.0) + tangent * tangent), turned = (x + y * tangent) / length;
-    y = (y - x * tangent) / length;
-    x = turned;
-  }
-  /// Steps of Newton's method along the circle, to where the form is extreme or to where it is 1.
-  void approach(const detail::area::Against<Real>& f, bool extreme) noexcept {
-    for (int i = 0; i < 50; ++i) {
-      const Form form(f, x, y);
-      const Real step = extreme ? form.slope / form.bend : form.value / (Real(2.0) * form.slope);
-      const double angle = std::fabs(rounded(step));
-      if (!(angle < 0x1p-20)) break;
-      turn(step);
-      if (angle < 0x1p-60) break;
+  explicit Direction(const Real& at) noexcept {
+    const int up = static_cast<int>(rounded(at)), quarter = at < Real(up) ? up - 1 : up;
+    const Real t = at - Real(quarter), square = t * t, sum = Real(1.0) + square;
+    const Real c = (Real(1.0) - square) / sum, s = (t + t) / sum;
+    switch (quarter & 3) {
+      case 0:
+        x = c, y = s;
+        break;
+      case 1:
+        x = -s, y = c;
+        break;
+      case 2:
+        x = -c, y = -s;
+        break;
+      default:
+        x = s, y = -c;
+        break;
     }
   }
 };
 
-/// From x = 1 or x = -1 onto the half circle that a side has, by the form's parabola, where it has a root on each.
-inline void leave_end(const detail::area::Against<Real>& f, double side, OnCircle& at) noexcept {
-  const Form form(f, at.x, at.y);
-  if ((rounded(form.value) < 0) == (rounded(form.bend) < 0) || rounded(form.value) == 0) return;
-  const bool ahead = (side > 0) == (rounded(at.x) > 0), positive = rounded(form.bend) > 0;
-  const Real root = sqrt(form.slope * form.slope - form.value * form.bend);
-  at.turn((form.slope - (ahead == positive ? root : -root)) / form.bend);
-}
-
-/// Near x = 1 and x = -1 a double x determines y poorly, and two crossings may have the x of the extreme between them.
-/// There they are placed by the roots of the form's parabola.
-inline detail::area::Vector<double> point_of_circle(const detail::area::Against<Real>& f, const Candidate& c) noexcept {
-  const Real x(c.x);
-  OnCircle at{x, Real(c.side) * sqrt((Real(1.0) - x) * (Real(1.0) + x))};
-  if (!c.extreme && rounded(at.y) == 0) leave_end(f, c.side, at);
-  at.approach(f, c.extreme);
-  if (c.beside != 0) {
-    const Form form(f, at.x, at.y);
-    const Real reach = sqrt(-form.value / form.bend);
-    at.turn(c.beside < 0 ? -reach : reach);
-    if (rounded(reach) > 0) at.approach(f, false);
+/// Where a place of e is along f.
+class AlongOther {
+ public:
+  explicit AlongOther(const Outline& o) noexcept {
+    int top = std::numeric_limits<int>::min();
+    const auto see = [&top](const auto& x) {
+      if (x.sign != 0) top = std::max(top, static_cast<int>(exact::detail::top_bit(x)));
+    };
+    see(o.c.x), see(o.c.y), see(o.p.x), see(o.p.y), see(o.q.x), see(o.q.y);
+    cx_ = two_doubles(o.c.x, top), cy_ = two_doubles(o.c.y, top);
+    px_ = two_doubles(o.p.x, top), py_ = two_doubles(o.p.y, top);
+    qx_ = two_doubles(o.q.x, top), qy_ = two_doubles(o.q.y, top);
   }
-  return {rounded(at.x), rounded(at.y)};
-}
-
-/// From the frame of `placed` to the one in which e is the unit disc along its own axes.
-inline detail::area::Vector<double> turned_back(const detail::area::Placed<Real>& p,
-                                                const detail::area::Vector<double>& at) noexcept {
-  const double s = p.exchange ? at.y : at.x, t = p.exchange ? at.x : at.y;
-  const double x = rounded(p.x) < 0 ? -s : s, y = rounded(p.y) < 0 ? -t : t;
-  const double cosine = rounded(p.cosine), sine = rounded(p.sine);
-  return {cosine * x + sine * y, cosine * y - sine * x};
-}
-
-inline detail::area::Oval<double> stored(const vesica::Circle<double>& s) noexcept { return {1, 0, s.r, s.r}; }
-inline detail::area::Oval<double> stored(const vesica::Ellipse<double>& s) noexcept { return {s.ux, s.uy, s.a, s.b}; }
-
-/// For ellipses so thin or so different in size that their numbers leave the range of double. To rounding the lesser
-/// one is then its longer axis, or even its centre.
-inline void add_places_of_axis(const exact::Ellipse& e, const exact::Ellipse& f, int count, Found& found) noexcept {
-  exact::Box axis = exact::as_box(e);
-  (exact::compare(e.a, e.b) < 0 ? axis.hx : axis.hy) = {};
-  const Found meeting = crossings(axis, f);
-  const Place centre{nearest(e.cx), nearest(e.cy), 0, 0};
-  for (int i = 0; found.count < count; ++i) {
-    found.add(meeting.count == 0 ? centre : meeting.place[i / 2 % meeting.count]);
+  Real operator()(const Direction& d) const noexcept {
+    return turn(cx_ + px_ * d.x + qx_ * d.y, cy_ + py_ * d.x + qy_ * d.y);
   }
+
+ private:
+  Real cx_, cy_, px_, py_, qx_, qy_;
+};
+
+/// Points of a stored outline, rounded about once; sizes and coordinates times 2^lift stay within the range.
+class StoredOutline {
+ public:
+  explicit StoredOutline(const vesica::Circle<double>& s) noexcept
+      : StoredOutline(vesica::Ellipse<double>{s.cx, s.cy, 1, 0, s.r, s.r}) {}
+  explicit StoredOutline(const vesica::Ellipse<double>& s) noexcept {
+    using arithmetic::exponent_of, arithmetic::scale;
+    const int axis = exponent_of(std::fmax(std::fabs(s.ux), std::fabs(s.uy)));
+    const int size = axis + exponent_of(std::fmax(s.a, s.b));
+    const double far = std::fmax(std::fabs(s.cx), std::fabs(s.cy));
+    const int top = far > 0 ? std::max(size, exponent_of(far)) : size;
+    lift_ = top > 1000 ? 1000 - top : top < -900 ? 64 : 0;
+    cx_ = scale(s.cx, lift_);
+    cy_ = scale(s.cy, lift_);
+    ux_ = scale(s.ux, -axis);
+    uy_ = scale(s.uy, -axis);
+    a_ = scale(s.a, axis + lift_);
+    b_ = scale(s.b, axis + lift_);
+  }
+  void point(const Direction& d, double& x, double& y) const noexcept {
+    const Real along = Real(a_) * d.x, across = Real(b_) * d.y;
+    const Real dx = Real(ux_) * along - Real(uy_) * across, dy = Real(uy_) * along + Real(ux_) * across;
+    x = arithmetic::scale(rounded(Real(cx_) + dx), -lift_);
+    y = arithmetic::scale(rounded(Real(cy_) + dy), -lift_);
+  }
+
+ private:
+  double cx_, cy_, ux_, uy_, a_, b_;
+  int lift_;
+};
+
+/// Whether f's outline begins on e's.
+inline bool begins_on(const exact::Ellipse& e, const exact::Ellipse& f) noexcept {
+  const auto z = image(e, f.cx - e.cx + f.a * f.ux, f.cy - e.cy + f.a * f.uy);
+  const auto radius = e.a * e.b * exact::dot(e.ux, e.uy, e.ux, e.uy);
+  return exact::compare(exact::square(z.x) + exact::square(z.y), exact::square(radius)) == 0;
 }
 
-/// e: the lesser. Places along e count as along_a.
-template <class E, class F>
-Found places(const E& e, const F& f, const Census& census) noexcept {
+/// The place at which f's outline begins, if it is one of them, is the first along f.
+inline void mend_start(const exact::Ellipse& e, const exact::Ellipse& f, Found& found) noexcept {
+  Place* place = found.next_to_start_of_b();
+  if (place != nullptr && begins_on(e, f)) place->along_b = Real(0.0);
+}
+
+/// The places along e, whose outline is `stored`, with where they are along f.
+inline Found places(const exact::Ellipse& e, const StoredOutline& stored, const exact::Ellipse& f,
+                    const Census& census) noexcept {
   Found found;
   found.shared = census.equal;
   if (census.crossing + census.touching == 0) return found;
-  const auto pair = detail::area::standard_pair<Real>(e, f);
-  const auto placed = detail::area::placed(detail::area::oval(pair.a), detail::area::oval(pair.b), pair.offset);
-  UnitCircle circle{placed.against, {}, 0};
-  add_half(circle, 1);
-  add_half(circle, -1);
-  const Candidates all = chosen(circle, census);
-  const detail::area::Oval<double> own = stored(e);
-  const filter::Centre<double> centre = filter::place(e);
-  const auto other = [](const filter::Box<Real>& s) {
-    return filter::Box<double>{rounded(s.ux), rounded(s.uy), rounded(s.hx), rounded(s.hy)};
-  };
-  const filter::Box<double> s = other(pair.a), t = other(pair.b);
-  for (int i = 0; i < all.count; ++i) {
-    const detail::area::Vector<double> k = turned_back(placed, point_of_circle(placed.against, all.candidate[i]));
-    const double x = centre.x + (own.ux * (own.a * k.x) - own.uy * (own.b * k.y));
-    const double y = centre.y + (own.uy * (own.a * k.x) + own.ux * (own.b * k.y));
-    const double off_x = s.ux * (s.hx * k.x) - s.uy * (s.hy * k.y) - rounded(pair.offset.x);
-    const double off_y = s.uy * (s.hx * k.x) + s.ux * (s.hy * k.y) - rounded(pair.offset.y);
-    const double along = t.hy * (t.ux * off_x + t.uy * off_y), across = t.hx * (t.ux * off_y - t.uy * off_x);
-    if (vesica::detail::all_finite(k.x, k.y)) found.add({x, y, turn(k.x, k.y), turn(along, across)});
+  const Outline outline(e, f);
+  Harmonics harmonics(outline);
+  Spots spots;
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    ZeroSearch(harmonics.quarter(), quarter, spots);
+    harmonics.advance();
   }
-  const int count = census.crossing + census.touching;
-  if (found.count < count) add_places_of_axis(exact::form(e), exact::form(f), count, found);
+  Groups groups(spots);
+  assert(groups.count > 0);
+  share_out(groups, census);
+  const AlongOther along_other(outline);
+  for (int i = 0; i < groups.count; ++i) {
+    const Group& g = groups.group[i];
+    if (g.places == 0) continue;
+    const Direction d(g.at);
+    Place place{0, 0, g.at, along_other(d)};
+    stored.point(d, place.x, place.y);
+    for (int k = 0; k < g.places; ++k) found.add(place);
+  }
+  mend_start(e, f, found);
   return found;
 }
 

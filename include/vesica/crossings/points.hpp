@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vesica/arithmetic/double_double.hpp>
 #include <vesica/exact/form.hpp>
 #include <vesica/exact/rounded.hpp>
 
@@ -19,6 +20,7 @@ struct CrossingPoints {
 namespace detail::crossings {
 
 using Scaled = arithmetic::Scaled;
+using Real = arithmetic::AccurateDoubleDouble;
 
 inline double to_double(const Scaled& s) noexcept { return arithmetic::scale(s.value, s.exponent); }
 
@@ -32,17 +34,26 @@ double nearest(const exact::Number<Degree>& x) noexcept {
   return to_double(exact::rounded(x));
 }
 
+/// An exact number over 2^exponent, to two doubles.
+template <int Degree>
+Real two_doubles(const exact::Number<Degree>& x, int exponent) noexcept {
+  const Scaled high = exact::rounded(x), low = exact::rounded(x - exact::from_double(high.value, high.exponent));
+  return {arithmetic::scale(high.value, high.exponent - exponent),
+          arithmetic::scale(low.value, low.exponent - exponent)};
+}
+
 /// Grows with the angle of (x, y) from the positive x axis, from 0 up to 4; 0 for the origin.
-inline double turn(double x, double y) noexcept {
-  const double sum = std::fabs(x) + std::fabs(y);
-  if (!(sum > 0)) return 0;
-  const double part = y / sum;
-  return x < 0 ? 2 - part : y < 0 ? 4 + part : part;
+inline Real turn(const Real& x, const Real& y) noexcept {
+  const Real sum = abs(x) + abs(y);
+  if (!(rounded(sum) > 0)) return {};
+  const Real part = y / sum;
+  return rounded(x) < 0 ? Real(2.0) - part : rounded(y) < 0 ? Real(4.0) + part : part;
 }
 
 /// A place where the outlines meet, with where it is along either: only the order counts.
 struct Place {
-  double x, y, along_a, along_b;
+  double x, y;
+  Real along_a, along_b;
 };
 
 struct Found {
@@ -53,13 +64,25 @@ struct Found {
   void add(const Place& p) noexcept {
     if (count < 8) place[count++] = p;
   }
+  /// The place nearest to where the second outline begins, if one is near it.
+  Place* next_to_start_of_b() noexcept {
+    Place* next = nullptr;
+    double least = 0x1p-30;
+    for (int i = 0; i < count; ++i) {
+      const double at = rounded(place[i].along_b), off = at > 2 ? 4 - at : at;
+      if (off > least) continue;
+      least = off;
+      next = &place[i];
+    }
+    return next;
+  }
   /// Sorts along the first shape, or along the second.
   CrossingPoints<double> in_order(bool along_b) noexcept {
     const auto key = [along_b](const Place& p) { return along_b ? p.along_b : p.along_a; };
     for (int i = 1; i < count; ++i) {
       const Place p = place[i];
       int k = i;
-      for (; k > 0 && key(place[k - 1]) > key(p); --k) place[k] = place[k - 1];
+      for (; k > 0 && key(p) < key(place[k - 1]); --k) place[k] = place[k - 1];
       place[k] = p;
     }
     CrossingPoints<double> out{count, shared ? 1 : 0, {}, {}};

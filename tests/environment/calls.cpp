@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "environment/calls.hpp"
+
+#include <vesica.h>
+
+#include <cstring>
+
+namespace environment {
+namespace {
+
+template <class T>
+void append(Bytes& bytes, const T* values, std::size_t count) {
+  const auto* from = reinterpret_cast<const unsigned char*>(values);
+  bytes.insert(bytes.end(), from, from + count * sizeof(T));
+}
+template <class T>
+void append(Bytes& bytes, const T& value) {
+  append(bytes, &value, 1);
+}
+
+const std::array<double, 6>& first(const Input& p, double) { return p.a_f64; }
+const std::array<double, 6>& second(const Input& p, double) { return p.b_f64; }
+const std::array<float, 6>& first(const Input& p, float) { return p.a_f32; }
+const std::array<float, 6>& second(const Input& p, float) { return p.b_f32; }
+
+/// function(kind_a, a, kind_b, b).
+template <class T, auto function>
+Bytes ask_code(const Input& p) {
+  Bytes bytes;
+  append(bytes, function(p.kind_a, first(p, T{}).data(), p.kind_b, second(p, T{}).data()));
+  return bytes;
+}
+
+/// function(kind_a, a, kind_b, b, &out).
+template <class T, class Out, auto function>
+Bytes ask_pair(const Input& p) {
+  Bytes bytes;
+  Out out;
+  std::memset(&out, 0, sizeof out);
+  append(bytes, function(p.kind_a, first(p, T{}).data(), p.kind_b, second(p, T{}).data(), &out));
+  append(bytes, out);
+  return bytes;
+}
+
+/// function(kind, numbers, &out).
+template <class T, class Out, auto function>
+Bytes ask_one(const Input& p) {
+  Bytes bytes;
+  Out out;
+  std::memset(&out, 0, sizeof out);
+  append(bytes, function(p.kind_a, first(p, T{}).data(), &out));
+  append(bytes, out);
+  return bytes;
+}
+template <class T, auto function>
+Bytes ask_check(const Input& p) {
+  Bytes bytes;
+  append(bytes, function(p.kind_a, first(p, T{}).data()));
+  return bytes;
+}
+
+/// function(n0, ..., &out), the numbers being those of both shapes.
+template <class T, class Out, auto function, std::size_t... Index>
+Bytes ask_constructor(const Input& p, std::index_sequence<Index...>) {
+  const auto a = first(p, T{}), b = second(p, T{});
+  const T n[] = {a[0], a[1], a[2], a[3], a[4], a[5], b[0], b[1], b[2], b[3], b[4], b[5]};
+  Bytes bytes;
+  Out out;
+  std::memset(&out, 0, sizeof out);
+  append(bytes, function(n[Index]..., &out));
+  append(bytes, out);
+  return bytes;
+}
+template <class T, class Out, auto function, std::size_t count>
+Bytes ask_constructor(const Input& p) {
+  return ask_constructor<T, Out, function>(p, std::make_index_sequence<count>{});
+}
+template <class T, class Out, auto function>
+Bytes ask_corners(const Input& p) {
+  const auto a = first(p, T{}), b = second(p, T{});
+  const T corners[8] = {a[0], a[1], a[2], a[3], b[0], b[1], b[2], b[3]};
+  Bytes bytes;
+  Out out;
+  std::memset(&out, 0, sizeof out);
+  append(bytes, function(corners, &out));
+  append(bytes, out);
+  return bytes;
+}
+
+/// Both sides of a list of pairs as records.
+template <class T, class Shapes>
+struct Operands {
+  std::vector<std::array<T, 6>> records_a, records_b;
+  Shapes a{}, b{};
+
+  explicit Operands(const std::vector<Input>& pairs) {
+    for (const Input& p : pairs) {
+      records_a.push_back(first(p, T{}));
+      records_b.push_back(second(p, T{}));
+    }
+    a = records(pairs[0].kind_a, records_a);
+    b = records(pairs[0].kind_b, records_b);
+  }
+
+ private:
+  static Shapes records(int kind, const std::vector<std::array<T, 6>>& from) {
+    Shapes s{kind, 0, static_cast<std::int64_t>(from.size()), sizeof from[0], {}};
+    for (int k = 0; k < 6; ++k) s.field[k] = from[0].data() + k;
+    return s;
+  }
+};
+
+/// function(a, b, column...).
+template <class T, class Shapes, class Out, auto function, std::size_t... Column>
+Bytes ask_many(const std::vector<Input>& pairs, std::index_sequence<Column...>) {
+  const Operands<T, Shapes> operands(pairs);
+  std::vector<Out> columns[sizeof...(Column)];
+  for (auto& column : columns) column.resize(pairs.size());
+  Bytes bytes;
+  append(bytes, function(&operands.a, &operands.b, columns[Column].data()...));
+  for (const auto& column : columns) append(bytes, column.data(), column.size());
+  return bytes;
+}
+template <class T, class Shapes, class Out, auto function, std::size_t count>
+Bytes ask_many(const std::vector<Input>& pairs) {
+  return ask_many<T, Shapes, Out, function>(pairs, std::make_index_sequence<count>{});
+}
+
+/// function(a, b, out, row_stride).
+template <class T, class Shapes, class Out, auto function>
+Bytes ask_matrix(const std::vector<Input>& pairs) {
+  const Operands<T, Shapes> operands(pairs);
+  std::vector<Out> out(pairs.size() * pairs.size());
+  Bytes bytes;
+  append(bytes, function(&operands.a, &operands.b, out.data(), operands.b.count));
+  append(bytes, out.data(), out.size());
+  return bytes;
+}
+
+template <class T, class Shapes, auto function>
+Bytes ask_select(const std::vector<Input>& pairs) {
+  Operands<T, Shapes> operands(pairs);
+  operands.a.count = 1;
+  std::vector<std::int64_t> out(pairs.size());
+  Bytes bytes;
+  append(bytes, function(&operands.a, &operands.b, out.data(), operands.b.count));
+  append(bytes, out.data(), out.size());
+  return bytes;
+}
+
+/// function(shapes, scores, threshold, scratch, scratch_size, keep, kept), the scores being the first shapes' numbers.
+template <class T, class Shapes, auto function>
+Bytes ask_nms(const std::vector<Input>& pairs) {
+  const Operands<T, Shapes> operands(pairs);
+  std::vector<T> scores;
+  for (const auto& shape : operands.records_a) scores.push_back(shape[0]);
+  Bytes scratch(static_cast<std::size_t>(vesica_nms_scratch(operands.b.count)));
+  std::vector<std::int64_t> keep(pairs.size());
+  std::int64_t kept = 0;
+  Bytes bytes;
+  append(bytes, function(&operands.b, scores.data(), T{1} / 4, scratch.data(),
+                         static_cast<std::int64_t>(scratch.size()), keep.data(), &kept));
+  append(bytes, keep.data(), keep.size());
+  append(bytes, kept);
+  return bytes;
+}
+
+}  // namespace
+
+// The two scalar types' functions differ in their suffix alone.
+#define SCALAR_CALLS(s, T)                                                                                       \
+  {                                                                                                              \
+    {"check", ask_check<T, vesica_check_##s>}, {"overlap", ask_code<T, vesica_overlap_##s>},                     \
+        {"relation", ask_code<T, vesica_relation_##s>}, {"contains", ask_code<T, vesica_contains_##s>},          \
+        {"nearest", ask_pair<T, vesica_closest_points_##s, vesica_nearest_##s>},                                 \
+        {"boundary_distance", ask_pair<T, vesica_closest_points_##s, vesica_boundary_distance_##s>},             \
+        {"depth", ask_pair<T, vesica_penetration_##s, vesica_depth_##s>},                                        \
+        {"crossings", ask_pair<T, vesica_crossing_points_##s, vesica_crossings_##s>},                            \
+        {"area", ask_pair<T, T, vesica_area_##s>}, {"iou", ask_pair<T, T, vesica_iou_##s>},                      \
+        {"shape_area", ask_one<T, T, vesica_shape_area_##s>},                                                    \
+        {"bounds", ask_one<T, vesica_aabb_##s, vesica_bounds_##s>},                                              \
+        {"aabb_from_corners", ask_constructor<T, vesica_aabb_##s, vesica_aabb_from_corners_##s, 4>},             \
+        {"rect_from_angle", ask_constructor<T, vesica_rect_##s, vesica_rect_from_angle_##s, 5>},                 \
+        {"rect_from_corners", ask_corners<T, vesica_rect_##s, vesica_rect_from_corners_##s>},                    \
+        {"ellipse_from_angle", ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_angle_##s, 5>},        \
+        {"ellipse_from_radius_vector",                                                                           \
+         ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_radius_vector_##s, 5>},                      \
+        {"ellipse_from_covariance",                                                                              \
+         ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_covariance_##s, 6>},                         \
+        {"ellipse_from_matrix", ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_matrix_##s, 5>},      \
+  }
+#define BATCH_CALLS(s, T)                                                                                        \
+  {                                                                                                              \
+    {"overlap_many", ask_many<T, vesica_shapes_##s, std::uint8_t, vesica_overlap_many_##s, 1>},                  \
+        {"relation_many", ask_many<T, vesica_shapes_##s, std::uint8_t, vesica_relation_many_##s, 1>},            \
+        {"contains_many", ask_many<T, vesica_shapes_##s, std::uint8_t, vesica_contains_many_##s, 1>},            \
+        {"nearest_many", ask_many<T, vesica_shapes_##s, T, vesica_nearest_many_##s, 5>},                         \
+        {"boundary_distance_many", ask_many<T, vesica_shapes_##s, T, vesica_boundary_distance_many_##s, 5>},     \
+        {"depth_many", ask_many<T, vesica_shapes_##s, T, vesica_depth_many_##s, 3>},                             \
+        {"area_many", ask_many<T, vesica_shapes_##s, T, vesica_area_many_##s, 1>},                               \
+        {"iou_many", ask_many<T, vesica_shapes_##s, T, vesica_iou_many_##s, 1>},                                 \
+        {"overlap_matrix", ask_matrix<T, vesica_shapes_##s, std::uint8_t, vesica_overlap_matrix_##s>},           \
+        {"relation_matrix", ask_matrix<T, vesica_shapes_##s, std::uint8_t, vesica_relation_matrix_##s>},         \
+        {"contains_matrix", ask_matrix<T, vesica_shapes_##s, std::uint8_t, vesica_contains_matrix_##s>},         \
+        {"area_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_area_matrix_##s>},                            \
+        {"iou_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_iou_matrix_##s>},                              \
+        {"overlap_select", ask_select<T, vesica_shapes_##s, vesica_overlap_select_##s>},                         \
+        {"nms", ask_nms<T, vesica_shapes_##s, vesica_nms_##s>},                                                  \
+  }
+
+Input::Input(const properties::Pair& pair) : kind_a(pair.kind_a), kind_b(pair.kind_b), a_f64(pair.a), b_f64(pair.b) {
+  for (std::size_t i = 0; i < a_f64.size(); ++i) {
+    a_f32[i] = static_cast<float>(a_f64[i]);
+    b_f32[i] = static_cast<float>(b_f64[i]);
+  }
+}
+
+const std::vector<Call>& scalar_calls(properties::Scalar scalar) {
+  static const std::vector<Call> f64 = SCALAR_CALLS(f64, double), f32 = SCALAR_CALLS(f32, float);
+  return scalar == properties::Scalar::f64 ? f64 : f32;
+}
+
+const std::vector<BatchCall>& batch_calls(properties::Scalar scalar) {
+  static const std::vector<BatchCall> f64 = BATCH_CALLS(f64, double), f32 = BATCH_CALLS(f32, float);
+  return scalar == properties::Scalar::f64 ? f64 : f32;
+}
+
+}  // namespace environment

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Every function of vesica.h that computes, by scalar type, as calls whose results are bytes.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "properties/pair.hpp"
+
+namespace environment {
+
+using Bytes = std::vector<unsigned char>;
+
+/// A pair of shapes with its numbers in both scalar types, converted in the default environment.
+struct Input {
+  int kind_a, kind_b;
+  std::array<double, 6> a_f64, b_f64;
+  std::array<float, 6> a_f32, b_f32;
+
+  explicit Input(const properties::Pair& pair);
+};
+
+/// What a call writes and returns, to be compared bit for bit.
+struct Call {
+  const char* name;
+  Bytes (*ask)(const Input& input);
+};
+
+/// Calls about one pair of shapes; constructors take their numbers from the first.
+const std::vector<Call>& scalar_calls(properties::Scalar scalar);
+
+/// Calls about the arrays of shapes that a list of pairs makes, all of the same two kinds.
+struct BatchCall {
+  const char* name;
+  Bytes (*ask)(const std::vector<Input>& inputs);
+};
+const std::vector<BatchCall>& batch_calls(properties::Scalar scalar);
+
+}  // namespace environment

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hammer/call.hpp"
+
+#include <vesica.h>
+
+#include <bit>
+#include <cstdio>
+#include <cstring>
+
+#include "hammer/deliberate.hpp"
+
+namespace hammer {
+namespace {
+
+/// The functions of one scalar type.
+template <class T>
+struct Face;
+
+template <>
+struct Face<double> {
+  using Points = vesica_closest_points_f64;
+  using Penetration = vesica_penetration_f64;
+  using Crossings = vesica_crossing_points_f64;
+  using Aabb = vesica_aabb_f64;
+  static constexpr auto overlap = vesica_overlap_f64;
+  static constexpr auto relation = vesica_relation_f64;
+  static constexpr auto contains = vesica_contains_f64;
+  static constexpr auto nearest = vesica_nearest_f64;
+  static constexpr auto boundary_distance = vesica_boundary_distance_f64;
+  static constexpr auto depth = vesica_depth_f64;
+  static constexpr auto area = vesica_area_f64;
+  static constexpr auto iou = vesica_iou_f64;
+  static constexpr auto crossings = vesica_crossings_f64;
+  static constexpr auto shape_area = vesica_shape_area_f64;
+  static constexpr auto bounds = vesica_bounds_f64;
+};
+
+template <>
+struct Face<float> {
+  using Points = vesica_closest_points_f32;
+  using Penetration = vesica_penetration_f32;
+  using Crossings = vesica_crossing_points_f32;
+  using Aabb = vesica_aabb_f32;
+  static constexpr auto overlap = vesica_overlap_f32;
+  static constexpr auto relation = vesica_relation_f32;
+  static constexpr auto contains = vesica_contains_f32;
+  static constexpr auto nearest = vesica_nearest_f32;
+  static constexpr auto boundary_distance = vesica_boundary_distance_f32;
+  static constexpr auto depth = vesica_depth_f32;
+  static constexpr auto area = vesica_area_f32;
+  static constexpr auto iou = vesica_iou_f32;
+  static constexpr auto crossings = vesica_crossings_f32;
+  static constexpr auto shape_area = vesica_shape_area_f32;
+  static constexpr auto bounds = vesica_bounds_f32;
+};
+
+/// An output that shows whether it was written to.
+template <class Out>
+struct Marked {
+  static constexpr int mark = 0xA5;
+  Out out;
+  Marked() { std::memset(&out, mark, sizeof out); }
+  bool wrote() const {
+    Marked fresh;
+    return std::memcmp(&out, &fresh.out, sizeof out) != 0;
+  }
+};
+
+/// A struct of numbers, or one number.
+template <class T, class Out>
+void read_numbers(const Out& out, Answer& answer) {
+  constexpr std::size_t count = sizeof(Out) / sizeof(T);
+  std::array<T, count> numbers;
+  std::memcpy(numbers.data(), &out, sizeof out);
+  for (std::size_t i = 0; i < count; ++i) answer.numbers[i] = static_cast<double>(numbers[i]);
+}
+
+template <class Out>
+void read_crossings(const Out& out, Answer& answer) {
+  answer.numbers[0] = out.shared;
+  for (std::size_t i = 0; i < 8; ++i) {
+    answer.numbers[1 + i] = static_cast<double>(out.x[i]);
+    answer.numbers[9 + i] = static_cast<double>(out.y[i]);
+  }
+}
+
+/// One call. A and B: the numbers.
+template <class T>
+struct Caller {
+  int kind_a, kind_b;
+  const T *a, *b;
+  const Environment& environment;
+
+  Answer code(std::int32_t (*function)(std::int32_t, const T*, std::int32_t, const T*)) const {
+    Answer answer;
+    answer.code = run_in(environment, answer.environment_changed, [&] { return function(kind_a, a, kind_b, b); });
+    return answer;
+  }
+
+  template <class Out>
+  Answer numbers(std::int32_t (*function)(std::int32_t, const T*, std::int32_t, const T*, Out*)) const {
+    Marked<Out> marked;
+    return finish(marked, [&] { return function(kind_a, a, kind_b, b, &marked.out); });
+  }
+
+  template <class Out>
+  Answer of_first(std::int32_t (*function)(std::int32_t, const T*, Out*)) const {
+    Marked<Out> marked;
+    return finish(marked, [&] { return function(kind_a, a, &marked.out); });
+  }
+
+  template <class Out, class Call>
+  Answer finish(const Marked<Out>& marked, Call call) const {
+    Answer answer;
+    answer.code = run_in(environment, answer.environment_changed, call);
+    answer.wrote = marked.wrote();
+    if (answer.code < 0) return answer;
+    if constexpr (std::is_same_v<Out, typename Face<T>::Crossings>) {
+      read_crossings(marked.out, answer);
+    } else {
+      read_numbers<T>(marked.out, answer);
+    }
+    return answer;
+  }
+};
+
+template <class T>
+Answer call(Query query, const Caller<T>& caller) {
+  using F = Face<T>;
+  switch (query) {
+    case Query::overlap:
+      return caller.code(F::overlap);
+    case Query::relation:
+      return caller.code(F::relation);
+    case Query::contains:
+      return caller.code(F::contains);
+    case Query::nearest:
+      return caller.numbers(F::nearest);
+    case Query::boundary_distance:
+      return caller.numbers(F::boundary_distance);
+    case Query::depth:
+      return caller.numbers(F::depth);
+    case Query::area:
+      return caller.numbers(F::area);
+    case Query::iou:
+      return caller.numbers(F::iou);
+    case Query::crossings:
+      return caller.numbers(F::crossings);
+    case Query::shape_area:
+      return caller.of_first(F::shape_area);
+    default:
+      return caller.of_first(F::bounds);
+  }
+}
+
+}  // namespace
+
+std::array<float, 6> as_floats(const Numbers& numbers) {
+  std::array<float, 6> result{};
+  for (std::size_t i = 0; i < 6; ++i) {
+    const volatile float stored = static_cast<float>(numbers[i]);
+    result[i] = stored;
+  }
+  return result;
+}
+
+Answer ask(Query query, Scalar scalar, const Pair& p, const Environment& environment) {
+  Answer answer;
+  if (scalar == Scalar::f64) {
+    answer = call(query, Caller<double>{p.kind_a, p.kind_b, p.a.data(), p.b.data(), environment});
+  } else {
+    const auto a = as_floats(p.a), b = as_floats(p.b);
+    answer = call(query, Caller<float>{p.kind_a, p.kind_b, a.data(), b.data(), environment});
+  }
+  if (deliberate_fault() != nullptr) deliberate_fault()(query, scalar, p, environment, answer);
+  return answer;
+}
+
+std::int32_t check(Scalar scalar, int kind, const Numbers& numbers) {
+  if (scalar == Scalar::f64) return vesica_check_f64(kind, numbers.data());
+  return vesica_check_f32(kind, as_floats(numbers).data());
+}
+
+bool same_bits(const Answer& a, const Answer& b) {
+  return a.code == b.code && std::memcmp(a.numbers.data(), b.numbers.data(), sizeof a.numbers) == 0;
+}
+
+std::string text(const Answer& answer) {
+  std::string result = std::to_string(answer.code);
+  std::size_t count = most_numbers;
+  while (count > 0 && std::bit_cast<std::uint64_t>(answer.numbers[count - 1]) == 0) --count;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<char, 40> number{};
+    std::snprintf(number.data(), number.size(), " %a", answer.numbers[i]);
+    result += number.data();
+  }
+  return result;
+}
+
+}  // namespace hammer

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+/// One way to call every scalar query of vesica.h.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "hammer/environment.hpp"
+#include "hammer/query.hpp"
+
+namespace hammer {
+
+/// The most numbers of a result: crossings' `shared` and 8 places.
+inline constexpr std::size_t most_numbers = 17;
+
+/// What a function returned and wrote, as doubles in the order of its struct; crossings: shared, x[8], y[8], and the
+/// count as the code. Numbers that the function does not write are 0.
+struct Answer {
+  std::int32_t code = 0;
+  bool wrote = false;                ///< did it write to its output?
+  bool environment_changed = false;  ///< did it leave another floating-point environment than it met?
+  std::array<double, most_numbers> numbers{};
+};
+
+/// Same code and numbers, to the bit.
+bool same_bits(const Answer& a, const Answer& b);
+
+/// The code, then the numbers that are not 0, for a message.
+std::string text(const Answer& answer);
+
+/// The queries from overlap to bounds.
+Answer ask(Query query, Scalar scalar, const Pair& pair, const Environment& environment = default_environment);
+
+/// vesica_check of one shape.
+std::int32_t check(Scalar scalar, int kind, const Numbers& numbers);
+
+/// The numbers as floats; unlike properties::narrow, for those of invalid shapes too.
+std::array<float, 6> as_floats(const Numbers& numbers);
+
+}  // namespace hammer

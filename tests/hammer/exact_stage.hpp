@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The library's exact stage alone: what its answers are when no filter decides.
+#pragma once
+
+#include <cstdint>
+
+#include "hammer/query.hpp"
+
+namespace hammer {
+
+/// Of valid shapes, as the C functions return them.
+std::int32_t exact_overlap(const Pair& pair);
+std::int32_t exact_relation(const Pair& pair);
+std::int32_t exact_contains(const Pair& pair);
+
+}  // namespace hammer

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What every answer has to obey: the header's promises, each with a name of its own.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hammer/call.hpp"
+
+namespace hammer {
+
+/// A promise that was not kept.
+struct Fault {
+  std::string law;  ///< as in "nearest.zero"
+  std::string expected, got;
+};
+
+/// quick: laws that need no reference, and the exact stage; slow: the references too.
+enum class Effort { quick, slow };
+
+struct Choice {
+  Effort effort;
+  bool environments;  ///< ask again in every floating-point environment
+};
+
+/// Collects what is broken.
+class Judge {
+ public:
+  explicit Judge(Query query) : query_(query) {}
+
+  void demand(bool holds, const char* law, const std::string& expected, const std::string& got) {
+    if (!holds) faults_.push_back({std::string(name(query_)) + '.' + law, expected, got});
+  }
+  void demand(bool holds, const char* law, double expected, double got);
+  const std::vector<Fault>& faults() const { return faults_; }
+
+ private:
+  Query query_;
+  std::vector<Fault> faults_;
+};
+
+/// All broken promises of one case.
+std::vector<Fault> judge(const Case& c, const Choice& choice);
+
+// The laws of single queries, by file. The shapes are valid but for judge_invalid.
+void judge_code(Judge& j, const Case& c, Effort effort);            // laws_code.cpp
+void judge_nearest(Judge& j, const Case& c, Effort effort);         // laws_distance.cpp
+void judge_boundary(Judge& j, const Case& c, Effort effort);        // laws_distance.cpp
+void judge_depth(Judge& j, const Case& c, Effort effort);           // laws_depth.cpp
+void judge_area(Judge& j, const Case& c, Effort effort);            // laws_area.cpp
+void judge_iou(Judge& j, const Case& c, Effort effort);             // laws_area.cpp
+void judge_shape_area(Judge& j, const Case& c, Effort effort);      // laws_area.cpp
+void judge_crossings(Judge& j, const Case& c, Effort effort);       // laws_crossings.cpp
+void judge_bounds(Judge& j, const Case& c, Effort effort);          // laws_bounds.cpp
+void judge_invalid(Judge& j, const Case& c, bool in_environments);  // laws_invalid.cpp
+void judge_environments(Judge& j, const Case& c);                   // laws.cpp
+
+// What several of them need.
+Pair exchanged(const Pair& p);
+bool valid(const Pair& p);
+/// Has the shape an area?
+bool has_area(int kind, const Numbers& numbers);
+/// An upper bound of all coordinates and half lengths but for a few roundings; infinite where it overflows.
+double extent(const Pair& p);
+/// Are all numbers, and the products of sizes and axes, so small that no result can overflow?
+bool far_from_overflow(Scalar scalar, const Pair& p);
+/// Both shapes moved by (x, y), where that is exact in the scalar type.
+bool move_exactly(Scalar scalar, const Pair& p, double x, double y, Pair& moved);
+/// Some moves to try, of the size of the pair; the first takes a's place to the origin.
+std::vector<std::array<double, 2>> moves(const Pair& p);
+/// A float answer is the double's rounded once: numbers[first ... first + count - 1].
+void demand_rounded(Judge& j, const Case& c, const Answer& narrow, std::size_t count);
+/// Sets the precision of the references' numbers: enough for the magnitudes of a pair and of the places in an answer.
+void set_reference_precision(const Pair& p, const Answer& answer);
+std::string hex(double x);
+
+}  // namespace hammer

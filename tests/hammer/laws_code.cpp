@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Overlap, relation, contains: against the exact stage, the other order of shapes, and the oracle.
+#include <vesica.h>
+
+#include "hammer/exact_stage.hpp"
+#include "hammer/laws.hpp"
+#include "oracle/oracle.hpp"
+
+namespace hammer {
+namespace {
+
+constexpr std::int32_t converses[] = {VESICA_DISJOINT,       VESICA_TOUCH,  VESICA_CROSS,        VESICA_CONTAINS,
+                                      VESICA_CONTAINS_TOUCH, VESICA_INSIDE, VESICA_INSIDE_TOUCH, VESICA_EQUAL};
+
+bool contains_by(std::int32_t relation) { return relation >= VESICA_CONTAINS; }
+
+std::int32_t by_exact_stage(Query query, const Pair& p) {
+  if (query == Query::overlap) return exact_overlap(p);
+  return query == Query::relation ? exact_relation(p) : exact_contains(p);
+}
+
+std::int32_t by_oracle(Query query, const Pair& p) {
+  if (query == Query::overlap) return oracle::overlap(p.kind_a, p.a.data(), p.kind_b, p.b.data());
+  const std::int32_t relation = oracle::relation(p.kind_a, p.a.data(), p.kind_b, p.b.data());
+  return query == Query::relation ? relation : contains_by(relation);
+}
+
+void demand_code(Judge& j, const char* law, std::int32_t expected, std::int32_t got) {
+  if (expected != got) j.demand(false, law, std::to_string(expected), std::to_string(got));
+}
+
+}  // namespace
+
+void judge_code(Judge& j, const Case& c, Effort effort) {
+  const std::int32_t code = ask(c.query, c.scalar, c.pair).code;
+  demand_code(j, "exact_stage", by_exact_stage(c.query, c.pair), code);
+  if (effort == Effort::quick) return;
+  demand_code(j, "oracle", by_oracle(c.query, c.pair), code);
+  const std::int32_t back = ask(c.query, c.scalar, exchanged(c.pair)).code;
+  if (c.query == Query::overlap) demand_code(j, "exchanged", code, back);
+  if (c.query != Query::relation) return;
+  demand_code(j, "exchanged", code < 0 || code > 7 ? code : converses[code], back);
+  demand_code(j, "and_overlap", code > 0, ask(Query::overlap, c.scalar, c.pair).code);
+  demand_code(j, "and_contains", contains_by(code), ask(Query::contains, c.scalar, c.pair).code);
+}
+
+}  // namespace hammer

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hammer/query.hpp"
+
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+
+namespace hammer {
+namespace {
+
+std::optional<int> find_kind(const std::string& word) {
+  for (int kind = 0; kind < 6; ++kind) {
+    if (word == properties::kind_name(kind)) return kind;
+  }
+  return std::nullopt;
+}
+
+std::string shape_text(int kind, const Numbers& numbers) {
+  std::string text = properties::kind_name(kind);
+  for (int i = 0; i < properties::field_count(kind); ++i) {
+    std::array<char, 40> number{};
+    std::snprintf(number.data(), number.size(), " %a", numbers[static_cast<std::size_t>(i)]);
+    text += number.data();
+  }
+  return text;
+}
+
+/// Reads a kind and its numbers.
+bool read_shape(std::istream& in, int& kind, Numbers& numbers) {
+  std::string word;
+  if (!(in >> word)) return false;
+  const auto found = find_kind(word);
+  if (!found) return false;
+  kind = *found;
+  for (int i = 0; i < properties::field_count(kind); ++i) {
+    if (!(in >> word)) return false;
+    char* end = nullptr;
+    numbers[static_cast<std::size_t>(i)] = std::strtod(word.c_str(), &end);
+    if (end == word.c_str() || *end != '\0') return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+const char* name(Query query) {
+  constexpr std::array<const char*, all_queries.size()> names{
+      "overlap", "relation",  "contains",   "nearest", "boundary_distance", "depth", "area",
+      "iou",     "crossings", "shape_area", "bounds",  "invalid",           "batch"};
+  return names.at(static_cast<std::size_t>(query));
+}
+
+std::optional<Query> find_query(const std::string& text) {
+  for (const Query query : all_queries) {
+    if (text == name(query)) return query;
+  }
+  return std::nullopt;
+}
+
+std::string notation(const Case& c) {
+  std::string text = std::string(name(c.query)) + '_' + properties::name(c.scalar) + ' ';
+  text += shape_text(c.pair.kind_a, c.pair.a);
+  if (!of_one_shape(c.query)) text += " | " + shape_text(c.pair.kind_b, c.pair.b);
+  return text;
+}
+
+std::optional<Case> parse(const std::string& text) {
+  std::istringstream in(text);
+  std::string word;
+  if (!(in >> word)) return std::nullopt;
+  Case c{Query::overlap, Scalar::f64, {0, 0, {}, {}}};
+  if (word.ends_with("_f32")) c.scalar = Scalar::f32;
+  if (word.ends_with("_f32") || word.ends_with("_f64")) word.resize(word.size() - 4);
+  const auto query = find_query(word);
+  if (!query || !read_shape(in, c.pair.kind_a, c.pair.a)) return std::nullopt;
+  c.query = *query;
+  if (of_one_shape(c.query)) return in >> word ? std::nullopt : std::optional(c);
+  if (!(in >> word) || word != "|" || !read_shape(in, c.pair.kind_b, c.pair.b) || in >> word) return std::nullopt;
+  return c;
+}
+
+}  // namespace hammer

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What the hammer asks, and the one-line notation in which it prints and replays a case.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "properties/pair.hpp"
+
+namespace hammer {
+
+using properties::Numbers;
+using properties::Pair;
+using properties::Scalar;
+
+enum class Query {
+  overlap,
+  relation,
+  contains,
+  nearest,
+  boundary_distance,
+  depth,
+  area,
+  iou,
+  crossings,
+  shape_area,  ///< of the first shape
+  bounds,      ///< of the first shape
+  invalid,     ///< every function on a pair of which a shape is invalid
+  batch,       ///< every batch function on many copies of the pair, on every instruction set
+};
+
+inline constexpr std::array all_queries{
+    Query::overlap, Query::relation, Query::contains, Query::nearest,   Query::boundary_distance,
+    Query::depth,   Query::area,     Query::iou,      Query::crossings, Query::shape_area,
+    Query::bounds,  Query::invalid,  Query::batch};
+
+const char* name(Query query);
+std::optional<Query> find_query(const std::string& name);
+
+/// Does the query look at the first shape only?
+constexpr bool of_one_shape(Query query) { return query == Query::shape_area || query == Query::bounds; }
+
+/// One question. For Scalar::f32 each number is a float's value.
+struct Case {
+  Query query;
+  Scalar scalar;
+  Pair pair;
+};
+
+/// As in "overlap_f64 circle 0x0p+0 0x0p+0 0x1p+0 | point 0x1p+0 0x0p+0".
+std::string notation(const Case& c);
+
+/// The case of a notation; "_f64" may be left out, numbers may be decimal. Nothing where it cannot be read.
+std::optional<Case> parse(const std::string& text);
+
+}  // namespace hammer
