@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 #include <vector>
+#include <vesica/shapes.hpp>
 
 #include "properties/generators.hpp"
 

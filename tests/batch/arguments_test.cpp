@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <vesica/shapes.hpp>
 
 #include "batch/c_face.hpp"
 
