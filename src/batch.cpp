@@ -40,6 +40,7 @@ class RestOfBlock {
   BlockResult answer(BlockKernel<T> kernel, const Block<T>& block) const noexcept {
     const std::int32_t rest = block.count % width_;
     if (rest == 0) return kernel(block);
+    if (block.count < width_) return answer_rest(kernel, block, rest, {0, 0});
     Block<T> part = block;
     part.count = block.count - rest;
     const BlockResult result = kernel(part);

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 #include <utility>
+#include <vesica/relation_code.hpp>
 
 #include "by_kind.hpp"
 #include "columns.hpp"
