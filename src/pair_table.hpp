@@ -2,10 +2,8 @@
 // From two kinds to the function that answers a query for that pair.
 #pragma once
 
-#include <cstring>
 #include <utility>
 #include <vesica/each_shape.hpp>
-#include <vesica/relation_code.hpp>
 #include <vesica/shapes.hpp>
 
 #include "by_kind.hpp"
@@ -61,18 +59,15 @@ consteval bool answers() noexcept {
 /// Stands in the table for a pair that the query does not answer.
 inline std::int32_t unknown_pair(const void*, const void*, void*) noexcept { return error_kind; }
 
-/// Query::answer for shapes read in place: flat numbers are the core's shapes byte for byte. Never inlined, so that the
-/// code of a pair exists once.
+/// Query::answer for shapes read, and a result written, in place: flat numbers and the C structs are the core's shapes
+/// and results byte for byte. Never inlined, so that the code of a pair exists once.
 template <class Query, class A, class B>
 [[gnu::noinline]] std::int32_t answer_pair(const void* a, const void* b, [[maybe_unused]] void* out) noexcept {
   const A& first = *static_cast<const A*>(a);
   const B& second = *static_cast<const B*>(b);
   using T = typename ShapeTraits<A>::Scalar;
   if constexpr (HasResult<Query, T>) {
-    typename Query::template Result<T> result{};
-    const std::int32_t code = Query::answer(first, second, result);
-    if (code >= 0) std::memcpy(out, &result, sizeof result);
-    return code;
+    return Query::answer(first, second, *static_cast<typename Query::template Result<T>*>(out));
   } else {
     return Query::answer(first, second);
   }
@@ -80,19 +75,19 @@ template <class Query, class A, class B>
 
 /// A float direction cannot be turned round: a component that was rounded to 0 has lost the sign that turning gives it.
 template <class Query, class Scalar>
-inline constexpr bool answers_both_orders = Query::reversal == Reversal::unknown ||
-                                            (Query::reversal == Reversal::direction && std::is_same_v<Scalar, float>);
+inline constexpr bool can_be_reversed =
+    Query::reversal != Reversal::unknown && !(Query::reversal == Reversal::direction && std::is_same_v<Scalar, float>);
 
-/// A pair in the other order.
+/// A pair in the other order. Where the answer is a code there is little to do, so the core is asked in that order; the
+/// longer ways to a result are there in one order only.
 template <class Query, class A, class B>
 std::int32_t answer_reversed(const void* a, const void* b, void* out) noexcept {
-  if constexpr (answers_both_orders<Query, typename ShapeTraits<A>::Scalar>) {
+  using T = typename ShapeTraits<A>::Scalar;
+  if constexpr (!HasResult<Query, T> || !can_be_reversed<Query, T>) {
     return answer_pair<Query, A, B>(a, b, out);
   } else {
     const std::int32_t code = answer_pair<Query, B, A>(b, a, out);
-    if (Query::reversal == Reversal::none || code < 0) return code;
-    if (Query::reversal == Reversal::converse) return static_cast<std::int32_t>(converse(static_cast<Relation>(code)));
-    reverse(Query::reversal, static_cast<typename ShapeTraits<A>::Scalar*>(out));
+    if (code >= 0) reverse(Query::reversal, static_cast<T*>(out));
     return code;
   }
 }
