@@ -7,7 +7,7 @@ set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${vesica_shapes_f
 
 function(vesica_pair_tests out stems)
   file(READ ${vesica_shapes_file} text)
-  string(REGEX MATCHALL "X\\([a-z]+, [A-Z][a-z]+, [a-z]+, [A-Z]" pairs "${text}")
+  string(REGEX MATCHALL "  X\\([a-z]+, [A-Z][a-z]+, [a-z]+, [A-Z]" pairs "${text}")
   foreach(pair IN LISTS pairs)
     string(REGEX MATCH "X\\(([a-z]+), [A-Za-z]+, ([a-z]+)," match "${pair}")
     list(APPEND names ${CMAKE_MATCH_1}_${CMAKE_MATCH_2})
