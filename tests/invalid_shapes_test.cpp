@@ -43,8 +43,12 @@ template <class Shape>
 using ScalarOf = typename ShapeTraits<Shape>::Scalar;
 
 /// Queries other than overlap need not answer a shape without a form.
-template <class... Shape>
-concept EveryQueryAnswers = (requires(const Shape& shape) { detail::form::of(shape); } && ...);
+template <class Shape>
+concept HasForm = requires(const Shape& shape) {
+  detail::form::of(shape);
+};
+template <class... Shapes>
+concept EveryQueryAnswers = (HasForm<Shapes> && ...);
 
 template <class A, class B>
 void expect_overlap_to_refuse(const A& a, const B& b) {

@@ -42,6 +42,8 @@ TEST(Pairs, AreEveryTwoShapesInTheirOrder) {
   EXPECT_EQ(shapes.size(), static_cast<std::size_t>(vesica::kind_count));
 }
 
+TEST(Pairs, AreThoseThatCMakeReads) { EXPECT_EQ(matches(VESICA_PAIRS, std::regex("(\\w+)")), pairs); }
+
 TEST(Pairs, HaveTheirExportedFunctions) {
   std::ifstream map(VESICA_MAP);
   ASSERT_TRUE(map) << VESICA_MAP;
