@@ -18,6 +18,7 @@
 
 #include <limits>
 #include <vesica/depth/box_box.hpp>
+#include <vesica/depth/disc_disc.hpp>
 #include <vesica/depth/exact_zero.hpp>
 #include <vesica/depth/lane_pairs.hpp>
 #include <vesica/depth/search.hpp>
@@ -37,20 +38,36 @@ namespace detail::depth {
 /// Below this share of the pair's scale the sign of a computed depth is uncertain.
 inline constexpr double surely_positive = 0x1p-48;
 
+/// The least number above 0 where `value` is not.
+inline double above_zero(double value) noexcept { return std::fmax(value, std::numeric_limits<double>::denorm_min()); }
+
+/// Boxes: the closed form as batches use it; where a product might underflow, in the pair's unit.
+inline Depth depth_of_forms(const Form& a, const Form& b) noexcept {
+  if (!a.curved && !b.curved) {
+    const auto d = box_box_depth(box_pair(a, b));
+    if (d.settled) return {d.depth, {d.x, d.y}, 0};
+    const PlacedPair pair = place(a, b);
+    const auto in_unit = box_box_depth(box_pair(pair));
+    if (in_unit.settled) return {in_unit.depth, {in_unit.x, in_unit.y}, pair.exponent};
+  }
+  return searched_depth(a, b);
+}
+
+template <class A, class B>
+Depth depth_of_pair(const A& a, const B& b) noexcept {
+  if constexpr (is_disc<A> && is_disc<B>) {
+    return disc_disc_depth(as_circle(a), as_circle(b));
+  } else {
+    return depth_of_forms(support_minimum::form(a), support_minimum::form(b));
+  }
+}
+
 template <class A, class B>
 std::int32_t depth_of_overlapping(const A& a, const B& b, Penetration<double>& out) noexcept {
-  const Form f = support_minimum::form(a), g = support_minimum::form(b);
-  if (!f.curved && !g.curved) {
-    const auto d = box_box_depth(box_pair(f, g));
-    if (d.settled) {
-      out = {d.depth, d.x, d.y};
-      return 0;
-    }
-  }
-  const Depth d = searched_depth(f, g);
+  const Depth d = depth_of_pair(a, b);
   Penetration<double> result{0, d.direction.x + 0.0, d.direction.y + 0.0};  // no -0
-  if (d.value > surely_positive || !has_no_depth(exact::form(a), exact::form(b))) {
-    result.depth = std::fmax(arithmetic::scale(d.value, d.exponent), std::numeric_limits<double>::denorm_min());
+  if (d.value.high > surely_positive || !has_no_depth(exact::form(a), exact::form(b))) {
+    result.depth = above_zero(arithmetic::scale_rounded(d.value.high, d.value.low, d.exponent));
   }
   if (!all_finite(result.depth)) return error_range;
   out = result;
