@@ -65,7 +65,8 @@ inline ClosestPoints<double> closest_points_of_forms(Relation relation, const Fo
   if (relation == Relation::inside && !flat(b)) return points_exchanged(nested_outlines(b, a));
   if (relation == Relation::contains && !flat(a)) return nested_outlines(a, b);
   const PlaneVector p = common_outline_point(a, b);
-  return {0, p.x, p.y, p.x, p.y};
+  const double x = p.x + 0.0, y = p.y + 0.0;  // no -0, whichever shape is called the first
+  return {0, x, y, x, y};
 }
 
 /// The pairs that batches answer in lanes use the same core here if one shape is inside the other. Returns false where

@@ -95,7 +95,8 @@ inline Penetration<double> turned_round(const Penetration<double>& p) noexcept {
 
 /// Rounds once. A depth that is not 0 stays so. Returns false where it would exceed the finite numbers.
 inline bool rounded_to(const Penetration<double>& p, Penetration<float>& out) noexcept {
-  Penetration<float> r{static_cast<float>(p.depth), static_cast<float>(p.x), static_cast<float>(p.y)};
+  // A component that rounds to 0 loses its sign.
+  Penetration<float> r{static_cast<float>(p.depth), static_cast<float>(p.x) + 0.0f, static_cast<float>(p.y) + 0.0f};
   if (p.depth > 0 && r.depth == 0) r.depth = std::numeric_limits<float>::denorm_min();
   if (!all_finite(r.depth)) return false;
   out = r;
