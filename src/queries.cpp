@@ -217,6 +217,11 @@ std::int32_t store(const Query& query, std::int32_t n, const Results& results, S
     for (std::int32_t i = 0; i < n; ++i) out[k][i] = static_cast<float>(results[k][i]);
     in_range = in_range && !any_infinite(out[k], n);
   }
+  if (query.reversal == Reversal::direction) {
+    for (int k = 1; k < query.columns(); ++k) {
+      for (std::int32_t i = 0; i < n; ++i) out[k][i] += 0.0f;  // no -0
+    }
+  }
   return in_range && !query.is_length ? 0 : mend(query, n, results, out);
 }
 std::int32_t store(const Query& query, std::int32_t n, const Results& results, Stored<double>& out) noexcept {

@@ -27,6 +27,18 @@ namespace vesica {
 
 namespace detail::boundary_distance {
 
+/// In the unit in which the pair's lengths are moderate: no product of boxes underflows there.
+inline Nested nested_in_unit(const Form& outer, const Form& inner) noexcept {
+  if (!outer.curved && !inner.curved) {
+    const PlacedPair pair = place(outer, inner);
+    const auto boxes = nested_boxes(box_pair(pair));
+    if (boxes.settled) {
+      return {boxes.distance, {boxes.outer_x, boxes.outer_y}, {boxes.inner_x, boxes.inner_y}, pair.exponent};
+    }
+  }
+  return nested_distance(outer, inner);
+}
+
 /// Outlines of which one is strictly inside the other.
 inline ClosestPoints<double> nested_outlines(const Form& outer, const Form& inner) noexcept {
   if (!outer.curved && !inner.curved) {
@@ -34,14 +46,14 @@ inline ClosestPoints<double> nested_outlines(const Form& outer, const Form& inne
     if (boxes.settled) {
       const PlaneVector p = located(outer, {boxes.outer_x, boxes.outer_y}, 0);
       const PlaneVector q = located(inner, {boxes.inner_x, boxes.inner_y}, 0);
-      return {boxes.distance, p.x, p.y, q.x, q.y};
+      return {rounded(boxes.distance), p.x, p.y, q.x, q.y};
     }
   }
-  const Nested n = nested_distance(outer, inner);
+  const Nested n = nested_in_unit(outer, inner);
   const PlaneVector p = located(outer, n.outer, n.exponent);
   const PlaneVector q = located(inner, n.inner, n.exponent);
-  const double distance =
-      std::fmax(arithmetic::scale(n.distance, n.exponent), std::numeric_limits<double>::denorm_min());
+  const double distance = std::fmax(arithmetic::scale_rounded(n.distance.high, n.distance.low, n.exponent),
+                                    std::numeric_limits<double>::denorm_min());
   return {distance, p.x, p.y, q.x, q.y};
 }
 
@@ -53,7 +65,8 @@ inline ClosestPoints<double> closest_points_of_forms(Relation relation, const Fo
   if (relation == Relation::inside && !flat(b)) return points_exchanged(nested_outlines(b, a));
   if (relation == Relation::contains && !flat(a)) return nested_outlines(a, b);
   const PlaneVector p = common_outline_point(a, b);
-  return {0, p.x, p.y, p.x, p.y};
+  const double x = p.x + 0.0, y = p.y + 0.0;  // no -0, whichever shape is called the first
+  return {0, x, y, x, y};
 }
 
 /// The pairs that batches answer in lanes use the same core here if one shape is inside the other. Returns false where

@@ -19,6 +19,7 @@
 #include <limits>
 #include <utility>
 #include <vesica/depth/box_box.hpp>
+#include <vesica/depth/disc_disc.hpp>
 #include <vesica/depth/exact_zero.hpp>
 #include <vesica/depth/lane_pairs.hpp>
 #include <vesica/depth/search.hpp>
@@ -46,7 +47,7 @@ inline constexpr bool is_round = decltype(vesica::detail::form::of(std::declval<
 /// Returns false where that is not settled.
 VESICA_INLINE bool depth_of_boxes(const Form& f, const Form& g, Penetration<double>& out) noexcept {
   const auto d = box_box_depth(box_pair(f, g));
-  if (d.settled) out = {d.depth, d.x, d.y};
+  if (d.settled) out = {arithmetic::rounded(d.depth), d.x, d.y};
   return d.settled;
 }
 /// Where a kind is round such pairs are rare: one function serves all of them.
@@ -60,16 +61,34 @@ VESICA_COLD bool has_no_depth_exactly(const A& a, const B& b) noexcept {
   return has_no_depth(exact::form(a), exact::form(b));
 }
 
+/// The least number above 0 where `value` is not.
+inline double above_zero(double value) noexcept { return std::fmax(value, std::numeric_limits<double>::denorm_min()); }
+
+/// Boxes in the pair's unit, where no product underflows, by the same closed form; the rest by a search.
+inline Depth depth_of_forms(const Form& a, const Form& b) noexcept {
+  if (!a.curved && !b.curved) {
+    const PlacedPair pair = place(a, b);
+    const auto in_unit = box_box_depth(box_pair(pair));
+    if (in_unit.settled) return {in_unit.depth, {in_unit.x, in_unit.y}, pair.exponent};
+  }
+  return searched_depth(a, b);
+}
+
 template <class A, class B>
 std::int32_t depth_of_overlapping(const A& a, const B& b, Penetration<double>& out) noexcept {
   const Form f = support_minimum::form(a), g = support_minimum::form(b);
   if (!f.curved && !g.curved) {
     if (is_round<A> || is_round<B> ? depth_of_boxes_apart(f, g, out) : depth_of_boxes(f, g, out)) return 0;
   }
-  const Depth d = searched_depth(f, g);
+  Depth d;
+  if constexpr (is_disc<A> && is_disc<B>) {
+    d = disc_disc_depth(as_circle(a), as_circle(b));
+  } else {
+    d = depth_of_forms(f, g);
+  }
   Penetration<double> result{0, d.direction.x + 0.0, d.direction.y + 0.0};  // no -0
-  if (d.value > surely_positive || !has_no_depth_exactly(a, b)) {
-    result.depth = std::fmax(arithmetic::scale(d.value, d.exponent), std::numeric_limits<double>::denorm_min());
+  if (d.value.high > surely_positive || !has_no_depth_exactly(a, b)) {
+    result.depth = above_zero(arithmetic::scale_rounded(d.value.high, d.value.low, d.exponent));
   }
   if (!all_finite(result.depth)) return error_range;
   out = result;
@@ -97,7 +116,8 @@ inline Penetration<double> turned_round(const Penetration<double>& p) noexcept {
 
 /// Rounds once. A depth that is not 0 stays so. Returns false where it would exceed the finite numbers.
 inline bool rounded_to(const Penetration<double>& p, Penetration<float>& out) noexcept {
-  Penetration<float> r{static_cast<float>(p.depth), static_cast<float>(p.x), static_cast<float>(p.y)};
+  // A component that rounds to 0 loses its sign.
+  Penetration<float> r{static_cast<float>(p.depth), static_cast<float>(p.x) + 0.0f, static_cast<float>(p.y) + 0.0f};
   if (p.depth > 0 && r.depth == 0) r.depth = std::numeric_limits<float>::denorm_min();
   if (!all_finite(r.depth)) return false;
   out = r;

@@ -31,6 +31,11 @@ struct ClosestPoints {
 
 namespace detail::nearest {
 
+inline double scaled_distance(const Twofold<double>& distance, int exponent) noexcept {
+  const Twofold<double> d = renormalised(distance);
+  return arithmetic::scale_rounded(d.high, d.low, exponent);
+}
+
 /// Any disjoint pair. steps: how many its search took, which tests look at.
 template <class A, class B>
 ClosestPoints<double> disjoint_points(const A& a, const B& b, int& steps) noexcept {
@@ -38,7 +43,7 @@ ClosestPoints<double> disjoint_points(const A& a, const B& b, int& steps) noexce
   const Closest c = closest(p, steps);
   const Located first = located(a, p.a, c.a, p.exponent), second = located(b, p.b, c.b, p.exponent);
   const Located on_a = located_beside(a, p.a, c.a, first, second), on_b = located_beside(b, p.b, c.b, second, first);
-  const double distance = arithmetic::scale_far(rounded(c.distance), p.exponent);
+  const double distance = scaled_distance(c.distance, p.exponent);
   return {distance, on_a.x, on_a.y, on_b.x, on_b.y};
 }
 
@@ -59,7 +64,9 @@ VESICA_COLD ClosestPoints<double> common_points(const A& a, const B& b) noexcept
     const Common c = common_point(p);
     common = c.of_a ? located(a, p.a, c.contact, p.exponent) : located(b, p.b, c.contact, p.exponent);
   }
-  return {0, common.x, common.y, common.x, common.y};
+  // Shapes at one place may differ by the sign of a zero, which must not tell which of them was called the first.
+  const double x = common.x + 0.0, y = common.y + 0.0;
+  return {0, x, y, x, y};
 }
 
 template <class A, class B>

@@ -99,6 +99,18 @@ VESICA_INLINE FastDoubleDouble<V> root(const FastDoubleDouble<V>& a) noexcept {
   return FastDoubleDouble<V>::renormalised(guess, rest / ((guess + guess) + V(0x1p-1000)));
 }
 
+/// a / sqrt(square) for square > 0, to twice the precision: the rounded quotient, and what it leaves over. With one root
+/// and one division it costs little more than the rounded quotient alone.
+template <class V>
+VESICA_INLINE FastDoubleDouble<V> quotient_by_root(const FastDoubleDouble<V>& a,
+                                                   const FastDoubleDouble<V>& square) noexcept {
+  const V length = sqrt(square.high), inverse = V(1.0) / length, quotient = a.high * inverse;
+  const Pair<V> squared = FastRules::exact_product(length, length), back = FastRules::exact_product(quotient, length);
+  const V missing = ((square.high - squared.high) + (square.low - squared.low)) * (V(0.5) * inverse);
+  const V rest = ((a.high - back.high) - back.low) + (a.low - quotient * missing);
+  return FastDoubleDouble<V>::renormalised(quotient, rest * inverse);
+}
+
 /// Its functions are not forced inline: the formulas that use them are long and run once a call.
 struct AccurateRules {
   using Number = DoubleDouble<double, AccurateRules>;

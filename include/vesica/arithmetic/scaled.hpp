@@ -38,4 +38,14 @@ inline int exponent_of(double x) noexcept {
   return exponent;
 }
 
+/// (high + low) * 2^exponent, rounded once also where the result is subnormal. high is the double nearest to the sum.
+inline double scale_rounded(double high, double low, int exponent) noexcept {
+  if (exponent_of(high) + exponent >= -1021) return scale_far(high, exponent);
+  const double quanta = scale_far(high, exponent + 1074), left = scale_far(low, exponent + 1074);
+  const double whole = (quanta + 0x1.8p52) - 0x1.8p52, rest = (quanta - whole) + left;
+  const bool odd = std::fmod(whole, 2.0) != 0;
+  const double up = rest > 0.5 || (rest == 0.5 && odd) ? 1 : 0, down = rest < -0.5 || (rest == -0.5 && odd) ? 1 : 0;
+  return scale_far(whole + (up - down), -1074);
+}
+
 }  // namespace vesica::detail::arithmetic

@@ -13,7 +13,8 @@ using namespace support_minimum;
 template <class V>
 struct NestedBoxes {
   using Mask = decltype(V() < V());
-  V distance, outer_x, outer_y, inner_x, inner_y;
+  FastDoubleDouble<V> distance;
+  V outer_x, outer_y, inner_x, inner_y;
   Mask settled;
 };
 
@@ -43,7 +44,8 @@ VESICA_INLINE NestedBoxes<V> nested_boxes(const BoxPair<V>& p) noexcept {
   // Its foot on the face, by the place along the face in units of the axis.
   const V level = (nx * (p.d.y.high + y) - ny * (p.d.x.high + x)) / (nx * nx + ny * ny);
   const V place = limited(level, select(take_across, along.own, across.own));
-  const auto clear = found.value > V(0x1p-46) * size_of(p);
+  const V size = size_of(p);
+  const auto clear = both(found.value.high > V(0x1p-46) * size, large_enough(size));
   return {found.value,
           zero + (face.own * nx - place * ny),
           zero + (face.own * ny + place * nx),

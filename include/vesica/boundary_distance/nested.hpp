@@ -10,7 +10,7 @@ using namespace support_minimum;
 
 /// In units of 2^exponent: the distance, and the closest points as seen from the centres of their shapes.
 struct Nested {
-  double distance;
+  FastDoubleDouble<double> distance;
   PlaneVector outer, inner;
   int exponent;
 };
@@ -46,7 +46,8 @@ inline Nested nested_distance(const Form& outer, const Form& inner) noexcept {
   const PlaneVector q = furthest(objective.second, at.n) + at.radius2 * along;
   const PlaneVector p = objective.first.curved ? furthest(objective.first, at.n) + at.radius1 * along
                                                : foot_on_face(objective.first, at.n, frame.offset() + q);
-  return {frame.value(at.n, -1) + 0.5 * at.slope * turn, frame.world(p), frame.world(q), pair.exponent};
+  const FastDoubleDouble<double> distance = frame.value(at.n, -1) + FastDoubleDouble<double>(0.5 * at.slope * turn);
+  return {distance, frame.world(p), frame.world(q), pair.exponent};
 }
 
 }  // namespace vesica::detail::boundary_distance

@@ -13,7 +13,8 @@ using namespace support_minimum;
 template <class V>
 struct BoxDepth {
   using Mask = decltype(V() < V());
-  V depth, x, y;
+  FastDoubleDouble<V> depth;
+  V x, y;
   Mask settled;
 };
 
@@ -56,7 +57,8 @@ VESICA_INLINE BoxDepth<V> box_box_depth(const BoxPair<V>& given) noexcept {
   const V length = sqrt(face.x * face.x + face.y * face.y);
   // Towards the second box; where the centres lie level, the first in order counts as below the other.
   const V level = select(exchange, -one, one), side = select(best.offset == zero, level, best.offset);
-  const auto clear = best.value > V(least_settled_depth) * size_of(given);
+  const V size = size_of(given);
+  const auto clear = both(best.value.high > V(least_settled_depth) * size, large_enough(size));
   return {best.value, zero + flip_sign(face.x / length, side), zero + flip_sign(face.y / length, side),
           both(in_range(given), clear)};
 }

@@ -2,19 +2,13 @@
 /// How deep two shapes of any form overlap, by a search over all directions (support_minimum/arc_search.hpp).
 #pragma once
 
+#include <vesica/depth/disc_disc.hpp>
 #include <vesica/support_minimum/frame.hpp>
 #include <vesica/support_minimum/order.hpp>
 
 namespace vesica::detail::depth {
 
 using namespace support_minimum;
-
-/// In units of 2^exponent; the unit vector along which the second shape is to be moved.
-struct Depth {
-  double value;
-  PlaneVector direction;
-  int exponent;
-};
 
 /// The least over all n of h1(n) + h2(n) - n.D: how far the second shape must move along n until n separates the two.
 /// Rounding may make it slightly negative. For disjoint shapes it is negative.

@@ -53,6 +53,7 @@ struct BoxEllipse {
   Spot<V> spot;
   V bx, by, nx, ny;
   MaskOf<V> settled;
+  V doubt = V(0.0);  ///< as of ClosestOffsets
 };
 
 /// The distance of an ellipse from one feature of a box; d from the box's centre to the ellipse's. The ellipse may not
@@ -98,7 +99,8 @@ VESICA_INLINE BoxEllipse<V> feature_ellipse(const Box<V>& box, const Axes<V>& e,
           found.by,
           found.nx,
           found.ny,
-          both(found.settled, ended)};
+          both(found.settled, ended),
+          found.doubt};
 }
 
 /// The distance between a box and an ellipse that are disjoint; d from the box's centre to the ellipse's.

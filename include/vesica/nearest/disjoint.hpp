@@ -6,6 +6,7 @@
 #include <vesica/nearest/box_ellipse.hpp>
 #include <vesica/nearest/ellipse_ellipse.hpp>
 #include <vesica/nearest/placed.hpp>
+#include <vesica/nearest/polish.hpp>
 
 namespace vesica::detail::nearest {
 
@@ -81,10 +82,15 @@ inline BoxEllipse<double> box_ellipse_by_features(const Box<double>& box, const 
   return best;
 }
 
+/// radius: of the circle that the box stands for, which takes so much from the distance.
 inline Closest closest_box_ellipse(const Box<double>& box, const Axes<double>& e, const Vector<double>& d, double size,
-                                   int& steps) noexcept {
+                                   double radius, int& steps) noexcept {
   BoxEllipse<double> found = box_ellipse(box, e, d, size, steps);
   if (!found.settled) found = box_ellipse_by_features(box, e, d, size, steps);
+  if (rounded(found.distance) - radius < found.doubt) {
+    const Vector<double> corner = vertex(box, std::copysign(1.0, found.spot.s), std::copysign(1.0, found.spot.t));
+    found.distance = polished_distance(renormalised(d - corner), {found.nx, found.ny}, nullptr, e);
+  }
   return {found.distance, on_box(box, found.spot), on_ellipse(found.bx, found.by), found.nx, found.ny};
 }
 
@@ -99,6 +105,7 @@ inline Closest closest_ellipses(const Axes<double>& a, const Axes<double>& b, co
                                 int& steps) noexcept {
   ClosestOffsets<double> found = ellipse_ellipse(a, b, d, size, steps);
   if (!found.settled) found = ellipse_ellipse_by_halving(a, b, d, size);
+  if (rounded(found.distance) < found.doubt) found.distance = polished_distance(d, {found.nx, found.ny}, &a, b);
   return {found.distance, on_ellipse(found.ax, found.ay), on_ellipse(found.bx, found.by), found.nx, found.ny};
 }
 
@@ -106,9 +113,9 @@ inline Closest exchanged(const Closest& c) noexcept { return {c.distance, c.b, c
 
 inline Closest closest_of_forms(const PlacedPair& p, int& steps) noexcept {
   if (!p.a.curved && !p.b.curved) return closest_boxes(p.a.box, p.b.box, p.d);
-  if (!p.a.curved) return closest_box_ellipse(p.a.box, p.b.axes(), p.d, p.size, steps);
+  if (!p.a.curved) return closest_box_ellipse(p.a.box, p.b.axes(), p.d, p.size, p.a.radius, steps);
   if (!p.b.curved) {
-    return exchanged(closest_box_ellipse(p.b.box, p.a.axes(), flipped(p.d, -1.0), p.size, steps));
+    return exchanged(closest_box_ellipse(p.b.box, p.a.axes(), flipped(p.d, -1.0), p.size, p.b.radius, steps));
   }
   return closest_ellipses(p.a.axes(), p.b.axes(), p.d, p.size, steps);
 }

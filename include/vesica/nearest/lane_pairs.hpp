@@ -92,7 +92,8 @@ VESICA_INLINE LaneAnswer<V> common_centre(const A& a, const B& b, const Vector<V
   const V zero(0.0);
   const auto in_a = holds(a, d), in_b = holds(b, d),
              take_a = and_not(in_b, and_not(in_a, in_order(d.x.high, d.y.high)));
-  const V x = select(take_a, a.cx, b.cx), y = select(take_a, a.cy, b.cy);
+  // Centres that differ by the sign of a zero only are one place: it loses that sign.
+  const V x = zero + select(take_a, a.cx, b.cx), y = zero + select(take_a, a.cy, b.cy);
   return {zero, x, y, x, y, either(in_a, in_b)};
 }
 
@@ -109,9 +110,9 @@ VESICA_INLINE LaneAnswer<V> choose(MaskOf<V> m, const LaneAnswer<V>& yes, const 
 /// Offsets from centres to places.
 template <class A, class B, class V>
 VESICA_INLINE LaneAnswer<V> located(const A& a, const B& b, const Twofold<V>& distance, V ax, V ay, V bx, V by,
-                                    MaskOf<V> settled) noexcept {
+                                    MaskOf<V> settled, V doubt = V(0.0)) noexcept {
   const V least = rounded(distance);
-  return {least, a.cx + ax, a.cy + ay, b.cx + bx, b.cy + by, both(settled, least > V(0.0))};
+  return {least, a.cx + ax, a.cy + ay, b.cx + bx, b.cy + by, both(settled, both(least > V(0.0), least >= doubt))};
 }
 
 template <class V>
@@ -126,21 +127,21 @@ VESICA_INLINE LaneAnswer<V> apart(const Rect<V>& a, const Ellipse<V>& b, const V
   const V size = ((a.hx + a.hy) + (b.a + b.b)) + (abs(d.x.high) + abs(d.y.high));
   const BoxEllipse<V> f = box_ellipse(box(a), axes(b), d, size, steps);
   return located(a, b, f.distance, f.spot.s * a.ux - f.spot.t * a.uy, f.spot.s * a.uy + f.spot.t * a.ux, f.bx, f.by,
-                 f.settled);
+                 f.settled, f.doubt);
 }
 template <class V>
 VESICA_INLINE LaneAnswer<V> apart(const Circle<V>& a, const Ellipse<V>& b, const Vector<V>& d) noexcept {
   int steps;
   const V size = (a.r + (b.a + b.b)) + (abs(d.x.high) + abs(d.y.high));
   const ClosestOffsets<V> f = circle_ellipse(a.r, axes(b), d, size, steps);
-  return located(a, b, f.distance, f.ax, f.ay, f.bx, f.by, f.settled);
+  return located(a, b, f.distance, f.ax, f.ay, f.bx, f.by, f.settled, f.doubt);
 }
 template <class V>
 VESICA_INLINE LaneAnswer<V> apart(const Ellipse<V>& a, const Ellipse<V>& b, const Vector<V>& d) noexcept {
   int steps;
   const V size = ((a.a + a.b) + (b.a + b.b)) + (abs(d.x.high) + abs(d.y.high));
   const ClosestOffsets<V> f = ellipse_ellipse(axes(a), axes(b), d, size, steps);
-  return located(a, b, f.distance, f.ax, f.ay, f.bx, f.by, f.settled);
+  return located(a, b, f.distance, f.ax, f.ay, f.bx, f.by, f.settled, f.doubt);
 }
 
 template <class V>

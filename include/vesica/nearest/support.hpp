@@ -80,13 +80,19 @@ VESICA_INLINE Support<V> no_support() noexcept {
 
 /// The result for two disjoint shapes: the distance, the closest points as offsets from the shapes' own centres, and
 /// the unit vector from a to b. `settled` tells whether the search converged; if not, the rest means nothing. Of shapes
-/// that are nearly in contact the distance may be 0 or below, by less than some 2^-100 of their size.
+/// that are nearly in contact the distance may be 0 or below, by less than some 2^-100 of their size. Of disjoint shapes a distance
+/// of at least `doubt` is right to 2u of itself.
 template <class V>
 struct ClosestOffsets {
   Twofold<V> distance;
   V ax, ay, bx, by, nx, ny;
   MaskOf<V> settled;
+  V doubt = V(0.0);
 };
+
+/// A distance below the rounding of the last step's slope, times that step, is not right to 2u of itself: this many u of
+/// the size of its terms are allowed for in the slope.
+inline constexpr double slope_rounding = 8;
 
 /// A search has converged where the slope left is below this share of the size of its terms.
 inline constexpr double settled_slope = 0x1p-46;
@@ -116,7 +122,8 @@ VESICA_INLINE ClosestOffsets<V> separation(const Vector<V>& d, const Normal<V, F
           -(b.y + move_b * n.unit.x),
           n.unit.x - turn * n.unit.y,
           n.unit.y + turn * n.unit.x,
-          converged};
+          converged,
+          V(slope_rounding) * (abs(turn) * size)};
 }
 
 }  // namespace vesica::detail::nearest

@@ -40,7 +40,8 @@ VESICA_INLINE V rough_reach(const Face<V>& f, const Axes<V>& other, const Double
 /// The same to twice the precision, and n.D |N|, whose sign tells on which side of the first box the second lies.
 template <class V>
 struct Reach {
-  V value, offset;
+  FastDoubleDouble<V> value;
+  V offset;
 };
 
 template <class V>
@@ -50,7 +51,7 @@ VESICA_INLINE Reach<V> reach(const Face<V>& f, const Axes<V>& other, const Doubl
   const FastDoubleDouble<V> along = magnitude(dot(f.x, f.y, other.ux, other.uy)) * other.a;
   const FastDoubleDouble<V> across = magnitude(cross(f.x, f.y, other.ux, other.uy)) * other.b;
   const FastDoubleDouble<V> all = (nn * f.own + (along + across) * sign) - magnitude(apart);
-  return {rounded(all) / sqrt(rounded(nn)), rounded(apart)};
+  return {quotient_by_root(all, nn), rounded(apart)};
 }
 
 template <class V>
@@ -85,6 +86,12 @@ VESICA_INLINE auto in_range(const BoxPair<V>& p) noexcept {
   using namespace lane;
   const auto offset = abs(p.d.x.high) + abs(p.d.y.high) <= V(0x1p200);
   return both(both(in_range(p.first), in_range(p.second)), offset);
+}
+
+/// Whether nothing underflows either: a product of the pair's numbers keeps its low digits.
+template <class V>
+VESICA_INLINE auto large_enough(V size) noexcept {
+  return size >= V(0x1p-400);
 }
 
 /// All of a box's half extents and the offset, together: at least the scale that error bounds speak of.

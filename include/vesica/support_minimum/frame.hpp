@@ -28,14 +28,14 @@ class Frame {
     return {first, second, sign, -offset(), 0x1p-54};
   }
 
-  /// F(n) for a direction of about unit length. Right to 2u of itself and 2^-100.
-  double value(const PlaneVector& n, double sign) const noexcept {
+  /// F(n) for a direction of about unit length. Right to 2^-98; its terms may cancel.
+  FastDoubleDouble<double> value(const PlaneVector& n, double sign) const noexcept {
     const FastDoubleDouble<double> first = uu_ * height(pair_.first, {{n.x, 0}, {n.y, 0}});
     const FastDoubleDouble<double> second =
         height(pair_.second, {support_minimum::dot(n.x, n.y, axis_), -support_minimum::cross(n.x, n.y, axis_)});
     const FastDoubleDouble<double> all =
         (first + (sign < 0 ? -second : second)) - support_minimum::dot(n.x, n.y, offset_);
-    return rounded(all) / lane::sqrt(rounded(uu_ * support_minimum::dot(n.x, n.y, n.x, n.y)));
+    return quotient_by_root(all, uu_ * support_minimum::dot(n.x, n.y, n.x, n.y));
   }
 
   /// The first shape where the frame's unit is the length of its own axis.

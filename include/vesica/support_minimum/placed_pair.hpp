@@ -131,6 +131,12 @@ inline BoxPair<double> box_pair(const Form& a, const Form& b) noexcept {
           {{0.5 * twice.x.high, 0.5 * twice.x.low}, {0.5 * twice.y.high, 0.5 * twice.y.low}}};
 }
 
+/// Two boxes in the pair's unit.
+inline BoxPair<double> box_pair(const PlacedPair& p) noexcept {
+  const auto axes_of = [](const PlacedShape& s) { return Axes<double>{s.u.x, s.u.y, s.a, s.b}; };
+  return {axes_of(p.first), axes_of(p.second), p.d};
+}
+
 /// (from + to) / 2 + offset, rounded once; what is halved last may be subnormal, first where it might overflow.
 inline double located_coordinate(double from, double to, double offset) noexcept {
   const bool large = lane::abs(from) + lane::abs(to) + lane::abs(offset) >= 0x1p1020;

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The distance along a direction that rounding has left too far from the best one: nearly touching shapes, of which
+/// one bends sharply where they are closest. There the last step of Newton's method is so long that its own rounding
+/// shows in the distance. Here that step is computed to twice the precision.
+#pragma once
+
+#include <vesica/nearest/direction.hpp>
+
+namespace vesica::detail::nearest {
+
+/// The support point and the height |N| h along N, each to some 2^-100 of the ellipse's size.
+struct FineSupport {
+  Vector<double> point;
+  Twofold<double> height;
+  double curvature;
+};
+
+inline FineSupport fine_support(const Axes<double>& e, const VectorFactor<Factor<double>>& n) noexcept {
+  const VectorFactor<Factor<double>> u = factor(e.ux, e.uy);
+  const Twofold<double> p = factor(e.a) * factor(dot(u, n)), q = factor(e.b) * factor(cross(u, n));
+  const Root<double> height = root(square(factor(p)) + square(factor(q)));
+  const auto scale = factor(inverse(height));
+  const auto s = factor(factor(e.a) * factor(renormalised(factor(p) * scale)));
+  const auto t = factor(factor(e.b) * factor(renormalised(factor(q) * scale)));
+  return {{s * u.x - t * u.y, s * u.y + t * u.x}, height.value, support(e, normal(n)).curvature};
+}
+
+inline FineSupport fine_support(const Axes<double>* e, const VectorFactor<Factor<double>>& n) noexcept {
+  return e == nullptr ? FineSupport{{{0, 0}, {0, 0}}, {0, 0}, 0} : fine_support(*e, n);
+}
+
+/// A turn below this moves the distance by less than the last place of any that is promised.
+inline constexpr double short_turn = 0x1p-50;
+
+/// The distance between two ellipses, or with a null pointer from a point to an ellipse; d from the first centre to the
+/// second, n near the direction from the first to the second.
+inline Twofold<double> polished_distance(const Vector<double>& d, Direction<double> n, const Axes<double>* a,
+                                         const Axes<double>& b) noexcept {
+  for (int round = 0;; ++round) {
+    const auto vector = factor(n.x, n.y);
+    const auto normal_of = normal(vector);
+    const FineSupport sa = fine_support(a, vector), sb = fine_support(&b, vector);
+    const Vector<double> gap = renormalised(d - (sa.point + sb.point));
+    const double slope = rounded(cross(vector, factor(gap))) / normal_of.length;
+    const double along = rounded(dot(vector, factor(gap))) / normal_of.length;
+    const double bend = along + (sa.curvature + sb.curvature), turn = bend > 0 ? slope / bend : 0.0;
+    if (round == 3 || abs(turn) <= short_turn) {
+      const Twofold<double> phi =
+          factor(dot(vector, factor(d)) - (sa.height + sb.height)) * factor(normal_of.inverse_length);
+      return {phi.high, phi.low + 0.5 * (slope * turn)};
+    }
+    n = turned(n, turn);
+  }
+}
+
+}  // namespace vesica::detail::nearest
