@@ -29,8 +29,9 @@ PeerJoin join(const std::vector<RectRecord>& a, const std::vector<RectRecord>& b
   const double built = seconds();
   std::int64_t pairs = 0;
   for (const std::uint32_t i : hilbert_order(a)) {
-    tree.query(bg::index::intersects(box(box_of(a[i]))),
-               boost::make_function_output_iterator([&](const Value& v) { pairs += overlap_naively(a[i], b[v.second]); }));
+    tree.query(bg::index::intersects(box(box_of(a[i]))), boost::make_function_output_iterator([&](const Value& v) {
+                 pairs += overlap_naively(a[i], b[v.second]);
+               }));
   }
   return {built - begin, seconds() - built, pairs};
 }

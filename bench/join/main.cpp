@@ -18,7 +18,8 @@ namespace {
 using namespace vesica::bench;
 
 struct Memory {
-  explicit Memory(std::int64_t bytes) : size((bytes + 63) / 64 * 64), data(std::aligned_alloc(64, static_cast<std::size_t>(size))) {}
+  explicit Memory(std::int64_t bytes)
+      : size((bytes + 63) / 64 * 64), data(std::aligned_alloc(64, static_cast<std::size_t>(size))) {}
   ~Memory() { std::free(data); }
   Memory(const Memory&) = delete;
   Memory& operator=(const Memory&) = delete;
@@ -38,7 +39,8 @@ std::vector<RectRecord> draw(const std::string& workload, std::int64_t n, std::u
 
 vesica_shapes_f64 view(const std::vector<RectRecord>& shapes) {
   vesica_shapes_f64 out;
-  vesica_shapes_from_records_f64(VESICA_RECT, static_cast<std::int64_t>(shapes.size()), shapes.data(), sizeof(RectRecord), &out);
+  vesica_shapes_from_records_f64(VESICA_RECT, static_cast<std::int64_t>(shapes.size()), shapes.data(),
+                                 sizeof(RectRecord), &out);
   return out;
 }
 
@@ -58,21 +60,22 @@ void build(const vesica_shapes_f64& set, const Memory& index, const Memory& scra
   }
 }
 
-Times run(const vesica_shapes_f64& a, const vesica_shapes_f64& b, const Memory& index_a, const Memory& index_b, const Memory& scratch,
-          const Memory& join_scratch, std::vector<std::int64_t>& out) {
+Times run(const vesica_shapes_f64& a, const vesica_shapes_f64& b, const Memory& index_a, const Memory& index_b,
+          const Memory& scratch, const Memory& join_scratch, std::vector<std::int64_t>& out) {
   Times times;
   build(a, index_a, scratch, times);
   build(b, index_b, scratch, times);
   double begin = seconds();
-  times.candidate_count = vesica_join_f64(VESICA_JOIN_BOUNDS, index_a.data, nullptr, 0, index_b.data, nullptr, 0, 0, 1, join_scratch.data,
-                                          join_scratch.size, nullptr, nullptr, 0, nullptr);
+  times.candidate_count = vesica_join_f64(VESICA_JOIN_BOUNDS, index_a.data, nullptr, 0, index_b.data, nullptr, 0, 0, 1,
+                                          join_scratch.data, join_scratch.size, nullptr, nullptr, 0, nullptr);
   times.candidates = seconds() - begin;
   begin = seconds();
   std::int64_t state[4] = {0, 0, 0, 0};
   const auto capacity = static_cast<std::int64_t>(out.size() / 2);
   while (state[0] != -1) {
-    times.pairs += vesica_join_f64(VESICA_JOIN_OVERLAP, index_a.data, &a, 1, index_b.data, &b, 1, 0, 1, join_scratch.data,
-                                   join_scratch.size, out.data(), out.data() + capacity, capacity, state);
+    times.pairs +=
+        vesica_join_f64(VESICA_JOIN_OVERLAP, index_a.data, &a, 1, index_b.data, &b, 1, 0, 1, join_scratch.data,
+                        join_scratch.size, out.data(), out.data() + capacity, capacity, state);
   }
   times.join = seconds() - begin;
   return times;
@@ -90,17 +93,20 @@ void report(const std::string& workload, std::int64_t n, int repeats, bool with_
     if (i == 0 || t.total() < best.total()) best = t;
   }
   const double each = 1e9 / (2.0 * static_cast<double>(n));
-  std::printf("%-16s %7.1f ns/shape: plan %.1f bin %.1f place %.1f finish %.1f rest %.1f | candidates %.1f decide %.1f (%.1f ns each) | "
-              "%lld candidates %lld pairs, %.2f B/shape",
-              workload.c_str(), best.total() * each, best.step[0] * each, best.step[1] * each, best.step[2] * each, best.step[3] * each,
-              best.step[4] * each, best.candidates * each, (best.join - best.candidates) * each,
-              (best.join - best.candidates) * 1e9 / static_cast<double>(std::max<std::int64_t>(1, best.candidate_count)),
-              static_cast<long long>(best.candidate_count), static_cast<long long>(best.pairs),
-              static_cast<double>(best.bytes) / static_cast<double>(n));
+  std::printf(
+      "%-16s %7.1f ns/shape: plan %.1f bin %.1f place %.1f finish %.1f rest %.1f | candidates %.1f decide %.1f (%.1f "
+      "ns each) | "
+      "%lld candidates %lld pairs, %.2f B/shape",
+      workload.c_str(), best.total() * each, best.step[0] * each, best.step[1] * each, best.step[2] * each,
+      best.step[3] * each, best.step[4] * each, best.candidates * each, (best.join - best.candidates) * each,
+      (best.join - best.candidates) * 1e9 / static_cast<double>(std::max<std::int64_t>(1, best.candidate_count)),
+      static_cast<long long>(best.candidate_count), static_cast<long long>(best.pairs),
+      static_cast<double>(best.bytes) / static_cast<double>(n));
   for (const Peer& peer : peers()) {
     if (!with_peers) break;
     const PeerJoin p = peer.join(shapes_a, shapes_b);
-    std::printf(" | %s x%.1f (build x%.1f)", peer.name.c_str(), (p.build + p.join) / best.total(), 2 * p.build / best.build());
+    std::printf(" | %s x%.1f (build x%.1f)", peer.name.c_str(), (p.build + p.join) / best.total(),
+                2 * p.build / best.build());
   }
   std::printf("\n");
   std::fflush(stdout);
@@ -143,8 +149,11 @@ int main(int argc, char** argv) {
   std::vector<std::string> names(argv + std::min(argc, 3), argv + argc);
   const bool all = names.empty();
   // Nearly all pairs of the whole range overlap: no join for a bench.
-  if (all) std::ranges::copy_if(index_tests::rect_workloads(), std::back_inserter(names), [](const auto& name) { return name != "whole_range"; });
-  std::printf("%s, %lld shapes a side, least of %d; peers' time over the library's\n", vesica_isa_name(), static_cast<long long>(n), repeats);
+  if (all)
+    std::ranges::copy_if(index_tests::rect_workloads(), std::back_inserter(names),
+                         [](const auto& name) { return name != "whole_range"; });
+  std::printf("%s, %lld shapes a side, least of %d; peers' time over the library's\n", vesica_isa_name(),
+              static_cast<long long>(n), repeats);
   for (const std::string& name : names) report(name, n, repeats, std::getenv("VESICA_BENCH_ALONE") == nullptr);
   if (all) {
     report_windows(n, 0, 100000);

@@ -55,12 +55,14 @@ struct Change {
 /// product that underflows to 0 from below is in column -1.
 inline double grid_floor(double v, double scale) noexcept {
   constexpr double limit = 0x1p51, rounder = 0x1.8p52;
+  // Plain selections, each of one comparison: so loops over this become vectors.
   double t = v * scale;
   t = t > limit ? limit : t;
   t = t < -limit ? -limit : t;
-  double r = (t + rounder) - rounder;
-  r = r > t ? r - 1 : r;
-  return (t == 0) & (v < 0) ? -1 : r;
+  const double nearest = (t + rounder) - rounder;
+  const double above = nearest > t ? 1 : 0, below_zero = v < 0 ? -1 : 0;
+  const double floor = nearest - above;
+  return t == 0 ? below_zero : floor;
 }
 
 /// A box of doubles in a grid's columns. Low ends are at least 1 and high ends at most 65534, so that neither lanes

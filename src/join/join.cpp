@@ -186,18 +186,12 @@ class Runner {
   void decide_run(std::int32_t kind_a, std::int32_t kind_b, const std::uint32_t* a, const std::uint32_t* b,
                   std::int32_t n, std::uint8_t* out) noexcept {
     Scratch& s = scratch_;
-    constexpr int ahead = decided_at_once;
-    const auto length = [n](std::int32_t i) { return n - i < ahead ? n - i : ahead; };
-    prefetch(*join_.a.sets, a, length(0));
-    prefetch(*join_.b.sets, b, length(0));
-    for (std::int32_t i = 0; i < n; i += ahead) {
-      if (i + ahead < n) {
-        prefetch(*join_.a.sets, a + i + ahead, length(i + ahead));
-        prefetch(*join_.b.sets, b + i + ahead, length(i + ahead));
-      }
+    constexpr int most = decided_at_once;
+    const auto length = [n](std::int32_t i) { return n - i < most ? n - i : most; };
+    for (std::int32_t i = 0; i < n; i += most) {
       const int m = length(i);
-      gather_columns(*join_.a.sets, kind_a, a + i, m, s.columns_a);
-      gather_columns(*join_.b.sets, kind_b, b + i, m, s.columns_b);
+      gather_columns(*join_.a.sets, kind_a, a + i, m, n - i - m, s.columns_a);
+      gather_columns(*join_.b.sets, kind_b, b + i, m, n - i - m, s.columns_b);
       if (join_.reversed) {
         join_.decide(kind_b, s.columns_b.field, m, kind_a, s.columns_a.field, m, out + i);
       } else {

@@ -58,7 +58,7 @@ class Selector {
     one_.begin();
     many_.begin();
     const std::uint32_t zero = 0;
-    gather_columns(selection_.one, selection_.one.set[0].kind, &zero, 1, one_);
+    gather_columns(selection_.one, selection_.one.set[0].kind, &zero, 1, 0, one_);
   }
 
   void list_blocks() noexcept {
@@ -94,7 +94,7 @@ class Selector {
   void decide_run(std::int32_t kind, const std::uint32_t* item, std::int32_t n, std::uint8_t* out) noexcept {
     for (std::int32_t i = 0; i < n; i += decided_at_once) {
       const int m = n - i < decided_at_once ? n - i : decided_at_once;
-      gather_columns(*selection_.sets, kind, item + i, m, many_);
+      gather_columns(*selection_.sets, kind, item + i, m, n - i - m, many_);
       selection_.decide(selection_.one.set[0].kind, one_.field, 1, kind, many_.field, m, out + i);
     }
   }

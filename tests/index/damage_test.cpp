@@ -34,12 +34,12 @@ void query(const void* index, const Indexed<double>& whole) {
 }
 
 TEST(Damage, EveryByteOfAnIndex) {
-  const Indexed<double> whole(rects<double>("two_scales", 400, 1));
+  const Indexed<double> whole(rects<double>("two_scales", 120, 1));
   const Memory copy = copy_of(whole, whole.result);
   auto* bytes = static_cast<unsigned char*>(copy.get());
   std::int64_t refused = 0;
   for (std::int64_t i = 0; i < whole.result; ++i) {
-    for (const int flip : {0x01, 0x80, 0xff}) {
+    for (const int flip : {0x01, 0x80}) {
       const unsigned char was = bytes[i];
       bytes[i] = static_cast<unsigned char>(was ^ flip);
       if (vesica_index_check(copy.get(), copy.size) == 0) {
@@ -52,7 +52,7 @@ TEST(Damage, EveryByteOfAnIndex) {
       bytes[i] = was;
     }
     if (i < 256) {
-      ASSERT_EQ(refused, 3 * (i + 1)) << "a byte of the header";
+      ASSERT_EQ(refused, 2 * (i + 1)) << "a byte of the header";
     }
   }
   ASSERT_EQ(vesica_index_check(copy.get(), copy.size), 0);
