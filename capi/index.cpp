@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The index: its building, checking and reading.
 #include "index_arguments.hpp"
+#include "join/nearest.hpp"
 #include "join/select.hpp"
 
 namespace {
@@ -61,7 +62,7 @@ int64_t select(const void* from, const CShapesOf<T>* sets, int32_t set_count, co
   const index::Selection selection{index_kernels(), from, &items, single, sets == nullptr ? nullptr : decide};
   if (capacity > 0 && !index::selection_state_is_sound(selection, state)) return VESICA_E_ARGUMENT;
   double box[4];
-  if (!index::window_of(selection.kernels, single, box)) return VESICA_E_SHAPE;
+  if (!index::bounds_of_item(selection.kernels, single, 0, box)) return VESICA_E_SHAPE;
   return capacity == 0 ? index::count_selected(selection, box)
                        : index::write_selected(selection, box, out, capacity, state);
 }

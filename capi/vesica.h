@@ -1288,6 +1288,34 @@ VESICA_API int64_t vesica_join_f64(int32_t query, const void *index_a, const ves
                                    int64_t scratch_size, int64_t *out_a, int64_t *out_b, int64_t capacity,
                                    int64_t *state);
 
+/**
+ * The items of an index nearest to one shape, nearest first, by the distances of vesica_nearest; equal ones by number.
+ *
+ * sets: those the index was built from. one: a single shape. k: at most so many; out and distance: room for k each.
+ * within: at most so far, INFINITY for any distance: so k = the index's count and a distance gives all within it. What
+ * overlaps has distance exactly 0. An item whose distance is beyond the finite numbers is not found.
+ * Returns how many were found; with k = 0, when out and distance may be NULL, how many there are within the distance.
+ * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a count,
+ * within is negative or NaN, the sets are not the index's). Since 0.1.
+ */
+VESICA_API int64_t vesica_index_nearest_f64(const void *index, const vesica_shapes_f64 *sets, int32_t set_count,
+                                            const vesica_shapes_f64 *one, int64_t k, double within, int64_t *out,
+                                            double *distance);
+
+/**
+ * The same for each item of sets_a: row i, out[i * k] ... out[i * k + k - 1], holds the items of index_b nearest to item
+ * i, and then -1; distance the distances, and then infinity. k >= 1.
+ *
+ * part of parts: a run of items about equal in number; only its rows are written. Of one set with itself each item finds
+ * itself too, at distance 0: ask for one more.
+ * Returns how many were found. Rows of invalid items hold -1, every other one its right answer, and the call returns
+ * VESICA_E_SHAPE. Other errors as vesica_index_nearest_f64; then nothing is written. Since 0.1.
+ */
+VESICA_API int64_t vesica_join_nearest_f64(const vesica_shapes_f64 *sets_a, int32_t set_count_a, const void *index_b,
+                                           const vesica_shapes_f64 *sets_b, int32_t set_count_b, int64_t k,
+                                           double within, int64_t part, int64_t parts, int64_t *out,
+                                           double *distance);
+
 /* ---- float. ---- */
 
 /**
@@ -1351,6 +1379,34 @@ VESICA_API int64_t vesica_join_f32(int32_t query, const void *index_a, const ves
                                    int32_t set_count_b, int64_t part, int64_t parts, void *scratch,
                                    int64_t scratch_size, int64_t *out_a, int64_t *out_b, int64_t capacity,
                                    int64_t *state);
+
+/**
+ * The items of an index nearest to one shape, nearest first, by the distances of vesica_nearest; equal ones by number.
+ *
+ * sets: those the index was built from. one: a single shape. k: at most so many; out and distance: room for k each.
+ * within: at most so far, INFINITY for any distance: so k = the index's count and a distance gives all within it. What
+ * overlaps has distance exactly 0. An item whose distance is beyond the finite numbers is not found.
+ * Returns how many were found; with k = 0, when out and distance may be NULL, how many there are within the distance.
+ * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a count,
+ * within is negative or NaN, the sets are not the index's). Since 0.1.
+ */
+VESICA_API int64_t vesica_index_nearest_f32(const void *index, const vesica_shapes_f32 *sets, int32_t set_count,
+                                            const vesica_shapes_f32 *one, int64_t k, float within, int64_t *out,
+                                            float *distance);
+
+/**
+ * The same for each item of sets_a: row i, out[i * k] ... out[i * k + k - 1], holds the items of index_b nearest to item
+ * i, and then -1; distance the distances, and then infinity. k >= 1.
+ *
+ * part of parts: a run of items about equal in number; only its rows are written. Of one set with itself each item finds
+ * itself too, at distance 0: ask for one more.
+ * Returns how many were found. Rows of invalid items hold -1, every other one its right answer, and the call returns
+ * VESICA_E_SHAPE. Other errors as vesica_index_nearest_f32; then nothing is written. Since 0.1.
+ */
+VESICA_API int64_t vesica_join_nearest_f32(const vesica_shapes_f32 *sets_a, int32_t set_count_a, const void *index_b,
+                                           const vesica_shapes_f32 *sets_b, int32_t set_count_b, int64_t k,
+                                           float within, int64_t part, int64_t parts, int64_t *out,
+                                           float *distance);
 
 #ifdef __cplusplus
 }

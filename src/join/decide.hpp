@@ -117,8 +117,9 @@ void gather_columns(const Sets& sets, std::int32_t kind, const std::uint32_t* it
   }
 }
 
-inline void gather_columns(const Sets& sets, std::int32_t kind, const std::uint32_t* item, int n, int behind,
-                           Columns& out) noexcept {
+/// Not inlined: where few are gathered, compilers warn of the asking ahead, which does not happen there.
+[[gnu::noinline]] inline void gather_columns(const Sets& sets, std::int32_t kind, const std::uint32_t* item, int n,
+                                             int behind, Columns& out) noexcept {
   return sets.is_float ? gather_columns<float>(sets, kind, item, n, behind, out)
                        : gather_columns<double>(sets, kind, item, n, behind, out);
 }

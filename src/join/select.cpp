@@ -115,18 +115,6 @@ class Selector {
 
 }  // namespace
 
-bool window_of(const Kernels& kernels, const Sets& one, double (&box)[4]) noexcept {
-  Fields fields;
-  Boxes boxes;
-  load(one, one.set[0], 0, 1, fields);
-  kernels.bounds(one.set[0].kind, fields, 1, boxes);
-  box[0] = boxes.min_x[0];
-  box[1] = boxes.min_y[0];
-  box[2] = boxes.max_x[0];
-  box[3] = boxes.max_y[0];
-  return boxes.valid[0] == 1;
-}
-
 std::int64_t count_selected(const Selection& selection, const double (&box)[4]) noexcept {
   Selector selector(selection, box);
   std::int64_t found = 0;

@@ -17,9 +17,6 @@ struct Selection {
   Decide decide;     // null: boxes that meet
 };
 
-/// Whether the shape is valid; its bounds.
-bool window_of(const Kernels& kernels, const Sets& one, double (&box)[4]) noexcept;
-
 std::int64_t count_selected(const Selection& selection, const double (&box)[4]) noexcept;
 
 bool selection_state_is_sound(const Selection& selection, const std::int64_t* state) noexcept;
