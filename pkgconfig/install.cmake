@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 install(TARGETS vesica vesica_core EXPORT vesica-targets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(FILES ${PROJECT_SOURCE_DIR}/capi/vesica.h ${PROJECT_SOURCE_DIR}/capi/vesica_methods.h
+install(FILES ${PROJECT_SOURCE_DIR}/capi/vesica.h ${PROJECT_SOURCE_DIR}/capi/vesica_index.hpp ${PROJECT_SOURCE_DIR}/capi/vesica_methods.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/vesica DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 

@@ -123,6 +123,11 @@ TEST(CapiConstants, MacrosFunctionsAndValuesAgree) {
       {VESICA_E_ZERO_AXIS, vesica_e_zero_axis, -7},
       {VESICA_E_INVERTED, vesica_e_inverted, -8},
       {VESICA_E_RANGE, vesica_e_range, -9},
+      {VESICA_E_INDEX, vesica_e_index, -10},
+      {VESICA_JOIN_OVERLAP, vesica_join_overlap, 0},
+      {VESICA_JOIN_BOUNDS, vesica_join_bounds, 1},
+      {VESICA_JOIN_CONTAINS, vesica_join_contains, 2},
+      {VESICA_JOIN_INSIDE, vesica_join_inside, 3},
   };
   for (const Constant& constant : constants) {
     EXPECT_EQ(constant.macro, constant.value);
@@ -144,7 +149,7 @@ TEST(CapiConstants, Version) {
 
 TEST(CapiConstants, EveryErrorHasItsOwnWords) {
   std::set<std::string> phrases{"success", "unknown error"};
-  for (std::int32_t code = VESICA_E_RANGE; code <= VESICA_E_NULL; ++code) {
+  for (std::int32_t code = VESICA_E_INDEX; code <= VESICA_E_NULL; ++code) {
     const char* words = vesica_strerror(code);
     ASSERT_NE(words, nullptr) << code;
     const std::string phrase = words;
@@ -158,7 +163,7 @@ TEST(CapiConstants, EveryErrorHasItsOwnWords) {
 
 TEST(CapiConstants, AnswersAndUnknownCodesHaveWords) {
   for (std::int32_t code : {0, 1, 7, INT32_MAX}) EXPECT_STREQ(vesica_strerror(code), "success") << code;
-  for (std::int32_t code : {-10, -11, -1000, INT32_MIN}) EXPECT_STREQ(vesica_strerror(code), "unknown error") << code;
+  for (std::int32_t code : {-11, -12, -1000, INT32_MIN}) EXPECT_STREQ(vesica_strerror(code), "unknown error") << code;
 }
 
 TEST(CapiConstants, FieldCounts) {
