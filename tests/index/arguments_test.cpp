@@ -112,7 +112,7 @@ TYPED_TEST(ArgumentsTest, Join) {
   EXPECT_EQ(vesica_index_bounds(a.index.get(), &box), 0);
   EXPECT_EQ(vesica_index_order(a.index.get(), nullptr, 0), 1000);
   EXPECT_EQ(vesica_index_order(a.index.get(), nullptr, 1), VESICA_E_NULL);
-  EXPECT_STREQ(vesica_strerror(VESICA_E_INDEX), "the bytes are no index of this version, or damaged");
+  EXPECT_STREQ(vesica_strerror(VESICA_E_INDEX), "the bytes are not an index of this version, or are damaged");
 }
 
 }  // namespace
