@@ -135,8 +135,8 @@ VESICA_API int64_t vesica_index_build_f64(const vesica_shapes_f64 *sets, int32_t
  * time. All parts of a step must be done before the next step begins. All other arguments are the same in all calls.
  * Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build.
  * Returns: 0; at step 4 what vesica_index_build_f64 returns.
- * Errors: those of vesica_index_build_f64. VESICA_E_ARGUMENT also if step, part or parts is out of range, or the scratch
- * is not that of step 0.
+ * Errors: those of vesica_index_build_f64. VESICA_E_ARGUMENT also if step, part or parts is out of range, or if the
+ * scratch is not that of step 0.
  */
 VESICA_API int64_t vesica_index_step_f64(int32_t step, int64_t part, int64_t parts, const vesica_shapes_f64 *sets,
                                          int32_t set_count, void *index, int64_t index_size, void *scratch,

@@ -7,7 +7,10 @@
 #endif
 
 int main(void) {
-  const vesica_shapes_f64 none = {VESICA_CIRCLE, 0, 0, 0, {0, 0, 0, 0, 0, 0}};
-  if (vesica_index_size(none.count) <= 0) return 1;
-  return vesica_index_build_f64(&none, 1, 0, 0, 0, 0) != VESICA_E_NULL;
+  vesica_aabb_f64 bounds;
+  const double number = 0;
+  vesica_shapes_f64 one;
+  if (vesica_shapes_from_records_f64(VESICA_POINT, 0, &number, 0, &one) != 0) return 1;
+  if (vesica_index_size(one.count) <= 0) return 1;
+  return vesica_index_bounds(&number, &bounds) != VESICA_E_ARGUMENT;
 }
