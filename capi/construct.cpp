@@ -24,7 +24,8 @@ template <class T, class CShape>
 int32_t bounds(int32_t kind, const T* numbers, CShape* out) noexcept {
   if (out == nullptr) return VESICA_E_NULL;
   return construct<vesica::Aabb<T>>(out, [&](auto& box) {
-    return vesica::with_shape(kind, numbers, [&](const auto& shape) { return vesica::bounds(shape, box); });
+    return vesica::with_shape(kind, numbers,
+                              [&](const vesica::HasForm auto& shape) { return vesica::bounds(shape, box); });
   });
 }
 

@@ -37,7 +37,7 @@ int32_t nms(const vesica::capi::CShapesOf<T>* shapes, const T* scores, T thresho
   if (anything && (scores == nullptr || scratch == nullptr || keep == nullptr)) return VESICA_E_NULL;
   const int32_t error = capi::check_array(*shapes);
   if (error != 0) return error;
-  if (shapes->kind < VESICA_CIRCLE) return VESICA_E_KIND;
+  if (shapes->kind < VESICA_CIRCLE || shapes->kind > VESICA_ELLIPSE) return VESICA_E_KIND;
   if (anything && capi::has_null(*shapes)) return VESICA_E_NULL;
   const int64_t needed = nms_scratch(shapes->count);
   if (!(threshold >= 0 && threshold <= 1) || needed < 0) return VESICA_E_ARGUMENT;

@@ -11,7 +11,8 @@ template <class T>
 int32_t shape_area_by_kind(int32_t kind, const T* numbers, T* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(shape_area_by_kind<T>, kind, numbers, out);
   if (out == nullptr) return VESICA_E_NULL;
-  return vesica::with_shape(kind, numbers, [&](const auto& shape) { return vesica::shape_area_or_error(shape, *out); });
+  return vesica::with_shape(
+      kind, numbers, [&](const vesica::HasForm auto& shape) { return vesica::shape_area_or_error(shape, *out); });
 }
 
 }  // namespace

@@ -1,25 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-# The stems of files that exist once for each pair of shapes: VESICA_EACH_PAIR in include/vesica/each_shape.hpp, as names.
-# pairs_test compares the two lists.
-set(vesica_pairs
-  point_point
-  point_segment
-  point_circle
-  point_aabb
-  point_rect
-  point_ellipse
-  segment_segment
-  segment_circle
-  segment_aabb
-  segment_rect
-  segment_ellipse
-  circle_circle
-  circle_aabb
-  circle_rect
-  circle_ellipse
-  aabb_aabb
-  aabb_rect
-  aabb_ellipse
-  rect_rect
-  rect_ellipse
-  ellipse_ellipse)
+# Tests of pairs: overlap/<first>_<second>_test.cpp, or overlap/<second>_test.cpp for all pairs of one shape.
+# vesica_pair_tests(out): those of all pairs of VESICA_EACH_PAIR in include/vesica/each_shape.hpp.
+set(vesica_shapes_file ${CMAKE_CURRENT_LIST_DIR}/../include/vesica/each_shape.hpp)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${vesica_shapes_file})
+
+function(vesica_pair_tests out)
+  file(STRINGS ${vesica_shapes_file} lines REGEX "^  X\\([a-z]+, [A-Z][a-z]+, [a-z]+, [A-Z]")
+  foreach(line IN LISTS lines)
+    string(REGEX MATCH "X\\(([a-z]+), [A-Za-z]+, ([a-z]+)," match "${line}")
+    set(file overlap/${CMAKE_MATCH_1}_${CMAKE_MATCH_2}_test.cpp)
+    if(NOT EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+      set(file overlap/${CMAKE_MATCH_2}_test.cpp)
+    endif()
+    list(APPEND files ${file})
+  endforeach()
+  list(REMOVE_DUPLICATES files)
+  set(${out} ${files} PARENT_SCOPE)
+endfunction()

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "batch.hpp"
 
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+
 #include "columns.hpp"
 #include "query.hpp"
 
@@ -40,6 +44,7 @@ class RestOfBlock {
   BlockResult answer(BlockKernel<T> kernel, const Block<T>& block) const noexcept {
     const std::int32_t rest = block.count % width_;
     if (rest == 0) return kernel(block);
+    if (block.count < width_) return answer_rest(kernel, block, rest, {0, 0});
     Block<T> part = block;
     part.count = block.count - rest;
     const BlockResult result = kernel(part);
@@ -85,11 +90,26 @@ class RestOfBlock {
   }
 
   /// Lanes without an element repeat the first.
-  void copy(const T* (&field)[max_fields], int fields, std::int32_t rest, Copy& copied) const noexcept {
+  static void copy(const T* (&field)[max_fields], int fields, std::int32_t rest, Copy& copied) noexcept {
     for (int k = 0; k < fields; ++k) {
-      for (std::int32_t i = 0; i < width_; ++i) std::memcpy(&copied[k][i], field[k] + (i < rest ? i : 0), sizeof(T));
+      T first;
+      std::memcpy(&first, field[k], sizeof first);
+      std::fill_n(copied[k], widest, first);
+      copy_few(field[k], rest, copied[k]);
       field[k] = copied[k];
     }
+  }
+
+  /// 0 < n < 16 numbers: two moves of one size, of which the second may overlap the first, instead of a loop.
+  static void copy_few(const T* from, std::int32_t n, T* to) noexcept {
+    const auto move = [&]<std::int32_t size>(std::integral_constant<std::int32_t, size>) {
+      std::memcpy(to, from, size * sizeof(T));
+      std::memcpy(to + n - size, from + n - size, size * sizeof(T));
+    };
+    if (n >= 8) return move(std::integral_constant<std::int32_t, 8>{});
+    if (n >= 4) return move(std::integral_constant<std::int32_t, 4>{});
+    if (n >= 2) return move(std::integral_constant<std::int32_t, 2>{});
+    move(std::integral_constant<std::int32_t, 1>{});
   }
 };
 

@@ -3,10 +3,19 @@
 #pragma once
 
 #include <cstring>
+#include <type_traits>
 #include <vesica/each_shape.hpp>
+#include <vesica/form/form.hpp>
 #include <vesica/shapes.hpp>
 
 namespace vesica {
+
+/// Every query answers shapes that have a form (form/form.hpp). A shape without one is answered by the queries that say
+/// so, and is an unknown kind to the others.
+template <class Shape>
+concept HasForm = requires(const Shape& shape) {
+  detail::form::of(shape);
+};
 
 inline bool is_kind(std::int32_t kind) noexcept { return kind >= 0 && kind < kind_count; }
 
@@ -19,6 +28,16 @@ Shape load(const void* numbers) noexcept {
   return shape;
 }
 
+/// action(shape), or error_kind for a shape that it does not take.
+template <class Shape, class Action>
+std::int32_t call_with(const void* numbers, Action& action) noexcept {
+  if constexpr (std::is_invocable_v<Action&, Shape>) {
+    return action(load<Shape>(numbers));
+  } else {
+    return error_kind;
+  }
+}
+
 /// Calls action with the shape that the kind and its numbers make.
 template <class T, class Action>
 std::int32_t with_shape(std::int32_t kind, const T* numbers, Action action) noexcept {
@@ -26,7 +45,7 @@ std::int32_t with_shape(std::int32_t kind, const T* numbers, Action action) noex
   switch (kind) {
 #define VESICA_CASE(name, Name)               \
   case static_cast<std::int32_t>(Kind::name): \
-    return action(load<Name<T>>(numbers));
+    return call_with<Name<T>>(numbers, action);
     VESICA_EACH_SHAPE(VESICA_CASE)
 #undef VESICA_CASE
     default:

@@ -2,11 +2,11 @@
 // From two kinds to the function that answers a query for that pair.
 #pragma once
 
-#include <cstring>
 #include <utility>
 #include <vesica/each_shape.hpp>
-#include <vesica/relation_code.hpp>
 #include <vesica/shapes.hpp>
+
+#include "by_kind.hpp"
 
 namespace vesica {
 
@@ -46,18 +46,28 @@ concept HasResult = requires {
   typename Query::template Result<T>;
 };
 
-/// Query::answer for shapes read in place: flat numbers are the core's shapes byte for byte. Never inlined, so that the
-/// code of a pair exists once.
+/// The pairs that a query answers: those of shapes with a form, unless it has an `answers` of its own.
+template <class Query, class A, class B>
+consteval bool answers() noexcept {
+  if constexpr (requires { Query::template answers<A, B>; }) {
+    return Query::template answers<A, B>;
+  } else {
+    return HasForm<A> && HasForm<B>;
+  }
+}
+
+/// Stands in the table for a pair that the query does not answer.
+inline std::int32_t unknown_pair(const void*, const void*, void*) noexcept { return error_kind; }
+
+/// Query::answer for shapes read, and a result written, in place: flat numbers and the C structs are the core's shapes
+/// and results byte for byte. Never inlined, so that the code of a pair exists once.
 template <class Query, class A, class B>
 [[gnu::noinline]] std::int32_t answer_pair(const void* a, const void* b, [[maybe_unused]] void* out) noexcept {
   const A& first = *static_cast<const A*>(a);
   const B& second = *static_cast<const B*>(b);
   using T = typename ShapeTraits<A>::Scalar;
   if constexpr (HasResult<Query, T>) {
-    typename Query::template Result<T> result{};
-    const std::int32_t code = Query::answer(first, second, result);
-    if (code >= 0) std::memcpy(out, &result, sizeof result);
-    return code;
+    return Query::answer(first, second, *static_cast<typename Query::template Result<T>*>(out));
   } else {
     return Query::answer(first, second);
   }
@@ -65,20 +75,33 @@ template <class Query, class A, class B>
 
 /// A float direction cannot be turned round: a component that was rounded to 0 has lost the sign that turning gives it.
 template <class Query, class Scalar>
-inline constexpr bool answers_both_orders = Query::reversal == Reversal::unknown ||
-                                            (Query::reversal == Reversal::direction && std::is_same_v<Scalar, float>);
+inline constexpr bool can_be_reversed =
+    Query::reversal != Reversal::unknown && !(Query::reversal == Reversal::direction && std::is_same_v<Scalar, float>);
 
-/// A pair in the other order.
+/// A pair in the other order. Where the answer is a code there is little to do, so the core is asked in that order; the
+/// longer ways to a result are there in one order only.
 template <class Query, class A, class B>
 std::int32_t answer_reversed(const void* a, const void* b, void* out) noexcept {
-  if constexpr (answers_both_orders<Query, typename ShapeTraits<A>::Scalar>) {
+  using T = typename ShapeTraits<A>::Scalar;
+  if constexpr (!HasResult<Query, T> || !can_be_reversed<Query, T>) {
     return answer_pair<Query, A, B>(a, b, out);
   } else {
     const std::int32_t code = answer_pair<Query, B, A>(b, a, out);
-    if (Query::reversal == Reversal::none || code < 0) return code;
-    if (Query::reversal == Reversal::converse) return static_cast<std::int32_t>(converse(static_cast<Relation>(code)));
-    reverse(Query::reversal, static_cast<typename ShapeTraits<A>::Scalar*>(out));
+    if (code >= 0) reverse(Query::reversal, static_cast<T*>(out));
     return code;
+  }
+}
+
+/// A pair in both orders.
+template <class Query, class A, class B>
+consteval void enter_pair(PairTable& table) noexcept {
+  PairFunction& in_order = table.of[static_cast<int>(ShapeTraits<A>::kind)][static_cast<int>(ShapeTraits<B>::kind)];
+  PairFunction& reversed = table.of[static_cast<int>(ShapeTraits<B>::kind)][static_cast<int>(ShapeTraits<A>::kind)];
+  if constexpr (answers<Query, A, B>()) {
+    reversed = answer_reversed<Query, B, A>;
+    in_order = answer_pair<Query, A, B>;  // of two shapes of one kind this is the one that stays
+  } else {
+    reversed = in_order = unknown_pair;
   }
 }
 
@@ -86,10 +109,7 @@ std::int32_t answer_reversed(const void* a, const void* b, void* out) noexcept {
 template <class Query, class T>
 consteval PairTable pair_table() noexcept {
   PairTable table{};
-  // Of two shapes of one kind the second line overwrites the first.
-#define VESICA_ENTRY(a, A, b, B)                                                                       \
-  table.of[static_cast<int>(Kind::b)][static_cast<int>(Kind::a)] = answer_reversed<Query, B<T>, A<T>>; \
-  table.of[static_cast<int>(Kind::a)][static_cast<int>(Kind::b)] = answer_pair<Query, A<T>, B<T>>;
+#define VESICA_ENTRY(a, A, b, B) enter_pair<Query, A<T>, B<T>>(table);
   VESICA_EACH_PAIR(VESICA_ENTRY)
 #undef VESICA_ENTRY
   return table;

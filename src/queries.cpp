@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 #include <utility>
+#include <vesica/relation_code.hpp>
 
 #include "by_kind.hpp"
 #include "columns.hpp"
@@ -45,7 +46,11 @@ class NumberColumns {
     // overlap_block() reads whole columns.
     const std::int32_t end = repeated_ && query.known == Known::overlap ? query_block : whole_vectors(n);
     if (!read_in_place(shapes, begin, n, end)) {
-      read(shapes, begin, n, kernels);
+      if (n < widest_vector) {
+        read_few(shapes, begin, n);
+      } else {
+        read(shapes, begin, n, kernels);
+      }
       fill_up(n, end);
       for (int k = 0; k < max_fields; ++k) number_[k] = copy_[k];
     }
@@ -102,12 +107,24 @@ class NumberColumns {
   }
   static bool read_in_place(const Shapes<float>&, std::int64_t, std::int32_t, std::int32_t) noexcept { return false; }
 
+  /// Number by number. For few shapes a transposition would cost more than it saves.
+  template <class T>
+  void read_few(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n) noexcept {
+    for (int k = 0; k < field_count(kind_); ++k) {
+      const T* from = advance(shapes.field[k], begin * shapes.stride);
+      for (std::int32_t i = 0; i < n; ++i) {
+        T x;
+        std::memcpy(&x, advance(from, i * shapes.stride), sizeof x);
+        copy_[k][i] = static_cast<double>(x);
+      }
+    }
+  }
   void read(const Shapes<double>& shapes, std::int64_t begin, std::int32_t n, const KernelTable&) noexcept {
     copy_to_columns(shapes, begin, n, copy_);
   }
   void read(const Shapes<float>& shapes, std::int64_t begin, std::int32_t n, const KernelTable& kernels) noexcept {
     float narrow[max_fields][query_block];
-    const bool in_place = lies_in_columns(shapes) || n == 1;
+    const bool in_place = lies_in_columns(shapes);
     if (!in_place) copy_to_columns(shapes, begin, n, narrow);
     for (int k = 0; k < field_count(kind_); ++k) {
       kernels.widen_column(in_place ? advance(shapes.field[k], begin * shapes.stride) : narrow[k], n, copy_[k]);

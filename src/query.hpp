@@ -40,6 +40,10 @@ struct Query {
 
   /// Columns that a batch writes.
   constexpr int columns() const noexcept { return numbers == 0 ? 1 : numbers; }
+  /// Whether the query knows these kinds; both are kinds.
+  bool answers(std::int32_t kind_a, std::int32_t kind_b) const noexcept {
+    return doubles.of[kind_a][kind_b] != unknown_pair;
+  }
   const PairTable& pairs(double) const noexcept { return doubles; }
   const PairTable& pairs(float) const noexcept { return floats; }
 };

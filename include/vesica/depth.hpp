@@ -17,6 +17,7 @@
 #pragma once
 
 #include <limits>
+#include <utility>
 #include <vesica/depth/box_box.hpp>
 #include <vesica/depth/exact_zero.hpp>
 #include <vesica/depth/lane_pairs.hpp>
@@ -37,19 +38,37 @@ namespace detail::depth {
 /// Below this share of the pair's scale the sign of a computed depth is uncertain.
 inline constexpr double surely_positive = 0x1p-48;
 
+/// Whether shapes of this kind are round, unless they lack an area.
+template <class Shape>
+inline constexpr bool is_round = decltype(vesica::detail::form::of(std::declval<const Shape&>()))::outline !=
+                                 vesica::detail::form::Outline::straight;
+
+/// Returns false where that is not settled.
+VESICA_INLINE bool depth_of_boxes(const Form& f, const Form& g, Penetration<double>& out) noexcept {
+  const auto d = box_box_depth(box_pair(f, g));
+  if (d.settled) out = {d.depth, d.x, d.y};
+  return d.settled;
+}
+/// Where a kind is round such pairs are rare: one function serves all of them.
+VESICA_COLD inline bool depth_of_boxes_apart(const Form& f, const Form& g, Penetration<double>& out) noexcept {
+  return depth_of_boxes(f, g, out);
+}
+
+/// Hardly ever asked, and long: kept out of the code that is.
+template <class A, class B>
+VESICA_COLD bool has_no_depth_exactly(const A& a, const B& b) noexcept {
+  return has_no_depth(exact::form(a), exact::form(b));
+}
+
 template <class A, class B>
 std::int32_t depth_of_overlapping(const A& a, const B& b, Penetration<double>& out) noexcept {
   const Form f = support_minimum::form(a), g = support_minimum::form(b);
   if (!f.curved && !g.curved) {
-    const auto d = box_box_depth(box_pair(f, g));
-    if (d.settled) {
-      out = {d.depth, d.x, d.y};
-      return 0;
-    }
+    if (is_round<A> || is_round<B> ? depth_of_boxes_apart(f, g, out) : depth_of_boxes(f, g, out)) return 0;
   }
   const Depth d = searched_depth(f, g);
   Penetration<double> result{0, d.direction.x + 0.0, d.direction.y + 0.0};  // no -0
-  if (d.value > surely_positive || !has_no_depth(exact::form(a), exact::form(b))) {
+  if (d.value > surely_positive || !has_no_depth_exactly(a, b)) {
     result.depth = std::fmax(arithmetic::scale(d.value, d.exponent), std::numeric_limits<double>::denorm_min());
   }
   if (!all_finite(result.depth)) return error_range;

@@ -85,8 +85,8 @@ VESICA_INLINE bool rounded_to(const ClosestPoints<double>& c, bool overlapping, 
   ClosestPoints<T> r{static_cast<T>(c.distance), static_cast<T>(c.ax), static_cast<T>(c.ay), static_cast<T>(c.bx),
                      static_cast<T>(c.by)};
   if (!overlapping && !(r.distance > 0)) r.distance = std::numeric_limits<T>::denorm_min();
-  if (!vesica::detail::all_finite(c.distance, c.ax, c.ay, c.bx, c.by) ||
-      !vesica::detail::all_finite(r.distance, r.ax, r.ay, r.bx, r.by)) {
+  // A distance that is not a number may have been replaced; whatever else is not finite still is not once rounded.
+  if (!vesica::detail::all_finite(c.distance) || !vesica::detail::all_finite(r.distance, r.ax, r.ay, r.bx, r.by)) {
     return false;
   }
   out = r;

@@ -9,6 +9,9 @@ namespace {
 
 struct OverlapOfPair {
   static constexpr Reversal reversal = Reversal::none;
+  /// Every pair has its file in overlap/, whether its shapes have a form or not.
+  template <class A, class B>
+  static constexpr bool answers = true;
   template <class A, class B>
   VESICA_INLINE static std::int32_t answer(const A& a, const B& b) noexcept {
     return overlap_or_error(a, b);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 #include <vector>
+#include <vesica/shapes.hpp>
 
 #include "properties/generators.hpp"
 
@@ -116,7 +117,7 @@ TEST(Nms, Errors) {
   vesica_shapes_f64 wrong = shapes;
   wrong.kind = VESICA_SEGMENT;
   EXPECT_EQ(call(&wrong, &score, 0.5, scratch.data(), size, &keep, &kept), VESICA_E_KIND);
-  wrong.kind = 6;
+  wrong.kind = vesica::kind_count;
   EXPECT_EQ(call(&wrong, &score, 0.5, scratch.data(), size, &keep, &kept), VESICA_E_KIND);
   wrong = shapes;
   wrong.count = -1;

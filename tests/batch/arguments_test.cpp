@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <vesica/shapes.hpp>
 
 #include "batch/c_face.hpp"
 
@@ -118,7 +119,7 @@ TYPED_TEST(BatchArguments, AreRightInTheScene) {
 
 TYPED_TEST(BatchArguments, NullIsReportedFirst) {
   auto wrong_kind = this->points_;
-  wrong_kind.kind = 6;
+  wrong_kind.kind = vesica::kind_count;
   EXPECT_EQ(TestFixture::Face::many(nullptr, &this->points_, this->out_.data()), VESICA_E_NULL);
   EXPECT_EQ(TestFixture::Face::many(&this->points_, nullptr, this->out_.data()), VESICA_E_NULL);
   EXPECT_EQ(TestFixture::Face::many(&this->points_, &this->points_, nullptr), VESICA_E_NULL);
@@ -152,7 +153,7 @@ TYPED_TEST(BatchArguments, FieldsBeyondTheKindAreNotLookedAt) {
 }
 
 TYPED_TEST(BatchArguments, UnknownKindsAreReported) {
-  for (const std::int32_t kind : {-1, 6, std::numeric_limits<std::int32_t>::max()}) {
+  for (const std::int32_t kind : {-1, vesica::kind_count, std::numeric_limits<std::int32_t>::max()}) {
     auto wrong = this->disc_;
     wrong.kind = kind;
     this->expect_refused(wrong, VESICA_E_KIND);
@@ -250,7 +251,7 @@ TYPED_TEST(BatchArguments, NothingToAnswerNeedsNoMemory) {
 /// Where nothing is to be answered the rest is checked all the same.
 TYPED_TEST(BatchArguments, NothingToAnswerIsStillChecked) {
   auto wrong_kind = this->nothing_, wrong_reserved = this->nothing_;
-  wrong_kind.kind = 6;
+  wrong_kind.kind = vesica::kind_count;
   wrong_reserved.reserved = 7;
   this->expect_refused(wrong_kind, VESICA_E_KIND);
   this->expect_refused(wrong_reserved, VESICA_E_ARGUMENT);

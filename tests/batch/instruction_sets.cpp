@@ -40,8 +40,8 @@ std::vector<Case> all_cases() {
   std::vector<Case> cases;
   for (const InstructionSet* set : tested_sets()) {
     for (const properties::Scalar scalar : {properties::Scalar::f32, properties::Scalar::f64}) {
-      for (int a = 0; a < vesica::kind_count; ++a) {
-        for (int b = 0; b < vesica::kind_count; ++b) cases.push_back({set, scalar, a, b});
+      for (int a = 0; a < properties::kinds; ++a) {
+        for (int b = 0; b < properties::kinds; ++b) cases.push_back({set, scalar, a, b});
       }
     }
   }

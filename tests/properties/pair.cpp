@@ -32,15 +32,9 @@ std::int64_t signed_magnitude(Bits bits) {
 
 const char* name(Scalar scalar) { return scalar == Scalar::f32 ? "f32" : "f64"; }
 
-int field_count(int kind) {
-  constexpr std::array<int, 6> counts{2, 4, 3, 4, 6, 6};
-  return counts.at(static_cast<std::size_t>(kind));
-}
+int field_count(int kind) { return vesica_field_count(kind); }
 
-const char* kind_name(int kind) {
-  constexpr std::array<const char*, 6> names{"point", "segment", "circle", "aabb", "rect", "ellipse"};
-  return names.at(static_cast<std::size_t>(kind));
-}
+const char* kind_name(int kind) { return vesica_kind_name(kind); }
 
 Role role(int kind, int field) {
   if (field >= field_count(kind)) return Role::unused;

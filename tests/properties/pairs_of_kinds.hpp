@@ -27,8 +27,8 @@ inline void PrintTo(const Kinds& kinds, std::ostream* out) { *out << to_string(k
 
 inline std::vector<Kinds> all_pairs_of_kinds() {
   std::vector<Kinds> result;
-  for (int a = 0; a < 6; ++a) {
-    for (int b = a; b < 6; ++b) {
+  for (int a = 0; a < kinds; ++a) {
+    for (int b = a; b < kinds; ++b) {
       for (const Scalar scalar : {Scalar::f64, Scalar::f32}) result.push_back({a, b, scalar});
     }
   }

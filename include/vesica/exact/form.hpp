@@ -52,7 +52,9 @@ auto form(const Shape& s) noexcept {
     return detail::exact_form<Ellipse>(f);
   } else {
     if constexpr (f.axis_may_vanish) {
-      if (f.ux.to == f.ux.from && f.uy.to == f.uy.from) return form(Point<double>{f.place.x0, f.place.y0});
+      if (f.ux.to == f.ux.from && f.uy.to == f.uy.from) {
+        return detail::exact_form<Box>(vesica::detail::form::of(Point<double>{f.place.x0, f.place.y0}));
+      }
     }
     return detail::exact_form<Box>(f);
   }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vesica/shapes.hpp>
 
 namespace {
 
@@ -46,7 +47,7 @@ TEST(QueryArguments, CountsKindsAndRows) {
   EXPECT_EQ(vesica_area_many_f64(&a, &b, out.data()), VESICA_E_ARGUMENT);
   EXPECT_EQ(vesica_area_matrix_f64(&a, &b, out.data(), 2), VESICA_E_ARGUMENT);
   EXPECT_EQ(vesica_area_matrix_f64(&a, &b, out.data(), PTRDIFF_MAX / 4), VESICA_E_ARGUMENT);
-  a.kind = 6;
+  a.kind = vesica::kind_count;
   EXPECT_EQ(vesica_iou_many_f64(&a, &b, out.data()), VESICA_E_KIND);
   a.kind = VESICA_CIRCLE;
   a.count = -1;

@@ -1,6 +1,0 @@
-// SPDX-License-Identifier: Apache-2.0
-#include "pair.hpp"
-
-namespace {
-const bool added = vesica::bench::add_plain_rows<vesica_overlap_aabb_aabb_f64, vesica_overlap_aabb_aabb_f32>();
-}
