@@ -37,6 +37,8 @@ const char* vesica_strerror(int32_t code) {
       return "min exceeds max";
     case VESICA_E_RANGE:
       return "the result is out of the range of its type";
+    case VESICA_E_INDEX:
+      return "the bytes are not an index of this version, or are damaged";
     default:
       return "unknown error";
   }

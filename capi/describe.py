@@ -21,16 +21,18 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 # Each header's library, without its version, and the version script of what that exports.
-LIBRARIES = {"vesica.h": "libvesica", "vesica_methods.h": "libvesica-methods"}
-MAPS = {"vesica.h": "vesica.map", "vesica_methods.h": "methods.map"}
+LIBRARIES = {"vesica.h": "libvesica", "vesica_index.h": "libvesica", "vesica_methods.h": "libvesica-methods"}
+MAPS = {"vesica.h": "vesica.map", "vesica_index.h": "vesica.map", "vesica_methods.h": "methods.map"}
 HEADERS = tuple(LIBRARIES)
+# Each library's file of declarations: it has all headers of the library.
+CDEFS = {"libvesica": "vesica.cdef", "libvesica-methods": "vesica_methods.cdef"}
 # The parts of a comment behind its description, in their order.
 PARTS = ("Requires", "Returns", "Errors", "Accuracy", "Cost", "Since")
 # Bytes of each type a struct may hold, each aligned to its size; those of 64-bit machines.
 POINTER_SIZE = 8
 SIZES = {"uint8_t": 1, "int32_t": 4, "float": 4, "int64_t": 8, "double": 8, "ptrdiff_t": 8}
 # Macros without a value that are not constants: the include guards, and what marks an exported function.
-NOT_CONSTANTS = {"VESICA_H", "VESICA_METHODS_H", "VESICA_API"}
+NOT_CONSTANTS = {"VESICA_H", "VESICA_INDEX_H", "VESICA_METHODS_H", "VESICA_API"}
 
 PART = re.compile(r"^(" + "|".join(PARTS) + "): ", re.M)
 HEADING = re.compile(r"/\* ---- (?P<title>.*?) ----(?P<parts>.*?)\*/", re.S)
@@ -211,14 +213,16 @@ def declared(entry):
     return entry["type"] + gap + entry["name"] + (f"[{entry['count']}]" if "count" in entry else "")
 
 
-def cdef(description, header):
-    """Declarations of one header without a macro: one enum of all constants, structs, prototypes."""
-    own = {kind: [entry for entry in description[kind] if entry["header"] == header]
+def cdef(description, library):
+    """Declarations of one library without a macro: one enum of all constants, structs, prototypes."""
+    headers = [header for header in HEADERS if LIBRARIES[header] == library]
+    own = {kind: [entry for entry in description[kind] if entry["header"] in headers]
            for kind in ("constants", "structs", "functions")}
-    needed = "" if header == HEADERS[0] else "; to be read after vesica.cdef"
+    needed = "" if HEADERS[0] in headers else "; to be read after vesica.cdef"
+    what = f"{headers[0]} says" if len(headers) == 1 else f"{' and '.join(headers)} say"
     lines = ["/* SPDX-License-Identifier: Apache-2.0 */",
-             f"/* Vesica {description['version']} for cffi and LuaJIT: {description['libraries'][header]}{needed}.",
-             f" * Written by capi/describe.py; {header} says what each means. */", "", "enum {"]
+             f"/* Vesica {description['version']} for cffi and LuaJIT: {description['libraries'][headers[0]]}{needed}.",
+             f" * Written by capi/describe.py; {what} what each means. */", "", "enum {"]
     lines += [f"    {entry['name']} = {entry['value']}," for entry in own["constants"]]
     lines += ["};", ""]
     for entry in own["structs"]:
@@ -234,7 +238,7 @@ def cdef(description, header):
 def texts():
     description = describe()
     return {HERE / "vesica.json": json.dumps(description, indent=1, ensure_ascii=False) + "\n",
-            **{(HERE / header).with_suffix(".cdef"): cdef(description, header) for header in HEADERS}}
+            **{HERE / name: cdef(description, library) for library, name in CDEFS.items()}}
 
 
 def check():

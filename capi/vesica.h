@@ -97,6 +97,7 @@ extern "C" {
 #define VESICA_E_ZERO_AXIS (-7)     /**< the axis (ux, uy) is (0, 0) */
 #define VESICA_E_INVERTED (-8)      /**< an AABB's min exceeds its max */
 #define VESICA_E_RANGE (-9)         /**< a number of the result would be beyond the finite numbers of its type */
+#define VESICA_E_INDEX (-10)        /**< bytes are not an index of this version, or are damaged */
 
 /* ---- Version and names. Texts are static: they are not to be freed. ----
  * Since: 0.1.
@@ -845,5 +846,8 @@ VESICA_API int32_t vesica_nms_f32(const vesica_shapes_f32 *shapes, const float *
 #if !defined(__cplusplus) && defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
 #include "vesica_generic.h"
 #endif
+
+/* Index and join, for the pairs among millions of shapes. */
+#include "vesica_index.h"
 
 #endif /* VESICA_H */

@@ -13,8 +13,8 @@ CAPI = pathlib.Path(__file__).resolve().parents[2] / "capi"
 ffi = cffi.FFI()
 ffi.cdef((CAPI / "vesica.cdef").read_text())
 ffi.cdef((CAPI / "vesica_methods.cdef").read_text())
-vesica, methods = libraries = [ffi.dlopen(path) for path in sys.argv[1:3]]
-of_header = dict(zip(("vesica.h", "vesica_methods.h"), libraries))
+vesica, methods = [ffi.dlopen(path) for path in sys.argv[1:3]]
+of_header = {"vesica.h": vesica, "vesica_index.h": vesica, "vesica_methods.h": methods}
 description = json.loads((CAPI / "vesica.json").read_text())
 
 for entry in description["constants"]:

@@ -35,13 +35,14 @@ def nodes_of_map(name):
     return result
 
 
-def functions_are_exported(description, header, library):
-    where = describe.MAPS[header]
+def functions_are_exported(description, where, library):
+    """Of one library, whose version script is `where`: all its headers together."""
+    headers = [header for header in describe.HEADERS if describe.MAPS[header] == where]
     nodes = nodes_of_map(where)
-    declared = {entry["name"]: entry["since"] for entry in description["functions"] if entry["header"] == header}
+    declared = {entry["name"]: entry["since"] for entry in description["functions"] if entry["header"] in headers}
     for name in declared.keys() | nodes.keys():
-        expect(name in declared, f"{name} is in {where}, but not in {header}")
-        expect(name in nodes, f"{name} is in {header}, but not in {where}")
+        expect(name in declared, f"{name} is in {where}, but not in {' or '.join(headers)}")
+        expect(name in nodes, f"{name} is in {' or '.join(headers)}, but not in {where}")
         expect(declared.get(name) == nodes.get(name),
                f"{name}: since {declared.get(name)} in its header, at the node of {nodes.get(name)} in {where}")
         expect(hasattr(library, name), f"{name} is not in the library")
@@ -51,16 +52,22 @@ def constants_agree(description):
     """A header's own text, vesica.json and the declarations hold the same constants. None of them is a function."""
     described = json.loads((ROOT / "capi/vesica.json").read_text())["constants"]
     functions = {entry["name"] for entry in description["functions"]}
+    of_library = {}
     for header in describe.HEADERS:
         path = ROOT / "capi" / header
         written = dict(re.findall(r"^#define (VESICA_\w+)[ (]+(-?\d+)", path.read_text(), re.M))
-        declared = dict(re.findall(r"^    (VESICA_\w+) = (-?\d+),$", path.with_suffix(".cdef").read_text(), re.M))
         listed = {entry["name"]: str(entry["value"]) for entry in described if entry["header"] == header}
         expect(written, f"{header} has no constants")
-        for name in written.keys() | declared.keys() | listed.keys():
-            values = written.get(name), listed.get(name), declared.get(name)
-            expect(len(set(values)) == 1, f"{name}: header, vesica.json and declarations say {values}")
+        of_library.setdefault(describe.CDEFS[describe.LIBRARIES[header]], {}).update(written)
+        for name in written.keys() | listed.keys():
+            values = written.get(name), listed.get(name)
+            expect(len(set(values)) == 1, f"{name}: header and vesica.json say {values}")
             expect(name.startswith("VESICA_VERSION") or name.lower() not in functions, f"{name} is a function too")
+    for name, written in of_library.items():
+        text = (ROOT / "capi" / name).read_text()
+        declared = dict(re.findall(r"^    (VESICA_\w+) = (-?\d+),$", text, re.M))
+        differ = sorted(dict(written.items() ^ declared.items()))
+        expect(not differ, f"{name} and its headers disagree on {differ}")
 
 
 def structs_are_pinned(description):
@@ -76,8 +83,8 @@ def structs_are_pinned(description):
 def main(*libraries):
     description = describe.describe()
     expect(len(description["constants"]) >= 19 and len(description["structs"]) >= 14, "the headers were not understood")
-    for header, library in zip(describe.HEADERS, libraries, strict=True):
-        functions_are_exported(description, header, ctypes.CDLL(library))
+    for where, library in zip(dict.fromkeys(describe.MAPS.values()), libraries, strict=True):
+        functions_are_exported(description, where, ctypes.CDLL(library))
     constants_agree(description)
     structs_are_pinned(description)
     for failure in failures:

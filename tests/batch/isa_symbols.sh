@@ -32,7 +32,9 @@ for object in "$@"; do
   esac
   set_name=$(basename "$object")
   set_name=${set_name%%.*}
-  table=_ZN6vesica$((8 + ${#set_name}))kernels_${set_name}E # vesica::kernels_<set>
+  scope=
+  case $object in */index/*) scope=5index ;; esac
+  table=_ZN6vesica$scope$((8 + ${#set_name}))kernels_${set_name}E # vesica::kernels_<set>, vesica::index::kernels_<set>
   # POSIX format: name, type, value, size. Upper-case types are global; u is unique, v and w are weak.
   types='^[A-Zuvw]$'
   [ "$set_name" != "$may_be_weak" ] || types='^[A-UX-Zu]$'

@@ -116,6 +116,11 @@ TEST(CapiConstants, Values) {
   EXPECT_EQ(VESICA_E_ZERO_AXIS, -7);
   EXPECT_EQ(VESICA_E_INVERTED, -8);
   EXPECT_EQ(VESICA_E_RANGE, -9);
+  EXPECT_EQ(VESICA_E_INDEX, -10);
+  EXPECT_EQ(VESICA_JOIN_OVERLAP, 0);
+  EXPECT_EQ(VESICA_JOIN_BOUNDS, 1);
+  EXPECT_EQ(VESICA_JOIN_CONTAINS, 2);
+  EXPECT_EQ(VESICA_JOIN_INSIDE, 3);
 }
 
 TEST(CapiConstants, Version) {
@@ -132,7 +137,7 @@ TEST(CapiConstants, Version) {
 
 TEST(CapiConstants, EveryErrorHasItsOwnWords) {
   std::set<std::string> phrases{"success", "unknown error"};
-  for (std::int32_t code = VESICA_E_RANGE; code <= VESICA_E_NULL; ++code) {
+  for (std::int32_t code = VESICA_E_INDEX; code <= VESICA_E_NULL; ++code) {
     const char* words = vesica_strerror(code);
     ASSERT_NE(words, nullptr) << code;
     const std::string phrase = words;
@@ -146,7 +151,7 @@ TEST(CapiConstants, EveryErrorHasItsOwnWords) {
 
 TEST(CapiConstants, AnswersAndUnknownCodesHaveWords) {
   for (std::int32_t code : {0, 1, 7, INT32_MAX}) EXPECT_STREQ(vesica_strerror(code), "success") << code;
-  for (std::int32_t code : {-10, -11, -1000, INT32_MIN}) EXPECT_STREQ(vesica_strerror(code), "unknown error") << code;
+  for (std::int32_t code : {-11, -12, -1000, INT32_MIN}) EXPECT_STREQ(vesica_strerror(code), "unknown error") << code;
 }
 
 TEST(CapiConstants, FieldCounts) {

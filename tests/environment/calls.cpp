@@ -4,6 +4,7 @@
 #include <vesica.h>
 
 #include <cstring>
+#include <limits>
 
 namespace environment {
 namespace {
@@ -165,47 +166,112 @@ Bytes ask_nms(const std::vector<Input>& pairs) {
   return bytes;
 }
 
+/// Memory as an index needs it.
+struct Aligned {
+  struct alignas(64) Unit {
+    unsigned char bytes[64];
+  };
+  std::vector<Unit> units;
+  std::int64_t size;
+
+  explicit Aligned(std::int64_t n) : units(static_cast<std::size_t>(n / 64 + 1)), size(n) {}
+};
+
+/// An index of both sides' shapes, built, checked and read.
+template <class T, class Shapes, auto build, auto select, auto nearest>
+Bytes ask_index(const std::vector<Input>& pairs) {
+  const Operands<T, Shapes> operands(pairs);
+  const Shapes sets[] = {operands.a, operands.b};
+  Shapes one = operands.a;
+  one.count = 1;
+  const std::int64_t items = 2 * operands.a.count;
+  Aligned index(vesica_index_size(items)), scratch(vesica_index_scratch(items));
+  Bytes bytes;
+  append(bytes, build(sets, 2, index.units.data(), index.size, scratch.units.data(), scratch.size));
+  const std::int64_t size = vesica_index_bytes(index.units.data());
+  append(bytes, vesica_index_check(index.units.data(), size));
+  append(bytes, index.units.data(), static_cast<std::size_t>(size) / sizeof index.units[0]);
+  std::vector<std::int64_t> out(static_cast<std::size_t>(items));
+  std::vector<T> distance(out.size());
+  std::int64_t state[4] = {};
+  append(bytes, select(index.units.data(), sets, 2, &one, out.data(), items, state));
+  append(bytes, out.data(), out.size());
+  append(bytes, nearest(index.units.data(), sets, 2, &one, items, std::numeric_limits<T>::infinity(), out.data(),
+                        distance.data()));
+  append(bytes, out.data(), out.size());
+  append(bytes, distance.data(), distance.size());
+  return bytes;
+}
+
+/// Pairs of two indexes, by each query, and the nearest items of the second one to each of the first.
+template <class T, class Shapes, auto build, auto join, auto nearest>
+Bytes ask_join(const std::vector<Input>& pairs) {
+  const Operands<T, Shapes> operands(pairs);
+  const Shapes &a = operands.a, &b = operands.b;
+  Aligned index_a(vesica_index_size(a.count)), index_b(vesica_index_size(b.count));
+  Aligned scratch(vesica_index_scratch(a.count)), join_scratch(vesica_join_scratch());
+  build(&a, 1, index_a.units.data(), index_a.size, scratch.units.data(), scratch.size);
+  build(&b, 1, index_b.units.data(), index_b.size, scratch.units.data(), scratch.size);
+  std::vector<std::int64_t> out_a(pairs.size() * pairs.size()), out_b(out_a.size());
+  std::vector<T> distance(out_a.size());
+  Bytes bytes;
+  for (std::int32_t query = VESICA_JOIN_OVERLAP; query <= VESICA_JOIN_INSIDE; ++query) {
+    std::int64_t state[4] = {};
+    append(bytes, join(query, index_a.units.data(), &a, 1, index_b.units.data(), &b, 1, 0, 1, join_scratch.units.data(),
+                       join_scratch.size, out_a.data(), out_b.data(), static_cast<std::int64_t>(out_a.size()), state));
+    append(bytes, out_a.data(), out_a.size());
+    append(bytes, out_b.data(), out_b.size());
+  }
+  append(bytes, nearest(&a, 1, index_b.units.data(), &b, 1, 3, std::numeric_limits<T>::infinity(), 0, 1, out_a.data(),
+                        distance.data()));
+  append(bytes, out_a.data(), out_a.size());
+  append(bytes, distance.data(), distance.size());
+  return bytes;
+}
+
 }  // namespace
 
 // The two scalar types' functions differ in their suffix alone.
-#define SCALAR_CALLS(s, T)                                                                                       \
-  {                                                                                                              \
-    {"check", ask_check<T, vesica_check_##s>}, {"overlap", ask_code<T, vesica_overlap_##s>},                     \
-        {"relation", ask_code<T, vesica_relation_##s>}, {"contains", ask_code<T, vesica_contains_##s>},          \
-        {"nearest", ask_pair<T, vesica_closest_points_##s, vesica_nearest_##s>},                                 \
-        {"boundary_distance", ask_pair<T, vesica_closest_points_##s, vesica_boundary_distance_##s>},             \
-        {"depth", ask_pair<T, vesica_penetration_##s, vesica_depth_##s>},                                        \
-        {"crossings", ask_pair<T, vesica_crossing_points_##s, vesica_crossings_##s>},                            \
-        {"area", ask_pair<T, T, vesica_area_##s>}, {"iou", ask_pair<T, T, vesica_iou_##s>},                      \
-        {"shape_area", ask_one<T, T, vesica_shape_area_##s>},                                                    \
-        {"bounds", ask_one<T, vesica_aabb_##s, vesica_bounds_##s>},                                              \
-        {"aabb_from_corners", ask_constructor<T, vesica_aabb_##s, vesica_aabb_from_corners_##s, 4>},             \
-        {"rect_from_angle", ask_constructor<T, vesica_rect_##s, vesica_rect_from_angle_##s, 5>},                 \
-        {"rect_from_corners", ask_corners<T, vesica_rect_##s, vesica_rect_from_corners_##s>},                    \
-        {"ellipse_from_angle", ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_angle_##s, 5>},        \
-        {"ellipse_from_radius_vector",                                                                           \
-         ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_radius_vector_##s, 5>},                      \
-        {"ellipse_from_covariance",                                                                              \
-         ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_covariance_##s, 6>},                         \
-        {"ellipse_from_matrix", ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_matrix_##s, 5>},      \
+#define SCALAR_CALLS(s, T)                                                                                          \
+  {                                                                                                                 \
+    {"check", ask_check<T, vesica_check_##s>}, {"overlap", ask_code<T, vesica_overlap_##s>},                        \
+        {"relation", ask_code<T, vesica_relation_##s>}, {"contains", ask_code<T, vesica_contains_##s>},             \
+        {"nearest", ask_pair<T, vesica_closest_points_##s, vesica_nearest_##s>},                                    \
+        {"boundary_distance", ask_pair<T, vesica_closest_points_##s, vesica_boundary_distance_##s>},                \
+        {"depth", ask_pair<T, vesica_penetration_##s, vesica_depth_##s>},                                           \
+        {"crossings", ask_pair<T, vesica_crossing_points_##s, vesica_crossings_##s>},                               \
+        {"area", ask_pair<T, T, vesica_area_##s>}, {"iou", ask_pair<T, T, vesica_iou_##s>},                         \
+        {"shape_area", ask_one<T, T, vesica_shape_area_##s>},                                                       \
+        {"bounds", ask_one<T, vesica_aabb_##s, vesica_bounds_##s>},                                                 \
+        {"aabb_from_corners", ask_constructor<T, vesica_aabb_##s, vesica_aabb_from_corners_##s, 4>},                \
+        {"rect_from_angle", ask_constructor<T, vesica_rect_##s, vesica_rect_from_angle_##s, 5>},                    \
+        {"rect_from_corners", ask_corners<T, vesica_rect_##s, vesica_rect_from_corners_##s>},                       \
+        {"ellipse_from_angle", ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_angle_##s, 5>},           \
+        {"ellipse_from_radius_vector",                                                                              \
+         ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_radius_vector_##s, 5>},                         \
+        {"ellipse_from_covariance", ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_covariance_##s, 6>}, \
+        {"ellipse_from_matrix", ask_constructor<T, vesica_ellipse_##s, vesica_ellipse_from_matrix_##s, 5>},         \
   }
-#define BATCH_CALLS(s, T)                                                                                        \
-  {                                                                                                              \
-    {"overlap_many", ask_many<T, vesica_shapes_##s, std::uint8_t, vesica_overlap_many_##s, 1>},                  \
-        {"relation_many", ask_many<T, vesica_shapes_##s, std::uint8_t, vesica_relation_many_##s, 1>},            \
-        {"contains_many", ask_many<T, vesica_shapes_##s, std::uint8_t, vesica_contains_many_##s, 1>},            \
-        {"nearest_many", ask_many<T, vesica_shapes_##s, T, vesica_nearest_many_##s, 5>},                         \
-        {"boundary_distance_many", ask_many<T, vesica_shapes_##s, T, vesica_boundary_distance_many_##s, 5>},     \
-        {"depth_many", ask_many<T, vesica_shapes_##s, T, vesica_depth_many_##s, 3>},                             \
-        {"area_many", ask_many<T, vesica_shapes_##s, T, vesica_area_many_##s, 1>},                               \
-        {"iou_many", ask_many<T, vesica_shapes_##s, T, vesica_iou_many_##s, 1>},                                 \
-        {"overlap_matrix", ask_matrix<T, vesica_shapes_##s, std::uint8_t, vesica_overlap_matrix_##s>},           \
-        {"relation_matrix", ask_matrix<T, vesica_shapes_##s, std::uint8_t, vesica_relation_matrix_##s>},         \
-        {"contains_matrix", ask_matrix<T, vesica_shapes_##s, std::uint8_t, vesica_contains_matrix_##s>},         \
-        {"area_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_area_matrix_##s>},                            \
-        {"iou_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_iou_matrix_##s>},                              \
-        {"overlap_select", ask_select<T, vesica_shapes_##s, vesica_overlap_select_##s>},                         \
-        {"nms", ask_nms<T, vesica_shapes_##s, vesica_nms_##s>},                                                  \
+#define BATCH_CALLS(s, T)                                                                                             \
+  {                                                                                                                   \
+    {"overlap_many", ask_many<T, vesica_shapes_##s, std::uint8_t, vesica_overlap_many_##s, 1>},                       \
+        {"relation_many", ask_many<T, vesica_shapes_##s, std::uint8_t, vesica_relation_many_##s, 1>},                 \
+        {"contains_many", ask_many<T, vesica_shapes_##s, std::uint8_t, vesica_contains_many_##s, 1>},                 \
+        {"nearest_many", ask_many<T, vesica_shapes_##s, T, vesica_nearest_many_##s, 5>},                              \
+        {"boundary_distance_many", ask_many<T, vesica_shapes_##s, T, vesica_boundary_distance_many_##s, 5>},          \
+        {"depth_many", ask_many<T, vesica_shapes_##s, T, vesica_depth_many_##s, 3>},                                  \
+        {"area_many", ask_many<T, vesica_shapes_##s, T, vesica_area_many_##s, 1>},                                    \
+        {"iou_many", ask_many<T, vesica_shapes_##s, T, vesica_iou_many_##s, 1>},                                      \
+        {"overlap_matrix", ask_matrix<T, vesica_shapes_##s, std::uint8_t, vesica_overlap_matrix_##s>},                \
+        {"relation_matrix", ask_matrix<T, vesica_shapes_##s, std::uint8_t, vesica_relation_matrix_##s>},              \
+        {"contains_matrix", ask_matrix<T, vesica_shapes_##s, std::uint8_t, vesica_contains_matrix_##s>},              \
+        {"area_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_area_matrix_##s>},                                 \
+        {"iou_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_iou_matrix_##s>},                                   \
+        {"overlap_select", ask_select<T, vesica_shapes_##s, vesica_overlap_select_##s>},                              \
+        {"nms", ask_nms<T, vesica_shapes_##s, vesica_nms_##s>},                                                       \
+        {"index",                                                                                                     \
+         ask_index<T, vesica_shapes_##s, vesica_index_build_##s, vesica_index_select_##s, vesica_index_nearest_##s>}, \
+        {"join", ask_join<T, vesica_shapes_##s, vesica_index_build_##s, vesica_join_##s, vesica_join_nearest_##s>},   \
   }
 
 Input::Input(const properties::Pair& pair) : kind_a(pair.kind_a), kind_b(pair.kind_b), a_f64(pair.a), b_f64(pair.b) {

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Builds an index: plan, bin, place, finish, residue and tree. Why so, in docs/join.md.
+#pragma once
+
+#include <cstdint>
+
+#include "index/kernels.hpp"
+
+namespace vesica::index {
+
+inline constexpr std::int64_t most_items = INT32_MAX;
+inline constexpr int build_steps = 5;
+
+/// Bytes that suffice for an index of so many shapes, and for the scratch of its build.
+std::int64_t size_bound(std::int64_t items) noexcept;
+std::int64_t scratch_bound(std::int64_t items) noexcept;
+
+/// One step of a build, `part` of `parts`: 0 and 4 by one caller, 1 to 3 by any number; each step waits for the one
+/// before. index and scratch are aligned to 64 and as large as the bounds. Returns whether the scratch is in a state
+/// that this step can take up.
+bool build_step(const Kernels& kernels, const Sets& sets, int step, std::int64_t part, std::int64_t parts, void* index,
+                void* scratch) noexcept;
+
+/// Of header, blocks' fields, places and tree, with 0 for the checksum itself.
+std::uint64_t checksum(const View& view) noexcept;
+
+}  // namespace vesica::index

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bytes that claim to be an index.
+#pragma once
+
+#include <cstdint>
+
+#include "index/layout.hpp"
+
+namespace vesica::index {
+
+/// Whether a header's fields may be believed: magic, byte order, version, and parts that lie within `size` bytes.
+bool header_is_sound(const void* index, std::int64_t size) noexcept;
+
+/// The same for all of it: every query stays within these bytes, and the checksum is right.
+bool is_sound(const void* index, std::int64_t size) noexcept;
+
+}  // namespace vesica::index

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "index/lanes/avx2.hpp"
+
+#include "index/kernel.hpp"
+
+namespace vesica::index {
+
+constinit const Kernels kernels_avx2 = make_kernels("avx2");
+
+}  // namespace vesica::index

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "index/lanes/avx512.hpp"
+
+#include "index/kernel.hpp"
+
+namespace vesica::index {
+
+constinit const Kernels kernels_avx512 = make_kernels("avx512");
+
+}  // namespace vesica::index

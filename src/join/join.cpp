@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "join/join.hpp"
+
+#include <cstring>
+
+#include "index/layout.hpp"
+
+namespace vesica::index {
+
+namespace {
+
+__extension__ using Wide = unsigned __int128;
+
+inline constexpr int batch = 4096, wanted_at_most = batch - 2 * leaf_items, most_segments = 2048, block_list = 256,
+                     weighed = 4096;
+
+/// Candidates of one pair of blocks begin here in the batch.
+struct Segment {
+  std::int64_t block_a, block_b;
+  std::int32_t begin;
+};
+
+struct Scratch {
+  Meetings meetings;
+  std::uint32_t a[batch + 64], b[batch + 64];
+  std::uint32_t sorted_a[batch], sorted_b[batch];
+  std::uint16_t order[batch];
+  std::uint8_t key[batch], sorted[batch], verdict[batch + 64];
+  Columns columns_a, columns_b;
+  Segment segment[most_segments];
+  std::int64_t blocks[block_list];
+  std::int64_t weight[weighed];
+};
+
+/// What a state belongs to, so that another join's is refused: 15 bits of a mix.
+std::int64_t mark_of(const Join& join) noexcept {
+  std::uint64_t h = join.query + 1;
+  const std::int64_t of[] = {join.part, join.parts, View(join.a.index).blocks(), View(join.b.index).blocks()};
+  for (const std::int64_t x : of) {
+    h = (h ^ static_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15u;
+    h ^= h >> 32;
+  }
+  return static_cast<std::int64_t>(h & 0x7fff) | 1;
+}
+
+class Runner {
+ public:
+  explicit Runner(const Join& join) noexcept
+      : join_(join),
+        a_(join.a.index),
+        b_(join.b.index),
+        self_(join.a.index == join.b.index),
+        scratch_(*static_cast<Scratch*>(join.scratch)) {
+    scratch_.columns_a.begin();
+    scratch_.columns_b.begin();
+  }
+
+  /// The part's run of A's blocks, cut by weight: a block's items times the blocks they meet. Of many blocks every few
+  /// are weighed.
+  void find_range() noexcept {
+    first_ = 0;
+    last_ = a_.blocks();
+    if (join_.parts == 1 || last_ == 0) return;
+    const std::int64_t group = (last_ + weighed - 1) / weighed, groups = (last_ + group - 1) / group;
+    std::int64_t all = 0;
+    for (std::int64_t g = 0; g < groups; ++g) all += scratch_.weight[g] = weight_of(g * group);
+    std::int64_t before = 0, first = groups, last = groups;
+    for (std::int64_t g = groups; g-- > 0;) {
+      before += scratch_.weight[g];
+      const auto share = static_cast<Wide>(all - before) * static_cast<std::uint64_t>(join_.parts);
+      const auto part = static_cast<std::int64_t>(share / static_cast<std::uint64_t>(all));
+      if (part >= join_.part) first = g;
+      if (part > join_.part) last = g;
+    }
+    first_ = first * group < last_ ? first * group : last_;
+    last_ = last * group < last_ ? last * group : last_;
+  }
+
+  void set_range(std::int64_t first, std::int64_t last) noexcept {
+    first_ = first;
+    last_ = last;
+  }
+  std::int64_t first() const noexcept { return first_; }
+  std::int64_t last() const noexcept { return last_; }
+
+  /// Goes to block_b and what follows in block_a.
+  void seek(std::int64_t block_a, std::int64_t block_b) noexcept {
+    block_a_ = block_a;
+    next_b_ = block_b;
+    listed_ = listed_end_ = 0;
+    whole_list_ = false;
+    open_ = false;
+  }
+
+  /// The next candidates, about `wanted` and at most 64 more: returns how many, 0 at the end.
+  std::int32_t gather(std::int32_t wanted) noexcept {
+    Scratch& s = scratch_;
+    std::int32_t n = 0;
+    segments_ = 0;
+    while (n < wanted && segments_ < most_segments) {
+      if (!open_ && !next_pair()) break;
+      s.segment[segments_++] = {block_a_, block_b_, n};
+      const Block &first = a_.block(block_a_), &second = b_.block(block_b_);
+      const std::int32_t found =
+          join_.kernels.candidates(first, second, s.meetings, wanted - n + leaf_items, s.a + n, s.b + n);
+      if (self_) put_in_order(n, found);
+      n += found;
+      open_ = s.meetings.next < s.meetings.entries;
+      if (!open_ && found == 0) --segments_;
+      if (open_) break;  // enough
+    }
+    return n;
+  }
+
+  void decide(std::int32_t n) noexcept {
+    Scratch& s = scratch_;
+    if (join_.decide == nullptr) {
+      std::memset(s.verdict, 1, static_cast<std::size_t>(n));
+    } else if (join_.a.sets->count == 1 && join_.b.sets->count == 1) {
+      decide_run(join_.a.sets->set[0].kind, join_.b.sets->set[0].kind, s.a, s.b, n, s.verdict);
+    } else {
+      decide_mixed(n);
+    }
+  }
+
+  const Segment& segment(int i) const noexcept { return scratch_.segment[i]; }
+  int segments() const noexcept { return segments_; }
+  const Scratch& scratch() const noexcept { return scratch_; }
+
+ private:
+  static void box_of(const View& view, std::int64_t block, double (&box)[4]) noexcept {
+    const Node& node = view.node(0, block / node_children);
+    const std::int64_t child = block % node_children;
+    box[0] = node.min_x[child];
+    box[1] = node.min_y[child];
+    box[2] = node.max_x[child];
+    box[3] = node.max_y[child];
+  }
+
+  std::int64_t weight_of(std::int64_t block) noexcept {
+    double box[4];
+    box_of(a_, block, box);
+    std::int64_t met = 1;
+    for (std::int64_t from = self_ ? block : 0;;) {
+      const std::int32_t n = join_.kernels.meeting_blocks(b_, box, from, block_list, scratch_.blocks);
+      met += n;
+      if (n < block_list) break;
+      from = scratch_.blocks[n - 1] + 1;
+    }
+    return met * a_.block(block).count;
+  }
+
+  /// The next pair of blocks whose boxes meet, and the beginning of its candidates.
+  bool next_pair() noexcept {
+    while (listed_ == listed_end_) {
+      if (whole_list_ || block_a_ >= last_) {
+        if (block_a_ + 1 >= last_) return false;
+        ++block_a_;
+        next_b_ = 0;
+        whole_list_ = false;
+      }
+      double box[4];
+      box_of(a_, block_a_, box);
+      const std::int64_t from = self_ && next_b_ < block_a_ ? block_a_ : next_b_;
+      listed_ = 0;
+      listed_end_ = join_.kernels.meeting_blocks(b_, box, from, block_list, scratch_.blocks);
+      whole_list_ = listed_end_ < block_list;
+      if (listed_end_ > 0) next_b_ = scratch_.blocks[listed_end_ - 1] + 1;
+    }
+    block_b_ = scratch_.blocks[listed_++];
+    join_.kernels.meet(a_.block(block_a_), b_.block(block_b_), self_ && block_a_ == block_b_, scratch_.meetings);
+    return true;
+  }
+
+  /// Of one set, the lower item first.
+  void put_in_order(std::int32_t begin, std::int32_t n) noexcept {
+    std::uint32_t *a = scratch_.a + begin, *b = scratch_.b + begin;
+    for (std::int32_t i = 0; i < n; ++i) {
+      const std::uint32_t low = a[i] < b[i] ? a[i] : b[i], high = a[i] < b[i] ? b[i] : a[i];
+      a[i] = low;
+      b[i] = high;
+    }
+  }
+
+  /// Pairs of one pair of kinds.
+  void decide_run(std::int32_t kind_a, std::int32_t kind_b, const std::uint32_t* a, const std::uint32_t* b,
+                  std::int32_t n, std::uint8_t* out) noexcept {
+    Scratch& s = scratch_;
+    constexpr int most = decided_at_once;
+    const auto length = [n](std::int32_t i) { return n - i < most ? n - i : most; };
+    for (std::int32_t i = 0; i < n; i += most) {
+      const int m = length(i);
+      gather_columns(*join_.a.sets, kind_a, a + i, m, n - i - m, s.columns_a);
+      gather_columns(*join_.b.sets, kind_b, b + i, m, n - i - m, s.columns_b);
+      if (join_.reversed) {
+        join_.decide(kind_b, s.columns_b.field, m, kind_a, s.columns_a.field, m, out + i);
+      } else {
+        join_.decide(kind_a, s.columns_a.field, m, kind_b, s.columns_b.field, m, out + i);
+      }
+    }
+  }
+
+  /// Sorts by pair of kinds, decides each run, and puts the verdicts back in the candidates' places.
+  void decide_mixed(std::int32_t n) noexcept {
+    Scratch& s = scratch_;
+    std::int32_t begin[kinds * kinds + 1] = {};
+    for (std::int32_t i = 0; i < n; ++i) {
+      const std::int32_t kind_a = join_.a.sets->set[join_.a.sets->of(s.a[i])].kind;
+      const std::int32_t kind_b = join_.b.sets->set[join_.b.sets->of(s.b[i])].kind;
+      s.key[i] = static_cast<std::uint8_t>(kind_a * kinds + kind_b);
+      ++begin[s.key[i] + 1];
+    }
+    for (int k = 0; k < kinds * kinds; ++k) begin[k + 1] += begin[k];
+    std::int32_t place[kinds * kinds];
+    std::memcpy(place, begin, sizeof place);
+    for (std::int32_t i = 0; i < n; ++i) {
+      const std::int32_t to = place[s.key[i]]++;
+      s.order[to] = static_cast<std::uint16_t>(i);
+      s.sorted_a[to] = s.a[i];
+      s.sorted_b[to] = s.b[i];
+    }
+    for (int k = 0; k < kinds * kinds; ++k) {
+      const std::int32_t from = begin[k], length = begin[k + 1] - from;
+      if (length > 0) decide_run(k / kinds, k % kinds, s.sorted_a + from, s.sorted_b + from, length, s.sorted + from);
+    }
+    for (std::int32_t i = 0; i < n; ++i) s.verdict[s.order[i]] = s.sorted[i];
+  }
+
+  const Join& join_;
+  View a_, b_;
+  bool self_;
+  Scratch& scratch_;
+  std::int64_t first_ = 0, last_ = 0, block_a_ = 0, block_b_ = 0, next_b_ = 0;
+  std::int32_t listed_ = 0, listed_end_ = 0;
+  bool whole_list_ = false, open_ = false;
+  int segments_ = 0;
+};
+
+}  // namespace
+
+std::int64_t join_scratch_bytes() noexcept { return round_up(sizeof(Scratch)); }
+
+std::int64_t count_pairs(const Join& join) noexcept {
+  Runner runner(join);
+  runner.find_range();
+  runner.seek(runner.first(), 0);
+  std::int64_t pairs = 0;
+  while (const std::int32_t n = runner.first() < runner.last() ? runner.gather(wanted_at_most) : 0) {
+    runner.decide(n);
+    const std::uint8_t* verdict = runner.scratch().verdict;
+    for (std::int32_t i = 0; i < n; ++i) pairs += verdict[i];
+  }
+  return pairs;
+}
+
+// A state: block of A, block of B, pairs of these already written, and the end of the part's run of blocks above the
+// mark. All 0 is the beginning; the first is -1 at the end.
+
+bool state_is_sound(const Join& join, const std::int64_t* state) noexcept {
+  if (state[0] == 0 && state[1] == 0 && state[2] == 0 && state[3] == 0) return true;
+  if (state[0] == -1) return true;
+  const std::int64_t blocks_a = View(join.a.index).blocks(), blocks_b = View(join.b.index).blocks();
+  if (state[0] < 0 || state[0] >= blocks_a || state[1] < 0 || state[1] >= blocks_b || state[2] < 0) return false;
+  return (state[3] & 0x7fff) == mark_of(join) && state[3] >> 15 > state[0] && state[3] >> 15 <= blocks_a;
+}
+
+std::int64_t write_pairs(const Join& join, std::int64_t* out_a, std::int64_t* out_b, std::int64_t capacity,
+                         std::int64_t* state) noexcept {
+  if (state[0] == -1) return 0;
+  Runner runner(join);
+  const std::int64_t mark = mark_of(join);
+  std::int64_t in_pair = 0, skip = state[2];
+  if (state[3] == 0) {
+    runner.find_range();
+  } else {
+    runner.set_range(state[0], state[3] >> 15);
+  }
+  runner.seek(runner.first(), state[3] == 0 ? 0 : state[1]);
+  std::int64_t written = 0, block_a = -1, block_b = -1;
+  while (runner.first() < runner.last()) {
+    // Where little room is left, few candidates: the next call begins at that pair of blocks again.
+    const std::int64_t wanted = 2 * (capacity - written + skip) + 32;
+    const std::int32_t n = runner.gather(wanted < wanted_at_most ? static_cast<std::int32_t>(wanted) : wanted_at_most);
+    if (n == 0) break;
+    runner.decide(n);
+    const Scratch& s = runner.scratch();
+    for (int k = 0; k < runner.segments(); ++k) {
+      const Segment& segment = runner.segment(k);
+      const std::int32_t end = k + 1 < runner.segments() ? runner.segment(k + 1).begin : n;
+      if (segment.block_a != block_a || segment.block_b != block_b) {
+        // A state's pairs to skip are of its first pair of blocks.
+        if (block_a != -1) skip = 0;
+        in_pair = 0;
+        block_a = segment.block_a;
+        block_b = segment.block_b;
+      }
+      for (std::int32_t i = segment.begin; i < end; ++i) {
+        if (s.verdict[i] == 0) continue;
+        if (in_pair < skip) {
+          ++in_pair;
+          continue;
+        }
+        if (written == capacity) {
+          state[0] = block_a;
+          state[1] = block_b;
+          state[2] = in_pair;
+          state[3] = runner.last() << 15 | mark;
+          return written;
+        }
+        out_a[written] = s.a[i];
+        out_b[written++] = s.b[i];
+        ++in_pair;
+      }
+    }
+  }
+  state[0] = -1;
+  state[1] = state[2] = state[3] = 0;
+  return written;
+}
+
+}  // namespace vesica::index

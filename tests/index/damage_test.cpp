@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Bytes that are no index: said so by vesica_index_check, or read without a step outside (the sanitizer sees it).
+#include <gtest/gtest.h>
+
+#include "index/face.hpp"
+
+namespace index_tests {
+namespace {
+
+/// A copy that is as long as it says.
+Memory copy_of(const Indexed<double>& indexed, std::int64_t bytes) {
+  Memory copy(bytes);
+  std::memcpy(copy.get(), indexed.index.get(), static_cast<std::size_t>(bytes));
+  return copy;
+}
+
+/// Runs every query over an index that passed its check.
+void query(const void* index, const Indexed<double>& whole) {
+  const Memory scratch(vesica_join_scratch());
+  std::int64_t out_a[64], out_b[64], state[4] = {0, 0, 0, 0};
+  for (int calls = 0; calls < 3 && state[0] != -1; ++calls) {
+    const std::int64_t n = vesica_join_f64(VESICA_JOIN_OVERLAP, index, whole.sets.data(), whole.sets.count(),
+                                           whole.index.get(), whole.sets.data(), whole.sets.count(), 0, 1,
+                                           scratch.get(), scratch.size, out_a, out_b, 64, state);
+    if (n < 0) break;
+    for (std::int64_t i = 0; i < n; ++i) {
+      ASSERT_LT(out_a[i], whole.sets.items);
+      ASSERT_LT(out_b[i], whole.sets.items);
+    }
+  }
+  vesica_join_f64(VESICA_JOIN_BOUNDS, whole.index.get(), nullptr, 0, index, nullptr, 0, 1, 3, scratch.get(),
+                  scratch.size, nullptr, nullptr, 0, nullptr);
+  vesica_index_order(index, out_a, 64);
+}
+
+TEST(Damage, EveryByteOfAnIndex) {
+  const Indexed<double> whole(rects<double>("two_scales", 120, 1));
+  const Memory copy = copy_of(whole, whole.result);
+  auto* bytes = static_cast<unsigned char*>(copy.get());
+  std::int64_t refused = 0;
+  for (std::int64_t i = 0; i < whole.result; ++i) {
+    for (const int flip : {0x01, 0x80}) {
+      const unsigned char was = bytes[i];
+      bytes[i] = static_cast<unsigned char>(was ^ flip);
+      if (vesica_index_check(copy.get(), copy.size) == 0) {
+        // Only sides and numbers of items are outside the checksum.
+        query(copy.get(), whole);
+      } else {
+        ++refused;
+        ASSERT_EQ(vesica_index_check(copy.get(), copy.size), VESICA_E_INDEX);
+      }
+      bytes[i] = was;
+    }
+    if (i < 256) {
+      ASSERT_EQ(refused, 2 * (i + 1)) << "a byte of the header";
+    }
+  }
+  ASSERT_EQ(vesica_index_check(copy.get(), copy.size), 0);
+}
+
+TEST(Damage, EveryLength) {
+  const Indexed<double> whole(rects<double>("two_scales", 200, 1));
+  for (std::int64_t size = 0; size < whole.result; ++size) {
+    const Memory copy = copy_of(whole, size);
+    ASSERT_EQ(vesica_index_check(copy.get(), size), VESICA_E_INDEX) << size;
+  }
+  EXPECT_EQ(vesica_index_check(whole.index.get(), whole.result), 0);
+  EXPECT_EQ(vesica_index_check(whole.index.get(), INT64_MAX), 0);
+  EXPECT_EQ(vesica_index_check(whole.index.get(), -1), VESICA_E_INDEX);
+}
+
+}  // namespace
+}  // namespace index_tests

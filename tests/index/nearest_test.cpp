@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The nearest items are those of all, sorted by the scalar function's distances and their numbers.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "index/all_pairs.hpp"
+
+namespace index_tests {
+namespace {
+
+template <class T>
+struct NearestFace;
+template <>
+struct NearestFace<double> {
+  static constexpr auto scalar = vesica_nearest_f64;
+  static constexpr auto index = vesica_index_nearest_f64;
+  static constexpr auto join = vesica_join_nearest_f64;
+  using Points = vesica_closest_points_f64;
+};
+template <>
+struct NearestFace<float> {
+  static constexpr auto scalar = vesica_nearest_f32;
+  static constexpr auto index = vesica_index_nearest_f32;
+  static constexpr auto join = vesica_join_nearest_f32;
+  using Points = vesica_closest_points_f32;
+};
+
+template <class T>
+std::vector<std::pair<T, std::int64_t>> all_distances(const Item<T>& one, const std::vector<Item<T>>& many, T within) {
+  std::vector<std::pair<T, std::int64_t>> all;
+  for (const Item<T>& other : many) {
+    typename NearestFace<T>::Points points;
+    if (NearestFace<T>::scalar(one.kind, one.numbers, other.kind, other.numbers, &points) != 0) continue;
+    if (points.distance <= within) all.emplace_back(points.distance, other.number);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+template <class T>
+class NearestTest : public testing::Test {};
+using Scalars = testing::Types<double, float>;
+TYPED_TEST_SUITE(NearestTest, Scalars);
+
+TYPED_TEST(NearestTest, AllSorted) {
+  using T = TypeParam;
+  constexpr T infinity = std::numeric_limits<T>::infinity();
+  for (const char* name : {"uniform", "two_scales", "lattice", "points", "needles"}) {
+    const Indexed<T> many(mixed<T>(name, 900, 1, 113));
+    const std::vector<Item<T>> items = items_of(many.laid);
+    const Laid<T> ones = mixed<T>(name, 30, 2);
+    for (const Item<T>& one : items_of(ones)) {
+      typename Face<T>::Shapes shape;
+      Face<T>::from_records(one.kind, 1, one.numbers, 0, &shape);
+      for (const T within : {infinity, T(1.5), T(0)}) {
+        const auto expected = all_distances<T>(one, items, within);
+        const auto find = NearestFace<T>::index;
+        EXPECT_EQ(find(many.index.get(), many.sets.data(), many.sets.count(), &shape, 0, within, nullptr, nullptr),
+                  static_cast<std::int64_t>(expected.size()));
+        for (const std::int64_t k : {1, 10, 1000}) {
+          std::vector<std::int64_t> out(static_cast<std::size_t>(k));
+          std::vector<T> distance(static_cast<std::size_t>(k));
+          const std::int64_t n = find(many.index.get(), many.sets.data(), many.sets.count(), &shape, k, within,
+                                      out.data(), distance.data());
+          ASSERT_EQ(n, std::min(k, static_cast<std::int64_t>(expected.size()))) << name;
+          for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+            ASSERT_EQ(distance[i], expected[i].first) << name << ", number " << i;
+            ASSERT_EQ(out[i], expected[i].second) << name << ", number " << i;
+          }
+        }
+      }
+    }
+  }
+}
+
+TYPED_TEST(NearestTest, OfEachItem) {
+  using T = TypeParam;
+  constexpr T infinity = std::numeric_limits<T>::infinity();
+  const Indexed<T> many(mixed<T>("uniform", 300, 1));
+  const Laid<T> laid = mixed<T>("uniform", 100, 2, 31);
+  const Sets<T> sets(laid);
+  const std::vector<Item<T>> items = items_of(many.laid);
+  std::vector<std::int64_t> out(500, 77);
+  std::vector<T> distance(500);
+  bool invalid = false;
+  for (const std::int64_t part : {0, 1, 2}) {
+    invalid |= NearestFace<T>::join(sets.data(), sets.count(), many.index.get(), many.sets.data(), many.sets.count(), 5,
+                                    T(2), part, 3, out.data(), distance.data()) == VESICA_E_SHAPE;
+  }
+  EXPECT_TRUE(invalid);
+  std::vector<bool> seen(100);
+  for (const Item<T>& one : items_of(laid)) {
+    const auto expected = all_distances<T>(one, items, T(2));
+    seen[static_cast<std::size_t>(one.number)] = true;
+    for (std::size_t i = 0; i < 5; ++i) {
+      const std::size_t at = static_cast<std::size_t>(one.number) * 5 + i;
+      EXPECT_EQ(out[at], i < expected.size() ? expected[i].second : -1);
+      EXPECT_EQ(distance[at], i < expected.size() ? expected[i].first : infinity);
+    }
+  }
+  for (std::size_t i = 0; i < 100; ++i) {
+    if (!seen[i]) {
+      EXPECT_EQ(out[i * 5], -1);
+    }
+  }
+}
+
+TEST(NearestArguments, Refused) {
+  const Indexed<double> many(rects<double>("uniform", 50, 1));
+  const double point[2] = {NAN, 1};
+  vesica_shapes_f64 one;
+  vesica_shapes_from_records_f64(VESICA_POINT, 1, point, 0, &one);
+  std::int64_t out[3];
+  double distance[3];
+  const auto call = [&](std::int64_t k, double within) {
+    return vesica_index_nearest_f64(many.index.get(), many.sets.data(), 1, &one, k, within, out, distance);
+  };
+  EXPECT_EQ(call(3, 1), VESICA_E_SHAPE);
+  EXPECT_EQ(call(-1, 1), VESICA_E_ARGUMENT);
+  EXPECT_EQ(call(3, -1), VESICA_E_ARGUMENT);
+  EXPECT_EQ(call(3, NAN), VESICA_E_ARGUMENT);
+  EXPECT_EQ(vesica_index_nearest_f64(many.index.get(), many.sets.data(), 0, &one, 3, 1, out, distance),
+            VESICA_E_ARGUMENT);
+  EXPECT_EQ(vesica_index_nearest_f64(many.index.get(), many.sets.data(), 1, nullptr, 3, 1, out, distance),
+            VESICA_E_NULL);
+  EXPECT_EQ(vesica_index_nearest_f64(many.index.get(), many.sets.data(), 1, &one, 3, 1, nullptr, distance),
+            VESICA_E_NULL);
+}
+
+}  // namespace
+}  // namespace index_tests
