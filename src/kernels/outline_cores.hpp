@@ -28,7 +28,7 @@ VESICA_INLINE detail::nearest::LaneAnswer<Doubles> nested_outlines(const Rect<Do
   };
   const Rect<Doubles> outer = choose(b, a), inner = choose(a, b);
   const auto f = detail::boundary_distance::nested_boxes(detail::support_minimum::box_pair(outer, inner));
-  const detail::nearest::LaneAnswer<Doubles> found{rounded(f.distance), outer.cx + f.outer_x, outer.cy + f.outer_y,
+  const detail::nearest::LaneAnswer<Doubles> found{rounded(f.distance),  outer.cx + f.outer_x, outer.cy + f.outer_y,
                                                    inner.cx + f.inner_x, inner.cy + f.inner_y, f.settled};
   return detail::nearest::choose(a_inside, detail::boundary_distance::points_exchanged(found), found);
 }

@@ -85,7 +85,8 @@ TEST(DepthLastPlace, ConcentricDiscsKeepADirection) {
 
 /// Off from the truth, in quanta: the least over all directions, to 90 digits.
 double off_by_quanta(int kind_a, const Numbers& a, int kind_b, const Numbers& b) {
-  const auto exact = outline_reference::least(outline_reference::shape(kind_a, a), outline_reference::shape(kind_b, b), 1);
+  const auto exact =
+      outline_reference::least(outline_reference::shape(kind_a, a), outline_reference::shape(kind_b, b), 1);
   const Real off = abs(Real(Real(depth(kind_a, a, kind_b, b).depth) - exact.value));
   return Real(off / Real(quantum)).get_d();
 }
@@ -117,8 +118,8 @@ TEST(DepthLastPlace, AllSubnormalBoxes) {
   for (int i = 0; i < 150 * properties::repeat(); ++i) {
     const double size = std::ldexp(1, -1070 + static_cast<int>(random() % 50));
     const auto box = [&] {
-      return Numbers{size * unit(random),        size * unit(random), unit(random), unit(random),
-                     size * (1 + unit(random)), size * (1 + unit(random))};
+      return Numbers{size * unit(random), size * unit(random),       unit(random),
+                     unit(random),        size * (1 + unit(random)), size * (1 + unit(random))};
     };
     const Numbers a = box(), b = box();
     if (vesica_overlap_f64(VESICA_RECT, a.data(), VESICA_RECT, b.data()) != 1) continue;

@@ -3,13 +3,12 @@
 // sets flush-to-zero; any shared object built with -ffast-math sets it and denormals-are-zero for the whole process
 // that loads it. Without care 87 of 5,894 held-out answers were wrong under denormals-are-zero: subnormal sizes read as
 // zero, so that invalid shapes were accepted and valid ones refused.
-#include "environment/environments.hpp"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
 #include "environment/calls.hpp"
+#include "environment/environments.hpp"
 #include "oracle/oracle.hpp"
 #include "properties/generators.hpp"
 #include "properties/pairs_of_kinds.hpp"
@@ -24,7 +23,7 @@ using properties::Pair;
 using properties::Workload;
 
 /// Subnormal and huge numbers are what environments change most.
-constexpr Workload workloads[] = {Workload::near_contact, Workload::touching, Workload::tiny,
+constexpr Workload workloads[] = {Workload::near_contact, Workload::touching,    Workload::tiny,
                                   Workload::huge,         Workload::mixed_scale, Workload::thin};
 
 /// Pairs of one workload, some of them invalid by a negative size or an axis of 0.

@@ -19,12 +19,9 @@ struct Environment {
 };
 
 inline constexpr Environment all_environments[] = {
-    {"flush to zero", 0x8000, FE_TONEAREST, false},
-    {"denormals are zero", 0x0040, FE_TONEAREST, false},
-    {"both", 0x8040, FE_TONEAREST, false},
-    {"downward", 0x2000, FE_DOWNWARD, false},
-    {"upward", 0x4000, FE_UPWARD, false},
-    {"toward zero, both", 0xe040, FE_TOWARDZERO, false},
+    {"flush to zero", 0x8000, FE_TONEAREST, false}, {"denormals are zero", 0x0040, FE_TONEAREST, false},
+    {"both", 0x8040, FE_TONEAREST, false},          {"downward", 0x2000, FE_DOWNWARD, false},
+    {"upward", 0x4000, FE_UPWARD, false},           {"toward zero, both", 0xe040, FE_TOWARDZERO, false},
     {"trapping", 0x0000, FE_TONEAREST, true},
 };
 

@@ -33,7 +33,9 @@ double error_of_itself(const Pair& pair) {
 
 // Was off by 6 last places: the last Newton step was longer than its own rounding allows.
 TEST(NearestContact, APointAtTheEndOfAThinEllipse) {
-  const Pair pair{VESICA_POINT, VESICA_ELLIPSE, {0x1.3f63dcefae31cp+1, 0x1.20b2b42337212p+1},
+  const Pair pair{VESICA_POINT,
+                  VESICA_ELLIPSE,
+                  {0x1.3f63dcefae31cp+1, 0x1.20b2b42337212p+1},
                   {0x1.3f60e9adfba11p+1, 0x1.0a3b5dd5c74bfp+1, 1, 0, 0x1.00be89b210a6fp-8, 0x1.678db464acdc5p-3}};
   EXPECT_EQ(nearest_test::nearest(properties::Scalar::f64, pair).distance, 0x1.c3100416c7c4bp-49);
   EXPECT_LE(error_of_itself(pair), 2);
