@@ -23,7 +23,7 @@ inline std::string to_string(const Kinds& k) {
 }
 
 /// How GoogleTest shows a parameter.
-inline void PrintTo(const Kinds& kinds, std::ostream* out) { *out << to_string(kinds); }
+inline void PrintTo(const Kinds& k, std::ostream* out) { *out << to_string(k); }
 
 inline std::vector<Kinds> all_pairs_of_kinds() {
   std::vector<Kinds> result;
