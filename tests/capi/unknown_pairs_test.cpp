@@ -15,8 +15,12 @@ struct OfDiscs {
   static constexpr bool answers = ShapeTraits<A>::kind <= Kind::circle&& ShapeTraits<B>::kind ==
                                   Kind::circle&& ShapeTraits<A>::kind != Kind::segment;
   template <class A, class B>
-  static std::int32_t answer(const A&, const B& b) noexcept {
-    return static_cast<std::int32_t>(b.r);
+  static std::int32_t answer([[maybe_unused]] const A& a, const B& b) noexcept {
+    if constexpr (ShapeTraits<B>::kind == Kind::circle) {
+      return static_cast<std::int32_t>(b.r);
+    } else {
+      return static_cast<std::int32_t>(a.r);
+    }
   }
 };
 
