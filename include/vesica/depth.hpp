@@ -8,8 +8,9 @@
 /// directions are equally short, the answer is one of them.
 ///
 /// Accuracy, with u = 2^-53 and scale the largest coordinate of the offset of centres or half length: the depth is
-/// right to 4u scale. The direction is a unit vector to 3u; moving b along it by the depth separates the shapes to
-/// within 4u scale. Whether the depth is 0 is decided exactly: it is 0 only where the true depth is.
+/// right to 4u scale; of two circles, and of a point and a circle, to its last place. It is rounded once, among
+/// subnormals too. The direction is a unit vector to 3u; moving b along it by the depth separates the shapes to within
+/// 4u scale. Whether the depth is 0 is decided exactly: it is 0 only where the true depth is.
 ///
 /// Laws, each tested: depth(b, a) has the same bits with the opposite direction (except for equal shapes at one place,
 /// where both calls are the same); the answer is unchanged when both shapes are moved by the same exact amounts; b

@@ -68,7 +68,7 @@ void depths(const char* what, double aspect, double share) {
     if (!found.settled) continue;
     ++tally.settled;
     const auto d = detail::depth::searched_depth(detail::support_minimum::form(a), detail::support_minimum::form(b));
-    tally.worst = std::max(tally.worst, std::abs(found.depth - std::ldexp(d.value, d.exponent)));
+    tally.worst = std::max(tally.worst, std::abs(found.depth - std::ldexp(d.value.high, d.exponent)));
   }
   tally.report(what, aspect, share);
 }
@@ -97,7 +97,7 @@ void nested(const char* what, double aspect, bool a_inside, double share) {
     const auto f = detail::support_minimum::form(a), g = detail::support_minimum::form(b);
     const auto n =
         a_inside ? detail::boundary_distance::nested_distance(g, f) : detail::boundary_distance::nested_distance(f, g);
-    tally.worst = std::max(tally.worst, std::abs(found.distance - std::ldexp(n.distance, n.exponent)));
+    tally.worst = std::max(tally.worst, std::abs(found.distance - std::ldexp(n.distance.high, n.exponent)));
   }
   tally.report(what, aspect, share);
 }
