@@ -66,8 +66,7 @@ extern "C" {
 #define VESICA_VERSION_MAJOR 0
 #define VESICA_VERSION_MINOR 1
 #define VESICA_VERSION_PATCH 0
-/** Version of this header: major * 10000 + minor * 100 + patch. */
-#define VESICA_VERSION 100
+#define VESICA_VERSION 100 /**< of this header: major * 10000 + minor * 100 + patch */
 
 /* Kinds of shapes, and the order of their numbers. */
 #define VESICA_POINT 0   /**< x y */
