@@ -30,16 +30,19 @@ inline Circle<double> as_circle(const Point<double>& p) noexcept { return {p.x, 
 /// Below this share of the sizes the difference of rounded lengths has lost digits that its last place needs.
 inline constexpr double least_plain_difference = 0x1p-40;
 
-/// With s the sum of radii and D the offset of centres, s - |D| = (s^2 - D.D) / (s + |D|). The numerator is exact.
+/// With s the sum of radii and D the offset of centres, s - |D| = (s^2 - D.D) / (s + |D|). The numerator is formed
+/// exactly and taken to two doubles, so that the quotient is rounded once.
 inline Depth tiny_disc_depth(const Circle<double>& a, const Circle<double>& b, const Depth& plain,
                              const FastDoubleDouble<double>& both_lengths) noexcept {
   using exact::from_double;
   const auto x = from_double(b.cx) - from_double(a.cx), y = from_double(b.cy) - from_double(a.cy);
-  const auto numerator =
-      exact::rounded(exact::square(from_double(a.r) + from_double(b.r)) - (exact::square(x) + exact::square(y)));
-  const auto quotient = arithmetic::AccurateDoubleDouble(numerator.value) /
-                        arithmetic::AccurateDoubleDouble(both_lengths.high, both_lengths.low);
-  return {{quotient.high, quotient.low}, plain.direction, numerator.exponent - plain.exponent};
+  const auto numerator = exact::square(from_double(a.r) + from_double(b.r)) - (exact::square(x) + exact::square(y));
+  const auto high = exact::rounded(numerator);
+  const auto low = exact::rounded(numerator - from_double(high.value, high.exponent));
+  const auto quotient =
+      arithmetic::AccurateDoubleDouble(high.value, arithmetic::scale_far(low.value, low.exponent - high.exponent)) /
+      arithmetic::AccurateDoubleDouble(both_lengths.high, both_lengths.low);
+  return {{quotient.high, quotient.low}, plain.direction, high.exponent - plain.exponent};
 }
 
 /// For discs that overlap; concentric ones move apart along x, the first in order to the left.
