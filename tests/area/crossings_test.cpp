@@ -151,6 +151,19 @@ struct Worst {
   }
 };
 
+// Below 2^-500 the second place came first: an edge along x was taken for one along y, because a zero was compared by
+// an exponent that it does not have.
+TEST(Crossings, ComeInOneOrderAtEveryMagnitude) {
+  for (int e = -1000; e <= 1000; e += 20) {
+    const double q = std::ldexp(1, e);
+    const double circle[] = {0, 0, q}, box[] = {0, q / 2, q, 2 * q};
+    vesica_crossing_points_f64 out;
+    ASSERT_EQ(vesica_crossings_f64(VESICA_CIRCLE, circle, VESICA_AABB, box, &out), 2) << e;
+    EXPECT_EQ(out.y[0], q / 2) << e;
+    EXPECT_EQ(out.y[1], q) << e;
+  }
+}
+
 TEST(Crossings, AsManyAsExactIntegersTell) {
   for (int a = VESICA_POINT; a <= VESICA_ELLIPSE; ++a) {
     for (int b = VESICA_POINT; b <= VESICA_ELLIPSE; ++b) {

@@ -34,7 +34,7 @@ finds converse_forgotten relation.exact_stage 120
 finds distance_off nearest.of_scale 200
 finds depth_off depth.exchanged 120
 finds area_off area.exchanged 120
-finds lane_flipped batch.overlap_portable 160
+finds lane_flipped batch.overlap_sse2 160
 
 # A run that is resumed goes on where it stopped.
 state=$(mktemp)

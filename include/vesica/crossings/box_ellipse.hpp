@@ -132,7 +132,7 @@ class Chord {
  public:
   Chord(const DiscEdge& edge, const Roots& roots) noexcept {
     const Scaled x = edge.r0.scaled(), y = edge.r1.scaled(), off = roots.off, d = roots.discriminant;
-    const bool steep = x.value == 0 || y.exponent - x.exponent > 1000;
+    const bool steep = x.value == 0 || (y.value != 0 && y.exponent - x.exponent > 1000);
     const auto unit_edge =
         arithmetic::unit_and_length(x.value, steep ? 0 : arithmetic::scale(y.value, y.exponent - x.exponent));
     ux_ = steep ? 0 : unit_edge.x;
