@@ -44,7 +44,8 @@ int32_t shapes_from_records(int32_t kind, int64_t count, const void* base, ptrdi
   if (count < 0) return VESICA_E_ARGUMENT;
   *out = {kind, 0, count, stride, {}};
   for (int k = 0; k < vesica::field_count(kind) && base != nullptr; ++k) {
-    out->field[k] = reinterpret_cast<const T*>(static_cast<const unsigned char*>(base) + k * sizeof(T));
+    out->field[k] =
+        reinterpret_cast<const T*>(static_cast<const unsigned char*>(base) + static_cast<std::size_t>(k) * sizeof(T));
   }
   return 0;
 }

@@ -59,9 +59,9 @@ struct Layout {
     l.samples = samples_a_cell * l.cells < least_samples ? least_samples : samples_a_cell * l.cells;
     const std::int64_t tables = l.cells + 4096, rows = slices_for(items) * (l.cells + residues) + 4096;
     std::int64_t at = 0;
-    const auto take = [&at](std::int64_t bytes) {
+    const auto take = [&at](std::int64_t size) {
       const std::int64_t begin = at;
-      at += round_up(bytes);
+      at += round_up(size);
       return begin;
     };
     l.state = take(sizeof(State));

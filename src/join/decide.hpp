@@ -80,7 +80,8 @@ void gather_records(const Set& set, const std::uint32_t* item, int n, int behind
 
 template <class T>
 void gather_number(const Set& set, int k, std::int64_t item, int i, Columns& out) noexcept {
-  std::memcpy(out.column[k] + i * sizeof(T), set.field[k] + (item - set.first) * set.stride, sizeof(T));
+  std::memcpy(out.column[k] + static_cast<std::size_t>(i) * sizeof(T), set.field[k] + (item - set.first) * set.stride,
+              sizeof(T));
 }
 
 template <class T>
