@@ -54,6 +54,8 @@ class NumberColumns {
       fill_up(n, end);
       for (int k = 0; k < max_fields; ++k) number_[k] = copy_[k];
     }
+    // Numbers that the kind does not have repeat the first: loops of a fixed length read elements faster.
+    for (int k = field_count(kind_); k < max_fields; ++k) number_[k] = number_[0];
     if (query.shape_area != nullptr) set_areas(n, end, query.shape_area);
     if (query.known == Known::reach && kind_ == static_cast<std::int32_t>(Kind::rect)) {
       set_reaches(end, query.shape_area != nullptr);
@@ -85,7 +87,11 @@ class NumberColumns {
   }
 
   void element(std::int32_t i, double (&out)[max_fields]) const noexcept {
-    for (int k = 0; k < field_count(kind_); ++k) out[k] = number_[k][repeated_ ? 0 : i];
+    const std::int32_t at = repeated_ ? 0 : i;
+    for (int k = 0; k < field_count(kind_); k += 2) {
+      out[k] = number_[k][at];
+      out[k + 1] = number_[k + 1][at];
+    }
   }
 
  private:
@@ -264,9 +270,7 @@ class Engine {
     }
     const QueryKernel kernel = kernel_of(query, pairs.first().kind(), pairs.second().kind());
     if (kernel != nullptr && ask_kernel(kernel, query, pairs, results)) return;
-    for (std::int32_t i = 0; i < pairs.n; ++i) {
-      if (kernel == nullptr || std::isnan(results[0][i])) ask_scalar(query, pairs, i, results);
-    }
+    ask_scalar(query, pairs, kernel == nullptr, results);
   }
 
   QueryKernel kernel_of(const Query& query, std::int32_t first, std::int32_t second) const noexcept {
@@ -341,15 +345,24 @@ class Engine {
     if (error < 0 && error_ != error_shape) error_ = error;
   }
 
-  void ask_scalar(const Query& query, const Pairs& pairs, std::int32_t i, Results& results) noexcept {
-    double a[max_fields], b[max_fields], numbers[max_results];
-    pairs.a.element(i, a);
-    pairs.b.element(i, b);
-    const std::int32_t code = query.doubles.of[pairs.a.kind()][pairs.b.kind()](a, b, numbers);
-    note(code);
-    if (query.numbers == 0) numbers[0] = code;
-    for (int k = 0; k < query.columns(); ++k) {
-      results[k][i] = code < 0 ? std::numeric_limits<double>::quiet_NaN() : numbers[k];
+  /// All pairs, or only those that a kernel left open by a NaN.
+  void ask_scalar(const Query& query, const Pairs& pairs, bool all, Results& results) noexcept {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const PairFunction answer_pair = query.doubles.of[pairs.a.kind()][pairs.b.kind()];
+    for (std::int32_t i = 0; i < pairs.n; ++i) {
+      if (!all && !std::isnan(results[0][i])) continue;
+      double a[max_fields], b[max_fields], numbers[max_results];
+      pairs.a.element(i, a);
+      pairs.b.element(i, b);
+      const std::int32_t code = answer_pair(a, b, numbers);
+      if (code < 0) {
+        note(code);
+        for (int k = 0; k < query.columns(); ++k) results[k][i] = nan;
+      } else if (query.numbers == 0) {
+        results[0][i] = code;
+      } else {
+        for (int k = 0; k < query.numbers; ++k) results[k][i] = numbers[k];
+      }
     }
   }
 };
