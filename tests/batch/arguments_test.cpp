@@ -11,11 +11,9 @@
 #include <limits>
 #include <vesica/shapes.hpp>
 
-#include "batch/c_face.hpp"
+#include "capi/face.hpp"
 
 namespace {
-
-using batch_tests::CFace;
 
 constexpr std::uint8_t untouched = 0xA5;
 constexpr std::int64_t unwritten = -77;
@@ -26,7 +24,7 @@ constexpr std::ptrdiff_t farthest_back = std::numeric_limits<std::ptrdiff_t>::mi
 template <class T>
 class BatchArguments : public testing::Test {
  protected:
-  using Face = CFace<T>;
+  using Face = capi_tests::Face<T>;
   using Shapes = typename Face::Shapes;
 
   static Shapes columns(std::int32_t kind, std::int64_t count, std::initializer_list<const T*> fields) {
@@ -36,12 +34,12 @@ class BatchArguments : public testing::Test {
     return shapes;
   }
 
-  std::int64_t many(const Shapes* a, const Shapes* b) { return Face::many(a, b, out_.data()); }
+  std::int64_t many(const Shapes* a, const Shapes* b) { return Face::overlap_many(a, b, out_.data()); }
   std::int64_t matrix(const Shapes& a, const Shapes& b, std::ptrdiff_t row_stride) {
-    return Face::matrix(&a, &b, out_.data(), row_stride);
+    return Face::overlap_matrix(&a, &b, out_.data(), row_stride);
   }
   std::int64_t select(const Shapes& one, const Shapes& shapes, std::int64_t capacity) {
-    return Face::select(&one, &shapes, indices_.data(), capacity);
+    return Face::overlap_select(&one, &shapes, indices_.data(), capacity);
   }
 
   /// All three functions refuse the array `wrong`, whichever argument it is, and write nothing.
@@ -120,17 +118,17 @@ TYPED_TEST(BatchArguments, AreRightInTheScene) {
 TYPED_TEST(BatchArguments, NullIsReportedFirst) {
   auto wrong_kind = this->points_;
   wrong_kind.kind = vesica::kind_count;
-  EXPECT_EQ(TestFixture::Face::many(nullptr, &this->points_, this->out_.data()), VESICA_E_NULL);
-  EXPECT_EQ(TestFixture::Face::many(&this->points_, nullptr, this->out_.data()), VESICA_E_NULL);
-  EXPECT_EQ(TestFixture::Face::many(&this->points_, &this->points_, nullptr), VESICA_E_NULL);
-  EXPECT_EQ(TestFixture::Face::many(&wrong_kind, nullptr, this->out_.data()), VESICA_E_NULL);
-  EXPECT_EQ(TestFixture::Face::many(&wrong_kind, &this->points_, nullptr), VESICA_E_NULL);
-  EXPECT_EQ(TestFixture::Face::matrix(nullptr, &this->points_, this->out_.data(), 4), VESICA_E_NULL);
-  EXPECT_EQ(TestFixture::Face::matrix(&this->points_, nullptr, this->out_.data(), 4), VESICA_E_NULL);
-  EXPECT_EQ(TestFixture::Face::matrix(&this->points_, &this->points_, nullptr, 4), VESICA_E_NULL);
-  EXPECT_EQ(TestFixture::Face::select(nullptr, &this->points_, this->indices_.data(), 8), VESICA_E_NULL);
-  EXPECT_EQ(TestFixture::Face::select(&this->disc_, nullptr, this->indices_.data(), 8), VESICA_E_NULL);
-  EXPECT_EQ(TestFixture::Face::select(&this->disc_, &this->points_, nullptr, 8), VESICA_E_NULL);
+  EXPECT_EQ(TestFixture::Face::overlap_many(nullptr, &this->points_, this->out_.data()), VESICA_E_NULL);
+  EXPECT_EQ(TestFixture::Face::overlap_many(&this->points_, nullptr, this->out_.data()), VESICA_E_NULL);
+  EXPECT_EQ(TestFixture::Face::overlap_many(&this->points_, &this->points_, nullptr), VESICA_E_NULL);
+  EXPECT_EQ(TestFixture::Face::overlap_many(&wrong_kind, nullptr, this->out_.data()), VESICA_E_NULL);
+  EXPECT_EQ(TestFixture::Face::overlap_many(&wrong_kind, &this->points_, nullptr), VESICA_E_NULL);
+  EXPECT_EQ(TestFixture::Face::overlap_matrix(nullptr, &this->points_, this->out_.data(), 4), VESICA_E_NULL);
+  EXPECT_EQ(TestFixture::Face::overlap_matrix(&this->points_, nullptr, this->out_.data(), 4), VESICA_E_NULL);
+  EXPECT_EQ(TestFixture::Face::overlap_matrix(&this->points_, &this->points_, nullptr, 4), VESICA_E_NULL);
+  EXPECT_EQ(TestFixture::Face::overlap_select(nullptr, &this->points_, this->indices_.data(), 8), VESICA_E_NULL);
+  EXPECT_EQ(TestFixture::Face::overlap_select(&this->disc_, nullptr, this->indices_.data(), 8), VESICA_E_NULL);
+  EXPECT_EQ(TestFixture::Face::overlap_select(&this->disc_, &this->points_, nullptr, 8), VESICA_E_NULL);
   this->expect_untouched();
 }
 
@@ -231,14 +229,14 @@ TYPED_TEST(BatchArguments, TheStrideOfOneElementIsNotLookedAt) {
 
 TYPED_TEST(BatchArguments, NothingToAnswerNeedsNoMemory) {
   auto& nothing = this->nothing_;
-  EXPECT_EQ(TestFixture::Face::many(&nothing, &nothing, nullptr), 0);
-  EXPECT_EQ(TestFixture::Face::many(&nothing, &this->disc_, nullptr), 0);
-  EXPECT_EQ(TestFixture::Face::many(&this->disc_, &nothing, nullptr), 0);
-  EXPECT_EQ(TestFixture::Face::matrix(&nothing, &this->points_, nullptr, 0), 0);
-  EXPECT_EQ(TestFixture::Face::matrix(&this->points_, &nothing, nullptr, 0), 0);
-  EXPECT_EQ(TestFixture::Face::matrix(&nothing, &nothing, nullptr, -1), 0);
-  EXPECT_EQ(TestFixture::Face::select(&this->disc_, &nothing, nullptr, 0), 0);
-  EXPECT_EQ(TestFixture::Face::select(&this->disc_, &nothing, nullptr, 8), 0);
+  EXPECT_EQ(TestFixture::Face::overlap_many(&nothing, &nothing, nullptr), 0);
+  EXPECT_EQ(TestFixture::Face::overlap_many(&nothing, &this->disc_, nullptr), 0);
+  EXPECT_EQ(TestFixture::Face::overlap_many(&this->disc_, &nothing, nullptr), 0);
+  EXPECT_EQ(TestFixture::Face::overlap_matrix(&nothing, &this->points_, nullptr, 0), 0);
+  EXPECT_EQ(TestFixture::Face::overlap_matrix(&this->points_, &nothing, nullptr, 0), 0);
+  EXPECT_EQ(TestFixture::Face::overlap_matrix(&nothing, &nothing, nullptr, -1), 0);
+  EXPECT_EQ(TestFixture::Face::overlap_select(&this->disc_, &nothing, nullptr, 0), 0);
+  EXPECT_EQ(TestFixture::Face::overlap_select(&this->disc_, &nothing, nullptr, 8), 0);
   EXPECT_EQ(this->many(&nothing, &this->disc_), 0);
   EXPECT_EQ(this->matrix(this->points_, nothing, 0), 0);
   this->expect_untouched();
@@ -266,7 +264,7 @@ TYPED_TEST(BatchArguments, RowsMayNotOverlap) {
   this->expect_bytes({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
   auto two = this->points_;
   two.count = 2;
-  EXPECT_EQ(TestFixture::Face::matrix(&two, &this->points_, this->out_.data() + 4, -4), 2);
+  EXPECT_EQ(TestFixture::Face::overlap_matrix(&two, &this->points_, this->out_.data() + 4, -4), 2);
   this->expect_bytes({0, 1, 0, 0, 1, 0, 0, 0});
 }
 
@@ -291,7 +289,7 @@ TYPED_TEST(BatchArguments, ASingleRowLiesAnywhere) {
 }
 
 TYPED_TEST(BatchArguments, SelectionFillsItsRoomAndSaysHowManyThereAre) {
-  EXPECT_EQ(TestFixture::Face::select(&this->disc_, &this->points_, nullptr, 0), 3);
+  EXPECT_EQ(TestFixture::Face::overlap_select(&this->disc_, &this->points_, nullptr, 0), 3);
   EXPECT_EQ(this->select(this->disc_, this->points_, 0), 3);
   this->expect_untouched();
   EXPECT_EQ(this->select(this->disc_, this->points_, 1), 3);
@@ -363,7 +361,7 @@ TYPED_TEST(BatchArguments, RecordsThatCannotBeAreRefused) {
   EXPECT_EQ(std::memcmp(&shapes, &before, sizeof shapes), 0);
   EXPECT_EQ(TestFixture::Face::from_records(VESICA_RECT, 0, nullptr, 48, &shapes), 0);
   EXPECT_EQ(shapes.count, 0);
-  EXPECT_EQ(TestFixture::Face::many(&shapes, &shapes, nullptr), 0);
+  EXPECT_EQ(TestFixture::Face::overlap_many(&shapes, &shapes, nullptr), 0);
 }
 
 }  // namespace

@@ -7,15 +7,16 @@
 #include <cstdlib>
 #include <string>
 
-#include "batch/c_face.hpp"
 #include "batch/data.hpp"
 #include "batch/expect.hpp"
 #include "batch/instruction_sets.hpp"
 #include "batch/layout.hpp"
+#include "capi/face.hpp"
 
 namespace {
 
 using namespace batch_tests;
+using capi_tests::Face;
 
 std::string asked_for() {
   const char* text = std::getenv("VESICA_ISA");
@@ -51,9 +52,9 @@ class Forced : public testing::TestWithParam<std::pair<int, int>> {
 };
 
 template <class T>
-typename CFace<T>::Shapes c_shapes(const Stored<T>& stored) {
+typename Face<T>::Shapes c_shapes(const Stored<T>& stored) {
   const auto& view = stored.view();
-  typename CFace<T>::Shapes shapes{view.kind, 0, view.count, view.stride, {}};
+  typename Face<T>::Shapes shapes{view.kind, 0, view.count, view.stride, {}};
   for (int k = 0; k < properties::field_count(view.kind); ++k) shapes.field[k] = view.field[k];
   return shapes;
 }
@@ -68,7 +69,7 @@ void check(const Pairs<T>& pairs, std::size_t n, Layout layout_a, Layout layout_
   const bool one_a = one_shape(layout_a);
   const Expected in_pairs = one_a ? in_step<T>(pairs.kind_a, s.a, true, pairs.kind_b, s.b, false) : s.expected;
   Output out(n);
-  EXPECT_EQ(CFace<T>::many(&c_a, &c_b, out.data()), returned(in_pairs));
+  EXPECT_EQ(Face<T>::overlap_many(&c_a, &c_b, out.data()), returned(in_pairs));
   EXPECT_EQ(first_difference(out, in_pairs), -1) << name(layout_a) << " with " << name(layout_b) << ", " << n;
   EXPECT_TRUE(out.margins_untouched());
 }
@@ -80,7 +81,7 @@ void check_one(const Pairs<T>& pairs, std::size_t n) {
   const auto one = c_shapes(a), many = c_shapes(b);
   const Expected expected = in_step<T>(pairs.kind_a, s.a, true, pairs.kind_b, s.b, false);
   Output out(n);
-  EXPECT_EQ(CFace<T>::matrix(&one, &many, out.data(), 0), returned(expected));
+  EXPECT_EQ(Face<T>::overlap_matrix(&one, &many, out.data(), 0), returned(expected));
   EXPECT_EQ(first_difference(out, expected), -1);
   std::vector<std::int64_t> indices(n + 1, -77), wanted = indices;
   std::size_t found = 0;
@@ -88,7 +89,7 @@ void check_one(const Pairs<T>& pairs, std::size_t n) {
     if (expected.bytes[i] == 1) wanted[found++] = static_cast<std::int64_t>(i);
   }
   wanted[found] = -1;
-  EXPECT_EQ(CFace<T>::select(&one, &many, indices.data(), static_cast<std::int64_t>(n + 1)), returned(expected));
+  EXPECT_EQ(Face<T>::overlap_select(&one, &many, indices.data(), static_cast<std::int64_t>(n + 1)), returned(expected));
   EXPECT_EQ(indices, wanted);
 }
 

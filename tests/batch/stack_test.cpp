@@ -11,12 +11,13 @@
 #include <stdexcept>
 #include <vector>
 
-#include "batch/c_face.hpp"
 #include "batch/data.hpp"
+#include "capi/face.hpp"
 
 namespace {
 
 using namespace batch_tests;
+using capi_tests::Face;
 
 constexpr std::size_t promised = 256 * 1024;
 constexpr std::size_t page = 4096;
@@ -42,7 +43,7 @@ std::size_t stack_used(void* (*work)(void*), void* argument) {
 
 template <class T>
 struct Call {
-  typename CFace<T>::Shapes a, b, one;
+  typename Face<T>::Shapes a, b, one;
   std::vector<std::uint8_t> out;
   std::vector<std::int64_t> indices;
 };
@@ -50,9 +51,9 @@ struct Call {
 template <class T>
 void* call_all(void* argument) {
   auto& call = *static_cast<Call<T>*>(argument);
-  CFace<T>::many(&call.a, &call.b, call.out.data());
-  CFace<T>::matrix(&call.one, &call.b, call.out.data(), 0);
-  CFace<T>::select(&call.one, &call.b, call.indices.data(), static_cast<std::int64_t>(call.indices.size()));
+  Face<T>::overlap_many(&call.a, &call.b, call.out.data());
+  Face<T>::overlap_matrix(&call.one, &call.b, call.out.data(), 0);
+  Face<T>::overlap_select(&call.one, &call.b, call.indices.data(), static_cast<std::int64_t>(call.indices.size()));
   return nullptr;
 }
 
@@ -63,9 +64,9 @@ void expect_kept(int kind_a, int kind_b) {
   const Pairs<T> pairs = pairs_of<T>(properties::Workload::mixed_scale, kind_a, kind_b, 600);
   const auto count = static_cast<std::int64_t>(pairs.size());
   Call<T> call{{}, {}, {}, std::vector<std::uint8_t>(pairs.size()), std::vector<std::int64_t>(pairs.size())};
-  CFace<T>::from_records(kind_a, count, pairs.a.data(), sizeof(Numbers<T>), &call.a);
-  CFace<T>::from_records(kind_b, count, pairs.b.data(), sizeof(Numbers<T>), &call.b);
-  CFace<T>::from_records(kind_a, 1, pairs.a.data(), 0, &call.one);
+  Face<T>::from_records(kind_a, count, pairs.a.data(), sizeof(Numbers<T>), &call.a);
+  Face<T>::from_records(kind_b, count, pairs.b.data(), sizeof(Numbers<T>), &call.b);
+  Face<T>::from_records(kind_a, 1, pairs.a.data(), 0, &call.one);
   call_all<T>(&call);  // the dynamic linker's own work comes first
   const std::size_t used = stack_used(call_all<T>, &call);
   const std::size_t idle = stack_used([](void*) -> void* { return nullptr; }, nullptr);

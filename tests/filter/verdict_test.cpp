@@ -3,17 +3,14 @@
 // double, inside and outside of the filters' guards, over the whole range of the format and about contact.
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 #include <vesica/overlap.hpp>
 
+#include "filter/any_numbers.hpp"
 #include "filter/inputs.hpp"
 #include "kernels/filters.hpp"
 #include "properties/random.hpp"
@@ -146,39 +143,9 @@ class Verdicts : public testing::Test {
     shape[3] = inputs::places_from(static_cast<V>(y / length), random_.integer(-5, 5) * random_.below(2));
   }
 
-  /// Any bit pattern, or one of the format's landmarks; not always finite.
-  V any_number() {
-    using Limits = std::numeric_limits<V>;
-    using Bits = std::conditional_t<sizeof(V) == 4, std::uint32_t, std::uint64_t>;
-    const V landmarks[] = {
-        0, 1, Limits::denorm_min(), Limits::min(), Limits::max(), Limits::infinity(), Limits::quiet_NaN()};
-    const V x =
-        random_.chance(0.03) ? landmarks[random_.below(7)] : std::bit_cast<V>(static_cast<Bits>(random_.bits()));
-    return random_.chance(0.5) ? -x : x;
-  }
-
-  /// Signs and order as a valid shape has them, most of the time.
   void mend(Numbers<V>& n) {
-    const auto mend_shape = [&](Kind kind, V* shape, int fields) {
-      if (random_.chance(0.02)) return;
-      for (int i = 0; i < fields; ++i) {
-        if (inputs::roles[static_cast<int>(kind)][static_cast<std::size_t>(i)] == 's') shape[i] = std::abs(shape[i]);
-      }
-      if (kind != Kind::aabb) return;
-      if (shape[0] > shape[2]) std::swap(shape[0], shape[2]);
-      if (shape[1] > shape[3]) std::swap(shape[1], shape[3]);
-    };
-    mend_shape(ShapeTraits<First>::kind, n.data(), fields_a);
-    mend_shape(ShapeTraits<Second>::kind, n.data() + fields_a, fields_b);
-  }
-
-  /// Breaks one number of a valid pair, in most cases so that a shape is invalid.
-  void spoil(Numbers<V>& n) {
-    using Limits = std::numeric_limits<V>;
-    V& x = n[random_.below(count)];
-    const V bad[] = {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(), -x, -Limits::denorm_min(), 0};
-    x = bad[random_.below(6)];
-    if (fields_b == 6 && random_.chance(0.1)) n[fields_a + 2] = n[fields_a + 3] = 0;
+    inputs::mend(ShapeTraits<First>::kind, n.data(), random_);
+    inputs::mend(ShapeTraits<Second>::kind, n.data() + fields_a, random_);
   }
 
   void report() const {
@@ -226,7 +193,7 @@ TYPED_TEST_P(Verdicts, OverTheWholeRange) {
       n = this->drawn(pairs);
     }
     for (int field = 0; field < this->count; ++field) {
-      if (all || this->random_.chance(0.15)) n[field] = this->any_number();
+      if (all || this->random_.chance(0.15)) n[field] = inputs::any_number<typename TypeParam::Scalar>(this->random_);
     }
     this->mend(n);
     this->check(n);
@@ -252,9 +219,7 @@ TYPED_TEST_P(Verdicts, AboutContact) {
       // Contact, and from there by places outwards.
       for (int k = 0; k < 10; ++k) {
         this->check(n);
-        const int field = this->random_.below(this->count);
-        const int places = this->random_.integer(1, 1 << this->random_.below(6));
-        n[field] = inputs::places_from(n[field], this->random_.chance(0.5) ? places : -places);
+        inputs::move_one(n, this->count, this->random_);
         if (!this->valid(n)) break;
       }
     }
@@ -268,7 +233,7 @@ TYPED_TEST_P(Verdicts, NoneOnInvalidShapes) {
     inputs::Inputs pairs = this->pairs(which);
     for (int i = 0; i < cases; ++i) {
       auto n = this->drawn(pairs);
-      this->spoil(n);
+      inputs::spoil(n, this->fields_a, this->count, this->random_);
       this->check(n);
     }
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "capi/face.hpp"
 #include "fuzz/bytes.hpp"
 
 namespace fuzz {
@@ -6,50 +7,7 @@ namespace {
 
 constexpr std::int64_t most = 40;
 
-template <class T>
-struct Face;
-
-template <>
-struct Face<double> {
-  using Shapes = vesica_shapes_f64;
-  static constexpr auto from_records = vesica_shapes_from_records_f64;
-  static constexpr auto overlap_many = vesica_overlap_many_f64;
-  static constexpr auto overlap_matrix = vesica_overlap_matrix_f64;
-  static constexpr auto overlap_select = vesica_overlap_select_f64;
-  static constexpr auto relation_many = vesica_relation_many_f64;
-  static constexpr auto relation_matrix = vesica_relation_matrix_f64;
-  static constexpr auto contains_many = vesica_contains_many_f64;
-  static constexpr auto contains_matrix = vesica_contains_matrix_f64;
-  static constexpr auto nearest_many = vesica_nearest_many_f64;
-  static constexpr auto boundary_distance_many = vesica_boundary_distance_many_f64;
-  static constexpr auto depth_many = vesica_depth_many_f64;
-  static constexpr auto area_many = vesica_area_many_f64;
-  static constexpr auto area_matrix = vesica_area_matrix_f64;
-  static constexpr auto iou_many = vesica_iou_many_f64;
-  static constexpr auto iou_matrix = vesica_iou_matrix_f64;
-  static constexpr auto nms = vesica_nms_f64;
-};
-
-template <>
-struct Face<float> {
-  using Shapes = vesica_shapes_f32;
-  static constexpr auto from_records = vesica_shapes_from_records_f32;
-  static constexpr auto overlap_many = vesica_overlap_many_f32;
-  static constexpr auto overlap_matrix = vesica_overlap_matrix_f32;
-  static constexpr auto overlap_select = vesica_overlap_select_f32;
-  static constexpr auto relation_many = vesica_relation_many_f32;
-  static constexpr auto relation_matrix = vesica_relation_matrix_f32;
-  static constexpr auto contains_many = vesica_contains_many_f32;
-  static constexpr auto contains_matrix = vesica_contains_matrix_f32;
-  static constexpr auto nearest_many = vesica_nearest_many_f32;
-  static constexpr auto boundary_distance_many = vesica_boundary_distance_many_f32;
-  static constexpr auto depth_many = vesica_depth_many_f32;
-  static constexpr auto area_many = vesica_area_many_f32;
-  static constexpr auto area_matrix = vesica_area_matrix_f32;
-  static constexpr auto iou_many = vesica_iou_many_f32;
-  static constexpr auto iou_matrix = vesica_iou_matrix_f32;
-  static constexpr auto nms = vesica_nms_f32;
-};
+using capi_tests::Face;
 
 /// Records of a kind, packed or not, at any byte, forwards or backwards; or one shape repeated.
 template <class T>

@@ -1,58 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hammer/call.hpp"
 
-#include <vesica.h>
-
 #include <bit>
 #include <cstdio>
 #include <cstring>
 
+#include "capi/face.hpp"
 #include "hammer/deliberate.hpp"
 
 namespace hammer {
 namespace {
 
-/// The functions of one scalar type.
-template <class T>
-struct Face;
-
-template <>
-struct Face<double> {
-  using Points = vesica_closest_points_f64;
-  using Penetration = vesica_penetration_f64;
-  using Crossings = vesica_crossing_points_f64;
-  using Aabb = vesica_aabb_f64;
-  static constexpr auto overlap = vesica_overlap_f64;
-  static constexpr auto relation = vesica_relation_f64;
-  static constexpr auto contains = vesica_contains_f64;
-  static constexpr auto nearest = vesica_nearest_f64;
-  static constexpr auto boundary_distance = vesica_boundary_distance_f64;
-  static constexpr auto depth = vesica_depth_f64;
-  static constexpr auto area = vesica_area_f64;
-  static constexpr auto iou = vesica_iou_f64;
-  static constexpr auto crossings = vesica_crossings_f64;
-  static constexpr auto shape_area = vesica_shape_area_f64;
-  static constexpr auto bounds = vesica_bounds_f64;
-};
-
-template <>
-struct Face<float> {
-  using Points = vesica_closest_points_f32;
-  using Penetration = vesica_penetration_f32;
-  using Crossings = vesica_crossing_points_f32;
-  using Aabb = vesica_aabb_f32;
-  static constexpr auto overlap = vesica_overlap_f32;
-  static constexpr auto relation = vesica_relation_f32;
-  static constexpr auto contains = vesica_contains_f32;
-  static constexpr auto nearest = vesica_nearest_f32;
-  static constexpr auto boundary_distance = vesica_boundary_distance_f32;
-  static constexpr auto depth = vesica_depth_f32;
-  static constexpr auto area = vesica_area_f32;
-  static constexpr auto iou = vesica_iou_f32;
-  static constexpr auto crossings = vesica_crossings_f32;
-  static constexpr auto shape_area = vesica_shape_area_f32;
-  static constexpr auto bounds = vesica_bounds_f32;
-};
+using capi_tests::Face;
 
 /// An output that shows whether it was written to.
 template <class Out>

@@ -17,7 +17,7 @@ std::int32_t code(int kind_a, const T* a, int kind_b, const T* b, Result<T>& res
 }
 
 template <class T, auto Many>
-std::int64_t code_many(const typename CFace<T>::Shapes* a, const typename CFace<T>::Shapes* b,
+std::int64_t code_many(const typename Face<T>::Shapes* a, const typename Face<T>::Shapes* b,
                        std::span<std::vector<T>> columns) {
   std::vector<std::uint8_t> bytes(columns[0].size());
   const std::int64_t returned = Many(a, b, bytes.data());
@@ -26,7 +26,7 @@ std::int64_t code_many(const typename CFace<T>::Shapes* a, const typename CFace<
 }
 
 template <class T, auto Matrix>
-std::int64_t code_matrix(const typename CFace<T>::Shapes* a, const typename CFace<T>::Shapes* b, std::vector<T>& out,
+std::int64_t code_matrix(const typename Face<T>::Shapes* a, const typename Face<T>::Shapes* b, std::vector<T>& out,
                          std::ptrdiff_t row_stride) {
   std::vector<std::uint8_t> bytes(out.begin(), out.end());
   const std::int64_t returned = Matrix(a, b, bytes.data(), row_stride);
@@ -49,13 +49,13 @@ std::int32_t structure(int kind_a, const T* a, int kind_b, const T* b, Result<T>
 }
 
 template <class T, auto Many>
-std::int64_t five_columns(const typename CFace<T>::Shapes* a, const typename CFace<T>::Shapes* b,
+std::int64_t five_columns(const typename Face<T>::Shapes* a, const typename Face<T>::Shapes* b,
                           std::span<std::vector<T>> c) {
   return Many(a, b, c[0].data(), c[1].data(), c[2].data(), c[3].data(), c[4].data());
 }
 
 template <class T, auto Many>
-std::int64_t three_columns(const typename CFace<T>::Shapes* a, const typename CFace<T>::Shapes* b,
+std::int64_t three_columns(const typename Face<T>::Shapes* a, const typename Face<T>::Shapes* b,
                            std::span<std::vector<T>> c) {
   return Many(a, b, c[0].data(), c[1].data(), c[2].data());
 }
@@ -67,13 +67,13 @@ std::int32_t number(int kind_a, const T* a, int kind_b, const T* b, Result<T>& r
 }
 
 template <class T, auto Many>
-std::int64_t one_column(const typename CFace<T>::Shapes* a, const typename CFace<T>::Shapes* b,
+std::int64_t one_column(const typename Face<T>::Shapes* a, const typename Face<T>::Shapes* b,
                         std::span<std::vector<T>> c) {
   return Many(a, b, c[0].data());
 }
 
 template <class T, auto Matrix>
-std::int64_t number_matrix(const typename CFace<T>::Shapes* a, const typename CFace<T>::Shapes* b, std::vector<T>& out,
+std::int64_t number_matrix(const typename Face<T>::Shapes* a, const typename Face<T>::Shapes* b, std::vector<T>& out,
                            std::ptrdiff_t row_stride) {
   return Matrix(a, b, out.data(), row_stride);
 }

@@ -10,10 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "batch/c_face.hpp"
 #include "batch/shapes.hpp"
+#include "capi/face.hpp"
 
 namespace batch_tests {
+
+using capi_tests::Face;
 
 inline constexpr std::size_t most_results = 5;
 
@@ -23,7 +25,7 @@ using Result = std::array<T, most_results>;
 /// One query in one scalar type. Codes, which the library writes as bytes, are numbers here.
 template <class T>
 struct QueryFace {
-  using Shapes = typename CFace<T>::Shapes;
+  using Shapes = typename Face<T>::Shapes;
   const char* name;
   std::size_t results;
   bool counts_zero;  ///< the batch returns how many first numbers are 0, not how many are positive

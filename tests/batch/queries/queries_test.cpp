@@ -25,9 +25,9 @@ auto bits(T x) {
 }
 
 template <class T>
-typename CFace<T>::Shapes c_shapes(const Stored<T>& stored) {
+typename Face<T>::Shapes c_shapes(const Stored<T>& stored) {
   const auto& view = stored.view();
-  typename CFace<T>::Shapes shapes{view.kind, 0, view.count, view.stride, {}};
+  typename Face<T>::Shapes shapes{view.kind, 0, view.count, view.stride, {}};
   for (int k = 0; k < properties::field_count(view.kind); ++k) shapes.field[k] = view.field[k];
   return shapes;
 }

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The structs and functions of vesica.h by scalar type.
+#pragma once
+
+#include <vesica.h>
+
+namespace capi_tests {
+
+template <class T>
+struct Face;
+
+template <>
+struct Face<double> {
+  using Points = vesica_closest_points_f64;
+  using Penetration = vesica_penetration_f64;
+  using Crossings = vesica_crossing_points_f64;
+  using Aabb = vesica_aabb_f64;
+  using Shapes = vesica_shapes_f64;
+  static constexpr auto overlap = vesica_overlap_f64;
+  static constexpr auto relation = vesica_relation_f64;
+  static constexpr auto contains = vesica_contains_f64;
+  static constexpr auto nearest = vesica_nearest_f64;
+  static constexpr auto boundary_distance = vesica_boundary_distance_f64;
+  static constexpr auto depth = vesica_depth_f64;
+  static constexpr auto area = vesica_area_f64;
+  static constexpr auto iou = vesica_iou_f64;
+  static constexpr auto crossings = vesica_crossings_f64;
+  static constexpr auto shape_area = vesica_shape_area_f64;
+  static constexpr auto bounds = vesica_bounds_f64;
+  static constexpr auto from_records = vesica_shapes_from_records_f64;
+  static constexpr auto overlap_many = vesica_overlap_many_f64;
+  static constexpr auto overlap_matrix = vesica_overlap_matrix_f64;
+  static constexpr auto overlap_select = vesica_overlap_select_f64;
+  static constexpr auto relation_many = vesica_relation_many_f64;
+  static constexpr auto relation_matrix = vesica_relation_matrix_f64;
+  static constexpr auto contains_many = vesica_contains_many_f64;
+  static constexpr auto contains_matrix = vesica_contains_matrix_f64;
+  static constexpr auto nearest_many = vesica_nearest_many_f64;
+  static constexpr auto boundary_distance_many = vesica_boundary_distance_many_f64;
+  static constexpr auto depth_many = vesica_depth_many_f64;
+  static constexpr auto area_many = vesica_area_many_f64;
+  static constexpr auto area_matrix = vesica_area_matrix_f64;
+  static constexpr auto iou_many = vesica_iou_many_f64;
+  static constexpr auto iou_matrix = vesica_iou_matrix_f64;
+  static constexpr auto nms = vesica_nms_f64;
+};
+
+template <>
+struct Face<float> {
+  using Points = vesica_closest_points_f32;
+  using Penetration = vesica_penetration_f32;
+  using Crossings = vesica_crossing_points_f32;
+  using Aabb = vesica_aabb_f32;
+  using Shapes = vesica_shapes_f32;
+  static constexpr auto overlap = vesica_overlap_f32;
+  static constexpr auto relation = vesica_relation_f32;
+  static constexpr auto contains = vesica_contains_f32;
+  static constexpr auto nearest = vesica_nearest_f32;
+  static constexpr auto boundary_distance = vesica_boundary_distance_f32;
+  static constexpr auto depth = vesica_depth_f32;
+  static constexpr auto area = vesica_area_f32;
+  static constexpr auto iou = vesica_iou_f32;
+  static constexpr auto crossings = vesica_crossings_f32;
+  static constexpr auto shape_area = vesica_shape_area_f32;
+  static constexpr auto bounds = vesica_bounds_f32;
+  static constexpr auto from_records = vesica_shapes_from_records_f32;
+  static constexpr auto overlap_many = vesica_overlap_many_f32;
+  static constexpr auto overlap_matrix = vesica_overlap_matrix_f32;
+  static constexpr auto overlap_select = vesica_overlap_select_f32;
+  static constexpr auto relation_many = vesica_relation_many_f32;
+  static constexpr auto relation_matrix = vesica_relation_matrix_f32;
+  static constexpr auto contains_many = vesica_contains_many_f32;
+  static constexpr auto contains_matrix = vesica_contains_matrix_f32;
+  static constexpr auto nearest_many = vesica_nearest_many_f32;
+  static constexpr auto boundary_distance_many = vesica_boundary_distance_many_f32;
+  static constexpr auto depth_many = vesica_depth_many_f32;
+  static constexpr auto area_many = vesica_area_many_f32;
+  static constexpr auto area_matrix = vesica_area_matrix_f32;
+  static constexpr auto iou_many = vesica_iou_many_f32;
+  static constexpr auto iou_matrix = vesica_iou_matrix_f32;
+  static constexpr auto nms = vesica_nms_f32;
+};
+
+}  // namespace capi_tests
