@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# build.sh DIRECTORY: builds the wheel into DIRECTORY, installs it into a fresh environment without network, and runs
+# the tests there. VESICA_BUILD names a build folder of cmake's whose library is taken.
+set -euo pipefail
+
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+mkdir -p "$1"
+directory=$(cd "$1" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_NO_INDEX=1
+
+# The sources are built from a copy: setuptools writes beside them.
+mkdir "$work/repository"
+tar -C "$here/.." --exclude=./build --exclude=./.git --exclude=__pycache__ -cf - . | tar -C "$work/repository" -xf -
+rm -f "$directory"/vesica-*.whl
+/usr/bin/python3 -m pip wheel --quiet --no-build-isolation --no-deps -w "$directory" "$work/repository/python"
+
+# numpy is Debian's. Nothing of the sources is in reach of what is tested.
+/usr/bin/python3 -m venv --system-site-packages "$work/environment"
+"$work/environment/bin/pip" install --quiet --no-deps "$directory"/vesica-*.whl
+cp -r "$here/tests" "$work/tests"
+cp "$here/../tests/ffi/vectors.txt" "$work/tests"
+cd "$work"
+"$work/environment/bin/python" -B -m unittest discover -s "$work/tests"
+"$work/environment/bin/python" -B -c 'import vesica; print("installed:", vesica.__version__, vesica.__file__)'
+ls "$directory"/vesica-*.whl

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Index and join against every pair."""
+import math
+import mmap
+import tempfile
+import unittest
+
+import numpy
+import vesica
+from vesica import Kind
+
+from test_queries import random_shapes
+
+
+def mixed(count, generator, dtype):
+    sets = []
+    for kind in Kind:
+        shapes = random_shapes(kind, count, generator, dtype)
+        sets.append(vesica.shapes(kind, spread(shapes, generator)))
+    return sets
+
+
+def spread(shapes, generator):
+    """Smaller and further apart, each number of a shape's places moved alike."""
+    numbers, moves = shapes.numbers, generator.uniform(-8, 8, (len(shapes), 2)).astype(shapes.dtype)
+    for k in range(0, 4 if shapes.kind in (Kind.SEGMENT, Kind.AABB) else 2, 2):
+        numbers[:, k : k + 2] += moves
+    return numbers
+
+
+class Index(unittest.TestCase):
+    def pairs_by_matrix(self, matrix, a, b):
+        rows = [numpy.concatenate([matrix(x, y) for y in b], axis=1) for x in a]
+        return {tuple(pair) for pair in numpy.argwhere(numpy.concatenate(rows))}
+
+    def test_joins(self):
+        generator = numpy.random.default_rng(7)
+        for dtype in ("f8", "f4"):
+            a, b = mixed(40, generator, dtype), mixed(30, generator, dtype)
+            index_a, index_b = vesica.Index(*a), vesica.Index(*b)
+            for query in ("overlap", "contains", "inside"):
+                expected = self.pairs_by_matrix(
+                    vesica.overlap_matrix if query == "overlap" else vesica.contains_matrix,
+                    *((a, b) if query != "inside" else (b, a)),
+                )
+                if query == "inside":
+                    expected = {(j, i) for i, j in expected}
+                self.assertTrue(expected)
+                found = list(zip(*index_a.join(index_b, query)))
+                self.assertEqual(len(found), len(set(found)))
+                self.assertEqual(set(found), expected)
+                self.assertEqual(index_a.join_count(index_b, query), len(expected))
+                parts = [index_a.join(index_b, query, part, 3) for part in range(3)]
+                self.assertEqual([pair for part in parts for pair in zip(*part)], found)
+            self.assertLessEqual(expected, set(zip(*index_a.join(index_b, "bounds"))))
+            own = self.pairs_by_matrix(vesica.overlap_matrix, a, a)
+            self.assertEqual(set(zip(*index_a.join())), {(i, j) for i, j in own if i < j})
+
+    def test_more_pairs_than_a_call_gives(self):
+        same = vesica.circles(numpy.ones((500, 3)))
+        self.assertEqual(len(vesica.Index(same).join()[0]), 500 * 499 // 2)
+
+    def test_windows_and_nearest(self):
+        generator = numpy.random.default_rng(3)
+        sets = mixed(50, generator, "f8")
+        index = vesica.Index(*sets)
+        for probe in mixed(3, generator, "f8"):
+            for one in probe:
+                hits = numpy.concatenate([vesica.overlap(one, shapes) for shapes in sets])
+                self.assertEqual(sorted(index.select(one)), numpy.flatnonzero(hits).tolist())
+                distances = numpy.concatenate([vesica.nearest(shapes, one).distance for shapes in sets])
+                items, found = index.nearest(one, 5)
+                expected = sorted(zip(distances, range(len(distances))))[:5]
+                self.assertEqual(list(zip(found, items)), expected)
+                self.assertEqual(len(index.nearest(one, len(index), 1.0)[0]), (distances <= 1).sum())
+        rows, far = index.nearest_of_each(sets[0], sets[4], k=3)
+        for i in (0, 7, 60):
+            one = sets[0][i] if i < 50 else sets[4][i - 50]
+            items, distance = index.nearest(one, 3)
+            self.assertEqual((rows[i].tolist(), far[i].tolist()), (items.tolist(), distance.tolist()))
+
+    def test_bytes(self):
+        shapes = vesica.circles(numpy.random.default_rng(5).random((3000, 3)) * [100, 100, 1])
+        index = vesica.Index(shapes)
+        with tempfile.TemporaryFile() as file:
+            file.write(index.bytes)
+            file.flush()
+            mapped = vesica.Index.from_bytes(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ), shapes)
+        again = vesica.Index.from_bytes(b"\0" * 0 + index.bytes.tobytes(), shapes)
+        for other in (mapped, again):
+            numpy.testing.assert_array_equal(index.join(), other.join())
+        damaged = bytearray(index.bytes.tobytes())
+        damaged[100] ^= 1
+        for wrong in (damaged, index.bytes[:1000].tobytes(), b"", b"x" * 5000):
+            with self.assertRaises(vesica.VesicaError):
+                vesica.Index.from_bytes(wrong, shapes)
+        with self.assertRaisesRegex(ValueError, "index of 3000 shapes cannot be that of 10"):
+            vesica.Index.from_bytes(index.bytes, shapes[:10])
+
+    def test_what_it_is(self):
+        shapes = vesica.circles([[0, 0, 1], [5, 5, -1], [3, 0, 1]])
+        index = vesica.Index(shapes, vesica.points([]))
+        self.assertTrue(index.incomplete)
+        self.assertEqual((len(index), sorted(index.order())), (3, [0, 2]))
+        box = index.bounds()
+        self.assertTrue(-1.1 < box[0] <= -1 and 4 <= box[2] < 4.1)
+        self.assertEqual(index.nearest(shapes[0], 0)[0].tolist(), [])
+        self.assertEqual(index.nearest(vesica.points([9, 0]), 1, within=math.inf)[1].tolist(), [5])
+
+    def test_refused(self):
+        circles = vesica.circles([[0, 0, 1]])
+        index = vesica.Index(circles)
+        for error, call in (
+            (TypeError, lambda: vesica.Index([[0, 0, 1]])),
+            (ValueError, lambda: vesica.Index()),
+            (TypeError, lambda: vesica.Index(circles, circles.astype("f4"))),
+            (TypeError, lambda: index.join(vesica.Index(circles.astype("f4")))),
+            (ValueError, lambda: index.join(query="near")),
+            (vesica.VesicaError, lambda: index.join(part=2, parts=2)),
+            (TypeError, lambda: index.select([0, 0, 1])),
+            (vesica.VesicaError, lambda: index.nearest(circles[0], 1, -1)),
+            (ValueError, lambda: index.nearest(circles[0], -1)),
+        ):
+            with self.assertRaises(error):
+                call()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Every question, every pair of kinds, both types: arrays say what single shapes say, and known answers are right."""
+import itertools
+import math
+import pathlib
+import random
+import struct
+import threading
+import unittest
+
+import numpy
+import vesica
+from vesica import Kind, Relation
+
+QUERIES = ("overlap", "relation", "contains", "nearest", "boundary_distance", "depth", "area", "iou")
+MATRICES = ("overlap", "relation", "contains", "area", "iou")
+
+
+def random_shapes(kind, count, generator, dtype):
+    """Of sizes about 1, near enough to each other that half of them overlap."""
+    x, y, w, h, angle = generator.uniform((-1, -1, 0.1, 0.1, 0), (1, 1, 1, 1, 2 * math.pi), (count, 5)).T
+    columns = {
+        Kind.POINT: (x, y),
+        Kind.SEGMENT: (x, y, x + w * numpy.cos(angle), y + w * numpy.sin(angle)),
+        Kind.CIRCLE: (x, y, w),
+        Kind.AABB: (x, y, x + w, y + h),
+        Kind.RECT: (x, y, numpy.cos(angle), numpy.sin(angle), w, h),
+        Kind.ELLIPSE: (x, y, numpy.cos(angle), numpy.sin(angle), w, h),
+    }[kind]
+    return vesica.shapes(kind, numpy.column_stack(columns).astype(dtype))
+
+
+class Consistent(unittest.TestCase):
+    def test_arrays_say_what_single_shapes_say(self):
+        generator = numpy.random.default_rng(random.randrange(1 << 30))
+        for kind_a, kind_b, dtype in itertools.product(Kind, Kind, ("f8", "f4")):
+            a, b = (random_shapes(kind, 7, generator, dtype) for kind in (kind_a, kind_b))
+            for name in QUERIES:
+                self.compare(name, a, b)
+            for name in MATRICES:
+                many, matrix = getattr(vesica, name), getattr(vesica, f"{name}_matrix")
+                if name == "iou" and kind_a < Kind.CIRCLE and kind_b < Kind.CIRCLE:
+                    continue  # the union has no area
+                rows = matrix(a, b)
+                for i in range(7):
+                    numpy.testing.assert_array_equal(rows[i], many(a[i], b))
+            for i in range(7):
+                self.assertEqual(vesica.overlap_select(a[i], b).tolist(), numpy.flatnonzero(vesica.overlap(a[i], b)).tolist())
+
+    def compare(self, name, a, b):
+        function = getattr(vesica, name)
+        if name == "iou" and a.kind < Kind.CIRCLE and b.kind < Kind.CIRCLE:
+            return
+        many = function(a, b)
+        columns = many if isinstance(many, tuple) else (many,)
+        for i in range(len(a)):
+            one = function(a[i], b[i])
+            for column, number in zip(columns, one if isinstance(one, tuple) else (one,)):
+                self.assertEqual(column[i], number)
+        out = tuple(numpy.empty_like(column) for column in columns)
+        function(a, b, out=out if isinstance(many, tuple) else out[0])
+        for column, given in zip(columns, out):
+            numpy.testing.assert_array_equal(column, given)
+
+    def test_threads(self):
+        generator = numpy.random.default_rng(1)
+        a, b = (random_shapes(Kind.RECT, 20_000, generator, "f8") for _ in range(2))
+        expected, wrong = vesica.iou(a, b), []
+
+        def work():
+            if not (vesica.iou(a, b) == expected).all():
+                wrong.append(1)
+
+        threads = [threading.Thread(target=work) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(wrong, [])
+
+
+class Known(unittest.TestCase):
+    a, b = vesica.aabbs([0, 0, 2, 2]), vesica.aabbs([1, 1, 3, 3])
+    inner, away = vesica.circles([1, 1, 0.5]), vesica.circles([6, 1, 1])
+
+    def test_single_shapes(self):
+        self.assertIs(vesica.overlap(self.a, self.b), True)
+        self.assertIs(vesica.overlap(self.a, self.away), False)
+        self.assertIs(vesica.relation(self.a, self.b), Relation.CROSS)
+        self.assertIs(vesica.contains(self.a, self.inner), True)
+        self.assertEqual(vesica.area(self.a, self.b), 1)
+        self.assertEqual(vesica.iou(self.a, self.b), 1 / 7)
+        self.assertEqual(vesica.nearest(self.a, self.away), (3, 2, 1, 5, 1))
+        self.assertEqual(vesica.boundary_distance(self.a, self.inner).distance, 0.5)
+        self.assertEqual(vesica.depth(self.a, self.b).depth, 1)
+        self.assertEqual(vesica.shape_area(self.a), 4)
+        self.assertEqual(vesica.bounds(self.away).numbers.tolist(), [5, 0, 7, 2])
+
+    def test_crossings(self):
+        crossings = vesica.crossings(self.a, self.b)
+        self.assertEqual(sorted(map(tuple, crossings.places)), [(1, 2), (2, 1)])
+        self.assertFalse(crossings.shared)
+        self.assertTrue(vesica.crossings(self.a, self.a).shared)
+        self.assertEqual(vesica.crossings(self.a, self.away).places.shape, (0, 2))
+
+    def test_arrays(self):
+        both = vesica.aabbs([[0, 0, 2, 2], [1, 1, 3, 3]])
+        self.assertEqual(vesica.iou_matrix(both, both).tolist(), [[1, 1 / 7], [1 / 7, 1]])
+        self.assertEqual(vesica.shape_area(both).tolist(), [4, 4])
+        self.assertEqual(vesica.bounds(both).numbers.tolist(), both.numbers.tolist())
+        self.assertEqual(vesica.relation(both, self.a).tolist(), [Relation.EQUAL, Relation.CROSS])
+        out = numpy.empty((2, 5))
+        vesica.area_matrix(both, both, out=out[:, :2])
+        self.assertEqual(out[:, :2].tolist(), [[4, 1], [1, 4]])
+
+    def test_suppression(self):
+        boxes = vesica.rects([[0, 0, 2, 2, 0], [0.1, 0, 2, 2, 1], [5, 0, 2, 2, 2]], degrees=True)
+        self.assertEqual(vesica.nms(boxes, [0.5, 0.9, 0.1], 0.5).tolist(), [1, 2])
+        self.assertEqual(vesica.nms(boxes, [0.5, 0.9, 0.1], 1).tolist(), [1, 0, 2])
+        self.assertEqual(vesica.nms(boxes[:0], [], 0.5).tolist(), [])
+        with self.assertRaises(vesica.VesicaError):
+            vesica.nms(boxes, [1, 2, 3], 1.5)
+        with self.assertRaises(vesica.VesicaError):
+            vesica.nms(vesica.points([[1, 2]]), [1])
+
+
+class Vectors(unittest.TestCase):
+    """The calls that every host of the library answers: contact to the last place, both types, errors."""
+
+    def test_shared_vectors(self):
+        path = pathlib.Path(__file__).with_name("vectors.txt")
+        calls = 0
+        for line, text in enumerate(path.read_text().splitlines(), 1):
+            if text.startswith("#"):
+                continue
+            what, expected, *words = text.split()
+            dtype = "f4" if what == "f32" else "f8"
+            shapes = []
+            for at in (0, 7):
+                numbers = struct.unpack(">6d", bytes.fromhex("".join(words[at + 1 : at + 7])))
+                kind = int(words[at])
+                if 0 <= kind < len(Kind):
+                    numbers = numbers[: len(vesica.FIELDS[Kind(kind)])]
+                    shapes.append(vesica.shapes(kind, numpy.array(numbers, dtype)))
+            if len(shapes) < 2:
+                continue  # an unknown kind: there are no such shapes here
+            try:
+                answer = int(vesica.overlap(*shapes))
+            except vesica.VesicaError as error:
+                answer = error.code
+            self.assertEqual(answer, int(expected), f"line {line}")
+            calls += 1
+        self.assertGreater(calls, 150)
+
+
+class Documented(unittest.TestCase):
+    def test_every_c_function_has_its_text(self):
+        from vesica import _declarations
+
+        for name in _declarations.FUNCTIONS:
+            self.assertTrue(getattr(vesica.c, name).__doc__.startswith(f"{name}("))
+
+    def test_every_name_has_a_text(self):
+        for name in vesica.__all__:
+            self.assertTrue(getattr(vesica, name).__doc__, name)
+
+
+if __name__ == "__main__":
+    unittest.main()

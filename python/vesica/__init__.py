@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Vesica: exact overlap queries between plain 2D shapes, for numpy.
+
+    import vesica
+
+    cars = vesica.rects([[0, 0, 4, 2, 30], [9, 1, 4, 2, 0]], degrees=True)  # x, y, width, height, angle
+    people = vesica.circles([[1.4, 1.5, 0.5], [8, 1, 0.5]])                  # x, y, radius
+
+    vesica.overlap(cars, people)         # array([ True,  True])
+    vesica.iou_matrix(cars, cars)        # 2 x 2
+    vesica.overlap(cars[0], people[0])   # True
+
+Shapes are closed and solid, and touching is overlap. Answers that are yes or no are exact for every valid input. Arrays
+are used where they lie, whatever their strides; float64 and float32 are equals. The interpreter's lock is released
+during every call, so threads may work at the same time. An invalid shape is a VesicaError, whose `result` has the
+answers of all others. `vesica.c` is the C library itself, and help(vesica.c.vesica_nearest_f64) has its text.
+"""
+from ._library import VesicaError
+from ._library import library as c
+from .index import Index
+from .queries import (
+    ClosestPoints,
+    Crossings,
+    Penetration,
+    Relation,
+    area,
+    area_matrix,
+    boundary_distance,
+    bounds,
+    contains,
+    contains_matrix,
+    crossings,
+    depth,
+    iou,
+    iou_matrix,
+    nearest,
+    nms,
+    overlap,
+    overlap_matrix,
+    overlap_select,
+    relation,
+    relation_matrix,
+    shape_area,
+)
+from .shapes import (
+    FIELDS,
+    Kind,
+    Shapes,
+    aabbs,
+    check,
+    circles,
+    ellipses,
+    ellipses_from_covariance,
+    points,
+    rects,
+    rects_from_corners,
+    segments,
+    shapes,
+)
+
+__version__ = "{}.{}.{}".format(c.vesica_version_major(), c.vesica_version_minor(), c.vesica_version_patch())
+__all__ = [name for name in dir() if not name.startswith("_") and name not in ("queries", "index")]

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The loaded C library, and its errors as exceptions."""
+import ctypes
+import pathlib
+
+from . import _declarations
+
+_inside = pathlib.Path(__file__).with_name("libvesica.so.0")
+# A wheel has the library inside. Beside a library of the system, as in a Debian package, that one is used.
+library = ctypes.CDLL(str(_inside) if _inside.exists() else _inside.name)
+library.vesica_version.restype = ctypes.c_int32
+if library.vesica_version() < _declarations.VERSION:
+    raise ImportError(
+        f"libvesica {library.vesica_version()} is older than this package, which needs {_declarations.VERSION}"
+    )
+_declarations.declare(library)
+
+
+class VesicaError(ValueError):
+    """What the library refuses. `code` is its VESICA_E_... number.
+
+    After an invalid shape among many, `result` is the whole result: False, 0 or NaN for the invalid elements, and the
+    right answer for every other.
+    """
+
+    def __init__(self, code, message=None, result=None):
+        super().__init__(message or library.vesica_strerror(code).decode())
+        self.code = code
+        self.result = result
+
+
+def checked(code):
+    """The answer, if it is one."""
+    if code < 0:
+        raise VesicaError(code)
+    return code
+
+
+def by_scalar(name):
+    """A function's two forms, by the letter of numpy's type."""
+    return {letter: getattr(library, f"vesica_{name}_{suffix}") for letter, suffix in (("d", "f64"), ("f", "f32"))}

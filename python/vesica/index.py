@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: Apache-2.0
+"""All pairs among millions: an index of shapes, joins, windows and nearest shapes."""
+import ctypes
+import math
+
+import numpy
+
+from . import _declarations
+from ._library import VesicaError, by_scalar, checked, library
+from .shapes import same_scalar, the_shapes
+
+_QUERIES = {
+    "overlap": _declarations.JOIN_OVERLAP,
+    "bounds": _declarations.JOIN_BOUNDS,
+    "contains": _declarations.JOIN_CONTAINS,
+    "inside": _declarations.JOIN_INSIDE,
+}
+_BUILD, _SELECT, _JOIN = by_scalar("index_build"), by_scalar("index_select"), by_scalar("join")
+_NEAREST, _JOIN_NEAREST = by_scalar("index_nearest"), by_scalar("join_nearest")
+_ALIGNMENT = 64
+_PAIRS_A_CALL = 1 << 16
+_NO_OUTPUT = (None, None, 0, None)
+
+
+def _aligned(size):
+    """So many bytes at an address that the library takes."""
+    room = numpy.empty(size + _ALIGNMENT, numpy.uint8)
+    start = -room.ctypes.data % _ALIGNMENT
+    return room[start : start + size]
+
+
+class Index:
+    """An index over sets of shapes, of any kinds but of one scalar type, laid end to end.
+
+    Item i is shape i of the first set, and the next set's items follow. The index holds bounds: the arrays must stay as
+    they were. Where shapes are invalid the index of the others is made, and `incomplete` is True.
+    """
+
+    def __init__(self, *sets):
+        self._take(sets)
+        size, scratch = library.vesica_index_size(self.count), library.vesica_index_scratch(self.count)
+        room, scratch = _aligned(checked(size)), _aligned(checked(scratch))
+        code = _BUILD[self._letter](
+            self._sets, len(sets), room.ctypes.data, len(room), scratch.ctypes.data, len(scratch)
+        )
+        self.incomplete = code == _declarations.E_SHAPE
+        if not self.incomplete:
+            checked(code)
+        used = checked(library.vesica_index_bytes(room.ctypes.data))
+        self.bytes = room[:used].copy() if used < len(room) // 2 else room[:used]
+        if self.bytes.ctypes.data % _ALIGNMENT:
+            self._own(self.bytes)
+
+    @classmethod
+    def from_bytes(cls, data, *sets):
+        """The index whose `bytes` were saved, over the same shapes. A mapped file is read in place.
+
+        Damaged or foreign bytes are a VesicaError. Bytes that are not at a multiple of 64 are copied.
+        """
+        self = cls.__new__(cls)
+        self._take(sets)
+        self._own(numpy.frombuffer(data, numpy.uint8))
+        checked(library.vesica_index_check(self.bytes.ctypes.data, len(self.bytes)))
+        built_of = checked(library.vesica_index_count(self.bytes.ctypes.data))
+        if built_of != self.count:
+            raise ValueError(f"an index of {built_of} shapes cannot be that of {self.count}")
+        self.incomplete = None  # bytes do not tell
+        return self
+
+    def _take(self, sets):
+        if not sets:
+            raise ValueError("an index is of one set of shapes or more; a set may be empty")
+        for i, shapes in enumerate(sets):
+            same_scalar(the_shapes(sets[0], "sets[0]"), shapes, "sets[0]", f"sets[{i}]")
+        self.sets = sets
+        self._letter = sets[0].letter
+        self._sets = (type(sets[0].view) * len(sets))(*(shapes.view for shapes in sets))
+        self.count = sum(len(shapes.columns[0]) for shapes in sets)
+
+    def _own(self, data):
+        """Keeps bytes, at an address that the library takes."""
+        if data.ctypes.data % _ALIGNMENT:
+            copy = _aligned(len(data))
+            copy[:] = data
+            data = copy
+        self.bytes = data
+
+    def _address(self):
+        return self.bytes.ctypes.data
+
+    def __len__(self):
+        return self.count
+
+    def __repr__(self):
+        return f"<vesica index of {self.count} shapes, {len(self.bytes)} bytes>"
+
+    def order(self):
+        """The items in spatial order: arrays that are laid so are joined quicker."""
+        out = numpy.empty(self.count, numpy.int64)
+        return out[: checked(library.vesica_index_order(self._address(), out.ctypes.data, len(out)))]
+
+    def bounds(self):
+        """(min x, min y, max x, max y) around all valid shapes; indexes whose boxes are disjoint have no pairs."""
+        box = _declarations.aabb_f64()
+        checked(library.vesica_index_bounds(self._address(), ctypes.byref(box)))
+        return box.min_x, box.min_y, box.max_x, box.max_y
+
+    def join(self, other=None, query="overlap", part=0, parts=1):
+        """All pairs of an item of this index and one of another: two arrays of item numbers, each pair once.
+
+        other: an index, or None for the pairs a < b of this one. query: "overlap", "contains" (the first item contains
+        the second), "inside", or "bounds" for candidates. Parts may be asked by several threads or processes.
+        """
+        firsts, seconds, state = [], [], numpy.zeros(4, numpy.int64)
+        while state[0] != -1:
+            a, b = numpy.empty((2, _PAIRS_A_CALL), numpy.int64)
+            found = self._join(other, query, part, parts, (a.ctypes.data, b.ctypes.data, len(a), state.ctypes.data))
+            firsts.append(a[:found])
+            seconds.append(b[:found])
+        return numpy.concatenate(firsts), numpy.concatenate(seconds)
+
+    def join_count(self, other=None, query="overlap", part=0, parts=1):
+        """How many pairs `join` would give."""
+        return self._join(other, query, part, parts, _NO_OUTPUT)
+
+    def _join(self, other, query, part, parts, output):
+        other = self if other is None else other
+        if not isinstance(other, Index):
+            raise TypeError(f"other is {type(other).__name__}, not an index")
+        same_scalar(self.sets[0], other.sets[0], "this index", "the other")
+        if query not in _QUERIES:
+            raise ValueError(f"query is one of {', '.join(_QUERIES)}, not {query!r}")
+        scratch = _aligned(checked(library.vesica_join_scratch()))
+        return checked(
+            _JOIN[self._letter](
+                _QUERIES[query],
+                *(self._address(), self._sets, len(self.sets)),
+                *(other._address(), other._sets, len(other.sets)),
+                *(int(part), int(parts), scratch.ctypes.data, len(scratch)),
+                *output,
+            )
+        )
+
+    def select(self, shape):
+        """The items that a single shape overlaps. For many shapes, index and join them."""
+        same_scalar(self.sets[0], shape, "the index", "shape")
+        arguments = (self._address(), self._sets, len(self.sets), ctypes.byref(shape.view))
+        count = checked(_SELECT[self._letter](*arguments, None, 0, None))
+        out, state = numpy.empty(count, numpy.int64), numpy.zeros(4, numpy.int64)
+        if count:
+            checked(_SELECT[self._letter](*arguments, out.ctypes.data, count, state.ctypes.data))
+        return out
+
+    def nearest(self, shape, k=1, within=math.inf):
+        """The k items nearest to a single shape, and their distances, nearest first; at equal distances by number."""
+        same_scalar(self.sets[0], shape, "the index", "shape")
+        out, distance = numpy.empty(k, numpy.int64), numpy.empty(k, shape.dtype)
+        found = checked(
+            _NEAREST[self._letter](
+                *(self._address(), self._sets, len(self.sets), ctypes.byref(shape.view)),
+                *(int(k), float(within), out.ctypes.data, distance.ctypes.data),
+            )
+        )
+        return (out[:found], distance[:found]) if k else (out, distance)
+
+    def nearest_of_each(self, *sets, k=1, within=math.inf):
+        """Of each shape of some sets, the k nearest items: two arrays (n, k), filled up by -1 at distance infinity."""
+        for i, shapes in enumerate(sets):
+            same_scalar(self.sets[0], shapes, "the index", f"sets[{i}]")
+        asked = (type(self.sets[0].view) * len(sets))(*(shapes.view for shapes in sets))
+        count = sum(len(shapes.columns[0]) for shapes in sets)
+        out, distance = numpy.empty((count, k), numpy.int64), numpy.empty((count, k), self.sets[0].dtype)
+        code = _JOIN_NEAREST[self._letter](
+            *(asked, len(sets), self._address(), self._sets, len(self.sets)),
+            *(int(k), float(within), 0, 1, out.ctypes.data, distance.ctypes.data),
+        )
+        if code < 0:
+            raise VesicaError(code, result=(out, distance) if code == _declarations.E_SHAPE else None)
+        return out, distance

@@ -1,0 +1,301 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Questions about shapes. Two single shapes give a number, arrays in step an array; `_matrix` asks of every pair."""
+import ctypes
+import enum
+from typing import NamedTuple
+
+import numpy
+
+from . import _declarations
+from ._library import VesicaError, by_scalar, checked, library
+from .shapes import Kind, same_scalar, shapes, the_shapes
+
+
+class Relation(enum.IntEnum):
+    """How a shape a relates to a shape b; the eight relations of RCC-8."""
+
+    DISJOINT = _declarations.DISJOINT
+    TOUCH = _declarations.TOUCH
+    CROSS = _declarations.CROSS
+    INSIDE = _declarations.INSIDE
+    INSIDE_TOUCH = _declarations.INSIDE_TOUCH
+    CONTAINS = _declarations.CONTAINS
+    CONTAINS_TOUCH = _declarations.CONTAINS_TOUCH
+    EQUAL = _declarations.EQUAL
+
+
+class ClosestPoints(NamedTuple):
+    """A distance, the point (ax, ay) of a and the point (bx, by) of b: floats, or arrays."""
+
+    distance: numpy.ndarray
+    ax: numpy.ndarray
+    ay: numpy.ndarray
+    bx: numpy.ndarray
+    by: numpy.ndarray
+
+
+class Penetration(NamedTuple):
+    """How far b must be moved, and in which direction (x, y), until it only touches a: floats, or arrays."""
+
+    depth: numpy.ndarray
+    x: numpy.ndarray
+    y: numpy.ndarray
+
+
+class Crossings(NamedTuple):
+    """The places (n, 2) where two outlines meet, and whether they share a stretch."""
+
+    places: numpy.ndarray
+    shared: bool
+
+
+def _output(out, shape, dtypes, operands):
+    """An array for results: the caller's, if it can take them."""
+    if out is None:
+        return numpy.empty(shape, dtypes[0])
+    if not isinstance(out, numpy.ndarray) or out.dtype not in dtypes:
+        wanted = " or ".join(str(numpy.dtype(dtype)) for dtype in dtypes)
+        raise TypeError(f"out must be an array of {wanted}, not {getattr(out, 'dtype', type(out).__name__)}")
+    if out.shape != shape:
+        raise ValueError(f"out must have the shape {shape}, not {out.shape}")
+    if not out.flags.writeable:
+        raise ValueError("out cannot be written to")
+    if out.size and (out.strides[-1] != out.itemsize or (out.ndim == 2 and out.strides[0] % out.itemsize != 0)):
+        raise ValueError("the last axis of out must be contiguous")
+    if any(numpy.may_share_memory(out, column) for operand in operands for column in operand.columns):
+        raise ValueError("out overlaps an input")
+    return out
+
+
+def _count(a, b):
+    counts = {len(shape.columns[0]) for shape in (a, b)}
+    if 0 in counts:
+        return 0
+    counts.discard(1)
+    if len(counts) > 1:
+        raise ValueError(f"a has {len(a.columns[0])} shapes and b {len(b.columns[0])}: as many, or one of either")
+    return counts.pop() if counts else 1
+
+
+def _finish(code, result, a, b):
+    """The result, or the error with it."""
+    if code >= 0:
+        return result
+    message = None
+    if code == _declarations.E_SHAPE:
+        wrong = [(name, shape.invalid()) for name, shape in (("a", a), ("b", b))]
+        message = "; ".join(
+            f"{len(which)} invalid shapes in {name}, the first is number {which[0]}" for name, which in wrong if len(which)
+        )
+    raise VesicaError(code, message, result)
+
+
+class _Query:
+    """A question about two shapes: its C functions and the types of its results."""
+
+    def __init__(self, name, dtypes=None, convert=None, result=None, record=None):
+        self.one, self.many = by_scalar(name), by_scalar(f"{name}_many")
+        self.dtypes = dtypes  # of codes; numbers have the shapes' own
+        self.convert = convert  # a single code
+        self.result, self.record = result, record  # a named tuple, and the C struct it comes from
+
+    def __call__(self, a, b, out):
+        letter = same_scalar(a, b)
+        if a.single and b.single:
+            return self._single(letter, a, b, out)
+        count = _count(a, b)
+        if self.result is None:
+            columns = result = _output(out, (count,), self.dtypes or (a.dtype,), (a, b))
+            addresses = (columns.ctypes.data,)
+        else:
+            given = (None,) * len(self.result._fields) if out is None else out
+            if len(given) != len(self.result._fields):
+                raise ValueError(f"out has an array, or None, for each of {' '.join(self.result._fields)}")
+            columns = [_output(column, (count,), (a.dtype,), (a, b)) for column in given]
+            result, addresses = self.result(*columns), [column.ctypes.data for column in columns]
+        return _finish(self.many[letter](ctypes.byref(a.view), ctypes.byref(b.view), *addresses), result, a, b)
+
+    def _single(self, letter, a, b, out):
+        if out is not None:
+            raise TypeError("the answer for two single shapes is a number: it has no out")
+        function = self.one[letter]
+        if self.convert is not None:
+            return self.convert(checked(function(a.kind, a.record, b.kind, b.record)))
+        record = self.record[letter]()
+        checked(function(a.kind, a.record, b.kind, b.record, ctypes.byref(record)))
+        if self.result is None:
+            return record.value
+        return self.result(*(getattr(record, field) for field in self.result._fields))
+
+
+class _Matrix:
+    """The same question of every pair of two arrays."""
+
+    def __init__(self, name, dtypes=None):
+        self.function, self.dtypes = by_scalar(f"{name}_matrix"), dtypes
+
+    def __call__(self, a, b, out):
+        letter = same_scalar(a, b)
+        shape = (len(a.columns[0]), len(b.columns[0]))
+        result = _output(out, shape, self.dtypes or (a.dtype,), (a, b))
+        row = result.strides[0] // result.itemsize if result.size else shape[1]
+        return _finish(self.function[letter](ctypes.byref(a.view), ctypes.byref(b.view), result.ctypes.data, row), result, a, b)
+
+
+
+def _structs(name):
+    return {"d": getattr(_declarations, f"{name}_f64"), "f": getattr(_declarations, f"{name}_f32")}
+
+
+_NUMBER = {"d": ctypes.c_double, "f": ctypes.c_float}
+_BYTES = (numpy.bool_, numpy.uint8)
+_OVERLAP = _Query("overlap", _BYTES, bool)
+_RELATION = _Query("relation", (numpy.uint8,), Relation)
+_CONTAINS = _Query("contains", _BYTES, bool)
+_NEAREST = _Query("nearest", result=ClosestPoints, record=_structs("closest_points"))
+_BOUNDARY_DISTANCE = _Query("boundary_distance", result=ClosestPoints, record=_structs("closest_points"))
+_DEPTH = _Query("depth", result=Penetration, record=_structs("penetration"))
+_AREA = _Query("area", record=_NUMBER)
+_IOU = _Query("iou", record=_NUMBER)
+_OVERLAP_MATRIX, _CONTAINS_MATRIX = _Matrix("overlap", _BYTES), _Matrix("contains", _BYTES)
+_RELATION_MATRIX = _Matrix("relation", (numpy.uint8,))
+_AREA_MATRIX, _IOU_MATRIX = _Matrix("area"), _Matrix("iou")
+_SELECT, _NMS = by_scalar("overlap_select"), by_scalar("nms")
+_CROSSINGS, _CROSSING_POINTS = by_scalar("crossings"), _structs("crossing_points")
+_SHAPE_AREA, _BOUNDS, _AABB = by_scalar("shape_area"), by_scalar("bounds"), _structs("aabb")
+
+# Every question takes shapes a and b. Two single shapes give a number. Arrays in step give an array; of one shape and
+# an array, the one is repeated. `out` is a contiguous array to write to. All are float64, or all float32.
+# VesicaError is raised for invalid shapes; its `result` has the answers of the others.
+
+
+def overlap(a, b, out=None):
+    """Do a and b share a point? Touching counts. Exact. bool; out may also be uint8."""
+    return _OVERLAP(a, b, out)
+
+
+def overlap_matrix(a, b, out=None):
+    """(len(a), len(b)) of bool: does each of a overlap each of b?"""
+    return _OVERLAP_MATRIX(a, b, out)
+
+
+def overlap_select(one, many):
+    """The indices of those of `many` that overlap a single shape, ascending."""
+    letter = same_scalar(one, many, "one", "many")
+    out = numpy.zeros(len(many.columns[0]), numpy.int64)
+    code = _SELECT[letter](ctypes.byref(one.view), ctypes.byref(many.view), out.ctypes.data, len(out))
+    # With an invalid shape, which is never selected, -1 follows the others.
+    found = out[:code] if code >= 0 else out[: numpy.argmax(out == -1)]
+    return _finish(code, found, one, many)
+
+
+def relation(a, b, out=None):
+    """How does a relate to b? A Relation, or an array of uint8 with their numbers. Exact."""
+    return _RELATION(a, b, out)
+
+
+def relation_matrix(a, b, out=None):
+    """(len(a), len(b)) of uint8: the Relation of each of a to each of b."""
+    return _RELATION_MATRIX(a, b, out)
+
+
+def contains(a, b, out=None):
+    """Does a hold all of b? Equal shapes do. Exact. bool; out may also be uint8."""
+    return _CONTAINS(a, b, out)
+
+
+def contains_matrix(a, b, out=None):
+    """(len(a), len(b)) of bool: does each of a hold all of each of b?"""
+    return _CONTAINS_MATRIX(a, b, out)
+
+
+def nearest(a, b, out=None):
+    """How far are the solid shapes apart, and which of their points are closest? ClosestPoints; out has five arrays."""
+    return _NEAREST(a, b, out)
+
+
+def boundary_distance(a, b, out=None):
+    """How far are the outlines apart, that of a shape inside another too? ClosestPoints; out has five arrays."""
+    return _BOUNDARY_DISTANCE(a, b, out)
+
+
+def depth(a, b, out=None):
+    """How far and in which direction must b move until it only touches a? Penetration; out has three arrays."""
+    return _DEPTH(a, b, out)
+
+
+def area(a, b, out=None):
+    """The area that a and b share, in square units."""
+    return _AREA(a, b, out)
+
+
+def area_matrix(a, b, out=None):
+    """(len(a), len(b)): the area that each of a shares with each of b."""
+    return _AREA_MATRIX(a, b, out)
+
+
+def iou(a, b, out=None):
+    """Intersection over union: the shared area over that of both, from 0 to 1."""
+    return _IOU(a, b, out)
+
+
+def iou_matrix(a, b, out=None):
+    """(len(a), len(b)): intersection over union of each of a with each of b."""
+    return _IOU_MATRIX(a, b, out)
+
+
+def crossings(a, b):
+    """The places where the outlines of two single shapes meet, in order along a's. Their number is exact."""
+    letter = same_scalar(a, b)
+    if not (a.single and b.single):
+        raise TypeError("crossings are those of two single shapes: take a[i] and b[i]")
+    out = _CROSSING_POINTS[letter]()
+    count = checked(_CROSSINGS[letter](a.kind, a.record, b.kind, b.record, ctypes.byref(out)))
+    return Crossings(numpy.array([out.x[:count], out.y[:count]], a.dtype).T, bool(out.shared))
+
+
+def shape_area(shape):
+    """The area of a single shape, or of each of an array."""
+    return _each(shape, _SHAPE_AREA, 1)
+
+
+def bounds(shape):
+    """The smallest boxes that surely contain shapes, as aabbs."""
+    return shapes(Kind.AABB, _each(shape, _BOUNDS, 4))
+
+
+def _each(shape, functions, numbers):
+    """What a C function of a single shape gives for each: one call a shape."""
+    function = functions[the_shapes(shape, "shape").letter]
+    rows = numpy.atleast_2d(numpy.ascontiguousarray(shape.numbers))
+    out = numpy.empty((len(rows), numbers), shape.dtype)
+    row_from, row_to = rows.ctypes.data, out.ctypes.data
+    for i in range(len(rows)):
+        code = function(shape.kind, row_from + i * rows.strides[0], row_to + i * out.strides[0])
+        if code < 0:
+            raise VesicaError(code, f"shape {i}: {VesicaError(code)}")
+    out = out[:, 0] if numbers == 1 else out
+    return out[0] if shape.single else out
+
+
+def nms(boxes, scores, threshold=0.5):
+    """Greedy suppression: the indices of the boxes kept, best score first.
+
+    Each box kept has an intersection over union of at most `threshold` with every better one that was kept. boxes:
+    circles, aabbs, rects or ellipses; scores: a number each.
+    """
+    scores = numpy.ascontiguousarray(scores, the_shapes(boxes, "boxes").dtype)
+    if scores.shape != (len(boxes),):
+        raise ValueError(f"{len(boxes)} boxes need as many scores, not an array of shape {scores.shape}")
+    keep, kept = numpy.empty(len(boxes), numpy.int64), ctypes.c_int64()
+    scratch = numpy.empty(checked(library.vesica_nms_scratch(len(boxes))), numpy.uint8)
+    code = _NMS[boxes.letter](
+        ctypes.byref(boxes.view),
+        scores.ctypes.data,
+        float(threshold),
+        scratch.ctypes.data,
+        len(scratch),
+        keep.ctypes.data,
+        ctypes.byref(kept),
+    )
+    return _finish(code, keep[: kept.value], boxes, boxes)

@@ -1,0 +1,272 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Shapes: one, or an array of one kind, as numpy holds them. Nothing is copied that numpy can show in place."""
+import ctypes
+import enum
+
+import numpy
+
+from . import _declarations
+from ._library import VesicaError, by_scalar, checked
+
+
+class Kind(enum.IntEnum):
+    """The six kinds of shapes."""
+
+    POINT = _declarations.POINT
+    SEGMENT = _declarations.SEGMENT
+    CIRCLE = _declarations.CIRCLE
+    AABB = _declarations.AABB
+    RECT = _declarations.RECT
+    ELLIPSE = _declarations.ELLIPSE
+
+
+#: The numbers of each kind, in their order.
+FIELDS = {
+    kind: tuple(name for name, _ in getattr(_declarations, f"{kind.name.lower()}_f64")._fields_) for kind in Kind
+}
+_VIEWS = {"d": _declarations.shapes_f64, "f": _declarations.shapes_f32}
+_CHECK = by_scalar("check")
+_RECT_FROM_CORNERS = by_scalar("rect_from_corners")
+_ELLIPSE_FROM_COVARIANCE = by_scalar("ellipse_from_covariance")
+
+
+class Shapes:
+    """One shape, or an array of shapes of one kind; made by `points`, `rects`, `shapes` and the like.
+
+    kind: a Kind. single: whether it is one shape, whose answers are numbers and not arrays. dtype: float64 or float32.
+    `len`, indexing, slices and masks work as with arrays. The numbers may be changed through the array they came from.
+    """
+
+    __slots__ = ("kind", "single", "columns", "dtype", "letter", "view", "record")
+
+    def __init__(self, kind, columns, single=False):
+        self.kind = Kind(kind)
+        self.columns = columns
+        self.single = single
+        self.dtype = columns[0].dtype
+        self.letter = self.dtype.char
+        stride = columns[0].strides[0] if len(columns[0]) > 1 else self.dtype.itemsize
+        addresses = (ctypes.c_void_p * 6)(*(column.ctypes.data for column in columns))
+        #: The C library's view of the array.
+        self.view = _VIEWS[self.letter](int(kind), 0, len(columns[0]), stride, addresses)
+        #: A single shape's numbers side by side, for the functions of two shapes.
+        self.record = (ctypes.c_double if self.letter == "d" else ctypes.c_float) * len(columns)
+        self.record = self.record(*(column[0] for column in columns)) if single else None
+
+    def __len__(self):
+        if self.single:
+            raise TypeError("one shape has no length; shapes(kind, [numbers]) makes an array of one")
+        return len(self.columns[0])
+
+    def __getitem__(self, index):
+        if self.single:
+            raise TypeError("one shape cannot be indexed")
+        if isinstance(index, (int, numpy.integer)):
+            return Shapes(self.kind, [column[index : index + 1 or None] for column in self._one(index)], True)
+        return Shapes(self.kind, _alike([column[index] for column in self.columns]))
+
+    def _one(self, index):
+        if not -len(self) <= index < len(self):
+            raise IndexError(f"shape {index} of {len(self)}")
+        return self.columns
+
+    def __iter__(self):
+        return (self[i] for i in range(len(self)))
+
+    def __repr__(self):
+        if self.single:
+            numbers = ", ".join(f"{name}={float(value):.17g}" for name, value in zip(FIELDS[self.kind], self.record))
+            return f"<vesica {self.kind.name.lower()} {numbers}>"
+        return f"<{len(self)} vesica {self.kind.name.lower()} shapes of {self.dtype}>"
+
+    @property
+    def numbers(self):
+        """A copy of the numbers: a row a shape, a column a number; of a single shape its numbers."""
+        return numpy.stack([column[0] if self.single else column for column in self.columns], axis=-1)
+
+    def astype(self, dtype):
+        """The same shapes with float64 or float32 numbers."""
+        return shapes(self.kind, self.numbers.astype(dtype))
+
+    def invalid(self):
+        """The numbers of the invalid shapes: NaN or infinity, a negative size, a zero axis, or min above max."""
+        rows = numpy.atleast_2d(numpy.ascontiguousarray(self.numbers))
+        check, start, step = _CHECK[self.letter], rows.ctypes.data, rows.shape[1] * self.dtype.itemsize
+        return numpy.array([i for i in range(len(rows)) if check(self.kind, start + i * step) < 0], numpy.int64)
+
+
+def the_shapes(value, name):
+    """value, if it is Shapes; an error that says how to make them if not."""
+    if isinstance(value, Shapes):
+        return value
+    raise TypeError(
+        f"{name} is {type(value).__name__}: say which shapes it holds, as in vesica.rects({name}) "
+        f"or vesica.shapes(vesica.Kind.CIRCLE, {name})"
+    )
+
+
+def same_scalar(a, b, name_a="a", name_b="b"):
+    """The letter of the type that the numbers of both have."""
+    if the_shapes(a, name_a).letter != the_shapes(b, name_b).letter:
+        raise TypeError(
+            f"{name_a} has {a.dtype} numbers and {name_b} {b.dtype}: convert one of them, as by {name_a}.astype('f8')"
+        )
+    return a.letter
+
+
+def _alike(columns):
+    """Columns with one stride, as the library wants them: copies only where they differ."""
+    strides = {column.strides[0] for column in columns if len(column) > 1}
+    return columns if len(strides) <= 1 else [numpy.ascontiguousarray(column) for column in columns]
+
+
+def _floats(array):
+    """Numbers as float64, or as float32 where they are that. Only what is neither is copied."""
+    array = numpy.asarray(array)
+    if array.dtype.kind in "iub":
+        return array.astype(numpy.float64)
+    if array.dtype.char not in "df":
+        raise TypeError(f"shapes have float64 or float32 numbers, not {array.dtype}")
+    return array.astype(array.dtype.newbyteorder("=")) if not array.dtype.isnative else array
+
+
+def _rows(array, what, *names):
+    """An array with a column for each of the names, and whether it is only one row."""
+    array = _floats(array)
+    if array.ndim == 2 and array.shape[1] == len(names):
+        return array, False
+    if array.ndim == 1 and len(array) == len(names):
+        return array[None, :], True
+    if array.size == 0 and array.ndim == 1:
+        return array.reshape(0, len(names)), False
+    raise ValueError(
+        f"{what} need {len(names)} numbers each ({' '.join(names)}): "
+        f"an array of shape (n, {len(names)}) or ({len(names)},), not {array.shape}"
+    )
+
+
+def shapes(kind, array):
+    """Shapes of a kind from their numbers as the library has them (FIELDS), without a copy.
+
+    array: (n, numbers), a row a shape, of any strides; (numbers,) for a single shape; a list of such; or a structured
+    array that has fields of the names in FIELDS, among others.
+    """
+    kind = Kind(kind)
+    names = getattr(getattr(array, "dtype", None), "names", None)
+    if names is None:
+        rows, single = _rows(array, f"{kind.name.lower()} shapes", *FIELDS[kind])
+        return Shapes(kind, [rows[:, i] for i in range(rows.shape[1])], single)
+    missing = [name for name in FIELDS[kind] if name not in names]
+    if missing:
+        raise ValueError(f"{kind.name.lower()} shapes need fields {' '.join(FIELDS[kind])}; missing: {' '.join(missing)}")
+    columns = [_floats(numpy.atleast_1d(array)[name]) for name in FIELDS[kind]]
+    if len({column.dtype for column in columns}) > 1:
+        raise TypeError("the fields of shapes are all float64 or all float32")
+    return Shapes(kind, _alike(columns), array.ndim == 0)
+
+
+def points(xy):
+    """Points from (n, 2): x, y."""
+    return shapes(Kind.POINT, xy)
+
+
+def segments(ends):
+    """Segments from (n, 4): x0, y0, x1, y1."""
+    return shapes(Kind.SEGMENT, ends)
+
+
+def circles(xyr):
+    """Discs from (n, 3): centre x, y and radius."""
+    return shapes(Kind.CIRCLE, xyr)
+
+
+def aabbs(xyxy):
+    """Boxes along the axes from (n, 4): min x, min y, max x, max y, as detectors give them."""
+    return shapes(Kind.AABB, xyxy)
+
+
+def rects(array, degrees=False):
+    """Rotated rectangles from (n, 5): centre x, y, width, height, angle; counter-clockwise where y points up.
+
+    angle: of the width's edge, in radians, or in degrees; multiples of 90 degrees are turned exactly.
+    A row for a single rectangle. shapes(Kind.RECT, ...) takes the library's own six numbers without a copy.
+    """
+    rows, single = _rows(array, "rects", "x", "y", "width", "height", "angle")
+    return _turned(Kind.RECT, rows, rows[:, 2:4] / 2, degrees, single)
+
+
+def ellipses(array, degrees=False):
+    """Ellipses from (n, 5): centre x, y, half axes a, b, angle of a; else as rects."""
+    rows, single = _rows(array, "ellipses", "x", "y", "a", "b", "angle")
+    return _turned(Kind.ELLIPSE, rows, rows[:, 2:4], degrees, single)
+
+
+def _turned(kind, rows, sizes, degrees, single):
+    numbers = numpy.empty((len(rows), 6), rows.dtype)
+    numbers[:, 0:2] = rows[:, 0:2]
+    numbers[:, 2], numbers[:, 3] = _axis(rows[:, 4].astype(numpy.float64), degrees)
+    numbers[:, 4:6] = sizes
+    return shapes(kind, numbers[0] if single else numbers)
+
+
+def _axis(angle, degrees):
+    """Cosine and sine. In degrees, whole quarter turns are taken out first, which is exact."""
+    if not degrees:
+        return numpy.cos(angle), numpy.sin(angle)
+    with numpy.errstate(invalid="ignore"):
+        angle = numpy.fmod(angle, 360.0)
+        quarters = numpy.rint(angle / 90)
+        rest = numpy.radians(angle - 90 * quarters)
+        turn = numpy.nan_to_num(quarters).astype(numpy.int64) % 4
+    cosine, sine = numpy.cos(rest), numpy.sin(rest)
+    return numpy.choose(turn, (cosine, -sine, -cosine, sine)), numpy.choose(turn, (sine, cosine, -sine, -cosine))
+
+
+def rects_from_corners(corners):
+    """Rectangles from (n, 4, 2) or (4, 2): four corners in order round the outline, in either sense.
+
+    Corners that are not exactly a rectangle's give one near them. Costs about 2 us each.
+    """
+    corners = _floats(corners)
+    if corners.shape[-2:] != (4, 2) or corners.ndim > 3:
+        raise ValueError(f"corners have the shape (n, 4, 2) or (4, 2), not {corners.shape}")
+    rows = numpy.ascontiguousarray(corners.reshape(-1, 8))
+    return _constructed(Kind.RECT, rows.dtype, corners.ndim == 2, len(rows), lambda i: (rows[i].ctypes.data,))
+
+
+def ellipses_from_covariance(means, covariances, k=1.0):
+    """Ellipses of the points within k standard deviations: means (n, 2), covariances (n, 2, 2), or one of each."""
+    means, covariances, k = _floats(means), _floats(covariances), float(k)
+    if means.shape[-1:] != (2,) or covariances.shape != (*means.shape, 2) or means.ndim > 2:
+        raise ValueError(
+            f"means have the shape (n, 2) and covariances (n, 2, 2), not {means.shape} and {covariances.shape}"
+        )
+    rows, matrices = means.reshape(-1, 2), covariances.reshape(-1, 2, 2)
+    if (matrices[:, 0, 1] != matrices[:, 1, 0]).any():
+        raise ValueError("a covariance is a symmetric matrix")
+    return _constructed(
+        Kind.ELLIPSE,
+        rows.dtype,
+        means.ndim == 1,
+        len(rows),
+        lambda i: (*rows[i], matrices[i, 0, 0], matrices[i, 0, 1], matrices[i, 1, 1], k),
+    )
+
+
+def _constructed(kind, dtype, single, count, arguments):
+    """Shapes that a constructor of the C library makes one by one."""
+    function = (_RECT_FROM_CORNERS if kind == Kind.RECT else _ELLIPSE_FROM_COVARIANCE)[dtype.char]
+    numbers = numpy.empty((count, 6), dtype)
+    for i in range(count):
+        code = function(*arguments(i), numbers[i].ctypes.data)
+        if code < 0:
+            error = VesicaError(code)
+            raise VesicaError(code, f"{kind.name.lower()} {i}: {error}")
+    return shapes(kind, numbers[0] if single else numbers)
+
+
+def check(shape):
+    """Raises VesicaError, which says why, if a single shape is invalid. Of arrays, `Shapes.invalid` tells which are."""
+    if not the_shapes(shape, "shape").single:
+        raise TypeError("check takes a single shape")
+    checked(_CHECK[shape.letter](shape.kind, shape.record))
