@@ -126,11 +126,12 @@ check_c() {
   (cd "$folder" && program demo -o demo.svg "$root/tests/corpus/cases.csv") | tail -n 1 | say || return 1
 }
 
-# The bytes of indexes and the order of pairs, by each instruction set.
+# The bytes of indexes and the order of pairs, by each instruction set. A join in parts is the same work many times over.
 check_index() {
   local set output
   for set in $sets; do
-    output=$(VESICA_ISA=$set program index_bytes_test --gtest_brief=1) || { tail -n 60 <<<"$output" >&2; return 1; }
+    output=$(VESICA_ISA=$set program index_bytes_test --gtest_brief=1 '--gtest_filter=-*.PartsAndCapacities') ||
+      { tail -n 60 <<<"$output" >&2; return 1; }
     tail -n 1 <<<"$output" | sed "s/^/$set: index: /" | say
   done
 }
