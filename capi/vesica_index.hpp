@@ -2,10 +2,10 @@
 /// vesica::Index<T>: an index that owns its memory, and loops over the pairs of two. A C++20 face of vesica.h, for
 /// programs that link the library.
 ///
-///     const vesica::Index<double> trees(std::span(tree_sets)), roads(std::span(road_sets));
+///     const vesica::Index<double> trees({vesica::shapes(circles), vesica::shapes(boxes)}), roads({vesica::shapes(rects)});
 ///     for (const auto& [tree, road] : vesica::pairs(trees, roads)) ...
 ///
-/// The shapes stay the caller's: an index keeps the descriptors of their arrays, and these must outlive it.
+/// The shapes stay the caller's: an index keeps the descriptors of their arrays, and the arrays must outlive it.
 #pragma once
 
 #include <vesica.h>
@@ -13,7 +13,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
+#include <cstring>
+#include <initializer_list>
 #include <iterator>
 #include <memory>
 #include <new>
@@ -32,6 +33,7 @@ struct Functions;
 template <>
 struct Functions<double> {
   using Shapes = vesica_shapes_f64;
+  static constexpr auto from_records = vesica_shapes_from_records_f64;
   static constexpr auto build = vesica_index_build_f64;
   static constexpr auto select = vesica_index_select_f64;
   static constexpr auto nearest = vesica_index_nearest_f64;
@@ -40,11 +42,45 @@ struct Functions<double> {
 template <>
 struct Functions<float> {
   using Shapes = vesica_shapes_f32;
+  static constexpr auto from_records = vesica_shapes_from_records_f32;
   static constexpr auto build = vesica_index_build_f32;
   static constexpr auto select = vesica_index_select_f32;
   static constexpr auto nearest = vesica_index_nearest_f32;
   static constexpr auto join = vesica_join_f32;
 };
+
+/// The kind of a struct of the library's, and the type of its numbers.
+template <class T, std::int32_t the_kind>
+struct Is {
+  using Scalar = T;
+  static constexpr std::int32_t kind = the_kind;
+};
+template <class Struct>
+struct Shape;
+template <>
+struct Shape<vesica_point_f64> : Is<double, VESICA_POINT> {};
+template <>
+struct Shape<vesica_segment_f64> : Is<double, VESICA_SEGMENT> {};
+template <>
+struct Shape<vesica_circle_f64> : Is<double, VESICA_CIRCLE> {};
+template <>
+struct Shape<vesica_aabb_f64> : Is<double, VESICA_AABB> {};
+template <>
+struct Shape<vesica_rect_f64> : Is<double, VESICA_RECT> {};
+template <>
+struct Shape<vesica_ellipse_f64> : Is<double, VESICA_ELLIPSE> {};
+template <>
+struct Shape<vesica_point_f32> : Is<float, VESICA_POINT> {};
+template <>
+struct Shape<vesica_segment_f32> : Is<float, VESICA_SEGMENT> {};
+template <>
+struct Shape<vesica_circle_f32> : Is<float, VESICA_CIRCLE> {};
+template <>
+struct Shape<vesica_aabb_f32> : Is<float, VESICA_AABB> {};
+template <>
+struct Shape<vesica_rect_f32> : Is<float, VESICA_RECT> {};
+template <>
+struct Shape<vesica_ellipse_f32> : Is<float, VESICA_ELLIPSE> {};
 
 /// Memory aligned as an index and scratch must be.
 class Memory {
@@ -70,6 +106,18 @@ inline std::int64_t checked(std::int64_t result) {
 
 }  // namespace index_face
 
+/// The descriptor of an array of shapes, as vesica_rect_f64.
+template <class Array>
+auto shapes(const Array& array) {
+  const std::span all(array);
+  using Struct = typename decltype(all)::value_type;
+  using Functions = index_face::Functions<typename index_face::Shape<Struct>::Scalar>;
+  typename Functions::Shapes out;
+  index_face::checked(
+      Functions::from_records(index_face::Shape<Struct>::kind, std::ssize(all), all.data(), sizeof(Struct), &out));
+  return out;
+}
+
 /// An index of sets of shapes laid end to end. Invalid shapes are left out, and has_invalid() tells.
 template <class T>
 class Index {
@@ -77,6 +125,13 @@ class Index {
   using Shapes = typename index_face::Functions<T>::Shapes;
 
   explicit Index(std::span<const Shapes> sets) : sets_(sets.begin(), sets.end()), memory_(build(sets)) {}
+  explicit Index(std::initializer_list<Shapes> sets) : Index(std::span<const Shapes>(sets.begin(), sets.size())) {}
+  /// A copy of the bytes of an index of the same sets, from wherever they come: they are checked.
+  Index(std::span<const Shapes> sets, std::span<const std::byte> saved)
+      : sets_(sets.begin(), sets.end()), memory_(std::ssize(saved)) {
+    if (!saved.empty()) std::memcpy(memory_.data(), saved.data(), saved.size());
+    index_face::checked(vesica_index_check(memory_.data(), memory_.size()));
+  }
 
   const void* data() const { return memory_.data(); }
   /// The bytes to save.

@@ -3,6 +3,7 @@
 #include <boost/function_output_iterator.hpp>
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
+#include <cmath>
 
 #include "join/peers.hpp"
 
@@ -36,16 +37,38 @@ PeerJoin join(const std::vector<RectRecord>& a, const std::vector<RectRecord>& b
   return {built - begin, seconds() - built, pairs};
 }
 
-double windows(const std::vector<RectRecord>& a, const std::vector<BoxRecord>& windows, std::int64_t& hits) {
+double windows(const std::vector<RectRecord>& a, const std::vector<BoxRecord>& windows, int repeats) {
   const Tree tree = tree_of(a);
-  const double begin = seconds();
-  for (const BoxRecord& w : windows) {
-    tree.query(bg::index::intersects(box(w)), boost::make_function_output_iterator([&](const Value&) { ++hits; }));
-  }
-  return seconds() - begin;
+  return quickest(repeats, [&] {
+    std::int64_t hits = 0;
+    for (const BoxRecord& w : windows) {
+      tree.query(bg::index::intersects(box(w)), boost::make_function_output_iterator([&](const Value&) { ++hits; }));
+    }
+    keep(hits);
+  });
 }
 
-[[maybe_unused]] const bool listed = (peers().push_back({"Boost", join, windows}), true);
+PeerNearest nearest(const std::vector<BoxRecord>& boxes, const std::vector<PointRecord>& points, unsigned k,
+                    int repeats) {
+  std::vector<Value> values(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) values[i] = {box(boxes[i]), static_cast<std::uint32_t>(i)};
+  const Tree tree(values.begin(), values.end());
+  double sum = 0;
+  const double taken = quickest(repeats, [&] {
+    sum = 0;
+    for (const PointRecord& p : points) {
+      const Point point(p.x, p.y);
+      double farthest = 0;
+      tree.query(bg::index::nearest(point, k), boost::make_function_output_iterator([&](const Value& v) {
+                   farthest = std::max(farthest, bg::comparable_distance(point, v.first));
+                 }));
+      sum += std::sqrt(farthest);
+    }
+  });
+  return {taken, sum};
+}
+
+[[maybe_unused]] const bool listed = (peers().push_back({"Boost", join, windows, nearest}), true);
 
 }  // namespace
 }  // namespace vesica::bench

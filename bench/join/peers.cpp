@@ -55,6 +55,11 @@ std::vector<Peer>& peers() {
   return all;
 }
 
+void keep(std::int64_t result) {
+  static volatile std::int64_t kept;
+  kept = result;
+}
+
 double seconds() {
   timespec t;
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);

@@ -2,7 +2,9 @@
 /// Joins and windows by other libraries' trees over boxes, and a separating axis test in plain doubles for the pairs.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,9 @@ struct RectRecord {
 };
 struct BoxRecord {
   double min_x, min_y, max_x, max_y;
+};
+struct PointRecord {
+  double x, y;
 };
 
 inline BoxRecord box_of(const RectRecord& r) {
@@ -32,14 +37,37 @@ struct PeerJoin {
   double build, join;  // seconds
   std::int64_t pairs;
 };
+struct PeerNearest {
+  double seconds, sum;  // of the distances to the last of the k
+};
 struct Peer {
   std::string name;
   PeerJoin (*join)(const std::vector<RectRecord>& a, const std::vector<RectRecord>& b);
-  /// Seconds for the hits of all windows by one tree over a.
-  double (*windows)(const std::vector<RectRecord>& a, const std::vector<BoxRecord>& windows, std::int64_t& hits);
+  /// Seconds for the hits of all windows by one tree over a, the least of so many times.
+  double (*windows)(const std::vector<RectRecord>& a, const std::vector<BoxRecord>& windows, int repeats);
+  /// The same for the k boxes nearest to each point; none where the library has no such query.
+  PeerNearest (*nearest)(const std::vector<BoxRecord>& boxes, const std::vector<PointRecord>& points, unsigned k,
+                         int repeats);
 };
 
 std::vector<Peer>& peers();
+
+/// Processor time.
 double seconds();
+
+/// Uses a result, so that no compiler leaves out what made it.
+void keep(std::int64_t result);
+
+/// Seconds of the quickest of so many calls.
+template <class Call>
+double quickest(int repeats, Call call) {
+  double best = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < repeats; ++i) {
+    const double begin = seconds();
+    call();
+    best = std::min(best, seconds() - begin);
+  }
+  return best;
+}
 
 }  // namespace vesica::bench

@@ -11,20 +11,19 @@ enum class Edge { before, after };
 
 class GuardedMemory {
  public:
-  static constexpr std::size_t capacity = 64 * 1024;
-
-  GuardedMemory();
+  /// Room for so many bytes, a multiple of the size of a page.
+  explicit GuardedMemory(std::size_t capacity = 64 * 1024);
   ~GuardedMemory();
   GuardedMemory(const GuardedMemory&) = delete;
   GuardedMemory& operator=(const GuardedMemory&) = delete;
 
-  /// `size` bytes, at most capacity, right behind the one guard page or right in front of the other. Their content is
+  /// `size` bytes, at most the capacity, right behind the one guard page or right in front of the other. Their content is
   /// whatever the last use left.
   std::byte* place(std::size_t size, Edge edge);
 
  private:
+  std::size_t capacity_, page_;
   std::byte* mapping_;
-  std::size_t page_;
 };
 
 }  // namespace batch_tests

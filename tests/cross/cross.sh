@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # cross.sh [--quick] [NAME...]: the library's answers on other processors, systems and compilers: all rows of the table
-# below, or those named. --quick: the near-tie hash and the programs in C alone, not the tests by GoogleTest. Installs what a row needs, builds under build/cross-<build>, prints each row's minutes. Exit status 0 when
+# below, or those named. --quick: the near-tie hash, the programs in C and the index alone, not the corpus and the
+# batches. Installs what a row needs, builds under build/cross-<build>, prints each row's minutes. Exit status 0 when
 # every row passes.
 # shellcheck disable=SC2154,SC2317
 set -euo pipefail
@@ -16,14 +17,14 @@ export WINEPREFIX=${WINEPREFIX:-$root/build/wine} WINEDEBUG=${WINEDEBUG:--all}
 # checks: batches/N takes one case in N of the tests of batches, to bound a row's minutes under an emulator.
 table='
 # name         | build                 | run by                   | sets                      | checks
-aarch64        | aarch64-linux-gnu     | qemu-aarch64 -L SYSROOT  | portable neon             | c corpus batches/5
-armhf          | arm-linux-gnueabihf   | qemu-arm -L SYSROOT      | portable                  | c corpus batches/5
-i686           | i686-linux-gnu        | SYSROOT/lib/ld-linux.so.2 --library-path SYSROOT/lib | portable | c corpus batches/1 x87_refused
-ppc64le        | powerpc64le-linux-gnu | qemu-ppc64le -L SYSROOT  | portable                  | c corpus batches/5
-riscv64        | riscv64-linux-gnu     | qemu-riscv64 -L SYSROOT  | portable                  | c corpus batches/5
-s390x          | s390x-linux-gnu       | qemu-s390x -L SYSROOT    | portable                  | c corpus batches/5
-nehalem        | gcc-release           | qemu-x86_64 -cpu Nehalem | sse2             | c corpus batches/5
-haswell        | gcc-release           | qemu-x86_64 -cpu Haswell-noTSX,-pcid,-x2apic,-tsc-deadline,-invpcid | sse2 avx2        | c corpus batches/5
+aarch64        | aarch64-linux-gnu     | qemu-aarch64 -L SYSROOT  | portable neon             | c index corpus batches/5
+armhf          | arm-linux-gnueabihf   | qemu-arm -L SYSROOT      | portable                  | c index corpus batches/5
+i686           | i686-linux-gnu        | SYSROOT/lib/ld-linux.so.2 --library-path SYSROOT/lib | portable | c index corpus batches/1 x87_refused
+ppc64le        | powerpc64le-linux-gnu | qemu-ppc64le -L SYSROOT  | portable                  | c index corpus batches/5
+riscv64        | riscv64-linux-gnu     | qemu-riscv64 -L SYSROOT  | portable                  | c index corpus batches/5
+s390x          | s390x-linux-gnu       | qemu-s390x -L SYSROOT    | portable                  | c index corpus batches/5
+nehalem        | gcc-release           | qemu-x86_64 -cpu Nehalem | sse2             | c index corpus batches/5
+haswell        | gcc-release           | qemu-x86_64 -cpu Haswell-noTSX,-pcid,-x2apic,-tsc-deadline,-invpcid | sse2 avx2        | c index corpus batches/5
 gcc-debug      | gcc-debug             |                          | sse2 avx2 avx512 |
 clang-release  | clang-release         |                          | sse2 avx2 avx512 | c
 clang-debug    | clang-debug           |                          | sse2 avx2 avx512 |
@@ -62,7 +63,8 @@ settings() {
 compile() {
   local packages arguments log=$folder.log targets=(vesica vesica_methods near_tie_hash vectors demo)
   settings "$build"
-  case $checks in *batches*) targets+=(corpus_test batch_test) arguments+=(-DVESICA_CROSS_GOOGLETEST=/usr/src/googletest) ;; esac
+  case $checks in *index*) targets+=(index_bytes_test) arguments+=(-DVESICA_CROSS_GOOGLETEST=/usr/src/googletest) ;; esac
+  case $checks in *batches*) targets+=(corpus_test batch_test) ;; esac
   need g++ cmake ninja-build googletest "${packages[@]}"
   mkdir -p "$root/build"
   if ! { cmake -S "$here" -B "$folder" -G Ninja -DVESICA_DEVELOPER=ON "${arguments[@]}" &&
@@ -122,6 +124,16 @@ given_processor() {
 check_c() {
   program vectors "$root/tests/ffi/vectors.txt" | say || return 1
   (cd "$folder" && program demo -o demo.svg "$root/tests/corpus/cases.csv") | tail -n 1 | say || return 1
+}
+
+# The bytes of indexes and the order of pairs, by each instruction set. A join in parts is the same work many times over.
+check_index() {
+  local set output
+  for set in $sets; do
+    output=$(VESICA_ISA=$set program index_bytes_test --gtest_brief=1 '--gtest_filter=-*.PartsAndCapacities') ||
+      { tail -n 60 <<<"$output" >&2; return 1; }
+    tail -n 1 <<<"$output" | sed "s/^/$set: index: /" | say
+  done
 }
 
 check_corpus() {

@@ -19,7 +19,7 @@ complain() {
 }
 
 # shellcheck source=/dev/null
-. "$host/host.sh"  # build, into $work; run VECTORS
+. "$host/host.sh"  # build, into $work; run VECTORS; run_index, if it has one
 cd "$work"
 # What a host needs may be missing: the command that failed is named, there and in `run`.
 trap 'echo "$host: failed: $BASH_COMMAND" >&2' ERR
@@ -32,6 +32,12 @@ output=$(run "$vectors") || complain "fails in $(declare -f run | sed '1,2d; $d'
 counts=$(awk '/^f/ { calls++ } /^many/ { batch++ } END { printf "%d calls, %d in a batch", calls, batch }' "$vectors")
 grep -Fxq "$counts" <<<"$output" || complain "does not report '$counts'"
 grep -q '^NaN: .*a shape is invalid' <<<"$output" || complain "has no error to show for NaN"
+
+# Index and join, where the folder has them: the same bytes and pairs as in C.
+if declare -F run_index >/dev/null; then
+  output=$(run_index 2>&1) || complain 'fails with the index'
+  grep -Fxq 'index: as in C' <<<"$output" || complain 'has another index'
+fi
 
 # The first line of each of these gets an answer that is not so.
 awk '/^(f64 1|f64 0|f64 -2|f64 -3|f32 1|f32 0|f32 -2|many 1|many 0) / && !seen[$1 $2]++ {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "index/face.hpp"
@@ -43,24 +45,84 @@ std::vector<Item<T>> items_of(const Laid<T>& laid) {
       items.push_back({r.kind, numbers, box.min_x, box.min_y, box.max_x, box.max_y, number});
     }
   }
-  std::sort(items.begin(), items.end(), [](const Item<T>& a, const Item<T>& b) { return a.min_x < b.min_x; });
   return items;
+}
+
+/// Items of like widths, by their left ends: a sweep need not go back further than the widest reaches.
+template <class T>
+struct Row {
+  std::vector<Item<T>> items;
+  double widest = 0;
+};
+
+/// Rows by width, four times as wide from one to the next; of widths that are infinite or 0, a row each.
+template <class T>
+std::vector<Row<T>> rows_of(const std::vector<Item<T>>& items) {
+  std::map<int, Row<T>> rows;
+  for (const Item<T>& item : items) {
+    const double width = item.max_x - item.min_x;
+    Row<T>& row = rows[std::isfinite(width) && width > 0 ? std::ilogb(width) / 2 : std::isfinite(width) ? -9999 : 9999];
+    row.items.push_back(item);
+    row.widest = std::max(row.widest, width);
+  }
+  std::vector<Row<T>> all;
+  for (auto& [level, row] : rows) {
+    std::sort(row.items.begin(), row.items.end(), [](const Item<T>& a, const Item<T>& b) { return a.min_x < b.min_x; });
+    all.push_back(std::move(row));
+  }
+  return all;
+}
+
+/// Sweeps go along the longer side of everything: x and y change places where that is y.
+template <class T>
+bool taller_than_wide(const std::vector<Item<T>>& items) {
+  double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+  for (const Item<T>& item : items) {
+    low[0] = std::min(low[0], item.min_x);
+    low[1] = std::min(low[1], item.min_y);
+    high[0] = std::max(high[0], item.min_x);
+    high[1] = std::max(high[1], item.min_y);
+  }
+  return high[1] - low[1] > high[0] - low[0];
+}
+
+template <class T>
+void turn(std::vector<Item<T>>& items) {
+  for (Item<T>& item : items) {
+    std::swap(item.min_x, item.min_y);
+    std::swap(item.max_x, item.max_y);
+  }
+}
+
+/// Calls `found` for the items of a row whose bounds meet those of x.
+template <class T, class Found>
+void sweep(const Row<T>& row, const Item<T>& x, Found found) {
+  const double from = x.min_x - row.widest - (std::fabs(x.min_x) + row.widest) * 1e-14;
+  // Of infinite bounds the place to begin is not a number.
+  auto y = std::isnan(from) ? row.items.begin()
+                            : std::lower_bound(row.items.begin(), row.items.end(), from,
+                                               [](const Item<T>& i, double v) { return i.min_x < v; });
+  for (; y != row.items.end() && y->min_x <= x.max_x; ++y) {
+    if (y->max_x >= x.min_x && y->max_y >= x.min_y && y->min_y <= x.max_y) found(*y);
+  }
 }
 
 /// Pairs (a, b) for which `holds(a, b)`, in order; of one set, those with a < b.
 template <class T, class Holds>
 std::vector<Pair> all_pairs(const Laid<T>& laid_a, const Laid<T>& laid_b, bool self, Holds holds) {
-  const std::vector<Item<T>> a = items_of(laid_a), b = items_of(laid_b);
-  double widest = 0;
-  for (const Item<T>& y : b) widest = std::max(widest, y.max_x - y.min_x);
+  std::vector<Item<T>> a = items_of(laid_a), b = items_of(laid_b);
+  if (taller_than_wide(b)) {
+    turn(a);
+    turn(b);
+  }
+  const std::vector<Row<T>> rows = rows_of(b);
   std::vector<Pair> pairs;
   for (const Item<T>& x : a) {
-    const double from = x.min_x - widest - (std::fabs(x.min_x) + widest) * 1e-14;
-    auto y = std::lower_bound(b.begin(), b.end(), from, [](const Item<T>& i, double v) { return i.min_x < v; });
-    for (; y != b.end() && y->min_x <= x.max_x; ++y) {
-      if (y->max_x < x.min_x || y->max_y < x.min_y || y->min_y > x.max_y) continue;
-      if (self && x.number >= y->number) continue;
-      if (holds(x, *y)) pairs.emplace_back(x.number, y->number);
+    for (const Row<T>& row : rows) {
+      sweep(row, x, [&](const Item<T>& y) {
+        if (self && x.number >= y.number) return;
+        if (holds(x, y)) pairs.emplace_back(x.number, y.number);
+      });
     }
   }
   std::sort(pairs.begin(), pairs.end());

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <ranges>
+#include <span>
+#include <vector>
 #include <vesica_index.hpp>
 
 #include "index/face.hpp"
@@ -37,6 +40,23 @@ TEST(CppFace, PairsSelectionNearestAndBytes) {
   vesica_shapes_from_records_f64(VESICA_CIRCLE, 1, broken, 0, &one);
   EXPECT_TRUE(vesica::Index<double>(std::span(&one, 1)).has_invalid());
   EXPECT_THROW(first.overlapping(one), std::invalid_argument);
+}
+
+TEST(CppFace, SpansOfStructsRangesAndSavedBytes) {
+  const std::vector<vesica_circle_f32> circles{{0, 0, 1}, {9, 0, 1}};
+  const vesica_aabb_f32 boxes[] = {{1, -1, 2, 1}, {4, 4, 5, 5}};
+  const vesica::Index<float> a({vesica::shapes(circles), vesica::shapes(boxes)});
+  static_assert(std::ranges::input_range<decltype(vesica::pairs(a))>);
+  auto touching = vesica::pairs(a);
+  ASSERT_EQ(std::ranges::distance(touching), 1);
+  EXPECT_EQ(*touching.begin(), (Pair{0, 2}));
+
+  const auto sets = std::span(a.sets(), static_cast<std::size_t>(a.set_count()));
+  const vesica::Index<float> again(sets, a.bytes());
+  EXPECT_TRUE(std::ranges::equal(again.bytes(), a.bytes()));
+  EXPECT_EQ(vesica::pairs(again, a, VESICA_JOIN_CONTAINS).count(), 4) << "each shape contains itself";
+  EXPECT_THROW(vesica::Index<float>(sets, a.bytes().subspan(64)), std::invalid_argument);
+  EXPECT_THROW(vesica::Index<float>(sets, {}), std::invalid_argument);
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ struct Face<double> {
   static constexpr auto step = vesica_index_step_f64;
   static constexpr auto select = vesica_index_select_f64;
   static constexpr auto join = vesica_join_f64;
+  static constexpr auto nearest = vesica_index_nearest_f64;
   static constexpr auto overlap = vesica_overlap_f64;
   static constexpr auto contains = vesica_contains_f64;
 };
@@ -36,6 +37,7 @@ struct Face<float> {
   static constexpr auto step = vesica_index_step_f32;
   static constexpr auto select = vesica_index_select_f32;
   static constexpr auto join = vesica_join_f32;
+  static constexpr auto nearest = vesica_index_nearest_f32;
   static constexpr auto overlap = vesica_overlap_f32;
   static constexpr auto contains = vesica_contains_f32;
 };

@@ -4,14 +4,22 @@
 
 #include <cmath>
 #include <string>
+#include <type_traits>
 
 #include "index/all_pairs.hpp"
 
 namespace index_tests {
 namespace {
 
-/// Few where nearly all overlap, and only the exact stage can tell.
-std::int64_t some(const std::string& name, std::int64_t n) { return name == "whole_range" ? n / 16 : n; }
+/// So many of a workload that its pairs are not too many for the scalar functions: of few all overlap, as the exact
+/// stage alone can tell; as circles and as floats others fall together.
+template <class T>
+std::int64_t many_of(const std::string& name, bool of_all_kinds) {
+  if (name == "whole_range") return 250;
+  if (name == "apart" && of_all_kinds) return 2000;
+  if (name == "three_scales" && std::is_same_v<T, float>) return 2000;
+  return name == "near_ties" ? 10000 : 20000;
+}
 
 template <class T>
 void expect_all_pairs(const Indexed<T>& a, const Indexed<T>& b, const std::string& what) {
@@ -20,7 +28,9 @@ void expect_all_pairs(const Indexed<T>& a, const Indexed<T>& b, const std::strin
   const std::vector<Pair> found = sorted(join(VESICA_JOIN_OVERLAP, a, b));
   EXPECT_EQ(found.size(), expected.size()) << what;
   EXPECT_TRUE(found == expected) << what;
-  EXPECT_EQ(count(VESICA_JOIN_OVERLAP, a, b), static_cast<std::int64_t>(expected.size())) << what;
+  if (self) {
+    EXPECT_EQ(count(VESICA_JOIN_OVERLAP, a, b), static_cast<std::int64_t>(expected.size())) << what;
+  }
 }
 
 template <class T>
@@ -30,8 +40,8 @@ TYPED_TEST_SUITE(JoinTest, Scalars);
 
 TYPED_TEST(JoinTest, RectsOfEveryWorkload) {
   for (const std::string& name : rect_workloads()) {
-    const Indexed<TypeParam> a(rects<TypeParam>(name, some(name, 6000), 1)),
-        b(rects<TypeParam>(name, some(name, 5000), 2));
+    const std::int64_t n = many_of<TypeParam>(name, false);
+    const Indexed<TypeParam> a(rects<TypeParam>(name, n, 1)), b(rects<TypeParam>(name, n - n / 20, 2));
     ASSERT_GT(a.result, 0) << name;
     ASSERT_EQ(vesica_index_check(a.index.get(), a.result), 0) << name;
     expect_all_pairs(a, b, name);
@@ -41,8 +51,8 @@ TYPED_TEST(JoinTest, RectsOfEveryWorkload) {
 
 TYPED_TEST(JoinTest, AllKindsOfEveryWorkloadWithInvalidOnes) {
   for (const std::string& name : rect_workloads()) {
-    const Indexed<TypeParam> a(mixed<TypeParam>(name, some(name, 4000), 3, 97)),
-        b(mixed<TypeParam>(name, some(name, 3000), 4, 89));
+    const std::int64_t n = many_of<TypeParam>(name, true);
+    const Indexed<TypeParam> a(mixed<TypeParam>(name, n, 3, 97)), b(mixed<TypeParam>(name, n - n / 20, 4, 89));
     ASSERT_EQ(a.result, VESICA_E_SHAPE) << name;
     ASSERT_EQ(vesica_index_check(a.index.get(), a.index.size), 0) << name;
     expect_all_pairs(a, b, name);
@@ -52,8 +62,8 @@ TYPED_TEST(JoinTest, AllKindsOfEveryWorkloadWithInvalidOnes) {
 
 TYPED_TEST(JoinTest, Containment) {
   for (const std::string name : {"decades_3", "one_giant", "points", "near_ties"}) {
-    const Indexed<TypeParam> a(mixed<TypeParam>(name, some(name, 3000), 5)),
-        b(mixed<TypeParam>(name, some(name, 3000), 6));
+    const Indexed<TypeParam> a(mixed<TypeParam>(name, std::min<std::int64_t>(3000, many_of<TypeParam>(name, true)), 5)),
+        b(mixed<TypeParam>(name, std::min<std::int64_t>(3000, many_of<TypeParam>(name, true)), 6));
     const auto inside = [](const Item<TypeParam>& x, const Item<TypeParam>& y) { return contains<TypeParam>(y, x); };
     EXPECT_TRUE(sorted(join(VESICA_JOIN_CONTAINS, a, b)) ==
                 all_pairs<TypeParam>(a.laid, b.laid, false, contains<TypeParam>))
@@ -68,8 +78,8 @@ TYPED_TEST(JoinTest, Containment) {
 
 TYPED_TEST(JoinTest, BoundsHoldAllPairsAndLittleMore) {
   for (const std::string& name : rect_workloads()) {
-    const Indexed<TypeParam> a(rects<TypeParam>(name, some(name, 3000), 7)),
-        b(rects<TypeParam>(name, some(name, 3000), 8));
+    const Indexed<TypeParam> a(rects<TypeParam>(name, std::min<std::int64_t>(3000, many_of<TypeParam>(name, true)), 7)),
+        b(rects<TypeParam>(name, std::min<std::int64_t>(3000, many_of<TypeParam>(name, true)), 8));
     const auto meet = [](const Item<TypeParam>&, const Item<TypeParam>&) { return true; };
     const std::vector<Pair> certain = all_pairs<TypeParam>(a.laid, b.laid, false, meet);
     const std::vector<Pair> found = sorted(join(VESICA_JOIN_BOUNDS, a, b));

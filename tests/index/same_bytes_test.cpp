@@ -51,6 +51,40 @@ TEST(SameBytes, IndexAndOrderOfPairs) {
   EXPECT_EQ(hash_pairs(join(VESICA_JOIN_OVERLAP, c, d)), 9459960488521776375u) << "the same numbers as floats";
 }
 
+/// Shapes of all six kinds in the same places.
+Laid<double> touching_kinds(std::int64_t n, std::uint64_t seed) {
+  Laid<double> laid = touching<double>(n, seed);
+  Records<double> segments{VESICA_SEGMENT, {}}, boxes{VESICA_AABB, {}}, ellipses{VESICA_ELLIPSE, {}};
+  for (std::int64_t i = 0; i < n; ++i) {
+    const double x = static_cast<double>(next(seed) % 60), y = static_cast<double>(next(seed) % 60);
+    if (i % 3 == 0) segments.numbers.insert(segments.numbers.end(), {x, y, x + 1.5, y + static_cast<double>(i % 2)});
+    if (i % 3 == 1) boxes.numbers.insert(boxes.numbers.end(), {x, y, x + 0.5, y + 1});
+    if (i % 3 == 2) ellipses.numbers.insert(ellipses.numbers.end(), {x, y, 0.75, static_cast<double>(i % 2), 1, 0.5});
+  }
+  laid.push_back(segments);
+  laid.push_back(boxes);
+  laid.push_back(ellipses);
+  return laid;
+}
+
+TEST(SameBytes, EveryQueryOfAllKinds) {
+  const Indexed<double> a(touching_kinds(1500, 7)), b(touching_kinds(1200, 8));
+  EXPECT_EQ(hash_pairs(join(VESICA_JOIN_OVERLAP, a, b)), 15043699840328478058u);
+  EXPECT_EQ(hash_pairs(join(VESICA_JOIN_BOUNDS, a, b)), 2428866954791285896u);
+  EXPECT_EQ(hash_pairs(join(VESICA_JOIN_CONTAINS, a, b)), 5787565343280259415u);
+  EXPECT_EQ(hash_pairs(join(VESICA_JOIN_INSIDE, a, b)), 15244132183344297971u);
+  constexpr std::int64_t k = 5;
+  std::vector<std::int64_t> items(static_cast<std::size_t>(k * a.sets.items));
+  std::vector<double> distance(items.size());
+  ASSERT_EQ(vesica_join_nearest_f64(a.sets.data(), a.sets.count(), b.index.get(), b.sets.data(), b.sets.count(), k,
+                                    INFINITY, 0, 1, items.data(), distance.data()),
+            k * a.sets.items);
+  std::vector<Pair> nearest;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    nearest.emplace_back(items[i], std::bit_cast<std::int64_t>(distance[i]));
+  EXPECT_EQ(hash_pairs(nearest), 17292048023935730889u);
+}
+
 TEST(SameBytes, PartsAndCapacities) {
   const Indexed<double> a(touching<double>(5000, 3)), b(touching<double>(4000, 4));
   for (const Indexed<double>* other : {&b, &a}) {

@@ -27,6 +27,10 @@ status=0
 complaint=$("$run" --table nowhere 2>&1) || status=$?
 check 'status of a table of no file' 2 $status
 check 'its complaint' "run: 'nowhere' is not a file" "$complaint"
+status=0
+complaint=$("$run" join 2>&1) || status=$?
+check 'status of a join of nothing' 2 $status
+check 'its complaint' 'run: join takes one or two files of shapes' "$complaint"
 check 'first line of help' 'usage: ./run [COMMAND]' "$("$run" help | head -n 1)"
 check 'help by option' "$("$run" help)" "$("$run" --help)"
 

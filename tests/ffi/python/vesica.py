@@ -6,7 +6,7 @@ import numpy
 
 VERSION = 100  # of the declarations below
 POINT, SEGMENT, CIRCLE, AABB, RECT, ELLIPSE = range(6)
-E_KIND = -3
+E_SHAPE, E_KIND = -2, -3
 FIELDS = (
     ("x", "y"),
     ("x0", "y0", "x1", "y1"),

@@ -3,6 +3,7 @@
 # Rust, by declarations of its own; no crate is needed.
 build() {
   cargo build --quiet --locked --offline --manifest-path "$host/Cargo.toml" --target-dir "$work/target" \
-    --example vectors
+    --example vectors --example index
 }
 run() { "$work/target/debug/examples/vectors" "$1"; }
+run_index() { "$work/target/debug/examples/index"; }

@@ -59,6 +59,24 @@ int parse_number(const char* text, const char* name, double* out, struct fault* 
   return 1;
 }
 
+int parse_numbers(char** rest, char name, struct shape* shape, struct fault* fault) {
+  char which[48];
+  const int count = vesica_field_count(shape->kind);
+  for (int i = 0; i < count; i++) {
+    const char* word = take_word(rest);
+    snprintf(which, sizeof which, "shape %c, number %d of %d", name, i + 1, count);
+    if (!parse_number(word ? word : "", which, &shape->numbers[i], fault)) return 0;
+  }
+  return 1;
+}
+
+int parse_shape(const char* kind, char** rest, char name, struct shape* shape, struct fault* fault) {
+  if (!kind) return fail(fault, "shape %c is missing", name);
+  shape->kind = find_kind(kind);
+  if (shape->kind < 0) return fail(fault, "shape %c: unknown kind '%.40s'", name, kind);
+  return parse_numbers(rest, name, shape, fault);
+}
+
 int parse_known(const char* text, struct pair* pair, struct fault* fault) {
   if (pair->query->yes_no && strcmp(text, "0") != 0 && strcmp(text, "1") != 0) {
     return fail(fault, "known answer '%.40s' is not 0 or 1", text);

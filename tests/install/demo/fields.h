@@ -21,6 +21,12 @@ int32_t find_kind(const char* name);
 /// A number in decimal or hexadecimal, all of the text. `name` is what to call it in the reason.
 int parse_number(const char* text, const char* name, double* out, struct fault* fault);
 
+/// The numbers of a shape whose kind is known, in words. `name` is A or B.
+int parse_numbers(char** rest, char name, struct shape* shape, struct fault* fault);
+
+/// A kind, which may be NULL at the end of a line, and its numbers in words.
+int parse_shape(const char* kind, char** rest, char name, struct shape* shape, struct fault* fault);
+
 /// The known answer to pair->query, which is a number, and 0 or 1 where the query is a yes-no one.
 int parse_known(const char* text, struct pair* pair, struct fault* fault);
 

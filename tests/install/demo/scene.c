@@ -45,19 +45,6 @@ static int parse_row(char* text, struct pair* pair, struct fault* fault) {
          parse_row_answer(fields + query_field, pair, fault);
 }
 
-static int parse_short_shape(const char* kind, char** rest, char name, struct shape* shape, struct fault* fault) {
-  char which[40];
-  if (!kind) return fail(fault, "shape %c is missing", name);
-  shape->kind = find_kind(kind);
-  if (shape->kind < 0) return fail(fault, "shape %c: unknown kind '%.40s'", name, kind);
-  for (int i = 0; i < vesica_field_count(shape->kind); i++) {
-    const char* word = take_word(rest);
-    snprintf(which, sizeof which, "shape %c, number %d of %d", name, i + 1, vesica_field_count(shape->kind));
-    if (!parse_number(word ? word : "", which, &shape->numbers[i], fault)) return 0;
-  }
-  return 1;
-}
-
 static int parse_short(char* text, struct pair* pair, struct fault* fault) {
   char *known = text, *shapes = take_field(&known, '=');
   const char *word = take_word(&shapes), *junk;
@@ -67,8 +54,8 @@ static int parse_short(char* text, struct pair* pair, struct fault* fault) {
   } else {
     pair->query = find_query("overlap");
   }
-  if (!parse_short_shape(word, &shapes, 'A', &pair->a, fault)) return 0;
-  if (!parse_short_shape(take_word(&shapes), &shapes, 'B', &pair->b, fault)) return 0;
+  if (!parse_shape(word, &shapes, 'A', &pair->a, fault)) return 0;
+  if (!parse_shape(take_word(&shapes), &shapes, 'B', &pair->b, fault)) return 0;
   junk = take_word(&shapes);
   if (junk) return fail(fault, "'%.40s' after the two shapes", junk);
   return !known || parse_known(take_field(&known, '#'), pair, fault);

@@ -4,6 +4,7 @@ use std::ffi::CStr;
 use std::fmt;
 use std::os::raw::c_char;
 
+pub mod index;
 mod shapes;
 pub use shapes::{Aabb, Circle, Ellipse, Point, Rect, Segment, Shape};
 

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "npy_header.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <vesica.h>
+
+#include "fields.h"
+#include "shapes.h"
+
+enum { most_fields = 64, most_header = 65535, most_name = 32 };
+
+struct field {
+  char name[most_name];  // empty in an array of plain numbers
+  int is_number;         // a float or double
+  struct npy_number number;
+};
+
+struct record {
+  int count;
+  struct field fields[most_fields];
+  size_t bytes;
+};
+
+static const char* const names[kind_count][6] = {{"x", "y"},
+                                                 {"x0", "y0", "x1", "y1"},
+                                                 {"cx", "cy", "r"},
+                                                 {"min_x", "min_y", "max_x", "max_y"},
+                                                 {"cx", "cy", "ux", "uy", "hx", "hy"},
+                                                 {"cx", "cy", "ux", "uy", "a", "b"}};
+
+// The dictionary as text, without the magic number and version in front of it.
+static int read_dictionary(FILE* file, char* text, struct fault* fault) {
+  unsigned char start[8], more[2];
+  size_t length;
+  if (fread(start, 1, 8, file) != 8 || memcmp(start, "\x93NUMPY", 6) != 0) return fail(fault, "not a file of numpy's");
+  if (start[6] < 1 || start[6] > 3) return fail(fault, "version %d of numpy's format", start[6]);
+  if (fread(more, 1, 2, file) != 2) return fail(fault, "its header is cut off");
+  length = more[0] + 256u * more[1];
+  // From version 2 on the length has four bytes, of which two are enough.
+  if (start[6] > 1 && (fread(more, 1, 2, file) != 2 || more[0] || more[1]))
+    return fail(fault, "its header is too long");
+  if (fread(text, 1, length, file) != length) return fail(fault, "its header is cut off");
+  text[length] = '\0';
+  return 1;
+}
+
+// What stands behind a key, or NULL.
+static const char* find_value(const char* dictionary, const char* key) {
+  const char* at = strstr(dictionary, key);
+  if (!at) return NULL;
+  at += strlen(key);
+  return at + strspn(at, " ");
+}
+
+// A string between quotes that fits; moves behind it.
+static int take_quoted(const char** text, char out[most_name]) {
+  size_t length;
+  if (**text != '\'') return 0;
+  length = strcspn(++*text, "'");
+  if (length >= most_name || !(*text)[length]) return 0;
+  memcpy(out, *text, length);
+  out[length] = '\0';
+  *text += length + 1;
+  return 1;
+}
+
+// '<f8' and the like: order of bytes, letter, size.
+static int take_type(const char** text, struct record* record, struct field* field) {
+  char type[most_name], *end;
+  long size;
+  if (!take_quoted(text, type) || !type[0] || !type[1]) return 0;
+  size = strtol(type + 2, &end, 10);
+  if (end == type + 2 || size < 1 || size > most_row_bytes) return 0;
+  if (type[1] == 'U') size *= 4;
+  field->is_number = type[1] == 'f' && (size == 4 || size == 8) && (type[0] == '<' || type[0] == '>');
+  field->number.big = type[0] == '>';
+  field->number.bytes = (int)size;
+  field->number.offset = record->bytes;
+  record->bytes += (size_t)size;
+  record->count++;
+  return record->bytes <= most_row_bytes;
+}
+
+// [('cx', '<f8'), ...]
+static int take_fields(const char** text, struct record* record) {
+  do {
+    struct field* field = &record->fields[record->count];
+    ++*text;
+    *text += strspn(*text, " ");
+    if (**text == ']' && record->count > 0) break;
+    if (record->count == most_fields || *(*text)++ != '(' || !take_quoted(text, field->name)) return 0;
+    *text += strspn(*text, ", ");
+    if (!take_type(text, record, field) || *(*text)++ != ')') return 0;
+  } while (**text == ',');
+  return **text == ']';
+}
+
+// (rows,) or (rows, columns)
+static int parse_extents(const char* text, int64_t extents[2]) {
+  int count = 0;
+  while (count < 2) {
+    char* end;
+    text += strspn(text, "(, ");
+    if (*text < '0' || *text > '9') break;
+    extents[count++] = strtoll(text, &end, 10);
+    text = end;
+  }
+  text += strspn(text, ", ");
+  return *text == ')' ? count : 0;
+}
+
+static const struct field* find_field(const struct record* record, const char* name) {
+  for (int i = 0; i < record->count; i++) {
+    if (strcmp(record->fields[i].name, name) == 0) return &record->fields[i];
+  }
+  return NULL;
+}
+
+static int has_fields_of(const struct record* record, int32_t kind) {
+  for (int i = 0; i < vesica_field_count(kind); i++) {
+    if (!find_field(record, names[kind][i])) return 0;
+  }
+  return 1;
+}
+
+static int find_record_kind(const struct record* record, int32_t* out, struct fault* fault) {
+  int found = 0;
+  for (int32_t kind = 0; kind < kind_count; kind++) {
+    if (!has_fields_of(record, kind)) continue;
+    *out = kind;
+    found++;
+  }
+  if (found == 1) return 1;
+  return fail(fault, "its fields are those of %s kind: --kind tells which", found == 0 ? "no" : "more than one");
+}
+
+static int locate_in_record(const struct record* record, struct npy_header* header, struct fault* fault) {
+  if (header->kind < 0 && !find_record_kind(record, &header->kind, fault)) return 0;
+  for (int i = 0; i < vesica_field_count(header->kind); i++) {
+    const char* name = names[header->kind][i];
+    const struct field* field = find_field(record, name);
+    if (!field) return fail(fault, "no field '%s'", name);
+    if (!field->is_number) return fail(fault, "field '%s' is not of float64 or float32", name);
+    header->numbers[i] = field->number;
+  }
+  header->row_bytes = record->bytes;
+  return 1;
+}
+
+static int locate_in_row(const struct field* field, int64_t columns, struct npy_header* header, struct fault* fault) {
+  if (header->kind < 0) return fail(fault, "an array of plain numbers: --kind tells what a row is");
+  if (!field->is_number) return fail(fault, "its numbers are not float64 or float32");
+  if (columns != vesica_field_count(header->kind)) {
+    return fail(fault, "%lld columns, but %s has %d numbers", (long long)columns, vesica_kind_name(header->kind),
+                vesica_field_count(header->kind));
+  }
+  for (int i = 0; i < columns; i++) {
+    header->numbers[i] = field->number;
+    header->numbers[i].offset = (size_t)i * (size_t)field->number.bytes;
+  }
+  header->row_bytes = (size_t)columns * (size_t)field->number.bytes;
+  return 1;
+}
+
+int read_npy_header(FILE* file, int32_t kind, struct npy_header* header, struct fault* fault) {
+  static char dictionary[most_header + 1];
+  static struct record record;
+  const char *type, *order, *extents;
+  int64_t shape[2];
+  int is_record;
+  memset(&record, 0, sizeof record);
+  if (!read_dictionary(file, dictionary, fault)) return 0;
+  type = find_value(dictionary, "'descr':");
+  order = find_value(dictionary, "'fortran_order':");
+  extents = find_value(dictionary, "'shape':");
+  if (!type || !order || !extents) return fail(fault, "its header is not numpy's");
+  is_record = *type == '[';
+  if (!(is_record ? take_fields(&type, &record) : take_type(&type, &record, &record.fields[0]))) {
+    return fail(fault, "a type of elements that cannot be read here");
+  }
+  if (parse_extents(extents, shape) != (is_record ? 1 : 2)) {
+    return fail(fault, "not an array of %s", is_record ? "records in one row" : "two dimensions");
+  }
+  header->kind = kind;
+  header->rows = shape[0];
+  if (!is_record && *order == 'T') return fail(fault, "its columns lie one after the other: save it row by row");
+  return is_record ? locate_in_record(&record, header, fault)
+                   : locate_in_row(&record.fields[0], shape[1], header, fault);
+}

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What is being done, on a terminal, where it takes longer than half a second.
+#ifndef PROGRESS_H
+#define PROGRESS_H
+
+/// Seconds since some moment.
+double seconds(void);
+
+/// Says on standard error what is being done, and how much of it is done, from 0 to 1. To be called often.
+void show_progress(const char* what, double share);
+
+/// Wipes that away, before anything else is written.
+void end_progress(void);
+
+#endif

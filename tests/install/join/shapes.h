@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The shapes of one file, kind by kind as the library takes them, each with its number in the file.
+#ifndef SHAPES_H
+#define SHAPES_H
+
+#include <stdint.h>
+#include <vesica.h>
+
+#include "scene.h"
+
+enum { kind_count = 6 };
+
+struct shapes {
+  int64_t count;             ///< shapes met so far, bad ones included: the number of the next
+  int64_t used[kind_count];  ///< good ones of each kind
+  int64_t room[kind_count];
+  double* numbers[kind_count];  ///< records side by side
+  int64_t* places[kind_count];  ///< the number in the file of each record
+};
+
+/// Takes in a valid shape as the next of the file. Returns 1, or 0 where memory is short.
+int add_shape(struct shapes* shapes, const struct shape* shape);
+
+/// How many good ones there are.
+int64_t good_shapes(const struct shapes* shapes);
+
+/// The shapes as the library's sets, one a kind, and the number in the file of each item of an index over them, of
+/// which `places` has room for good_shapes().
+void view_shapes(const struct shapes* shapes, vesica_shapes_f64 sets[kind_count], int64_t* places);
+
+void free_shapes(struct shapes* shapes);
+
+#endif

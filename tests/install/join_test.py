@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: Apache-2.0
+"""join_test.py JOIN: what it answers for files good and bad, in the folder it is called in."""
+import os
+import pty
+import random
+import resource
+import subprocess
+import sys
+
+import numpy
+import vesica
+
+KINDS = ("point", "segment", "circle", "aabb", "rect", "ellipse")
+HEADER = "a_from_0,b_from_0"
+failures = 0
+
+
+def check(what, expected, found):
+    global failures
+    if found != expected:
+        print(f"{what} is\n{found}\nand should be\n{expected}")
+        failures += 1
+
+
+def run(*arguments, memory=None):
+    """Exit status, standard output and standard error of a join."""
+    limit = (lambda: resource.setrlimit(resource.RLIMIT_AS, (memory, memory))) if memory else None
+    done = subprocess.run([sys.argv[1], *arguments], capture_output=True, text=True, preexec_fn=limit)
+    return done.returncode, done.stdout, done.stderr
+
+
+def write(path, content):
+    with open(path, "wb") as file:
+        file.write(content if isinstance(content, bytes) else content.encode())
+    return path
+
+
+def pairs(what, *arguments):
+    """The pairs of a join that goes well."""
+    status, out, err = run(*arguments)
+    lines = out.splitlines()
+    check(f"{what}: status and header", (0, HEADER), (status, lines[0] if lines else err))
+    found = [tuple(map(int, line.split(","))) for line in lines[1:]]
+    check(f"{what}: pairs that come twice", len(set(found)), len(found))
+    check(f"{what}: pairs said", f"{len(found)} pairs", err.split("; ")[0].split(", ")[-1])
+    check(f"{what}: --count", (0, f"{len(found)}\n"), run("--count", *arguments)[:2])
+    return sorted(found)
+
+
+def refused(what, complaint, *arguments):
+    """A join that goes wrong: nothing on standard output, this on standard error."""
+    check(what, (2, "", complaint), run(*arguments))
+
+
+# ---- All pairs ----------------------------------------------------------------------------------------------------
+def draw(kind, rng, dtype="f8"):
+    """A random shape whose numbers are short, so that many touch."""
+    x, y, h, k = rng.randrange(40), rng.randrange(40), rng.randrange(5) / 2, rng.randrange(5) / 2
+    ux, uy = rng.choice([(1, 0), (0, 1), (0.75, 0.5), (-1, 1)])
+    numbers = {
+        "point": (x, y),
+        "segment": (x, y, x + h, y + k),
+        "circle": (x, y, h),
+        "aabb": (x, y, x + h, y + k),
+        "rect": (x, y, ux, uy, h, k),
+        "ellipse": (x, y, ux, uy, h, k),
+    }[kind]
+    return kind, numbers
+
+
+def all_pairs(a, b=None):
+    def overlap(one, other):
+        return vesica.overlap(KINDS.index(one[0]), one[1], KINDS.index(other[0]), other[1])
+
+    if b is None:
+        return [(i, j) for i in range(len(a)) for j in range(i + 1, len(a)) if overlap(a[i], a[j])]
+    return [(i, j) for i in range(len(a)) for j in range(len(b)) if overlap(a[i], b[j])]
+
+
+def text(shapes, separator=" ", end="\n"):
+    return "".join(separator.join((kind, *map(repr, numbers))) + end for kind, numbers in shapes)
+
+
+rng = random.Random(1)
+shapes_a = [draw(rng.choice(KINDS), rng) for _ in range(180)]
+shapes_b = [draw(rng.choice(KINDS), rng) for _ in range(150)]
+expected, expected_self = all_pairs(shapes_a, shapes_b), all_pairs(shapes_a)
+a, b = write("a.txt", text(shapes_a)), write("b.txt", text(shapes_b))
+check("mixed kinds", expected, pairs("mixed kinds", a, b))
+check("of one file", expected_self, pairs("of one file", a))
+c = write("c.csv", "kind,a0,a1\r\n# comment\r\n\r\n" + text(shapes_a, ",", " # comment\r\n").rstrip())
+check("CR LF, commas, comments, names of columns, no last line end", expected, pairs("CR LF", c, b))
+check("byte order mark", expected, pairs("byte order mark", write("m.txt", b"\xef\xbb\xbf" + text(shapes_a).encode()), b))
+
+# ---- Other questions ----------------------------------------------------------------------------------------------
+nested = write("nested.txt", "point 1 1\ncircle 0 0 9\naabb -1 -1 2 2\npoint 1 1\ncircle 8 8 4\n")
+check("--contains", [(0, 3), (1, 0), (1, 2), (1, 3), (2, 0), (2, 3), (3, 0)], pairs("--contains", "--contains", nested))
+check("--inside", [(0, 1), (0, 2), (0, 3), (2, 1), (3, 0), (3, 1), (3, 2)], pairs("--inside", "--inside", nested))
+point = write("point.txt", "point 1 1")
+check("--contains of two", [(0, 0), (1, 0), (2, 0), (3, 0)], pairs("--contains of two", nested, point, "--contains"))
+check("--inside of two", [(0, 0), (3, 0)], pairs("--inside of two", "--inside", nested, point))
+corner = write("corner.txt", "circle 0 0 1\npoint 0.9 0.9\n")
+check("overlap beside a box", [], pairs("overlap beside a box", corner))
+check("--bounds", [(0, 1)], pairs("--bounds", "--bounds", corner))
+
+# ---- Well-known text, and numbers alone ---------------------------------------------------------------------------
+known = "POINT (1 2)\nLINESTRING(0 0, 1e1 -5)\nPOLYGON ((0 0, 2 0, 2 3, 0 3, 0 0))\nPOLYGON((2 3,2 0,0 0,0 3,2 3))\n"
+same = "point 1 2\nsegment 0 0 10 -5\naabb 0 0 2 3\naabb 0 0 2 3\n"
+check("well-known text", pairs("in words", write("w.txt", same), b), pairs("as it is", write("k.txt", known), b))
+boxes = [draw("aabb", rng) for _ in range(80)]
+alone = write("alone.csv", "min_x,min_y,max_x,max_y\n" + "".join(",".join(map(str, n)) + "\n" for _, n in boxes))
+check("numbers alone", all_pairs(boxes), pairs("numbers alone", "--kind", "aabb", alone))
+
+# ---- Arrays of numpy's --------------------------------------------------------------------------------------------
+for dtype in ("<f8", ">f8", "<f4", ">f4"):
+    rows = numpy.array([numbers for _, numbers in boxes], dtype)
+    numpy.save("rows.npy", rows)
+    check(f"rows of {dtype}", all_pairs(boxes), pairs(dtype, "rows.npy", "--kind", "aabb"))
+for kind, fields in zip(KINDS, vesica.FIELDS):
+    shapes = [draw(kind, rng) for _ in range(40)]
+    records = numpy.zeros(40, [("id", "<i2"), *((name, "<f4") for name in fields), ("label", "<U3")])
+    for name, column in zip(fields, zip(*(numbers for _, numbers in shapes))):
+        records[name] = column
+    numpy.save("records.npy", records)
+    check(f"records of {kind}", all_pairs(shapes, shapes_b), pairs(kind, "records.npy", b))
+numpy.save("aligned.npy", numpy.zeros(2, numpy.dtype([("c", "i1"), ("x", "f8"), ("y", "f8")], align=True)))
+check("padded records", [(0, 1)], pairs("padded records", "aligned.npy"))
+# A number that a float cannot hold is rounded when it is saved, and not once more.
+numpy.save("tenth.npy", numpy.array([[0.1, 0.1]], "f4"))
+wide = write("wide.txt", f"point {float(numpy.float32(0.1))!r} {float(numpy.float32(0.1))!r}\npoint 0.1 0.1\n")
+check("floats", [], pairs("floats", "tenth.npy", write("narrow.txt", "0.1 0.1"), "--kind", "point"))
+check("floats, wide", [(0, 0)], pairs("wide", "tenth.npy", write("wide.csv", open(wide).read().replace("point ", "")), "--kind", "point"))
+
+# ---- Files with nothing in them -----------------------------------------------------------------------------------
+numpy.save("none.npy", numpy.zeros((0, 3)))
+for empty in (write("empty.txt", ""), write("comments.txt", "# nothing\n\n")):
+    for files in ((empty,), (empty, a), (a, empty)):
+        check(f"{files}", [], pairs(f"{files}", *files))
+check("an array of no rows", [], pairs("no rows", "none.npy", "--kind", "circle"))
+
+# ---- Bad shapes: named by their line, and skipped only when that is asked for; others keep their numbers ------------
+bad = write("bad.txt", "point 0 0\ncircle 0 0 -1\nsquare 1 2\npoint 0\npoint 0 0 0\npoint nan 0\npoint 0 0\n")
+complaints = """bad.txt:2: shape A (circle) is invalid: a size is negative
+bad.txt:3: shape A: unknown kind 'square'
+bad.txt:4: shape A, number 2 of 2 is missing
+bad.txt:5: '0' after the shape
+bad.txt:6: shape A (point) is invalid: a number is NaN or infinite
+"""
+skipping = "join: nothing is written: --skip-bad goes on without bad shapes\n"
+refused("bad lines", complaints + skipping, bad)
+check("--skip-bad", [(0, 6)], pairs("--skip-bad", "--skip-bad", bad))
+check("what --skip-bad says", complaints, "".join(run("--skip-bad", bad)[2].splitlines(True)[:5]))
+refused("bad lines of B", complaints.replace("shape A", "shape B") + skipping, a, bad)
+many = write("many.txt", "x\n" * 50)
+check("many bad lines", 22, len(run(many)[2].splitlines()))
+check("how many more", "many.txt: and 30 more like these", run(many)[2].splitlines()[20])
+for line, complaint in (
+    ("point 0 0\0", "a NUL byte: this is not a text file"),
+    ("point " + "0" * 5000, "line longer than 4095 bytes"),
+    ("POINT 1 2)", "unknown kind 'POINT'"),
+    ("POINT (1)", "not 1 position of two numbers in parentheses"),
+    ("POINT (1 2) x", "'x' after the shape"),
+    ("LINESTRING (1 2, 3 4, 5 6)", "not 2 positions of two numbers in parentheses"),
+    ("POLYGON ((0 0, 1 1, 0 2, -1 1, 0 0))", "a POLYGON here is a box along the axes, one ring of 5 positions"),
+    ("POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0), (0 0, 1 0, 1 1, 0 1, 0 0))", "',"),
+    ("POLYGON ((0 0, 1 0, 1 1, 0 1))", "a POLYGON here is a box along the axes, one ring of 5 positions"),
+    ("CURVE (0 0)", "'CURVE (0 0)' is no POINT, LINESTRING or POLYGON"),
+):
+    status, out, err = run(write("one.txt", "point 0 0\n" + line + "\n"))
+    check(line[:50], (2, ""), (status, out))
+    if complaint not in err or not err.startswith("one.txt:2: "):
+        check(f"complaint of {line[:50]}", complaint, err)
+
+rows = numpy.zeros((5, 3))
+rows[3, 2] = -1
+numpy.save("bad.npy", rows)
+complaint = "bad.npy: row 3: shape A (circle) is invalid: a size is negative\n"
+refused("a bad row", complaint + skipping, "bad.npy", "--kind", "circle")
+check("rows left", 6, len(pairs("rows left", "bad.npy", "--kind", "circle", "--skip-bad")))
+
+# ---- Arrays that are no shapes, cut off anywhere, or lie about their size -------------------------------------------
+def unusable(what, complaint, array, *arguments):
+    numpy.save("unusable.npy", array)
+    refused(what, f"unusable.npy: {complaint}\n", "unusable.npy", *arguments)
+
+
+unusable("integers", "its numbers are not float64 or float32", numpy.zeros((2, 2), int), "--kind", "point")
+unusable("columns", "3 columns, but point has 2 numbers", numpy.zeros((2, 3)), "--kind", "point")
+unusable("no kind", "an array of plain numbers: --kind tells what a row is", numpy.zeros((2, 3)))
+unusable("one dimension", "not an array of two dimensions", numpy.zeros(4), "--kind", "point")
+unusable("column by column", "its columns lie one after the other: save it row by row", numpy.zeros((2, 2), order="F"), "--kind", "point")
+unusable("no fields", "its fields are those of no kind: --kind tells which", numpy.zeros(2, [("a", "f8")]))
+unusable("another kind's", "no field 'r'", numpy.zeros(2, [("cx", "f8"), ("cy", "f8")]), "--kind", "circle")
+unusable("field of integers", "field 'x' is not of float64 or float32", numpy.zeros(2, [("x", "i8"), ("y", "f8")]))
+unusable("nested", "a type of elements that cannot be read here", numpy.zeros(2, [("x", "f8", 2), ("y", "f8")]))
+numpy.save("whole.npy", numpy.arange(12.0).reshape(4, 3))
+whole = open("whole.npy", "rb").read()
+for length in range(1, len(whole)):
+    status, out, err = run(write("cut.npy", whole[:length]), "--kind", "circle")
+    check(f"{length} bytes", (2, "", "cut.npy: "), (status, out, err[:9]))
+huge = whole.replace(b"(4, 3)", b"(9000000000000000000, 3)").replace(b" " * 18 + b"\n", b"\n")
+refused("more rows than there are", "lies.npy: ends in row 4 of 9000000000000000000\n", write("lies.npy", huge), "--kind", "circle")
+
+# ---- Memory, files, arguments -----------------------------------------------------------------------------------
+numpy.save("crowd.npy", numpy.random.default_rng(1).random((300000, 2)))
+outcomes = set()
+for megabytes in (8, 12, 16, 20, 24, 200):
+    status, out, err = run("--count", "--kind", "point", "crowd.npy", memory=megabytes << 20)
+    outcomes.add(status)
+    if status == 2:
+        check(f"{megabytes} MiB", ("", True), (out, "out of memory" in err))
+check("outcomes with little memory", {0, 2}, outcomes)
+refused("missing file", "nowhere: cannot read: No such file or directory\n", "nowhere")
+refused("directory", ".: cannot read: Is a directory\n", ".")
+for arguments in ((), ("--kind",), ("--kind", "square", a), ("--all", a), (a, a, a)):
+    status, out, err = run(*arguments)
+    check(f"{arguments}", (2, "", "usage: join"), (status, out, err[:11]))
+check("--help", (0, "usage: join", ""), (lambda done: (done[0], done[1][:11], done[2]))(run("--help")))
+with open("/dev/full", "w") as full:
+    done = subprocess.run([sys.argv[1], a], stdout=full, stderr=subprocess.PIPE, text=True)
+check("a full disk", (2, "join: cannot write the pairs\n"), (done.returncode, done.stderr))
+
+# ---- What a terminal shows ----------------------------------------------------------------------------------------
+master, terminal = pty.openpty()
+write("same.txt", "point 0 0\n" * 4000)
+subprocess.run([sys.argv[1], "same.txt"], stdout=subprocess.DEVNULL, stderr=terminal, check=True)
+os.close(terminal)
+shown = os.read(master, 65536).decode()
+check("progress on a terminal", True, "joining: " in shown and shown.rstrip().endswith("a shape"))
+
+sys.exit(failures != 0)

@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# join_test.sh MOVED WORK: the program of `./run join` on files good and bad, beside all pairs by scalar calls.
+. "$(dirname "${BASH_SOURCE[0]}")/prefix.sh"
+
+warnings=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Werror)
+demo=$here/demo
+"$CC" -std=c99 -O1 "${warnings[@]}" "-I$demo" -o "$work/join" "$here"/join/*.c "$demo/fields.c" "$demo/line.c" \
+  "${flags[@]}" -lm
+cd "$work"
+# numpy is of Debian's own python3.
+PYTHONPATH=$here/../ffi/python /usr/bin/python3 -B "$here/join_test.py" ./join
