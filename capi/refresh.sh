@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # refresh.sh [BUILD]: after an addition to the headers, writes anew what is checked in beside them and derived from
-# them: vesica.json, vesica.cdef, vesica_methods.cdef, the declarations of the Python package, and the ABI's baselines
+# them: vesica.json, vesica.cdef, vesica_methods.cdef, the declarations of the packages, and the ABI's baselines
 # abi/vesica.abi and abi/vesica-methods.abi.
 # BUILD is a build folder with tests, by default that of the preset "test". A change that breaks a baseline is refused
 # (ABI.md); before the first release, or with a new SONAME, delete the baseline first.
@@ -29,5 +29,6 @@ for library in vesica vesica-methods; do
   cat "$new" >"$baseline"
 done
 python3 -B "$capi/describe.py"
+python3 -B "$root/javascript/declare.py"
 python3 -B "$root/python/declare.py"
 echo "refreshed: $(cd "$capi" && echo vesica.json ./*.cdef abi/*.abi)"

@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# build.sh DIRECTORY [MODULE]: packs the npm package into DIRECTORY, installs it into a fresh folder without network,
+# and runs the tests there; tsc, of npm, reads the declarations. MODULE is a vesica.wasm that is built already.
+set -euo pipefail
+
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+mkdir -p "$1"
+directory=$(cd "$1" && pwd)
+module=${2:-}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+if [ -z "$module" ]; then
+  "$here/../tests/ffi/wasm/build.sh" "$directory/wasm"
+  module=$directory/wasm/vesica.wasm
+fi
+
+mkdir "$work/package" "$work/program"
+cp "$here"/*.mjs "$here"/*.d.ts "$here/package.json" "$here/README.md" "$module" "$work/package"
+rm -f "$directory"/vesica-*.tgz
+(cd "$work/package" && npm pack --silent --pack-destination "$directory")
+
+cd "$work/program"
+cp -r "$here"/tests/* "$here/../tests/ffi/vectors.txt" .
+echo '{ "private": true, "type": "module" }' >package.json
+npm install --silent --offline --no-audit --no-fund "$directory"/vesica-*.tgz
+node --test
+npm install --silent --no-audit --no-fund --no-save typescript@5
+npx tsc --noEmit --strict --target es2022 --lib es2022,dom --module nodenext --moduleResolution nodenext types.ts
+ls "$directory"/vesica-*.tgz

@@ -1,0 +1,1753 @@
+// SPDX-License-Identifier: Apache-2.0
+// Written by declare.py from capi/vesica.json: not to be edited.
+
+/**
+ * The module's exports: the C library. Pointers are addresses in `memory`, int64_t are bigint.
+ */
+export interface C {
+  memory: WebAssembly.Memory;
+  /**
+   * Version of the loaded library, to be compared with VESICA_VERSION: a smaller one is older than the header.
+   *
+   * Since: 0.1.
+   */
+  vesica_version(): number;
+  /**
+   * VESICA_VERSION_MAJOR of the loaded library.
+   *
+   * Since: 0.1.
+   */
+  vesica_version_major(): number;
+  /**
+   * VESICA_VERSION_MINOR of the loaded library.
+   *
+   * Since: 0.1.
+   */
+  vesica_version_minor(): number;
+  /**
+   * VESICA_VERSION_PATCH of the loaded library.
+   *
+   * Since: 0.1.
+   */
+  vesica_version_patch(): number;
+  /**
+   * What an error code means, as one English phrase without a final stop.
+   *
+   * Returns: static text, never NULL: "success" for answers (>= 0), "unknown error" for unknown codes.
+   * Since: 0.1.
+   */
+  vesica_strerror(code: number): number;
+  /**
+   * How many numbers does a shape of this kind have?
+   *
+   * Returns: 2, 4, 3, 4, 6, 6 for VESICA_POINT ... VESICA_ELLIPSE.
+   * Errors: VESICA_E_KIND.
+   * Since: 0.1.
+   */
+  vesica_field_count(kind: number): number;
+  /**
+   * Name of a kind.
+   *
+   * Returns: static text: "point", "segment", "circle", "aabb", "rect" or "ellipse"; NULL for an unknown kind.
+   * Since: 0.1.
+   */
+  vesica_kind_name(kind: number): number;
+  /**
+   * Name of the instruction set that batches run on: the best that this processor has. Answers never depend on it.
+   *
+   * The environment variable VESICA_ISA forces another one. It is read once, when the library is loaded. A name that is
+   * unknown, or of a set that the processor lacks, is ignored.
+   *
+   * Returns: static text: "sse2", "avx2", "avx512", "neon" or "portable".
+   * Since: 0.1.
+   */
+  vesica_isa_name(): number;
+  /**
+   * Is a shape valid, and if not, which rule does it break?
+   *
+   * Returns: 0 for a valid shape, else the first rule broken: VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE,
+   * VESICA_E_ZERO_AXIS or VESICA_E_INVERTED.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND.
+   * Cost: a few ns.
+   * Since: 0.1.
+   */
+  vesica_check_f64(kind: number, numbers: number): number;
+  /**
+   * Do two shapes share a point? Touching counts.
+   *
+   * Returns: 1 if they do, 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: about 2 ns more than the function named after the two kinds.
+   * Since: 0.1.
+   */
+  vesica_overlap_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number): number;
+  /**
+   * How does a relate to b? The answer is one of the eight relations of the region connection calculus (RCC-8).
+   *
+   * The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with one size zero,
+   * is its two end points. A point, or a shape without any size, has no outline. The inside is all but the outline. If
+   * several relations fit, VESICA_EQUAL comes first, then those of containment, then VESICA_CROSS. So a segment that ends
+   * on the middle of another touches it, two segments along one line that overlap in part cross, and a point on the rim
+   * of a disc is inside with touch. Exchanging the shapes always gives the converse relation.
+   *
+   * Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal.
+   * Since: 0.1.
+   */
+  vesica_relation_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number): number;
+  /**
+   * Does a contain all of b? A shape contains itself, and what touches its outline from inside.
+   *
+   * Returns: 1 if vesica_relation_f64 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: that of vesica_relation_f64.
+   * Since: 0.1.
+   */
+  vesica_contains_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number): number;
+  /**
+   * Where do the outlines of two shapes meet? Touching counts.
+   *
+   * The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their own
+   * outlines. A contact of any order is one place. If straight outlines have a stretch in common, its two end points are
+   * places, and out->shared is 1. So equal boxes have their four corners. Equal curves have no single places: then the
+   * count is 0 and out->shared is 1.
+   * Places come in order along a's outline, counter-clockwise in the frame of its axis. The start is a box's corner
+   * C - hx u - hy perp(u), an ellipse's point C + a u, a circle's point C + (r, 0), or a segment's first end.
+   *
+   * Returns: the number of places, 0 to 8.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, however
+   * closely the outlines touch or coincide. Places closer to one another than that may come in either order or be equal.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * Cost: 1 to 10 us; up to 50 us, once seen 281 us, where exponents are wildly unlike.
+   * Since: 0.1.
+   */
+  vesica_crossings_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
+  /**
+   * How far apart are two solid shapes, and which of their points are closest?
+   *
+   * If the shapes overlap (as vesica_overlap_f64 tells), the distance is 0 and both points are one common point. If not,
+   * the distance is > 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes by the same
+   * exact amounts changes no bit of the distance.
+   *
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale. It is right
+   * to 2 u of itself if it is above 1e-10 scale (aspect ratios up to 1e6) or above 1e-14 scale (up to 1000). Before their
+   * coordinates are rounded, closest points are within 4 u scale of the outlines, and a common point is within 8 u scale
+   * of both shapes.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
+   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40.
+   * Since: 0.1.
+   */
+  vesica_nearest_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
+  /**
+   * How far apart are the outlines of two shapes, and where do they come closest?
+   *
+   * The outline of a shape with area is the curve around it. A point, a segment and a shape with a zero size are their
+   * own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If shapes are disjoint,
+   * the result is that of vesica_nearest_f64. If one is strictly inside the other, the distance is the least over the
+   * whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes exchanges the points
+   * and changes no bit. Moving both shapes by the same exact amounts changes no bit of the distance.
+   *
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: the distance is right to 4 u scale at aspect ratios up to 1e6, and above 0 if the outlines do not meet.
+   * Before its coordinates are rounded, each point is within 4 u scale times the greater aspect ratio of its outline.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, and 1 us more for few of them;
+   * 0.5 to 2 us for a common point; up to 5 us more if only exact arithmetic can tell how the shapes relate.
+   * Since: 0.1.
+   */
+  vesica_boundary_distance_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
+  /**
+   * Penetration depth: how far and which way must b be moved until the two shapes only touch?
+   *
+   * Moving b by out->depth along the unit vector (x, y) is the shortest translation after which a line separates the
+   * shapes: a on one side, b on the other, where both may touch the line. For disjoint shapes all three numbers are 0.
+   * Overlapping shapes always get a direction. Their depth is 0 if such a line is there already: if they touch from
+   * outside, if a point lies on an outline, or if points and segments lie along one line. Otherwise the depth is > 0.
+   * Exchanging the shapes reverses the direction and changes no other bit, except for two equal shapes in one place.
+   * Moving both shapes by the same exact amounts changes no bit.
+   *
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; of two circles, and of a point and a circle, to
+   * its last place. The length of (x, y) is 1 but for 3 u, and it moves b clear but for 4 u scale. Whether the depth is 0
+   * is exact.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
+   * if only exact arithmetic can tell the depth from 0.
+   * Since: 0.1.
+   */
+  vesica_depth_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
+  /**
+   * Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+   *
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another never
+   * has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them.
+   * Cost: about 20 ns.
+   * Since: 0.1.
+   */
+  vesica_shape_area_f64(kind: number, numbers: number, out: number): number;
+  /**
+   * Area of the intersection of two shapes.
+   *
+   * It is exactly 0 if shapes are disjoint, if they only touch, or if one has no area. If one contains the other, it is
+   * the vesica_shape_area_f64 of the inner one. It is never more than the area of either, and more than 0 if the insides
+   * of shapes with area meet, unless that underflows. Exchanging the shapes changes no bit. Scaling both by a power of
+   * two scales the area by its square.
+   *
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: within 64 u of the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4, however
+   * near the outlines are to touching or coinciding and however different the sizes are.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
+   * nearly touch or coincide, or if one shape is far larger.
+   * Since: 0.1.
+   */
+  vesica_area_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
+  /**
+   * Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
+   *
+   * It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Nothing overflows or underflows on the
+   * way, whatever the sizes. Exchanging the shapes, or scaling both by a power of two, changes no bit.
+   *
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (neither shape has an area).
+   * Accuracy: the bound of vesica_area_f64, over the area of the union.
+   * Cost: that of vesica_area_f64 and of vesica_shape_area_f64 twice.
+   * Since: 0.1.
+   */
+  vesica_iou_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
+  /**
+   * Smallest box of representable numbers that contains a shape.
+   *
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
+   * Cost: up to 80 ns; 1 to 3 us for magnitudes beyond 2^+-400, and for an ellipse with an oblique axis and representable
+   * sides.
+   * Since: 0.1.
+   */
+  vesica_bounds_f64(kind: number, numbers: number, out: number): number;
+  /**
+   * Are the two points the same?
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_point_point_f64(a: number, b: number): number;
+  /**
+   * Does the point lie on the segment? End points count.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_point_segment_f64(a: number, b: number): number;
+  /**
+   * Does the point lie in the disc or on its rim?
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_point_circle_f64(a: number, b: number): number;
+  /**
+   * Does the point lie in the box or on its outline?
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_point_aabb_f64(a: number, b: number): number;
+  /**
+   * Does the point lie in the rectangle or on its outline?
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_point_rect_f64(a: number, b: number): number;
+  /**
+   * Does the point lie in the ellipse or on its outline?
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_point_ellipse_f64(a: number, b: number): number;
+  /**
+   * Do the segments share a point? End points count, and so do stretches along one line.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_segment_segment_f64(a: number, b: number): number;
+  /**
+   * Does the segment meet the disc? A tangent segment does.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_segment_circle_f64(a: number, b: number): number;
+  /**
+   * Does the segment meet the box? A segment inside it does.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_segment_aabb_f64(a: number, b: number): number;
+  /**
+   * Does the segment meet the rectangle? A segment inside it does.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_segment_rect_f64(a: number, b: number): number;
+  /**
+   * Does the segment meet the ellipse? A tangent segment does.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_segment_ellipse_f64(a: number, b: number): number;
+  /**
+   * Do the discs share a point? Discs that touch from outside do.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_circle_circle_f64(a: number, b: number): number;
+  /**
+   * Do the disc and the box share a point?
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_circle_aabb_f64(a: number, b: number): number;
+  /**
+   * Do the disc and the rectangle share a point?
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_circle_rect_f64(a: number, b: number): number;
+  /**
+   * Do the disc and the ellipse share a point?
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_circle_ellipse_f64(a: number, b: number): number;
+  /**
+   * Do the boxes share a point? Boxes that share an edge or a corner do.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_aabb_aabb_f64(a: number, b: number): number;
+  /**
+   * Do the box and the rectangle share a point?
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_aabb_rect_f64(a: number, b: number): number;
+  /**
+   * Do the box and the ellipse share a point?
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_aabb_ellipse_f64(a: number, b: number): number;
+  /**
+   * Do the rectangles share a point? Rectangles that share an edge or a corner do.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_rect_rect_f64(a: number, b: number): number;
+  /**
+   * Do the rectangle and the ellipse share a point? They do if one is inside the other.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_rect_ellipse_f64(a: number, b: number): number;
+  /**
+   * Do the ellipses share a point? They do if one is inside the other.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_ellipse_ellipse_f64(a: number, b: number): number;
+  /**
+   * Box with two opposite corners, in any order.
+   *
+   * Returns: 0; the shape is valid.
+   * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE.
+   * Accuracy: exact.
+   * Since: 0.1.
+   */
+  vesica_aabb_from_corners_f64(x0: number, y0: number, x1: number, y1: number, out: number): number;
+  /**
+   * Rectangle from centre, angle and full size: width along the angle, height across it.
+   *
+   * Requires: the angle in radians, counter-clockwise from +x if y points up; width, height >= 0.
+   * Returns: 0; the shape is valid.
+   * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
+   * Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No number is exactly a quarter turn, so the
+   * axis of one is parallel to a coordinate axis only to that rounding. Sizes are exact: if halving one would round (an
+   * odd multiple of the smallest subnormal number), the axis is halved instead.
+   * Cost: about 40 ns.
+   * Since: 0.1.
+   */
+  vesica_rect_from_angle_f64(cx: number, cy: number, angle: number, width: number, height: number, out: number): number;
+  /**
+   * Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
+   *
+   * Corners that are not exactly a rectangle's give a rectangle near them, which need not contain them. The centre is the
+   * mean of the corners. The axis is a unit vector along the edge from corner 0 to corner 1, and hx belongs to that edge.
+   * Opposite edges are averaged; the longer pair gives the direction, and the shorter pair counts by its part across it.
+   * Two or four equal corners are legal: they give a segment, or a point with axis (1, 0).
+   *
+   * Returns: 0; the shape is valid.
+   * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent overflows).
+   * Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the longer one;
+   * the centre is right to 1 unit in its own. To both comes 2^-98 times the largest coordinate. The corners of an
+   * axis-parallel rectangle give exactly it if its centre and half extents are representable.
+   * Cost: about 110 ns.
+   * Since: 0.1.
+   */
+  vesica_rect_from_corners_f64(corners: number, out: number): number;
+  /**
+   * Ellipse from centre, angle and half lengths: a along the angle, b across it.
+   *
+   * Requires: the angle in radians, counter-clockwise from +x if y points up; a, b >= 0.
+   * Returns: 0; the shape is valid.
+   * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
+   * Accuracy: the axis as that of vesica_rect_from_angle_f64; half lengths are exact.
+   * Cost: about 40 ns.
+   * Since: 0.1.
+   */
+  vesica_ellipse_from_angle_f64(cx: number, cy: number, angle: number, a: number, b: number, out: number): number;
+  /**
+   * Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx, wy).
+   *
+   * A zero vector gives the point (cx, cy).
+   *
+   * Requires: ratio >= 0.
+   * Returns: 0; the shape is valid.
+   * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
+   * Accuracy: exact.
+   * Since: 0.1.
+   */
+  vesica_ellipse_from_radius_vector_f64(cx: number, cy: number, wx: number, wy: number, ratio: number, out: number): number;
+  /**
+   * Ellipse of the points within k standard deviations of a mean (Mahalanobis distance at most k).
+   *
+   * A singular covariance, or k = 0, gives a segment or a point. The result has a >= b. Its axis is a unit vector with
+   * x >= 0, or (1, 0) for equal variances without correlation.
+   *
+   * Requires: the covariance cxx, cxy, cyy (units squared) positive semidefinite: cxy^2 <= cxx cyy as stored; k >= 0.
+   * Returns: 0; the shape is valid.
+   * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k < 0), VESICA_E_ARGUMENT (not a covariance),
+   * VESICA_E_RANGE (a half length overflows).
+   * Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, however near the
+   * matrix is to a singular one or to a circle's.
+   * Cost: about 90 ns.
+   * Since: 0.1.
+   */
+  vesica_ellipse_from_covariance_f64(mean_x: number, mean_y: number, cxx: number, cxy: number, cyy: number, k: number, out: number): number;
+  /**
+   * Ellipse of the points X with (X - C) . M (X - C) <= 1, where M is symmetric with entries mxx, mxy, myy.
+   *
+   * The result is that of vesica_ellipse_from_covariance_f64 for the inverse of M and k = 1.
+   *
+   * Requires: M positive definite as stored.
+   * Returns: 0; the shape is valid.
+   * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_ARGUMENT (not positive definite).
+   * Accuracy: that of vesica_ellipse_from_covariance_f64; no half length overflows.
+   * Cost: about 90 ns.
+   * Since: 0.1.
+   */
+  vesica_ellipse_from_matrix_f64(cx: number, cy: number, mxx: number, mxy: number, myy: number, out: number): number;
+  /**
+   * Describes an array of `count` records, each of which starts with a shape's struct.
+   *
+   * Requires: base, the first record's shape, which may be NULL if count is 0; stride, the bytes from one record to the
+   * next; count >= 0.
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (negative count).
+   * Since: 0.1.
+   */
+  vesica_shapes_from_records_f64(kind: number, count: bigint, base: number, stride: number, out: number): number;
+  /**
+   * Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f64.
+   *
+   * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * Returns: how many are 1.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float (see README.md).
+   * Since: 0.1.
+   */
+  vesica_overlap_many_f64(a: number, b: number, out: number): bigint;
+  /**
+   * How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f64.
+   *
+   * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * Returns: how many are not VESICA_DISJOINT.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_relation_many_f64(a: number, b: number, out: number): bigint;
+  /**
+   * Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f64.
+   *
+   * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * Returns: how many are 1.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_contains_many_f64(a: number, b: number, out: number): bigint;
+  /**
+   * How far apart are a[i] and b[i], and where? The columns are the fields of vesica_nearest_f64's result.
+   *
+   * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * Returns: how many pairs overlap (distance 0).
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_nearest_many_f64(a: number, b: number, distance: number, ax: number, ay: number, bx: number, by: number): bigint;
+  /**
+   * How far apart are the outlines of a[i] and b[i]? The columns are the fields of vesica_boundary_distance_f64's result.
+   *
+   * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * Returns: how many pairs of outlines meet (distance 0).
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_boundary_distance_many_f64(a: number, b: number, distance: number, ax: number, ay: number, bx: number, by: number): bigint;
+  /**
+   * How deep do a[i] and b[i] overlap? The columns are the fields of vesica_depth_f64's result.
+   *
+   * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * Returns: how many depths are > 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_depth_many_f64(a: number, b: number, depth: number, x: number, y: number): bigint;
+  /**
+   * What area do a[i] and b[i] share? out[i] is the result of vesica_area_f64.
+   *
+   * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * Returns: how many areas are > 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_area_many_f64(a: number, b: number, out: number): bigint;
+  /**
+   * Intersection over union of a[i] and b[i]: out[i] is the result of vesica_iou_f64.
+   *
+   * If neither of a pair has an area, out[i] is NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   *
+   * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * Returns: how many are > 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_iou_many_f64(a: number, b: number, out: number): bigint;
+  /**
+   * Do a[i] and b[j] share a point? The elements of out are answers of vesica_overlap_f64.
+   *
+   * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   * Returns: how many are 1.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+   * beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Cost: that of one shape against many, however large the arrays are.
+   * Since: 0.1.
+   */
+  vesica_overlap_matrix_f64(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * How does a[i] relate to b[j]? The elements of out are answers of vesica_relation_f64.
+   *
+   * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   * Returns: how many are not VESICA_DISJOINT.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+   * beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Cost: that of one shape against many, however large the arrays are.
+   * Since: 0.1.
+   */
+  vesica_relation_matrix_f64(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * Does a[i] contain all of b[j]? The elements of out are answers of vesica_contains_f64.
+   *
+   * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   * Returns: how many are 1.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+   * beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Cost: that of one shape against many, however large the arrays are.
+   * Since: 0.1.
+   */
+  vesica_contains_matrix_f64(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * What area do a[i] and b[j] share? The elements of out are results of vesica_area_f64.
+   *
+   * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   * Returns: how many are > 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+   * beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Cost: that of one shape against many, however large the arrays are.
+   * Since: 0.1.
+   */
+  vesica_area_matrix_f64(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * Intersection over union of a[i] and b[j]. The elements of out are results of vesica_iou_f64.
+   *
+   * If neither of a pair has an area, it gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   *
+   * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   * Returns: how many are > 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+   * beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Cost: that of one shape against many, however large the arrays are.
+   * Since: 0.1.
+   */
+  vesica_iou_matrix_f64(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * Which of many shapes overlap one? Their indices are written to out[0], out[1] ..., in ascending order.
+   *
+   * Requires: one, an array of count 1; capacity, how many indices out has room for. It may be 0, and out then NULL.
+   * Returns: how many there are, even if that is beyond the capacity. If room is left, the entry after the last is -1.
+   * Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the indices of valid ones are written; -1 or
+   * the capacity ends them. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's count is
+   * not 1, a negative capacity, and as vesica_overlap_many_f64).
+   * Accuracy: every answer is that of vesica_overlap_f64.
+   * Since: 0.1.
+   */
+  vesica_overlap_select_f64(one: number, many: number, out: number, capacity: bigint): bigint;
+  /**
+   * Bytes of scratch memory that vesica_nms_f64 and vesica_nms_f32 need for that many shapes.
+   *
+   * Returns: about 56 bytes for each.
+   * Errors: VESICA_E_ARGUMENT (a negative count, or one whose scratch has no representable size).
+   * Since: 0.1.
+   */
+  vesica_nms_scratch(count: bigint): bigint;
+  /**
+   * Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one whose
+   * vesica_iou_f64 with every shape kept before is at most the threshold.
+   *
+   * Equal scores go by index, and infinite scores are legal. At threshold 1 all shapes are kept.
+   *
+   * Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to
+   * 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
+   * Returns: 0. keep has the indices of the kept shapes in the order of their scores, and *kept how many they are. What
+   * follows them in keep is not written.
+   * Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: the result is that without it, and is written.
+   * Before anything is written: VESICA_E_NULL (if there are no shapes, only shapes and kept are looked at), VESICA_E_KIND
+   * (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too little scratch).
+   * Cost: sorting, and an IoU for each pair whose bounds meet: about 15 ms for 10,000 scattered rectangles.
+   * Since: 0.1.
+   */
+  vesica_nms_f64(shapes: number, scores: number, threshold: number, scratch: number, scratch_size: bigint, keep: number, kept: number): number;
+  /**
+   * Is a shape valid, and if not, which rule does it break?
+   *
+   * Returns: 0 for a valid shape, else the first rule broken: VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE,
+   * VESICA_E_ZERO_AXIS or VESICA_E_INVERTED.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND.
+   * Cost: a few ns.
+   * Since: 0.1.
+   */
+  vesica_check_f32(kind: number, numbers: number): number;
+  /**
+   * Do two shapes share a point? Touching counts.
+   *
+   * Returns: 1 if they do, 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: about 2 ns more than the function named after the two kinds.
+   * Since: 0.1.
+   */
+  vesica_overlap_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number): number;
+  /**
+   * How does a relate to b? The answer is one of the eight relations of the region connection calculus (RCC-8).
+   *
+   * The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with one size zero,
+   * is its two end points. A point, or a shape without any size, has no outline. The inside is all but the outline. If
+   * several relations fit, VESICA_EQUAL comes first, then those of containment, then VESICA_CROSS. So a segment that ends
+   * on the middle of another touches it, two segments along one line that overlap in part cross, and a point on the rim
+   * of a disc is inside with touch. Exchanging the shapes always gives the converse relation.
+   *
+   * Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal.
+   * Since: 0.1.
+   */
+  vesica_relation_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number): number;
+  /**
+   * Does a contain all of b? A shape contains itself, and what touches its outline from inside.
+   *
+   * Returns: 1 if vesica_relation_f32 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: that of vesica_relation_f32.
+   * Since: 0.1.
+   */
+  vesica_contains_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number): number;
+  /**
+   * Where do the outlines of two shapes meet? Touching counts.
+   *
+   * The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their own
+   * outlines. A contact of any order is one place. If straight outlines have a stretch in common, its two end points are
+   * places, and out->shared is 1. So equal boxes have their four corners. Equal curves have no single places: then the
+   * count is 0 and out->shared is 1.
+   * Places come in order along a's outline, counter-clockwise in the frame of its axis. The start is a box's corner
+   * C - hx u - hy perp(u), an ellipse's point C + a u, a circle's point C + (r, 0), or a segment's first end.
+   *
+   * Returns: the number of places, 0 to 8.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, however
+   * closely the outlines touch or coincide. Places closer to one another than that may come in either order or be equal.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * Cost: 1 to 10 us; up to 50 us, once seen 281 us, where exponents are wildly unlike.
+   * Since: 0.1.
+   */
+  vesica_crossings_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
+  /**
+   * How far apart are two solid shapes, and which of their points are closest?
+   *
+   * If the shapes overlap (as vesica_overlap_f32 tells), the distance is 0 and both points are one common point. If not,
+   * the distance is > 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes by the same
+   * exact amounts changes no bit of the distance.
+   *
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale. It is right
+   * to 2 u of itself if it is above 1e-10 scale (aspect ratios up to 1e6) or above 1e-14 scale (up to 1000). Before their
+   * coordinates are rounded, closest points are within 4 u scale of the outlines, and a common point is within 8 u scale
+   * of both shapes.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
+   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40.
+   * Since: 0.1.
+   */
+  vesica_nearest_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
+  /**
+   * How far apart are the outlines of two shapes, and where do they come closest?
+   *
+   * The outline of a shape with area is the curve around it. A point, a segment and a shape with a zero size are their
+   * own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If shapes are disjoint,
+   * the result is that of vesica_nearest_f32. If one is strictly inside the other, the distance is the least over the
+   * whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes exchanges the points
+   * and changes no bit. Moving both shapes by the same exact amounts changes no bit of the distance.
+   *
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: the distance is right to 4 u scale at aspect ratios up to 1e6, and above 0 if the outlines do not meet.
+   * Before its coordinates are rounded, each point is within 4 u scale times the greater aspect ratio of its outline.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, and 1 us more for few of them;
+   * 0.5 to 2 us for a common point; up to 5 us more if only exact arithmetic can tell how the shapes relate.
+   * Since: 0.1.
+   */
+  vesica_boundary_distance_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
+  /**
+   * Penetration depth: how far and which way must b be moved until the two shapes only touch?
+   *
+   * Moving b by out->depth along the unit vector (x, y) is the shortest translation after which a line separates the
+   * shapes: a on one side, b on the other, where both may touch the line. For disjoint shapes all three numbers are 0.
+   * Overlapping shapes always get a direction. Their depth is 0 if such a line is there already: if they touch from
+   * outside, if a point lies on an outline, or if points and segments lie along one line. Otherwise the depth is > 0.
+   * Exchanging the shapes reverses the direction and changes no other bit, except for two equal shapes in one place.
+   * Moving both shapes by the same exact amounts changes no bit.
+   *
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; of two circles, and of a point and a circle, to
+   * its last place. The length of (x, y) is 1 but for 3 u, and it moves b clear but for 4 u scale. Whether the depth is 0
+   * is exact.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
+   * if only exact arithmetic can tell the depth from 0.
+   * Since: 0.1.
+   */
+  vesica_depth_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
+  /**
+   * Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+   *
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another never
+   * has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Cost: about 20 ns.
+   * Since: 0.1.
+   */
+  vesica_shape_area_f32(kind: number, numbers: number, out: number): number;
+  /**
+   * Area of the intersection of two shapes.
+   *
+   * It is exactly 0 if shapes are disjoint, if they only touch, or if one has no area. If one contains the other, it is
+   * the vesica_shape_area_f32 of the inner one. It is never more than the area of either, and more than 0 if the insides
+   * of shapes with area meet, unless that underflows. Exchanging the shapes changes no bit. Scaling both by a power of
+   * two scales the area by its square.
+   *
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: within 64 u of the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4, however
+   * near the outlines are to touching or coinciding and however different the sizes are.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
+   * nearly touch or coincide, or if one shape is far larger.
+   * Since: 0.1.
+   */
+  vesica_area_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
+  /**
+   * Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
+   *
+   * It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Nothing overflows or underflows on the
+   * way, whatever the sizes. Exchanging the shapes, or scaling both by a power of two, changes no bit.
+   *
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (neither shape has an area).
+   * Accuracy: the bound of vesica_area_f32, over the area of the union.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Cost: that of vesica_area_f32 and of vesica_shape_area_f32 twice.
+   * Since: 0.1.
+   */
+  vesica_iou_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
+  /**
+   * Smallest box of representable numbers that contains a shape.
+   *
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
+   * Cost: up to 80 ns; 1 to 3 us for magnitudes beyond 2^+-400, and for an ellipse with an oblique axis and representable
+   * sides.
+   * Since: 0.1.
+   */
+  vesica_bounds_f32(kind: number, numbers: number, out: number): number;
+  /**
+   * Are the two points the same?
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_point_point_f32(a: number, b: number): number;
+  /**
+   * Does the point lie on the segment? End points count.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_point_segment_f32(a: number, b: number): number;
+  /**
+   * Does the point lie in the disc or on its rim?
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_point_circle_f32(a: number, b: number): number;
+  /**
+   * Does the point lie in the box or on its outline?
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_point_aabb_f32(a: number, b: number): number;
+  /**
+   * Does the point lie in the rectangle or on its outline?
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_point_rect_f32(a: number, b: number): number;
+  /**
+   * Does the point lie in the ellipse or on its outline?
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_point_ellipse_f32(a: number, b: number): number;
+  /**
+   * Do the segments share a point? End points count, and so do stretches along one line.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_segment_segment_f32(a: number, b: number): number;
+  /**
+   * Does the segment meet the disc? A tangent segment does.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_segment_circle_f32(a: number, b: number): number;
+  /**
+   * Does the segment meet the box? A segment inside it does.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_segment_aabb_f32(a: number, b: number): number;
+  /**
+   * Does the segment meet the rectangle? A segment inside it does.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_segment_rect_f32(a: number, b: number): number;
+  /**
+   * Does the segment meet the ellipse? A tangent segment does.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_segment_ellipse_f32(a: number, b: number): number;
+  /**
+   * Do the discs share a point? Discs that touch from outside do.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_circle_circle_f32(a: number, b: number): number;
+  /**
+   * Do the disc and the box share a point?
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_circle_aabb_f32(a: number, b: number): number;
+  /**
+   * Do the disc and the rectangle share a point?
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_circle_rect_f32(a: number, b: number): number;
+  /**
+   * Do the disc and the ellipse share a point?
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_circle_ellipse_f32(a: number, b: number): number;
+  /**
+   * Do the boxes share a point? Boxes that share an edge or a corner do.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_aabb_aabb_f32(a: number, b: number): number;
+  /**
+   * Do the box and the rectangle share a point?
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_aabb_rect_f32(a: number, b: number): number;
+  /**
+   * Do the box and the ellipse share a point?
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_aabb_ellipse_f32(a: number, b: number): number;
+  /**
+   * Do the rectangles share a point? Rectangles that share an edge or a corner do.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_rect_rect_f32(a: number, b: number): number;
+  /**
+   * Do the rectangle and the ellipse share a point? They do if one is inside the other.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_rect_ellipse_f32(a: number, b: number): number;
+  /**
+   * Do the ellipses share a point? They do if one is inside the other.
+   *
+   * Returns: 1 if the shapes share a point (touching counts), 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide.
+   * Since: 0.1.
+   */
+  vesica_overlap_ellipse_ellipse_f32(a: number, b: number): number;
+  /**
+   * Box with two opposite corners, in any order.
+   *
+   * Returns: 0; the shape is valid.
+   * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE.
+   * Accuracy: exact.
+   * Since: 0.1.
+   */
+  vesica_aabb_from_corners_f32(x0: number, y0: number, x1: number, y1: number, out: number): number;
+  /**
+   * Rectangle from centre, angle and full size: width along the angle, height across it.
+   *
+   * Requires: the angle in radians, counter-clockwise from +x if y points up; width, height >= 0.
+   * Returns: 0; the shape is valid.
+   * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
+   * Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No number is exactly a quarter turn, so the
+   * axis of one is parallel to a coordinate axis only to that rounding. Sizes are exact: if halving one would round (an
+   * odd multiple of the smallest subnormal number), the axis is halved instead.
+   * Cost: about 40 ns.
+   * Since: 0.1.
+   */
+  vesica_rect_from_angle_f32(cx: number, cy: number, angle: number, width: number, height: number, out: number): number;
+  /**
+   * Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
+   *
+   * Corners that are not exactly a rectangle's give a rectangle near them, which need not contain them. The centre is the
+   * mean of the corners. The axis is a unit vector along the edge from corner 0 to corner 1, and hx belongs to that edge.
+   * Opposite edges are averaged; the longer pair gives the direction, and the shorter pair counts by its part across it.
+   * Two or four equal corners are legal: they give a segment, or a point with axis (1, 0).
+   *
+   * Returns: 0; the shape is valid.
+   * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent overflows).
+   * Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the longer one;
+   * the centre is right to 1 unit in its own. To both comes 2^-98 times the largest coordinate. The corners of an
+   * axis-parallel rectangle give exactly it if its centre and half extents are representable.
+   * Cost: about 110 ns.
+   * Since: 0.1.
+   */
+  vesica_rect_from_corners_f32(corners: number, out: number): number;
+  /**
+   * Ellipse from centre, angle and half lengths: a along the angle, b across it.
+   *
+   * Requires: the angle in radians, counter-clockwise from +x if y points up; a, b >= 0.
+   * Returns: 0; the shape is valid.
+   * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
+   * Accuracy: the axis as that of vesica_rect_from_angle_f32; half lengths are exact.
+   * Cost: about 40 ns.
+   * Since: 0.1.
+   */
+  vesica_ellipse_from_angle_f32(cx: number, cy: number, angle: number, a: number, b: number, out: number): number;
+  /**
+   * Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx, wy).
+   *
+   * A zero vector gives the point (cx, cy).
+   *
+   * Requires: ratio >= 0.
+   * Returns: 0; the shape is valid.
+   * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
+   * Accuracy: exact.
+   * Since: 0.1.
+   */
+  vesica_ellipse_from_radius_vector_f32(cx: number, cy: number, wx: number, wy: number, ratio: number, out: number): number;
+  /**
+   * Ellipse of the points within k standard deviations of a mean (Mahalanobis distance at most k).
+   *
+   * A singular covariance, or k = 0, gives a segment or a point. The result has a >= b. Its axis is a unit vector with
+   * x >= 0, or (1, 0) for equal variances without correlation.
+   *
+   * Requires: the covariance cxx, cxy, cyy (units squared) positive semidefinite: cxy^2 <= cxx cyy as stored; k >= 0.
+   * Returns: 0; the shape is valid.
+   * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k < 0), VESICA_E_ARGUMENT (not a covariance),
+   * VESICA_E_RANGE (a half length overflows).
+   * Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, however near the
+   * matrix is to a singular one or to a circle's.
+   * Cost: about 90 ns.
+   * Since: 0.1.
+   */
+  vesica_ellipse_from_covariance_f32(mean_x: number, mean_y: number, cxx: number, cxy: number, cyy: number, k: number, out: number): number;
+  /**
+   * Ellipse of the points X with (X - C) . M (X - C) <= 1, where M is symmetric with entries mxx, mxy, myy.
+   *
+   * The result is that of vesica_ellipse_from_covariance_f32 for the inverse of M and k = 1.
+   *
+   * Requires: M positive definite as stored.
+   * Returns: 0; the shape is valid.
+   * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_ARGUMENT (not positive definite).
+   * Accuracy: that of vesica_ellipse_from_covariance_f32; no half length overflows.
+   * Cost: about 90 ns.
+   * Since: 0.1.
+   */
+  vesica_ellipse_from_matrix_f32(cx: number, cy: number, mxx: number, mxy: number, myy: number, out: number): number;
+  /**
+   * Describes an array of `count` records, each of which starts with a shape's struct.
+   *
+   * Requires: base, the first record's shape, which may be NULL if count is 0; stride, the bytes from one record to the
+   * next; count >= 0.
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (negative count).
+   * Since: 0.1.
+   */
+  vesica_shapes_from_records_f32(kind: number, count: bigint, base: number, stride: number, out: number): number;
+  /**
+   * Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f32.
+   *
+   * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * Returns: how many are 1.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float (see README.md).
+   * Since: 0.1.
+   */
+  vesica_overlap_many_f32(a: number, b: number, out: number): bigint;
+  /**
+   * How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f32.
+   *
+   * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * Returns: how many are not VESICA_DISJOINT.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_relation_many_f32(a: number, b: number, out: number): bigint;
+  /**
+   * Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f32.
+   *
+   * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * Returns: how many are 1.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_contains_many_f32(a: number, b: number, out: number): bigint;
+  /**
+   * How far apart are a[i] and b[i], and where? The columns are the fields of vesica_nearest_f32's result.
+   *
+   * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * Returns: how many pairs overlap (distance 0).
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_nearest_many_f32(a: number, b: number, distance: number, ax: number, ay: number, bx: number, by: number): bigint;
+  /**
+   * How far apart are the outlines of a[i] and b[i]? The columns are the fields of vesica_boundary_distance_f32's result.
+   *
+   * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * Returns: how many pairs of outlines meet (distance 0).
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_boundary_distance_many_f32(a: number, b: number, distance: number, ax: number, ay: number, bx: number, by: number): bigint;
+  /**
+   * How deep do a[i] and b[i] overlap? The columns are the fields of vesica_depth_f32's result.
+   *
+   * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * Returns: how many depths are > 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_depth_many_f32(a: number, b: number, depth: number, x: number, y: number): bigint;
+  /**
+   * What area do a[i] and b[i] share? out[i] is the result of vesica_area_f32.
+   *
+   * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * Returns: how many areas are > 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_area_many_f32(a: number, b: number, out: number): bigint;
+  /**
+   * Intersection over union of a[i] and b[i]: out[i] is the result of vesica_iou_f32.
+   *
+   * If neither of a pair has an area, out[i] is NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   *
+   * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * Returns: how many are > 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_iou_many_f32(a: number, b: number, out: number): bigint;
+  /**
+   * Do a[i] and b[j] share a point? The elements of out are answers of vesica_overlap_f32.
+   *
+   * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   * Returns: how many are 1.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+   * beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Cost: that of one shape against many, however large the arrays are.
+   * Since: 0.1.
+   */
+  vesica_overlap_matrix_f32(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * How does a[i] relate to b[j]? The elements of out are answers of vesica_relation_f32.
+   *
+   * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   * Returns: how many are not VESICA_DISJOINT.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+   * beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Cost: that of one shape against many, however large the arrays are.
+   * Since: 0.1.
+   */
+  vesica_relation_matrix_f32(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * Does a[i] contain all of b[j]? The elements of out are answers of vesica_contains_f32.
+   *
+   * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   * Returns: how many are 1.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+   * beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Cost: that of one shape against many, however large the arrays are.
+   * Since: 0.1.
+   */
+  vesica_contains_matrix_f32(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * What area do a[i] and b[j] share? The elements of out are results of vesica_area_f32.
+   *
+   * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   * Returns: how many are > 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+   * beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Cost: that of one shape against many, however large the arrays are.
+   * Since: 0.1.
+   */
+  vesica_area_matrix_f32(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * Intersection over union of a[i] and b[j]. The elements of out are results of vesica_iou_f32.
+   *
+   * If neither of a pair has an area, it gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   *
+   * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   * Returns: how many are > 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+   * beyond the address space).
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Cost: that of one shape against many, however large the arrays are.
+   * Since: 0.1.
+   */
+  vesica_iou_matrix_f32(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * Which of many shapes overlap one? Their indices are written to out[0], out[1] ..., in ascending order.
+   *
+   * Requires: one, an array of count 1; capacity, how many indices out has room for. It may be 0, and out then NULL.
+   * Returns: how many there are, even if that is beyond the capacity. If room is left, the entry after the last is -1.
+   * Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the indices of valid ones are written; -1 or
+   * the capacity ends them. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's count is
+   * not 1, a negative capacity, and as vesica_overlap_many_f32).
+   * Accuracy: every answer is that of vesica_overlap_f32.
+   * Since: 0.1.
+   */
+  vesica_overlap_select_f32(one: number, many: number, out: number, capacity: bigint): bigint;
+  /**
+   * Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one whose
+   * vesica_iou_f32 with every shape kept before is at most the threshold.
+   *
+   * Equal scores go by index, and infinite scores are legal. At threshold 1 all shapes are kept.
+   *
+   * Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to
+   * 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
+   * Returns: 0. keep has the indices of the kept shapes in the order of their scores, and *kept how many they are. What
+   * follows them in keep is not written.
+   * Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: the result is that without it, and is written.
+   * Before anything is written: VESICA_E_NULL (if there are no shapes, only shapes and kept are looked at), VESICA_E_KIND
+   * (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32, threshold, too little scratch).
+   * Cost: sorting, and an IoU for each pair whose bounds meet: about 15 ms for 10,000 scattered rectangles.
+   * Since: 0.1.
+   */
+  vesica_nms_f32(shapes: number, scores: number, threshold: number, scratch: number, scratch_size: bigint, keep: number, kept: number): number;
+  /**
+   * How many bytes suffice for an index of `count` shapes, of any kinds?
+   *
+   * Returns: 17 bytes a shape and 64 KiB. A built index takes fewer, mostly 13 a shape: vesica_index_bytes tells.
+   * Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
+   * Since: 0.1.
+   */
+  vesica_index_size(count: bigint): bigint;
+  /**
+   * How many bytes of scratch does building an index of `count` shapes need?
+   *
+   * Returns: about 18 bytes a shape, and a constant.
+   * Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
+   * Since: 0.1.
+   */
+  vesica_index_scratch(count: bigint): bigint;
+  /**
+   * How many bytes of scratch does a join need, whatever its indexes?
+   *
+   * Returns: at most 1 MiB.
+   * Since: 0.1.
+   */
+  vesica_join_scratch(): bigint;
+  /**
+   * Are these bytes an index that queries can read?
+   *
+   * Ask it once of bytes that come from elsewhere. They may be short, foreign or damaged, or from a machine of the other
+   * byte order. What passes is safe to read.
+   *
+   * Requires: size is the number of bytes there. The index may be shorter.
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (it is none).
+   * Cost: it reads all bytes once.
+   * Since: 0.1.
+   */
+  vesica_index_check(index: number, size: bigint): number;
+  /**
+   * How many bytes does a built index take? So many are to be saved.
+   *
+   * Returns: the bytes, a multiple of 64.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (its header is none).
+   * Since: 0.1.
+   */
+  vesica_index_bytes(index: number): bigint;
+  /**
+   * How many shapes was an index built from?
+   *
+   * Returns: the number of its items, invalid shapes included.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (its header is none).
+   * Since: 0.1.
+   */
+  vesica_index_count(index: number): bigint;
+  /**
+   * A box around all valid shapes of an index.
+   *
+   * Indexes whose boxes are disjoint have no pairs.
+   *
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (its header is none).
+   * Accuracy: the box is a little larger than the smallest one. It is infinite where that exceeds the finite numbers.
+   * Without valid shapes min is infinity and max is -infinity.
+   * Since: 0.1.
+   */
+  vesica_index_bounds(index: number, out: number): number;
+  /**
+   * The items of an index in spatial order: shapes that are near to each other stand near to each other.
+   *
+   * A join is faster if the arrays of shapes have this order, for then it reads them from near to near.
+   *
+   * Requires: out has room for `capacity` items. It may be NULL if that is 0.
+   * Returns: how many items there are, without the invalid shapes. The first `capacity` of them are written.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned, capacity < 0), VESICA_E_INDEX.
+   * Since: 0.1.
+   */
+  vesica_index_order(index: number, out: number, capacity: bigint): bigint;
+  /**
+   * Builds the index of some sets of shapes.
+   *
+   * Invalid shapes are left out. The call then returns VESICA_E_SHAPE, and the index of all others is complete. After any
+   * other error nothing is written. Shapes that moved need a new index.
+   *
+   * Requires: index_size >= vesica_index_size(items) and scratch_size >= vesica_index_scratch(items). The scratch is free
+   * again after the call.
+   * Returns: the bytes of the index that are used.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a count, a size or an alignment), VESICA_E_SHAPE.
+   * Cost: 30 to 50 ns a shape.
+   * Since: 0.1.
+   */
+  vesica_index_build_f64(sets: number, set_count: number, index: number, index_size: bigint, scratch: number, scratch_size: bigint): bigint;
+  /**
+   * One part of a build in five steps, for several threads. The bytes are those of vesica_index_build_f64.
+   *
+   * Steps 0 and 4 have one part. Steps 1, 2 and 3 have as many parts as the caller likes, and these may run at the same
+   * time. All parts of a step must be done before the next step begins. All other arguments are the same in all calls.
+   *
+   * Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build.
+   * Returns: 0; at step 4 what vesica_index_build_f64 returns.
+   * Errors: those of vesica_index_build_f64. VESICA_E_ARGUMENT also if step, part or parts is out of range, or if the
+   * scratch is not that of step 0.
+   * Since: 0.1.
+   */
+  vesica_index_step_f64(step: number, part: bigint, parts: bigint, sets: number, set_count: number, index: number, index_size: bigint, scratch: number, scratch_size: bigint): bigint;
+  /**
+   * Which items of an index does one shape overlap? They come in the index's order.
+   *
+   * Many shapes are better joined: index them too.
+   *
+   * Requires: sets are those of the index. NULL with set_count 0 asks for the items whose bounds meet those of the shape.
+   * one is a single shape (count 1). out has room for `capacity` items. With capacity 0, out and state may be NULL.
+   * Returns: the number of items written; with capacity 0, how many there are.
+   * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number or
+   * a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this call).
+   * Accuracy: exact, if there are sets.
+   * Since: 0.1.
+   */
+  vesica_index_select_f64(index: number, sets: number, set_count: number, one: number, out: number, capacity: bigint, state: number): bigint;
+  /**
+   * All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+   *
+   * If both indexes are the same pointer, pairs are those of two different items a < b. Pair i is out_a[i] and out_b[i].
+   * The order of pairs depends on the bytes of the indexes and the query alone.
+   * Work may be shared out: each part of `parts` is about as much work as any other, and may run at the same time with a
+   * scratch of its own. The pairs of all parts, one part after the other, are the pairs of part 0 of 1.
+   *
+   * Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes; with
+   * VESICA_JOIN_BOUNDS they are not looked at. 0 <= part < parts. scratch_size >= vesica_join_scratch(); the scratch is
+   * free between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and state may be NULL.
+   * Returns: the number of pairs written; with capacity 0, how many the whole part has.
+   * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (as above, and for an unknown query).
+   * Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
+   * Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.
+   * Since: 0.1.
+   */
+  vesica_join_f64(query: number, index_a: number, sets_a: number, set_count_a: number, index_b: number, sets_b: number, set_count_b: number, part: bigint, parts: bigint, scratch: number, scratch_size: bigint, out_a: number, out_b: number, capacity: bigint, state: number): bigint;
+  /**
+   * Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.
+   *
+   * An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is not found.
+   *
+   * Requires: sets are those of the index. one is a single shape (count 1). k >= 0, and out and distance have room for k
+   * each. With k = 0 they may be NULL. within >= 0 is the largest distance asked for; infinity asks for any.
+   * Returns: how many items were found and written; with k = 0, how many there are within the distance.
+   * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number or
+   * a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this call).
+   * Accuracy: distances are those of vesica_nearest_f64, bit for bit.
+   * Since: 0.1.
+   */
+  vesica_index_nearest_f64(index: number, sets: number, set_count: number, one: number, k: bigint, within: number, out: number, distance: number): bigint;
+  /**
+   * Which items of index_b are nearest to each item of sets_a? Row i is out[i * k] ... out[i * k + k - 1].
+   *
+   * A row is what vesica_index_nearest_f64 says of item i, followed by -1, with distance infinity, up to k. Of one set
+   * with itself each item finds itself too, at distance 0. If an item of sets_a is invalid, its row holds -1, all other
+   * rows are right, and the call returns VESICA_E_SHAPE.
+   * Each of `parts` is a run of about as many items as any other, and only its rows are written.
+   *
+   * Requires: sets_b are those of index_b. k >= 1, and out and distance have room for k items a row. 0 <= part < parts.
+   * within >= 0 is the largest distance asked for; infinity asks for any.
+   * Returns: how many items were found in all rows of the part.
+   * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number or
+   * a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this call).
+   * Accuracy: distances are those of vesica_nearest_f64, bit for bit.
+   * Since: 0.1.
+   */
+  vesica_join_nearest_f64(sets_a: number, set_count_a: number, index_b: number, sets_b: number, set_count_b: number, k: bigint, within: number, part: bigint, parts: bigint, out: number, distance: number): bigint;
+  /**
+   * Builds the index of some sets of shapes.
+   *
+   * Invalid shapes are left out. The call then returns VESICA_E_SHAPE, and the index of all others is complete. After any
+   * other error nothing is written. Shapes that moved need a new index.
+   *
+   * Requires: index_size >= vesica_index_size(items) and scratch_size >= vesica_index_scratch(items). The scratch is free
+   * again after the call.
+   * Returns: the bytes of the index that are used.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a count, a size or an alignment), VESICA_E_SHAPE.
+   * Cost: 30 to 50 ns a shape.
+   * Since: 0.1.
+   */
+  vesica_index_build_f32(sets: number, set_count: number, index: number, index_size: bigint, scratch: number, scratch_size: bigint): bigint;
+  /**
+   * One part of a build in five steps, for several threads. The bytes are those of vesica_index_build_f32.
+   *
+   * Steps 0 and 4 have one part. Steps 1, 2 and 3 have as many parts as the caller likes, and these may run at the same
+   * time. All parts of a step must be done before the next step begins. All other arguments are the same in all calls.
+   *
+   * Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build.
+   * Returns: 0; at step 4 what vesica_index_build_f32 returns.
+   * Errors: those of vesica_index_build_f32. VESICA_E_ARGUMENT also if step, part or parts is out of range, or if the
+   * scratch is not that of step 0.
+   * Since: 0.1.
+   */
+  vesica_index_step_f32(step: number, part: bigint, parts: bigint, sets: number, set_count: number, index: number, index_size: bigint, scratch: number, scratch_size: bigint): bigint;
+  /**
+   * Which items of an index does one shape overlap? They come in the index's order.
+   *
+   * Many shapes are better joined: index them too.
+   *
+   * Requires: sets are those of the index. NULL with set_count 0 asks for the items whose bounds meet those of the shape.
+   * one is a single shape (count 1). out has room for `capacity` items. With capacity 0, out and state may be NULL.
+   * Returns: the number of items written; with capacity 0, how many there are.
+   * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number or
+   * a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this call).
+   * Accuracy: exact, if there are sets.
+   * Since: 0.1.
+   */
+  vesica_index_select_f32(index: number, sets: number, set_count: number, one: number, out: number, capacity: bigint, state: number): bigint;
+  /**
+   * All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+   *
+   * If both indexes are the same pointer, pairs are those of two different items a < b. Pair i is out_a[i] and out_b[i].
+   * The order of pairs depends on the bytes of the indexes and the query alone.
+   * Work may be shared out: each part of `parts` is about as much work as any other, and may run at the same time with a
+   * scratch of its own. The pairs of all parts, one part after the other, are the pairs of part 0 of 1.
+   *
+   * Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes; with
+   * VESICA_JOIN_BOUNDS they are not looked at. 0 <= part < parts. scratch_size >= vesica_join_scratch(); the scratch is
+   * free between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and state may be NULL.
+   * Returns: the number of pairs written; with capacity 0, how many the whole part has.
+   * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (as above, and for an unknown query).
+   * Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
+   * Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.
+   * Since: 0.1.
+   */
+  vesica_join_f32(query: number, index_a: number, sets_a: number, set_count_a: number, index_b: number, sets_b: number, set_count_b: number, part: bigint, parts: bigint, scratch: number, scratch_size: bigint, out_a: number, out_b: number, capacity: bigint, state: number): bigint;
+  /**
+   * Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.
+   *
+   * An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is not found.
+   *
+   * Requires: sets are those of the index. one is a single shape (count 1). k >= 0, and out and distance have room for k
+   * each. With k = 0 they may be NULL. within >= 0 is the largest distance asked for; infinity asks for any.
+   * Returns: how many items were found and written; with k = 0, how many there are within the distance.
+   * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number or
+   * a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this call).
+   * Accuracy: distances are those of vesica_nearest_f32, bit for bit.
+   * Since: 0.1.
+   */
+  vesica_index_nearest_f32(index: number, sets: number, set_count: number, one: number, k: bigint, within: number, out: number, distance: number): bigint;
+  /**
+   * Which items of index_b are nearest to each item of sets_a? Row i is out[i * k] ... out[i * k + k - 1].
+   *
+   * A row is what vesica_index_nearest_f32 says of item i, followed by -1, with distance infinity, up to k. Of one set
+   * with itself each item finds itself too, at distance 0. If an item of sets_a is invalid, its row holds -1, all other
+   * rows are right, and the call returns VESICA_E_SHAPE.
+   * Each of `parts` is a run of about as many items as any other, and only its rows are written.
+   *
+   * Requires: sets_b are those of index_b. k >= 1, and out and distance have room for k items a row. 0 <= part < parts.
+   * within >= 0 is the largest distance asked for; infinity asks for any.
+   * Returns: how many items were found in all rows of the part.
+   * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number or
+   * a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this call).
+   * Accuracy: distances are those of vesica_nearest_f32, bit for bit.
+   * Since: 0.1.
+   */
+  vesica_join_nearest_f32(sets_a: number, set_count_a: number, index_b: number, sets_b: number, set_count_b: number, k: bigint, within: number, part: bigint, parts: bigint, out: number, distance: number): bigint;
+}

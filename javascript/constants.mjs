@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// Written by declare.py from capi/vesica.json: not to be edited.
+
+export const VERSION_MAJOR = 0;
+export const VERSION_MINOR = 1;
+export const VERSION_PATCH = 0;
+/** of this header: major * 10000 + minor * 100 + patch */
+export const VERSION = 100;
+/** x y */
+export const POINT = 0;
+/** x0 y0 x1 y1 */
+export const SEGMENT = 1;
+/** cx cy r */
+export const CIRCLE = 2;
+/** min_x min_y max_x max_y */
+export const AABB = 3;
+/** cx cy ux uy hx hy */
+export const RECT = 4;
+/** cx cy ux uy a b */
+export const ELLIPSE = 5;
+/** a and b have no common point */
+export const DISJOINT = 0;
+/** they have common points, but their insides have none */
+export const TOUCH = 1;
+/** their insides meet, and neither shape contains the other */
+export const CROSS = 2;
+/** b contains a, and a has no point of b's outline */
+export const INSIDE = 3;
+/** b contains a, and a has points of b's outline */
+export const INSIDE_TOUCH = 4;
+/** a contains b, and b has no point of a's outline */
+export const CONTAINS = 5;
+/** a contains b, and b has points of a's outline */
+export const CONTAINS_TOUCH = 6;
+/** a and b are the same set of points */
+export const EQUAL = 7;
+/** a pointer is NULL */
+export const E_NULL = -1;
+/** a shape is invalid; vesica_check_f64 and _f32 tell why */
+export const E_SHAPE = -2;
+/** a kind is not one of the six */
+export const E_KIND = -3;
+/** another argument is out of its documented range */
+export const E_ARGUMENT = -4;
+/** a number is NaN or infinite */
+export const E_NOT_FINITE = -5;
+/** a radius, half extent or half length is negative */
+export const E_NEGATIVE_SIZE = -6;
+/** the axis (ux, uy) is (0, 0) */
+export const E_ZERO_AXIS = -7;
+/** an AABB's min exceeds its max */
+export const E_INVERTED = -8;
+/** a number of the result would be beyond the finite numbers of its type */
+export const E_RANGE = -9;
+/** bytes are not an index of this version, or are damaged */
+export const E_INDEX = -10;
+/** a and b share a point, as vesica_overlap_f64 tells */
+export const JOIN_OVERLAP = 0;
+/** their bounds in the indexes do: all pairs that overlap, and some that do not */
+export const JOIN_BOUNDS = 1;
+/** a contains b, as vesica_contains_f64 tells */
+export const JOIN_CONTAINS = 2;
+/** b contains a */
+export const JOIN_INSIDE = 3;

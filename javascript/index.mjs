@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// All pairs among millions: an index of shapes, joins, windows and nearest shapes.
+import * as constants from './constants.mjs';
+import { scalars, ShapeArray, shapesSize } from './shapes.mjs';
+
+const queries = {
+  overlap: constants.JOIN_OVERLAP,
+  bounds: constants.JOIN_BOUNDS,
+  contains: constants.JOIN_CONTAINS,
+  inside: constants.JOIN_INSIDE,
+};
+const pairsACall = 1 << 14;
+
+/** Made by Vesica.index(...) and Vesica.indexFromBytes(...). */
+export class Index {
+  #vesica;
+  #sets;
+  #struct; // the sets' structs, side by side
+  #index;
+  #size;
+  #blocks = [];
+
+  constructor(vesica, sets, bytes = undefined) {
+    if (sets.length === 0) throw new TypeError('an index is of one array of shapes or more; an array may be empty');
+    for (const set of sets) {
+      if (!(set instanceof ShapeArray)) throw new TypeError('an index is of arrays of shapes, as shapes() makes them');
+      if (set.scalar !== sets[0].scalar) throw new TypeError('the arrays of an index are all f64 or all f32');
+    }
+    this.#vesica = vesica;
+    this.#sets = sets;
+    this.scalar = sets[0].scalar;
+    this.length = sets.reduce((sum, set) => sum + set.length, 0);
+    this.#struct = this.#take(sets.length * shapesSize);
+    const structs = new Uint8Array(vesica.memory.buffer);
+    sets.forEach((set, i) => structs.copyWithin(this.#struct + i * shapesSize, set.address, set.address + shapesSize));
+    vesica.own(this, this.#blocks);
+    try {
+      if (bytes === undefined) this.#build();
+      else this.#read(bytes);
+    } catch (error) {
+      this.free();
+      throw error;
+    }
+  }
+
+  /** Memory that is this index's until it is freed or collected. */
+  #take(size) {
+    const address = this.#vesica.memory.take(size);
+    this.#blocks.push([address, size]);
+    return address;
+  }
+
+  #build() {
+    const vesica = this.#vesica, { c } = vesica, count = BigInt(this.length);
+    this.#size = vesica.check(c.vesica_index_size(count));
+    this.#index = this.#take(this.#size);
+    const scratchSize = vesica.check(c.vesica_index_scratch(count));
+    const code = vesica.within((room) =>
+      Number(c[`vesica_index_build_${this.scalar}`](this.#struct, this.#sets.length, this.#index, BigInt(this.#size), room.take(scratchSize), BigInt(scratchSize))));
+    /** Whether invalid shapes were left out. */
+    this.incomplete = code === constants.E_SHAPE;
+    if (!this.incomplete) vesica.check(code);
+    const used = vesica.check(c.vesica_index_bytes(this.#index));
+    if (used < this.#size) vesica.memory.give(this.#index + used, this.#size - used);
+    this.#blocks[1][1] = this.#size = used;
+  }
+
+  #read(bytes) {
+    const vesica = this.#vesica;
+    this.#size = bytes.byteLength;
+    this.#index = this.#take(this.#size);
+    new Uint8Array(vesica.memory.buffer, this.#index, this.#size).set(ArrayBuffer.isView(bytes) ? bytes : new Uint8Array(bytes));
+    vesica.check(vesica.c.vesica_index_check(this.#index, BigInt(this.#size)));
+    const built = vesica.check(vesica.c.vesica_index_count(this.#index));
+    if (built !== this.length) throw new RangeError(`an index of ${built} shapes cannot be that of ${this.length}`);
+  }
+
+  /** A copy of the bytes, to be saved or sent. */
+  get bytes() {
+    return new Uint8Array(this.#vesica.memory.buffer, this.#index, this.#size).slice();
+  }
+
+  /** Gives the memory back now, not when it is collected. It must not be used again. */
+  free() {
+    this.#vesica.release(this, this.#blocks);
+    this.#index = 0;
+  }
+
+  join({ with: other = this, query = 'overlap', part = 0, parts = 1 } = {}) {
+    return this.#vesica.within((room) => {
+      const { buffers, call } = this.#joining(other, query, part, parts, room);
+      const [a, b, state] = [8 * pairsACall, 8 * pairsACall, 32].map((size) => room.take(size));
+      const view = (address, length) => new BigInt64Array(buffers.buffer, address, length);
+      view(state, 4).fill(0n);
+      const pairs = { a: [], b: [] };
+      while (view(state, 4)[0] !== -1n) {
+        const found = this.#vesica.check(call(a, b, BigInt(pairsACall), state));
+        for (const item of view(a, found)) pairs.a.push(Number(item));
+        for (const item of view(b, found)) pairs.b.push(Number(item));
+      }
+      return pairs;
+    });
+  }
+
+  joinCount({ with: other = this, query = 'overlap', part = 0, parts = 1 } = {}) {
+    return this.#vesica.within((room) =>
+      this.#vesica.check(this.#joining(other, query, part, parts, room).call(0, 0, 0n, 0)));
+  }
+
+  #joining(other, query, part, parts, room) {
+    if (!(other instanceof Index)) throw new TypeError('an index is joined with an index');
+    if (other.scalar !== this.scalar) throw new TypeError(`this index is of ${this.scalar}, the other of ${other.scalar}`);
+    if (!(query in queries)) throw new TypeError(`query is one of ${Object.keys(queries).join(', ')}`);
+    const vesica = this.#vesica, size = vesica.check(vesica.c.vesica_join_scratch()), scratch = room.take(size);
+    const call = (...output) =>
+      vesica.c[`vesica_join_${this.scalar}`](
+        queries[query],
+        ...[this.#index, this.#struct, this.#sets.length],
+        ...[other.#index, other.#struct, other.#sets.length],
+        ...[BigInt(part), BigInt(parts), scratch, BigInt(size)],
+        ...output,
+      );
+    return { buffers: vesica.memory, call };
+  }
+
+  select(shape) {
+    return this.#ofShape(shape, (one, room) => {
+      const call = this.#vesica.c[`vesica_index_select_${this.scalar}`];
+      const ask = (...output) => this.#vesica.check(call(this.#index, this.#struct, this.#sets.length, one, ...output));
+      const count = ask(0, 0n, 0), out = room.take(8 * count), state = room.take(32);
+      new BigInt64Array(this.#vesica.memory.buffer, state, 4).fill(0n);
+      if (count > 0) ask(out, BigInt(count), state);
+      return Array.from(new BigInt64Array(this.#vesica.memory.buffer, out, count), Number);
+    });
+  }
+
+  nearest(shape, { k = 1, within = Infinity } = {}) {
+    if (!(Number.isInteger(k) && k >= 0)) throw new RangeError(`k is a whole number, not ${k}`);
+    return this.#ofShape(shape, (one, room) => {
+      if (k === 0) return { items: [], distances: [] };
+      const Numbers = scalars[this.scalar], out = room.take(8 * k), distance = room.take(8 * k);
+      const call = this.#vesica.c[`vesica_index_nearest_${this.scalar}`];
+      const found = this.#vesica.check(call(this.#index, this.#struct, this.#sets.length, one, BigInt(k), within, out, distance));
+      return {
+        items: Array.from(new BigInt64Array(this.#vesica.memory.buffer, out, found), Number),
+        distances: Array.from(new Numbers(this.#vesica.memory.buffer, distance, found)),
+      };
+    });
+  }
+
+  /** call(address of the shape's struct, room). */
+  #ofShape(shape, call) {
+    const one = this.#vesica.shapes(shape?.kind, [shape], { scalar: this.scalar });
+    try {
+      return this.#vesica.within((room) => call(one.address, room));
+    } finally {
+      one.free();
+    }
+  }
+}

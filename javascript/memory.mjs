@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+// The memory of the WebAssembly module, given out and taken back. The library itself never allocates in it.
+
+const pageSize = 65536;
+const alignment = 64; // what an index needs; every block has it
+
+const rounded = (size) => Math.ceil(Math.max(size, 1) / alignment) * alignment;
+
+/** Blocks of a module's memory: the first that is large enough, else new pages at the end. */
+export class Memory {
+  #memory;
+  #free = []; // [start, end) each, ascending, never side by side
+
+  constructor(memory) {
+    this.#memory = memory;
+  }
+
+  /** It changes when the memory grows: a view of it is made anew for every use. */
+  get buffer() {
+    return this.#memory.buffer;
+  }
+
+  /** The address of `size` bytes. */
+  take(size) {
+    const wanted = rounded(size);
+    let i = this.#free.findIndex(([start, end]) => end - start >= wanted);
+    if (i < 0) i = this.#grow(wanted);
+    const block = this.#free[i];
+    const address = block[0];
+    block[0] += wanted;
+    if (block[0] === block[1]) this.#free.splice(i, 1);
+    return address;
+  }
+
+  give(address, size) {
+    const end = address + rounded(size);
+    let i = this.#free.findIndex(([start]) => start > address);
+    if (i < 0) i = this.#free.length;
+    this.#free.splice(i, 0, [address, end]);
+    this.#joinWithNext(i);
+    if (i > 0) this.#joinWithNext(i - 1);
+  }
+
+  #joinWithNext(i) {
+    const [block, next] = [this.#free[i], this.#free[i + 1]];
+    if (next === undefined || block[1] !== next[0]) return;
+    block[1] = next[1];
+    this.#free.splice(i + 1, 1);
+  }
+
+  /** Pages for a block of so many bytes; the place of the block in the list. */
+  #grow(wanted) {
+    const last = this.#free[this.#free.length - 1];
+    const length = this.buffer.byteLength;
+    const there = last !== undefined && last[1] === length ? length - last[0] : 0;
+    const pages = Math.ceil((wanted - there) / pageSize);
+    try {
+      this.#memory.grow(pages);
+    } catch {
+      throw new RangeError(`no room for ${wanted} bytes: a WebAssembly module has 4 GiB at most`);
+    }
+    this.give(length, pages * pageSize);
+    return this.#free.length - 1;
+  }
+}
+
+/** Blocks that are given back together, when a call is over. */
+export class Room {
+  #memory;
+  #blocks = [];
+
+  constructor(memory) {
+    this.#memory = memory;
+  }
+
+  take(size) {
+    const address = this.#memory.take(size);
+    this.#blocks.push([address, size]);
+    return address;
+  }
+
+  end() {
+    for (const [address, size] of this.#blocks) this.#memory.give(address, size);
+  }
+}

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes: plain objects for one, ShapeArray for many of one kind.
+
+/** The numbers of each kind, in the library's order. */
+export const fields = Object.freeze({
+  point: ['x', 'y'],
+  segment: ['x0', 'y0', 'x1', 'y1'],
+  circle: ['cx', 'cy', 'r'],
+  aabb: ['min_x', 'min_y', 'max_x', 'max_y'],
+  rect: ['cx', 'cy', 'ux', 'uy', 'hx', 'hy'],
+  ellipse: ['cx', 'cy', 'ux', 'uy', 'a', 'b'],
+});
+export const kinds = Object.freeze(Object.keys(fields));
+/** sizeof(vesica_shapes_f64) in the module, whose pointers have 4 bytes. */
+export const shapesSize = 48;
+export const scalars = Object.freeze({ f64: Float64Array, f32: Float32Array });
+
+/** Cosine and sine of an angle; in degrees, whole quarter turns are taken out first, which is exact. */
+function axis(angle, degrees) {
+  if (!degrees) return [Math.cos(angle), Math.sin(angle)];
+  const turned = angle % 360, quarters = Math.round(turned / 90);
+  const rest = ((turned - 90 * quarters) * Math.PI) / 180;
+  const c = Math.cos(rest), s = Math.sin(rest);
+  return [[c, s], [-s, c], [-c, -s], [s, -c]][((quarters % 4) + 4) % 4] ?? [NaN, NaN];
+}
+
+export const point = (x, y) => ({ kind: 'point', x, y });
+export const segment = (x0, y0, x1, y1) => ({ kind: 'segment', x0, y0, x1, y1 });
+export const circle = (cx, cy, r) => ({ kind: 'circle', cx, cy, r });
+export const aabb = (min_x, min_y, max_x, max_y) => ({ kind: 'aabb', min_x, min_y, max_x, max_y });
+
+export function rect(cx, cy, width, height, angle = 0, { degrees = false } = {}) {
+  const [ux, uy] = axis(angle, degrees);
+  return { kind: 'rect', cx, cy, ux, uy, hx: width / 2, hy: height / 2 };
+}
+
+export function ellipse(cx, cy, a, b, angle = 0, { degrees = false } = {}) {
+  const [ux, uy] = axis(angle, degrees);
+  return { kind: 'ellipse', cx, cy, ux, uy, a, b };
+}
+
+/** The number of a kind's name. */
+export function kindNumber(kind) {
+  const number = kinds.indexOf(kind);
+  if (number < 0) throw new TypeError(`kind is one of ${kinds.join(', ')}, not ${JSON.stringify(kind)}`);
+  return number;
+}
+
+/** The numbers of a shape that is a plain object. */
+export function numbersOf(shape) {
+  const names = fields[kinds[kindNumber(shape?.kind)]];
+  const numbers = names.map((name) => shape[name]);
+  const missing = names.filter((_, i) => typeof numbers[i] !== 'number');
+  if (missing.length > 0) throw new TypeError(`a ${shape.kind} has numbers ${names.join(', ')}; missing: ${missing.join(', ')}`);
+  return numbers;
+}
+
+/** All numbers of some shapes, one after the other, from any way to give them. */
+export function flat(kind, source) {
+  const count = fields[kinds[kindNumber(kind)]].length;
+  if (ArrayBuffer.isView(source) || typeof source[0] === 'number' || source.length === 0) {
+    if (source.length % count === 0) return source;
+    throw new RangeError(`${kind} shapes have ${count} numbers each; ${source.length} is no multiple of that`);
+  }
+  return source.flatMap((shape) => {
+    if (shape?.kind === kind) return numbersOf(shape);
+    if (Array.isArray(shape) && shape.length === count) return shape;
+    throw new TypeError(`a ${kind} is an object of that kind or an array of ${count} numbers (${fields[kind].join(', ')})`);
+  });
+}
+
+/**
+ * Shapes of one kind in the module's memory. `numbers` is a view: what is written there the next call sees. Take it
+ * anew after anything that may allocate, as memory that grows detaches older views.
+ */
+export class ShapeArray {
+  #memory;
+  #base;
+  #free;
+
+  /** Made by Vesica.shapes(). free: what gives the memory back. */
+  constructor(memory, kind, scalar, count, address, base, free) {
+    this.#memory = memory;
+    this.#base = base;
+    this.#free = free;
+    this.kind = kind;
+    this.scalar = scalar;
+    this.length = count;
+    this.address = address; // of the vesica_shapes struct
+  }
+
+  get numbers() {
+    return new scalars[this.scalar](this.#memory.buffer, this.#base, this.length * fields[this.kind].length);
+  }
+
+  /** Shape i as a plain object: a copy. */
+  at(i) {
+    const names = fields[this.kind], index = i < 0 ? this.length + i : i;
+    if (!(Number.isInteger(index) && index >= 0 && index < this.length)) throw new RangeError(`shape ${i} of ${this.length}`);
+    const numbers = this.numbers.subarray(index * names.length, (index + 1) * names.length);
+    return { kind: this.kind, ...Object.fromEntries(names.map((name, k) => [name, numbers[k]])) };
+  }
+
+  /** Gives the memory back now, not when it is collected. It must not be used again. */
+  free() {
+    this.length = 0;
+    this.address = 0;
+    this.#free();
+  }
+}

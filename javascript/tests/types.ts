@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a program in TypeScript may write, and what it may not: read by tsc, never run.
+import { circle, load, rect, type Crossings, type Relation, type ShapeArray } from 'vesica';
+
+const vesica = await load();
+const car = rect(0, 0, 4, 2, 30, { degrees: true });
+const hit: boolean = vesica.overlap(car, circle(1, 1, 1));
+const relation: Relation = vesica.relation(car, car);
+const places: Crossings = vesica.crossings(car, car);
+const cars: ShapeArray = vesica.shapes('rect', [car, car], { scalar: 'f32' });
+const hits: Uint8Array = vesica.overlap(cars, car);
+const distance: number = vesica.nearest(car, car).distance;
+const distances: Float64Array | Float32Array = vesica.nearest(cars, cars).distance;
+const { a, b }: { a: number[]; b: number[] } = vesica.index(cars).join({ query: 'contains' });
+const raw: number = vesica.c.vesica_version();
+const count: bigint = vesica.c.vesica_index_size(1n);
+
+// @ts-expect-error: no such kind
+vesica.shapes('square', 1);
+// @ts-expect-error: not a shape
+vesica.overlap({ kind: 'circle', x: 1 }, car);
+// @ts-expect-error: no such query
+vesica.index(cars).join({ query: 'near' });
+// @ts-expect-error: arrays of answers are not one answer
+const wrong: boolean = vesica.overlap(cars, car);
+
+export { a, b, count, distance, distances, hit, hits, places, raw, relation, wrong };

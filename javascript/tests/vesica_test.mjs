@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+// The installed package by its public names alone.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { aabb, circle, ellipse, fields, kinds, load, point, rect, relations, segment, VesicaError } from 'vesica';
+
+const vesica = await load();
+const a = aabb(0, 0, 2, 2), b = aabb(1, 1, 3, 3), inner = circle(1, 1, 0.5), away = circle(6, 1, 1);
+
+let state = 12345;
+const random = () => (state = (state * 1103515245 + 12345) % 2 ** 31) / 2 ** 31;
+function randomShape(kind) {
+  const [x, y, w, h, angle] = [random() * 2 - 1, random() * 2 - 1, random() + 0.1, random() + 0.1, random() * 6];
+  return {
+    point: () => point(x, y),
+    segment: () => segment(x, y, x + w, y + h),
+    circle: () => circle(x, y, w),
+    aabb: () => aabb(x, y, x + w, y + h),
+    rect: () => rect(x, y, w, h, angle),
+    ellipse: () => ellipse(x, y, w, h, angle),
+  }[kind]();
+}
+
+test('known answers', () => {
+  assert.equal(vesica.overlap(a, b), true);
+  assert.equal(vesica.overlap(a, away), false);
+  assert.equal(vesica.relation(a, b), 'cross');
+  assert.equal(vesica.contains(a, inner), true);
+  assert.equal(vesica.area(a, b), 1);
+  assert.equal(vesica.iou(a, b), 1 / 7);
+  assert.deepEqual(vesica.nearest(a, away), { distance: 3, ax: 2, ay: 1, bx: 5, by: 1 });
+  assert.equal(vesica.boundaryDistance(a, inner).distance, 0.5);
+  assert.equal(vesica.depth(a, b).depth, 1);
+  assert.equal(vesica.shapeArea(a), 4);
+  assert.deepEqual(vesica.bounds(away), aabb(5, 0, 7, 2));
+  assert.equal(vesica.crossings(a, b).places.length, 2);
+  assert.equal(vesica.crossings(a, a).shared, true);
+  assert.match(vesica.version, /^\d+\.\d+\.\d+$/);
+});
+
+test('quarter turns in degrees are exact', () => {
+  for (const [angle, ux, uy] of [[0, 1, 0], [90, 0, 1], [180, -1, 0], [270, 0, -1], [-90, 0, -1], [810, 0, 1]]) {
+    const turned = rect(0, 0, 4, 2, angle, { degrees: true });
+    assert.ok(turned.ux === ux && turned.uy === uy, `${angle}`);
+  }
+  assert.ok(Math.abs(rect(0, 0, 4, 2, 30, { degrees: true }).uy - 0.5) < 1e-15);
+});
+
+test('arrays say what single shapes say', () => {
+  for (const kindA of kinds) {
+    for (const kindB of kinds) {
+      const first = Array.from({ length: 9 }, () => randomShape(kindA)), second = Array.from({ length: 9 }, () => randomShape(kindB));
+      const many = [vesica.shapes(kindA, first), vesica.shapes(kindB, second)];
+      const hits = vesica.overlap(...many), matrix = vesica.overlapMatrix(...many), codes = vesica.relation(...many);
+      const near = vesica.nearest(...many), outlines = vesica.boundaryDistance(...many), depths = vesica.depth(...many);
+      const areas = vesica.area(...many), held = vesica.containsMatrix(...many);
+      first.forEach((one, i) => {
+        assert.equal(hits[i] === 1, vesica.overlap(one, second[i]));
+        assert.equal(relations[codes[i]], vesica.relation(one, second[i]));
+        assert.equal(near.distance[i], vesica.nearest(one, second[i]).distance);
+        assert.equal(outlines.bx[i], vesica.boundaryDistance(one, second[i]).bx);
+        assert.equal(depths.depth[i], vesica.depth(one, second[i]).depth);
+        assert.equal(areas[i], vesica.area(one, second[i]));
+        second.forEach((other, j) => {
+          assert.equal(matrix[i * 9 + j] === 1, vesica.overlap(one, other));
+          assert.equal(held[i * 9 + j] === 1, vesica.contains(one, other));
+        });
+        const row = [...vesica.overlap(one, many[1])];
+        assert.deepEqual(vesica.overlapSelect(one, many[1]), row.flatMap((hit, j) => (hit ? [j] : [])));
+      });
+      many.forEach((shapes) => shapes.free());
+    }
+  }
+});
+
+test('arrays: sources, views, scalars, outputs', () => {
+  const flat = vesica.shapes('circle', [0, 0, 1, 5, 5, 1]), rows = vesica.shapes('circle', [[0, 0, 1], [5, 5, 1]]);
+  assert.deepEqual([...flat.numbers], [...rows.numbers]);
+  assert.deepEqual(flat.at(-1), circle(5, 5, 1));
+  flat.numbers[3] = 0.5;
+  flat.numbers[4] = 0;
+  assert.deepEqual([...vesica.overlap(flat, point(0.5, 0))], [1, 1]);
+  const half = vesica.shapes('circle', new Float32Array([0, 0, 1]), { scalar: 'f32' });
+  assert.ok(vesica.area(half, half) instanceof Float32Array);
+  assert.throws(() => vesica.overlap(flat, half), TypeError);
+  const out = new Uint8Array(4).fill(7);
+  assert.equal(vesica.overlap(flat, point(0, 0), { out }), out);
+  assert.deepEqual([...out], [1, 1, 7, 7]);
+  assert.throws(() => vesica.overlap(flat, point(0, 0), { out: new Uint8Array(1) }), RangeError);
+  assert.equal(vesica.overlap(vesica.shapes('rect', 0), point(0, 0)).length, 0);
+  assert.throws(() => vesica.overlap(flat, vesica.shapes('point', 3)), RangeError);
+});
+
+test('what is refused says why', () => {
+  assert.throws(() => vesica.overlap({ kind: 'square' }, a), /kind is one of point/);
+  assert.throws(() => vesica.overlap({ kind: 'circle', cx: 1 }, a), /missing: cy, r/);
+  assert.throws(() => vesica.overlap(undefined, a), TypeError);
+  assert.throws(() => vesica.shapes('rect', [1, 2, 3]), /6 numbers each/);
+  assert.throws(() => vesica.shapes('rect', [[1, 2]]), /array of 6 numbers \(cx, cy/);
+  assert.throws(() => vesica.shapes('rect', [circle(0, 0, 1)]), /a rect is/);
+  assert.throws(() => vesica.shapes('rect', 1, { scalar: 'f16' }), TypeError);
+  assert.throws(() => vesica.overlap(circle(NaN, 0, 1), a), { name: 'VesicaError', code: -2 });
+  assert.match(vesica.invalidity(circle(0, 0, -1)), /negative/);
+  assert.equal(vesica.invalidity(a), null);
+  const bad = vesica.shapes('circle', [0, 0, 1, 0, 0, -1, 1, 1, 1]);
+  assert.throws(() => vesica.overlap(bad, a), (error) => error instanceof VesicaError && [...error.result].join() === '1,0,1');
+  assert.throws(() => vesica.overlapSelect(a, bad), (error) => error.result.join() === '0,2');
+  assert.throws(() => vesica.nms(bad, [1, 2]), RangeError);
+  bad.free();
+  assert.throws(() => vesica.overlap(bad, a), /freed/);
+});
+
+test('suppression', () => {
+  const boxes = vesica.shapes('rect', [rect(0, 0, 2, 2), rect(0.1, 0, 2, 2), rect(5, 0, 2, 2)]);
+  assert.deepEqual(vesica.nms(boxes, [0.5, 0.9, 0.1], 0.5), [1, 2]);
+  assert.deepEqual([...vesica.iouMatrix(boxes, boxes)].map((x) => x > 0.5), [true, true, false, true, true, false, false, false, true]);
+});
+
+test('index and join', () => {
+  const shapes = kinds.map((kind) => Array.from({ length: 60 }, () => randomShape(kind)).map((shape) => ({ ...shape })));
+  const sets = kinds.map((kind, k) => vesica.shapes(kind, shapes[k])), all = shapes.flat();
+  const index = vesica.index(...sets);
+  const expected = [];
+  all.forEach((one, i) => all.forEach((other, j) => i < j && vesica.overlap(one, other) && expected.push(`${i} ${j}`)));
+  const { a: first, b: second } = index.join();
+  assert.deepEqual(first.map((i, p) => `${i} ${second[p]}`).sort(), expected.sort());
+  assert.equal(index.joinCount(), expected.length);
+  const probe = circle(0.2, 0.1, 0.3);
+  assert.deepEqual(index.select(probe).sort((x, y) => x - y), all.flatMap((shape, i) => (vesica.overlap(shape, probe) ? [i] : [])));
+  const far = point(9, 9), { items, distances } = index.nearest(far, { k: 4 });
+  const order = all.map((shape, i) => [vesica.nearest(shape, far).distance, i]).sort((x, y) => x[0] - y[0] || x[1] - y[1]);
+  assert.deepEqual(items.map((item, i) => [distances[i], item]), order.slice(0, 4));
+  const again = vesica.indexFromBytes(index.bytes, ...sets);
+  assert.deepEqual(again.join(), index.join());
+  const damaged = index.bytes;
+  damaged[100] ^= 1;
+  assert.throws(() => vesica.indexFromBytes(damaged, ...sets), { name: 'VesicaError', code: -10 });
+  assert.throws(() => vesica.indexFromBytes(index.bytes, sets[0]), RangeError);
+  assert.throws(() => index.join({ query: 'near' }), TypeError);
+  assert.throws(() => vesica.index(), TypeError);
+  assert.throws(() => index.nearest(far, { within: -1 }), VesicaError);
+  const more = vesica.shapes('circle', Array.from({ length: 300 }, () => circle(1, 1, 1)));
+  assert.equal(vesica.index(more).join().a.length, (300 * 299) / 2);
+});
+
+test('memory is given back', () => {
+  const pages = () => vesica.c.memory.buffer.byteLength;
+  const work = () => {
+    const many = vesica.shapes('rect', Array.from({ length: 20000 }, () => randomShape('rect'))), index = vesica.index(many);
+    vesica.overlap(many, a);
+    index.free();
+    index.free();
+    many.free();
+  };
+  work();
+  const before = pages();
+  for (let i = 0; i < 20; ++i) work();
+  assert.equal(pages(), before);
+});
+
+test('the vectors that every host answers', () => {
+  const view = new DataView(new ArrayBuffer(8));
+  let calls = 0;
+  for (const line of readFileSync(new URL('./vectors.txt', import.meta.url), 'utf8').split('\n')) {
+    const [what, expected, ...words] = line.split(' ');
+    if (!/^(f64|f32|many)$/.test(what)) continue;
+    const shape = (at) => {
+      const kind = kinds[+words[at]];
+      const numbers = words.slice(at + 1, at + 7).map((word) => (view.setBigUint64(0, BigInt('0x' + word)), view.getFloat64(0)));
+      return kind && { kind, numbers: numbers.slice(0, fields[kind].length) };
+    };
+    const [first, second] = [shape(0), shape(7)];
+    if (!first || !second) continue; // an unknown kind: there are no such shapes here
+    const scalar = what === 'f32' ? 'f32' : 'f64';
+    const [one, other] = [first, second].map(({ kind, numbers }) => vesica.shapes(kind, numbers, { scalar }));
+    let answer;
+    try {
+      answer = vesica.overlap(one, other)[0];
+    } catch (error) {
+      answer = error.code;
+    }
+    assert.equal(answer, +expected, line);
+    ++calls;
+  }
+  assert.ok(calls > 150);
+});

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+import type { C } from './c.js';
+export type { C };
+
+export type Kind = 'point' | 'segment' | 'circle' | 'aabb' | 'rect' | 'ellipse';
+/** float64 or float32 numbers. Both are exact; float32 takes half the memory. */
+export type Scalar = 'f64' | 'f32';
+
+/** A location. */
+export interface Point { kind: 'point'; x: number; y: number }
+/** All points between two ends. */
+export interface Segment { kind: 'segment'; x0: number; y0: number; x1: number; y1: number }
+/** A disc: centre and radius. */
+export interface Circle { kind: 'circle'; cx: number; cy: number; r: number }
+/** A box along the axes. */
+export interface Aabb { kind: 'aabb'; min_x: number; min_y: number; max_x: number; max_y: number }
+/** A turned rectangle: centre, axis (a direction and a unit of length), half sizes along and across it. */
+export interface Rect { kind: 'rect'; cx: number; cy: number; ux: number; uy: number; hx: number; hy: number }
+/** An ellipse: centre, axis, half axes along and across it. */
+export interface Ellipse { kind: 'ellipse'; cx: number; cy: number; ux: number; uy: number; a: number; b: number }
+export type Shape = Point | Segment | Circle | Aabb | Rect | Ellipse;
+
+interface Angle {
+  /** The angle is in degrees; multiples of 90 turn exactly. */
+  degrees?: boolean;
+}
+export function point(x: number, y: number): Point;
+export function segment(x0: number, y0: number, x1: number, y1: number): Segment;
+export function circle(cx: number, cy: number, r: number): Circle;
+export function aabb(min_x: number, min_y: number, max_x: number, max_y: number): Aabb;
+/** From centre, whole width and height, and the angle of the width. */
+export function rect(cx: number, cy: number, width: number, height: number, angle?: number, options?: Angle): Rect;
+/** From centre, half axes, and the angle of a. */
+export function ellipse(cx: number, cy: number, a: number, b: number, angle?: number, options?: Angle): Ellipse;
+
+export const kinds: readonly Kind[];
+/** The names of each kind's numbers, in their order in arrays. */
+export const fields: Readonly<Record<Kind, readonly string[]>>;
+export type Relation =
+  | 'disjoint' | 'touch' | 'cross' | 'inside' | 'inside_touch' | 'contains' | 'contains_touch' | 'equal';
+/** Names of relations by the numbers that arrays of them have. */
+export const relations: readonly Relation[];
+/** The constants of vesica.h without their prefix. */
+export const constants: Readonly<Record<string, number>>;
+
+/** What the library refuses. After an invalid shape among many, result has the answers of all others. */
+export class VesicaError extends Error {
+  /** VESICA_E_... */
+  readonly code: number;
+  readonly result?: unknown;
+}
+
+/** Shapes of one kind in the module's memory. */
+export class ShapeArray<T extends Float64Array | Float32Array = Float64Array | Float32Array> {
+  private constructor();
+  readonly kind: Kind;
+  readonly scalar: Scalar;
+  readonly length: number;
+  /**
+   * The numbers, one shape after the other: a view, whose changes the next call sees. Take it anew after anything that
+   * may allocate, as memory that grows detaches older views.
+   */
+  readonly numbers: T;
+  /** Shape i, or -i from the end, as a plain object: a copy. */
+  at(i: number): Shape;
+  /** Gives the memory back now, not when it is collected. */
+  free(): void;
+}
+
+export interface ClosestPoints<N> { distance: N; ax: N; ay: N; bx: N; by: N }
+/** How far, and in which direction (x, y), b must move until it only touches a. */
+export interface Penetration<N> { depth: N; x: N; y: N }
+export interface Crossings { places: { x: number; y: number }[]; shared: boolean }
+export type Numbers = Float64Array | Float32Array;
+type Many = ShapeArray | Shape;
+
+export type Query = 'overlap' | 'bounds' | 'contains' | 'inside';
+export interface Joining {
+  /** Another index, of the same scalar type; this one if left out: then pairs are a < b. */
+  with?: Index;
+  query?: Query;
+  part?: number;
+  parts?: number;
+}
+
+/** An index over arrays of shapes, laid end to end: item i is shape i of the first array, and so on. */
+export class Index {
+  private constructor();
+  readonly scalar: Scalar;
+  readonly length: number;
+  /** Whether invalid shapes were left out. */
+  readonly incomplete?: boolean;
+  /** A copy of the bytes, to be saved or sent: the same on every machine of this byte order. */
+  readonly bytes: Uint8Array;
+  /** All pairs for which the query holds, each once. */
+  join(options?: Joining): { a: number[]; b: number[] };
+  joinCount(options?: Joining): number;
+  /** The items that a shape overlaps. */
+  select(shape: Shape): number[];
+  /** The k nearest items within a distance, nearest first; at equal distances by number. */
+  nearest(shape: Shape, options?: { k?: number; within?: number }): { items: number[]; distances: number[] };
+  free(): void;
+}
+
+/**
+ * The library. Two plain objects give one answer, in double; if one operand is an array, an array of answers comes, in
+ * step, with one shape repeated. Touching counts as overlap. Yes or no, relations and counts are exact for every valid
+ * input. An invalid shape is a VesicaError.
+ */
+export class Vesica {
+  private constructor();
+  /** The C library; lengths and counts are bigint, pointers are addresses in c.memory. */
+  readonly c: C;
+  readonly version: string;
+
+  /** An array from numbers one after the other, from plain objects of that kind, or of a count, with all numbers 0. */
+  shapes(kind: Kind, source: ArrayLike<number> | readonly (Shape | readonly number[])[] | number, options?: { scalar?: Scalar }): ShapeArray;
+
+  /** Do a and b share a point? */
+  overlap(a: Shape, b: Shape): boolean;
+  overlap(a: Many, b: Many, options?: { out?: Uint8Array }): Uint8Array;
+  /** How does a relate to b? Arrays have numbers: see `relations`. */
+  relation(a: Shape, b: Shape): Relation;
+  relation(a: Many, b: Many, options?: { out?: Uint8Array }): Uint8Array;
+  /** Does a hold all of b? */
+  contains(a: Shape, b: Shape): boolean;
+  contains(a: Many, b: Many, options?: { out?: Uint8Array }): Uint8Array;
+  /** How far apart are the solid shapes, and which points are closest? */
+  nearest(a: Shape, b: Shape): ClosestPoints<number>;
+  nearest(a: Many, b: Many): ClosestPoints<Numbers>;
+  /** The same between outlines, of nested shapes too. */
+  boundaryDistance(a: Shape, b: Shape): ClosestPoints<number>;
+  boundaryDistance(a: Many, b: Many): ClosestPoints<Numbers>;
+  depth(a: Shape, b: Shape): Penetration<number>;
+  depth(a: Many, b: Many): Penetration<Numbers>;
+  /** The area that both share. */
+  area(a: Shape, b: Shape): number;
+  area(a: Many, b: Many): Numbers;
+  /** Intersection over union. */
+  iou(a: Shape, b: Shape): number;
+  iou(a: Many, b: Many): Numbers;
+
+  /** Every pair: the answer for a[i] and b[j] is element i * b.length + j. */
+  overlapMatrix(a: ShapeArray, b: ShapeArray): Uint8Array;
+  relationMatrix(a: ShapeArray, b: ShapeArray): Uint8Array;
+  containsMatrix(a: ShapeArray, b: ShapeArray): Uint8Array;
+  areaMatrix(a: ShapeArray, b: ShapeArray): Numbers;
+  iouMatrix(a: ShapeArray, b: ShapeArray): Numbers;
+
+  /** The indices of those of many that overlap one. */
+  overlapSelect(one: Shape, many: ShapeArray): number[];
+  /** Where outlines meet, in order along a's. */
+  crossings(a: Shape, b: Shape): Crossings;
+  shapeArea(shape: Shape): number;
+  /** The smallest box that surely contains a shape. */
+  bounds(shape: Shape): Aabb;
+  /** Why a shape is invalid, or null. */
+  invalidity(shape: Shape): string | null;
+  /** Greedy suppression: the indices kept, best score first. */
+  nms(boxes: ShapeArray, scores: ArrayLike<number>, threshold?: number): number[];
+
+  index(...sets: ShapeArray[]): Index;
+  /** An index whose bytes were saved, over the same arrays. Damaged bytes are a VesicaError. */
+  indexFromBytes(bytes: ArrayBuffer | Uint8Array, ...sets: ShapeArray[]): Index;
+}
+
+/** Loads vesica.wasm: that beside this file, or `module`, its bytes or a compiled module. */
+export function load(options?: { module?: BufferSource | WebAssembly.Module }): Promise<Vesica>;

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vesica for JavaScript, by WebAssembly: for browsers, Node and Deno. vesica.d.ts describes every call.
+import * as constants from './constants.mjs';
+import { Index } from './index.mjs';
+import { Memory, Room } from './memory.mjs';
+import { aabb, circle, ellipse, fields, flat, kindNumber, kinds, numbersOf, point, rect, scalars, segment, ShapeArray, shapesSize } from './shapes.mjs';
+
+export { aabb, circle, constants, ellipse, fields, Index, kinds, point, rect, segment, ShapeArray };
+
+/** Names of relations, by the numbers that arrays have. */
+export const relations = Object.freeze(['disjoint', 'touch', 'cross', 'inside', 'inside_touch', 'contains', 'contains_touch', 'equal']);
+
+/** What the library refuses. `code` is its VESICA_E_... number; `result` has the answers of valid shapes in arrays. */
+export class VesicaError extends Error {
+  constructor(message, code, result) {
+    super(message);
+    this.name = 'VesicaError';
+    this.code = code;
+    this.result = result;
+  }
+}
+
+async function bytesBeside(url) {
+  if (url.protocol !== 'file:') return fetch(url).then((answer) => {
+    if (!answer.ok) throw new Error(`${url}: ${answer.status} ${answer.statusText}`);
+    return answer.arrayBuffer();
+  });
+  const { readFile } = await import('node:fs/promises');
+  return readFile(url);
+}
+
+/** Loads vesica.wasm: that beside this file, or `module`, its bytes or a WebAssembly.Module. */
+export async function load({ module = undefined } = {}) {
+  const source = module ?? (await bytesBeside(new URL('./vesica.wasm', import.meta.url)));
+  const compiled = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
+  const { exports } = await WebAssembly.instantiate(compiled);
+  const version = exports.vesica_version();
+  if (version < constants.VERSION) throw new Error(`vesica ${version} is older than ${constants.VERSION}`);
+  return new Vesica(exports);
+}
+
+const isArray = (shapes) => shapes instanceof ShapeArray;
+
+export class Vesica {
+  #memory;
+  #collected;
+
+  constructor(exports) {
+    this.c = exports;
+    this.#memory = new Memory(exports.memory);
+    this.#collected = new FinalizationRegistry((blocks) => this.#give(blocks));
+  }
+
+  get version() {
+    return [this.c.vesica_version_major(), this.c.vesica_version_minor(), this.c.vesica_version_patch()].join('.');
+  }
+
+  // ---- Shapes ----
+
+  shapes(kind, source, { scalar = 'f64' } = {}) {
+    if (!(scalar in scalars)) throw new TypeError(`scalar is 'f64' or 'f32', not ${JSON.stringify(scalar)}`);
+    const numbers = typeof source === 'number' ? null : flat(kind, source);
+    const width = fields[kinds[kindNumber(kind)]].length;
+    const count = numbers === null ? source : numbers.length / width;
+    if (!(Number.isInteger(count) && count >= 0)) throw new RangeError(`a count is a whole number, not ${source}`);
+    const stride = width * scalars[scalar].BYTES_PER_ELEMENT;
+    const blocks = [[this.#memory.take(shapesSize), shapesSize]];
+    const [address] = blocks[0];
+    const base = this.#memory.take(count * stride);
+    blocks.push([base, count * stride]);
+    this.check(this.c[`vesica_shapes_from_records_${scalar}`](kindNumber(kind), BigInt(count), base, stride, address));
+    const made = new ShapeArray(this.#memory, kind, scalar, count, address, base, () => this.release(made, blocks));
+    this.own(made, blocks);
+    if (numbers !== null) made.numbers.set(numbers);
+    return made;
+  }
+
+  // ---- Questions ----
+
+  overlap(a, b, options) {
+    return this.#codes('overlap', a, b, options, (code) => code === 1);
+  }
+  relation(a, b, options) {
+    return this.#codes('relation', a, b, options, (code) => relations[code]);
+  }
+  contains(a, b, options) {
+    return this.#codes('contains', a, b, options, (code) => code === 1);
+  }
+  nearest(a, b) {
+    return this.#numbers('nearest', ['distance', 'ax', 'ay', 'bx', 'by'], a, b);
+  }
+  boundaryDistance(a, b) {
+    return this.#numbers('boundary_distance', ['distance', 'ax', 'ay', 'bx', 'by'], a, b);
+  }
+  depth(a, b) {
+    return this.#numbers('depth', ['depth', 'x', 'y'], a, b);
+  }
+  area(a, b) {
+    return this.#numbers('area', ['area'], a, b).area;
+  }
+  iou(a, b) {
+    return this.#numbers('iou', ['iou'], a, b).iou;
+  }
+  overlapMatrix(a, b) {
+    return this.#matrix('overlap', Uint8Array, a, b);
+  }
+  relationMatrix(a, b) {
+    return this.#matrix('relation', Uint8Array, a, b);
+  }
+  containsMatrix(a, b) {
+    return this.#matrix('contains', Uint8Array, a, b);
+  }
+  areaMatrix(a, b) {
+    return this.#matrix('area', scalars[a?.scalar], a, b);
+  }
+  iouMatrix(a, b) {
+    return this.#matrix('iou', scalars[a?.scalar], a, b);
+  }
+
+  overlapSelect(one, many) {
+    return this.within((room) => {
+      const { scalar, a, b } = this.#operands(one, many, room);
+      if (!isArray(many)) throw new TypeError('many is an array of shapes, as shapes() makes it');
+      const out = room.take(8 * many.length + 8);
+      const code = Number(this.c[`vesica_overlap_select_${scalar}`](a, b, out, BigInt(many.length)));
+      const indices = Array.from(new BigInt64Array(this.#memory.buffer, out, many.length), Number);
+      // With an invalid shape, which is never selected, -1 follows the others.
+      return this.#answer(code, indices.slice(0, code < 0 ? indices.indexOf(-1) : code));
+    });
+  }
+
+  crossings(a, b) {
+    const out = this.#single('crossings', 8 + 16 * 8, a, b, (view) => ({
+      count: view.getInt32(0, true),
+      shared: view.getInt32(4, true) === 1,
+      numbers: new Float64Array(view.buffer.slice(view.byteOffset + 8, view.byteOffset + 8 + 128)),
+    }));
+    const places = Array.from({ length: out.count }, (_, i) => ({ x: out.numbers[i], y: out.numbers[8 + i] }));
+    return { places, shared: out.shared };
+  }
+
+  shapeArea(shape) {
+    return this.#ofOne('shape_area', 1, shape)[0];
+  }
+
+  bounds(shape) {
+    return aabb(...this.#ofOne('bounds', 4, shape));
+  }
+
+  /** Why a shape is invalid, or null. */
+  invalidity(shape) {
+    return this.within((room) => {
+      const [kind, address] = this.#record(shape, room);
+      const code = this.c.vesica_check_f64(kind, address);
+      return code < 0 ? this.#text(code) : null;
+    });
+  }
+
+  nms(boxes, scores, threshold = 0.5) {
+    if (!isArray(boxes)) throw new TypeError('boxes are an array of shapes, as shapes() makes it');
+    if (scores.length !== boxes.length) throw new RangeError(`${boxes.length} boxes need as many scores, not ${scores.length}`);
+    const n = boxes.length, Scores = scalars[boxes.scalar];
+    return this.within((room) => {
+      const size = Number(this.c.vesica_nms_scratch(BigInt(n)));
+      const [at, scratch, keep, kept] = [n * Scores.BYTES_PER_ELEMENT, size, 8 * n, 8].map((bytes) => room.take(bytes));
+      new Scores(this.#memory.buffer, at, n).set(scores);
+      new BigInt64Array(this.#memory.buffer, kept, 1)[0] = 0n;
+      const call = this.c[`vesica_nms_${boxes.scalar}`];
+      const code = call(boxes.address, at, threshold, scratch, BigInt(size), keep, kept);
+      const count = Number(new BigInt64Array(this.#memory.buffer, kept, 1)[0]);
+      return this.#answer(code, Array.from(new BigInt64Array(this.#memory.buffer, keep, count), Number));
+    });
+  }
+
+  index(...sets) {
+    return new Index(this, sets);
+  }
+
+  indexFromBytes(bytes, ...sets) {
+    return new Index(this, sets, bytes);
+  }
+
+  // ---- For this module and its index: memory and errors ----
+
+  get memory() {
+    return this.#memory;
+  }
+
+  /** Gives blocks of memory back when an object is collected, or by release(). */
+  own(object, blocks) {
+    this.#collected.register(object, blocks, object);
+  }
+  release(object, blocks) {
+    if (this.#collected.unregister(object)) this.#give(blocks);
+  }
+
+  /** call(room), whose memory is given back afterwards. */
+  within(call) {
+    const room = new Room(this.#memory);
+    try {
+      return call(room);
+    } finally {
+      room.end();
+    }
+  }
+
+  /** The answer, if it is one. */
+  check(code) {
+    return this.#answer(Number(code), Number(code));
+  }
+
+  #answer(code, result) {
+    if (code >= 0) return result;
+    throw new VesicaError(this.#text(code), code, code === constants.E_SHAPE ? result : undefined);
+  }
+
+  #text(code) {
+    const bytes = new Uint8Array(this.#memory.buffer, this.c.vesica_strerror(code));
+    return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
+  }
+
+  #give(blocks) {
+    for (const [address, size] of blocks) this.#memory.give(address, size);
+  }
+
+  /** [kind, address of its numbers] of a plain object. */
+  #record(shape, room) {
+    const numbers = numbersOf(shape);
+    const address = room.take(8 * numbers.length);
+    new Float64Array(this.#memory.buffer, address, numbers.length).set(numbers);
+    return [kindNumber(shape.kind), address];
+  }
+
+  /** Two operands of a batch, one of which may be a plain object. */
+  #operands(a, b, room) {
+    const scalar = (isArray(a) ? a : b).scalar ?? 'f64';
+    const address = (shape, name) => {
+      if (!isArray(shape)) return this.#struct(shape, scalar, room);
+      if (shape.scalar !== scalar) throw new TypeError(`a is of ${a.scalar} and b of ${b.scalar}: they must be alike`);
+      if (shape.address === 0) throw new TypeError(`${name} was freed`);
+      return shape.address;
+    };
+    const count = [a, b].map((shape) => (isArray(shape) ? shape.length : 1));
+    const operands = { scalar, a: address(a, 'a'), b: address(b, 'b'), counts: count };
+    return operands;
+  }
+
+  #struct(shape, scalar, room) {
+    const numbers = numbersOf(shape), Numbers = scalars[scalar];
+    const base = room.take(8 * numbers.length), address = room.take(shapesSize);
+    new Numbers(this.#memory.buffer, base, numbers.length).set(numbers);
+    const stride = numbers.length * Numbers.BYTES_PER_ELEMENT;
+    this.check(this.c[`vesica_shapes_from_records_${scalar}`](kindNumber(shape.kind), 1n, base, stride, address));
+    return address;
+  }
+
+  /** How many results two operands in step have. */
+  #inStep([a, b]) {
+    if (a !== b && a !== 1 && b !== 1) throw new RangeError(`a has ${a} shapes and b ${b}: as many, or one of either`);
+    return a === 0 || b === 0 ? 0 : Math.max(a, b);
+  }
+
+  #codes(name, a, b, { out = undefined } = {}, meaning) {
+    if (!isArray(a) && !isArray(b)) {
+      return this.within((room) => {
+        const code = this.c[`vesica_${name}_f64`](...this.#record(a, room), ...this.#record(b, room));
+        return meaning(this.check(code));
+      });
+    }
+    return this.within((room) => {
+      const { scalar, a: first, b: second, counts } = this.#operands(a, b, room);
+      const count = this.#inStep(counts), address = room.take(count);
+      const code = Number(this.c[`vesica_${name}_many_${scalar}`](first, second, address));
+      const bytes = new Uint8Array(this.#memory.buffer, address, count);
+      if (code < 0 && code !== constants.E_SHAPE) return this.check(code);
+      if (out === undefined) return this.#answer(code, bytes.slice());
+      if (!(out instanceof Uint8Array && out.length >= count)) throw new RangeError(`out is a Uint8Array of ${count} or more`);
+      out.set(bytes);
+      return this.#answer(code, out);
+    });
+  }
+
+  #numbers(name, names, a, b) {
+    if (!isArray(a) && !isArray(b)) {
+      return this.#single(name, 8 * names.length, a, b, (view) =>
+        Object.fromEntries(names.map((field, i) => [field, view.getFloat64(8 * i, true)])));
+    }
+    return this.within((room) => {
+      const { scalar, a: first, b: second, counts } = this.#operands(a, b, room);
+      const Numbers = scalars[scalar], count = this.#inStep(counts);
+      const columns = names.map(() => room.take(count * Numbers.BYTES_PER_ELEMENT));
+      const code = Number(this.c[`vesica_${name}_many_${scalar}`](first, second, ...columns));
+      if (code < 0 && code !== constants.E_SHAPE) return this.check(code);
+      const copies = columns.map((address) => new Numbers(this.#memory.buffer, address, count).slice());
+      return this.#answer(code, Object.fromEntries(names.map((field, i) => [field, copies[i]])));
+    });
+  }
+
+  /** One call for two plain objects, in double. */
+  #single(name, size, a, b, read) {
+    return this.within((room) => {
+      const operands = [...this.#record(a, room), ...this.#record(b, room)], out = room.take(size);
+      this.check(this.c[`vesica_${name}_f64`](...operands, out));
+      return read(new DataView(this.#memory.buffer, out, size));
+    });
+  }
+
+  #ofOne(name, count, shape) {
+    return this.within((room) => {
+      const operands = this.#record(shape, room), out = room.take(8 * count);
+      this.check(this.c[`vesica_${name}_f64`](...operands, out));
+      return Array.from(new Float64Array(this.#memory.buffer, out, count));
+    });
+  }
+
+  /** Rows one after the other: element [i * b.length + j] is of a[i] and b[j]. */
+  #matrix(name, Numbers, a, b) {
+    if (!isArray(a) || !isArray(b)) throw new TypeError('a matrix is of two arrays of shapes, as shapes() makes them');
+    return this.within((room) => {
+      const { scalar, a: first, b: second } = this.#operands(a, b, room);
+      const count = a.length * b.length, address = room.take(count * Numbers.BYTES_PER_ELEMENT);
+      const code = Number(this.c[`vesica_${name}_matrix_${scalar}`](first, second, address, b.length));
+      if (code < 0 && code !== constants.E_SHAPE) return this.check(code);
+      return this.#answer(code, new Numbers(this.#memory.buffer, address, count).slice());
+    });
+  }
+}
