@@ -2,6 +2,7 @@
 // What the C face of the named methods shares.
 #pragma once
 
+#include "environment.hpp"
 #include "vesica_methods.h"
 
 namespace vesica {
@@ -17,6 +18,7 @@ const Shape& shape_at(const void* s) noexcept {
 /// Defines vesica_method_<name>(const CA* a, const CB* b) as the core's method of the shapes A and B.
 #define VESICA_METHOD(name, method, CA, A, CB, B)                                   \
   int32_t vesica_method_##name(const CA* a, const CB* b) {                          \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_method_##name, a, b);                         \
     if (a == nullptr || b == nullptr) return VESICA_E_NULL;                         \
     return vesica::methods::method(vesica::shape_at<A>(a), vesica::shape_at<B>(b)); \
   }

@@ -24,6 +24,7 @@ void store(const vesica::methods::Approximation<float>& from, vesica_approximati
 /// `method(a, b, n, approximation)` of two of the core's shapes.
 template <class A, class B, class T, class Out, class Method>
 int32_t approximate(const void* a, const void* b, int32_t n, Out* out, Method method) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT((approximate<A, B, T, Out, Method>), a, b, n, out, method);
   if (a == nullptr || b == nullptr || out == nullptr) return VESICA_E_NULL;
   vesica::methods::Approximation<T> approximation;
   const int32_t answer = method(vesica::shape_at<A>(a), vesica::shape_at<B>(b), n, approximation);

@@ -15,6 +15,7 @@ using vesica::methods::Schedule;
 template <class T, class COut>
 int32_t settings_of(int32_t schedule, COut* out) noexcept {
   static_assert(sizeof(COut) == sizeof(vesica::methods::DescentSettings<T>));
+  VESICA_DEFAULT_ENVIRONMENT((settings_of<T, COut>), schedule, out);
   if (out == nullptr) return VESICA_E_NULL;
   if (schedule != VESICA_SCHEDULE_SCALE_AWARE && schedule != VESICA_SCHEDULE_LITERAL) return VESICA_E_ARGUMENT;
   const auto settings = vesica::methods::descent_settings<T>(static_cast<Schedule>(schedule));
@@ -27,6 +28,7 @@ int32_t distance(const void* a, const void* b, const CSettings* given, COut* out
                  int32_t capacity) noexcept {
   using Ellipse = vesica::Ellipse<T>;
   static_assert(sizeof(COut) == sizeof(vesica::methods::DescentResult<T>));
+  VESICA_DEFAULT_ENVIRONMENT((distance<T, CSettings, COut>), a, b, given, out, errors, capacity);
   if (a == nullptr || b == nullptr || out == nullptr || (errors == nullptr && capacity > 0)) return VESICA_E_NULL;
   auto settings = vesica::methods::descent_settings<T>(Schedule::scale_aware);
   if (given != nullptr) std::memcpy(&settings, given, sizeof settings);

@@ -12,6 +12,7 @@ namespace {
 template <class T, class COut>
 int32_t distance(const void* rect, const void* ellipse, COut* out) noexcept {
   static_assert(sizeof(COut) == sizeof(vesica::methods::MetricClosest<T>));
+  VESICA_DEFAULT_ENVIRONMENT((distance<T, COut>), rect, ellipse, out);
   if (rect == nullptr || ellipse == nullptr || out == nullptr) return VESICA_E_NULL;
   vesica::methods::MetricClosest<T> closest;
   const int32_t answer = point_parallelogram_distance(vesica::shape_at<vesica::Rect<T>>(rect),

@@ -17,6 +17,7 @@ namespace {
 
 template <class T>
 int32_t corners(const void* rect, T* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(corners<T>, rect, out);
   if (rect == nullptr || out == nullptr) return VESICA_E_NULL;
   T result[8];
   const int32_t error = vesica::methods::rect_corners(vesica::shape_at<vesica::Rect<T>>(rect), result);
@@ -27,6 +28,7 @@ int32_t corners(const void* rect, T* out) noexcept {
 template <class T>
 int32_t sample_points(const void* a, const void* b, int32_t k) noexcept {
   using Rect = vesica::Rect<T>;
+  VESICA_DEFAULT_ENVIRONMENT(sample_points<T>, a, b, k);
   if (a == nullptr || b == nullptr) return VESICA_E_NULL;
   return vesica::methods::sample_points(vesica::shape_at<Rect>(a), vesica::shape_at<Rect>(b), k);
 }

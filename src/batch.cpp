@@ -73,8 +73,8 @@ class RestOfBlock {
       copy(last.first, fields_first_, rest, copy_first);
       copy(last.second, fields_second_, rest, copy_second);
     } else {
-      for (int k = 0; k < fields_first_; ++k) last.first[k] += begin;
-      for (int k = 0; k < fields_second_; ++k) last.second[k] += begin;
+      for (int k = 0; k < fields_first_; ++k) last.first[k] = last.first[k] + begin;
+      for (int k = 0; k < fields_second_; ++k) last.second[k] = last.second[k] + begin;
     }
     const BlockResult found = kernel(last);
     const std::int32_t whole = block.count - rest;
@@ -90,21 +90,19 @@ class RestOfBlock {
   }
 
   /// Lanes without an element repeat the first.
-  static void copy(const T* (&field)[max_fields], int fields, std::int32_t rest, Copy& copied) noexcept {
+  static void copy(Unaligned<T> (&field)[max_fields], int fields, std::int32_t rest, Copy& copied) noexcept {
     for (int k = 0; k < fields; ++k) {
-      T first;
-      std::memcpy(&first, field[k], sizeof first);
-      std::fill_n(copied[k], widest, first);
+      std::fill_n(copied[k], widest, field[k][0]);
       copy_few(field[k], rest, copied[k]);
       field[k] = copied[k];
     }
   }
 
   /// 0 < n < 16 numbers: two moves of one size, of which the second may overlap the first, instead of a loop.
-  static void copy_few(const T* from, std::int32_t n, T* to) noexcept {
+  static void copy_few(Unaligned<T> from, std::int32_t n, T* to) noexcept {
     const auto move = [&]<std::int32_t size>(std::integral_constant<std::int32_t, size>) {
-      std::memcpy(to, from, size * sizeof(T));
-      std::memcpy(to + n - size, from + n - size, size * sizeof(T));
+      std::memcpy(to, from.bytes(), size * sizeof(T));
+      std::memcpy(to + n - size, from.bytes(n - size), size * sizeof(T));
     };
     if (n >= 8) return move(std::integral_constant<std::int32_t, 8>{});
     if (n >= 4) return move(std::integral_constant<std::int32_t, 4>{});
@@ -152,14 +150,10 @@ struct Answerer {
 
   /// The numbers of n elements, exact as doubles.
   template <int Chunk>
-  static void gather(const T* const* field, int fields, bool repeated, const std::int32_t* index, std::int32_t n,
+  static void gather(const Unaligned<T>* field, int fields, bool repeated, const std::int32_t* index, std::int32_t n,
                      double (&out)[max_fields][Chunk]) noexcept {
     for (int k = 0; k < fields; ++k) {
-      for (std::int32_t i = 0; i < n; ++i) {
-        T x;
-        std::memcpy(&x, field[k] + (repeated ? 0 : index[i]), sizeof x);
-        out[k][i] = static_cast<double>(x);
-      }
+      for (std::int32_t i = 0; i < n; ++i) out[k][i] = static_cast<double>(field[k][repeated ? 0 : index[i]]);
     }
   }
 
@@ -204,7 +198,7 @@ struct Answerer {
     }
   }
 
-  void widen_stretch(const T* const* field, int fields, bool repeated, std::int32_t begin, std::int32_t n,
+  void widen_stretch(const Unaligned<T>* field, int fields, bool repeated, std::int32_t begin, std::int32_t n,
                      double (&out)[max_fields][retry_chunk]) noexcept {
     for (int k = 0; k < fields; ++k) {
       question.kernels.widen_column(field[k] + (repeated ? 0 : begin), repeated ? 1 : n, out[k]);
@@ -257,8 +251,8 @@ struct Answerer {
     std::int32_t open;
     Block<T> one = block;
     for (int k = 0; k < max_fields; ++k) {
-      if (repeat != Repeat::first && k < question.fields_first) one.first[k] += i;
-      if (repeat != Repeat::second && k < question.fields_second) one.second[k] += i;
+      if (repeat != Repeat::first && k < question.fields_first) one.first[k] = one.first[k] + i;
+      if (repeat != Repeat::second && k < question.fields_second) one.second[k] = one.second[k] + i;
     }
     one.count = 1;
     one.give_up = 1;
@@ -269,8 +263,8 @@ struct Answerer {
 };
 
 /// A block of the columns of both operands.
-template <class T>
-Block<T> make_block(const T* const* first, const T* const* second, std::int32_t n, std::uint8_t* out,
+template <class T, class Numbers>
+Block<T> make_block(const Numbers* first, const Numbers* second, std::int32_t n, std::uint8_t* out,
                     std::int32_t* undecided) noexcept {
   Block<T> block{};
   for (int k = 0; k < max_fields; ++k) {
@@ -304,7 +298,7 @@ Tally in_step(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b
     columns_first.set(first, begin, repeat == Repeat::first ? 1 : length);
     columns_second.set(second, begin, repeat == Repeat::second ? 1 : length);
     std::uint8_t* out = place(begin);
-    Block<T> block = make_block(columns_first.field, columns_second.field, length, out, undecided);
+    Block<T> block = make_block<T>(columns_first.field, columns_second.field, length, out, undecided);
     answerer.answer(block, repeat);
     done(begin, length, out);
   }
@@ -353,8 +347,8 @@ Tally matrix(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b,
     columns.set(b, begin, length);
     for (std::int64_t i = 0; i < a.count; ++i) {
       row.set(a, i, 1);
-      Block<T> block = make_block(in_order ? row.field : columns.field, in_order ? columns.field : row.field, length,
-                                  out + i * row_stride + begin, undecided);
+      Block<T> block = make_block<T>(in_order ? row.field : columns.field, in_order ? columns.field : row.field, length,
+                                     out + i * row_stride + begin, undecided);
       answerer.answer(block, repeat);
     }
   }
@@ -366,7 +360,7 @@ Tally overlap_block(const KernelTable& kernels, std::int32_t kind_first, const d
   std::int32_t undecided[block_size<double>];
   const Question<double> question(kernels, kind_first, kind_second);
   Answerer<double> answerer{question, {}};
-  Block<double> block = make_block(first, second, n, out, undecided);
+  Block<double> block = make_block<double>(first, second, n, out, undecided);
   answerer.answer(block, Repeat::none);
   return answerer.tally;
 }

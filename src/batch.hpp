@@ -15,7 +15,7 @@ struct Shapes {
   std::int32_t kind;
   std::int64_t count;
   std::ptrdiff_t stride;  // bytes from one element's number to the next one's; 0 where one shape repeats
-  const T* field[max_fields];
+  Unaligned<T> field[max_fields];
 };
 
 /// What was found: how many pairs overlap, and whether any shape was invalid.

@@ -24,7 +24,7 @@ template <class T>
 Shapes<T> element(const Shapes<T>& shapes, std::int64_t i) noexcept {
   Shapes<T> one = shapes;
   one.stride = 0;
-  for (int k = 0; k < field_count(shapes.kind); ++k) one.field[k] = advance(shapes.field[k], i * shapes.stride);
+  for (int k = 0; k < field_count(shapes.kind); ++k) one.field[k] = shapes.field[k].advanced(i * shapes.stride);
   return one;
 }
 
@@ -49,9 +49,9 @@ void copy_to_columns(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n
                      T (&columns)[max_fields][length]) noexcept {
   constexpr auto column_length = static_cast<std::int32_t>(length);
   const int fields = field_count(shapes.kind);
-  const auto at = [&](int k) { return advance(shapes.field[k], begin * shapes.stride); };
+  const auto at = [&](int k) { return shapes.field[k].advanced(begin * shapes.stride); };
   if (lies_in_columns(shapes)) {
-    for (int k = 0; k < fields; ++k) std::memcpy(columns[k], at(k), static_cast<std::size_t>(n) * sizeof(T));
+    for (int k = 0; k < fields; ++k) std::memcpy(columns[k], at(k).bytes(), static_cast<std::size_t>(n) * sizeof(T));
   } else if (lies_in_records(shapes, fields)) {
     records_to_columns(at(0), shapes.stride, fields, n, columns[0], column_length);
   } else {
@@ -62,7 +62,7 @@ void copy_to_columns(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n
 /// A stretch of an array as contiguous columns: the array's own where it has them, else a copy.
 template <class T>
 struct Columns {
-  const T* field[max_fields];
+  Unaligned<T> field[max_fields];
   T copy[max_fields][block_size<T>];
 
   /// Elements [begin, begin + n); at most block_size if they must be copied.
@@ -70,7 +70,7 @@ struct Columns {
     const bool in_place = lies_in_columns(shapes) || n == 1;
     if (!in_place) copy_to_columns(shapes, begin, n, copy);
     for (int k = 0; k < field_count(shapes.kind); ++k) {
-      field[k] = in_place ? advance(shapes.field[k], begin * shapes.stride) : copy[k];
+      field[k] = in_place ? shapes.field[k].advanced(begin * shapes.stride) : Unaligned<T>(copy[k]);
     }
   }
 };

@@ -106,8 +106,8 @@ class NumberColumns {
   bool read_in_place(const Shapes<double>& shapes, std::int64_t begin, std::int32_t n, std::int32_t end) noexcept {
     if (!lies_in_columns(shapes) || n != end) return false;
     for (int k = 0; k < field_count(kind_); ++k) {
-      number_[k] = advance(shapes.field[k], begin * shapes.stride);
-      if (reinterpret_cast<std::uintptr_t>(number_[k]) % alignof(double) != 0) return false;
+      number_[k] = shapes.field[k].advanced(begin * shapes.stride).aligned();
+      if (number_[k] == nullptr) return false;
     }
     return true;
   }
@@ -117,12 +117,8 @@ class NumberColumns {
   template <class T>
   void read_few(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n) noexcept {
     for (int k = 0; k < field_count(kind_); ++k) {
-      const T* from = advance(shapes.field[k], begin * shapes.stride);
-      for (std::int32_t i = 0; i < n; ++i) {
-        T x;
-        std::memcpy(&x, advance(from, i * shapes.stride), sizeof x);
-        copy_[k][i] = static_cast<double>(x);
-      }
+      const Unaligned<T> from = shapes.field[k].advanced(begin * shapes.stride);
+      for (std::int32_t i = 0; i < n; ++i) copy_[k][i] = static_cast<double>(from.advanced(i * shapes.stride)[0]);
     }
   }
   void read(const Shapes<double>& shapes, std::int64_t begin, std::int32_t n, const KernelTable&) noexcept {
@@ -133,7 +129,8 @@ class NumberColumns {
     const bool in_place = lies_in_columns(shapes);
     if (!in_place) copy_to_columns(shapes, begin, n, narrow);
     for (int k = 0; k < field_count(kind_); ++k) {
-      kernels.widen_column(in_place ? advance(shapes.field[k], begin * shapes.stride) : narrow[k], n, copy_[k]);
+      const Unaligned<float> lies = shapes.field[k].advanced(begin * shapes.stride);
+      kernels.widen_column(in_place ? lies : Unaligned<float>(narrow[k]), n, copy_[k]);
     }
   }
 

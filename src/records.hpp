@@ -6,13 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <utility>
+
+#include "unaligned.hpp"
 
 namespace vesica::batch {
-
-template <class T>
-const T* advance(const T* p, std::ptrdiff_t bytes) noexcept {
-  return reinterpret_cast<const T*>(reinterpret_cast<const unsigned char*>(p) + bytes);
-}
 
 /// 16 bytes of a record. As many records as a row has numbers are transposed at once.
 template <class T>
@@ -40,21 +38,26 @@ inline void transpose(Row<double> (&rows)[2]) noexcept {
 /// Writes the first numbers of n records, `stride` bytes apart and a row of numbers each, to as many columns of
 /// `column_length`. n is a multiple of the row's length.
 template <class T>
-void transpose_rows(const T* from, std::ptrdiff_t stride, std::int32_t n, T* columns,
+void transpose_rows(Unaligned<T> from, std::ptrdiff_t stride, std::int32_t n, T* columns,
                     std::int32_t column_length) noexcept {
   constexpr int length = row_length<T>;
+  // A loop over rows would keep them in memory: g++ does not unroll it under -O2.
+  const auto each_row = [](auto action) {
+    [&]<int... k>(std::integer_sequence<int, k...>) { (action(k), ...); }
+    (std::make_integer_sequence<int, length>{});
+  };
   for (std::int32_t i = 0; i < n; i += length) {
     Row<T> rows[length];
-    for (int k = 0; k < length; ++k) std::memcpy(&rows[k], advance(from, (i + k) * stride), sizeof rows[k]);
+    each_row([&](int k) { from.advanced((i + k) * stride).copy_to(rows[k]); });
     transpose(rows);
-    for (int k = 0; k < length; ++k) std::memcpy(columns + k * column_length + i, &rows[k], sizeof rows[k]);
+    each_row([&](int k) { std::memcpy(columns + k * column_length + i, &rows[k], sizeof rows[k]); });
   }
 }
 
 /// Copies n records of `fields` adjacent numbers to columns. Where a record is not a whole number of rows, its last row
 /// overlaps the one before.
 template <class T>
-void records_to_columns(const T* from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
+void records_to_columns(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
                         std::int32_t column_length) noexcept {
   constexpr int length = row_length<T>;
   const std::int32_t whole = fields < length ? 0 : n / length * length;
@@ -63,9 +66,7 @@ void records_to_columns(const T* from, std::ptrdiff_t stride, int fields, std::i
     transpose_rows(from + first, stride, whole, columns + first * column_length, column_length);
   }
   for (std::int32_t i = whole; i < n; ++i) {
-    for (int k = 0; k < fields; ++k) {
-      std::memcpy(columns + k * column_length + i, advance(from + k, i * stride), sizeof(T));
-    }
+    for (int k = 0; k < fields; ++k) columns[k * column_length + i] = from.advanced(i * stride)[k];
   }
 }
 

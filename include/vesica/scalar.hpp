@@ -8,8 +8,18 @@
 #include <cmath>
 #include <cstdint>
 
-#if defined(__FAST_MATH__)
-#error "Vesica needs IEEE arithmetic: compile without -ffast-math (its error bounds and NaN checks do not survive it)."
+// Error bounds and checks for NaN hold in IEEE arithmetic alone. What the compiler says about its flags is refused; Clang
+// says nothing of reassociation, reciprocals and signed zeros, and is told to do without them for the rest of the source.
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "Vesica needs IEEE arithmetic: compile without -ffast-math, -Ofast and the flags that these stand for."
+#endif
+#if defined(__clang__)
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wignored-pragmas"  // on targets without it
+#pragma float_control(precise, on)
+#pragma clang diagnostic pop
+#pragma clang fp reassociate(off) contract(off)
 #endif
 #if FLT_EVAL_METHOD != 0
 #error "Vesica needs arithmetic in the operands' own precision: on 32-bit x86 compile with -msse2 -mfpmath=sse."

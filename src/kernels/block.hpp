@@ -3,7 +3,6 @@
 // Included once by each source in src/isa, after the lanes of its instruction set.
 #pragma once
 
-#include <cstring>
 #include <type_traits>
 #include <utility>
 #include <vesica/each_shape.hpp>
@@ -20,19 +19,13 @@ using LanesOf = std::conditional_t<sizeof(T) == 4, Floats, Doubles>;
 
 /// A shape of lanes from element i on, or one shape in every lane.
 template <template <class> class Shape, class T, std::size_t... Field>
-VESICA_INLINE Shape<LanesOf<T>> load_lanes(const T* const* field, std::int32_t i,
+VESICA_INLINE Shape<LanesOf<T>> load_lanes(const Unaligned<T>* field, std::int32_t i,
                                            std::index_sequence<Field...>) noexcept {
   return {LanesOf<T>::load(field[Field] + i)...};
 }
-template <class T>
-VESICA_INLINE T load_unaligned(const T* p) noexcept {
-  T x;
-  std::memcpy(&x, p, sizeof x);
-  return x;
-}
 template <template <class> class Shape, class T, std::size_t... Field>
-VESICA_INLINE Shape<LanesOf<T>> broadcast(const T* const* field, std::index_sequence<Field...>) noexcept {
-  return {LanesOf<T>(load_unaligned(field[Field]))...};
+VESICA_INLINE Shape<LanesOf<T>> broadcast(const Unaligned<T>* field, std::index_sequence<Field...>) noexcept {
+  return {LanesOf<T>(field[Field][0])...};
 }
 
 /// One operand of a kernel. It keeps copies of the column pointers: a store through a byte pointer may alias anything, so
@@ -40,9 +33,9 @@ VESICA_INLINE Shape<LanesOf<T>> broadcast(const T* const* field, std::index_sequ
 template <template <class> class Shape, class T, bool Repeated>
 struct LaneOperand {
   static constexpr int fields = ShapeTraits<Shape<T>>::fields;
-  const T* field[fields];
+  Unaligned<T> field[fields];
 
-  VESICA_INLINE explicit LaneOperand(const T* const* from) noexcept {
+  VESICA_INLINE explicit LaneOperand(const Unaligned<T>* from) noexcept {
     for (int k = 0; k < fields; ++k) field[k] = from[k];
   }
   VESICA_INLINE Shape<LanesOf<T>> at(std::int32_t i) const noexcept {
@@ -54,7 +47,7 @@ template <template <class> class Shape, class T>
 struct LaneOperand<Shape, T, true> {
   Shape<LanesOf<T>> shape;
 
-  VESICA_INLINE explicit LaneOperand(const T* const* from) noexcept
+  VESICA_INLINE explicit LaneOperand(const Unaligned<T>* from) noexcept
       : shape(broadcast<Shape>(from, std::make_index_sequence<ShapeTraits<Shape<T>>::fields>{})) {}
   VESICA_INLINE const Shape<LanesOf<T>>& at(std::int32_t) const noexcept { return shape; }
 };
@@ -163,10 +156,10 @@ constexpr void fill_pairs(ScalarKernels<T>& kernels) noexcept {
 }
 
 /// Floats as doubles, exactly.
-void widen_column(const float* from, std::int32_t n, double* to) noexcept {
+void widen_column(Unaligned<float> from, std::int32_t n, double* to) noexcept {
   std::int32_t i = 0;
   for (; i + Doubles::width <= n; i += Doubles::width) Doubles::load(from + i).store(to + i);
-  for (; i < n; ++i) to[i] = load_unaligned(from + i);
+  for (; i < n; ++i) to[i] = from[i];
 }
 
 /// Everything this instruction set offers, laid down at compile time.

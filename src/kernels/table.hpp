@@ -5,16 +5,17 @@
 #include <cstdint>
 #include <vesica/shapes.hpp>
 
+#include "unaligned.hpp"
+
 namespace vesica {
 
 inline constexpr int max_fields = 6;
 
 /// A block of pairs: element i of each field of a shape at first[field][i]; a repeated shape has its numbers at [0].
-/// Fields need no alignment.
 template <class T>
 struct Block {
-  const T* first[max_fields];
-  const T* second[max_fields];
+  Unaligned<T> first[max_fields];
+  Unaligned<T> second[max_fields];
   std::int32_t count;       // for kernels a multiple of the vector's width
   std::uint8_t* out;        // count bytes: 1 where the filter is sure of overlap, else 0
   std::int32_t* undecided;  // room for count indices, ascending
@@ -51,7 +52,7 @@ struct KernelTable {
   const char* name;
   const QueryTable* queries;          // of the same instruction set
   std::int32_t width_f32, width_f64;  // lanes of a vector
-  void (*widen_column)(const float* from, std::int32_t n, double* to) noexcept;
+  void (*widen_column)(Unaligned<float> from, std::int32_t n, double* to) noexcept;
   ScalarKernels<float> f32;
   ScalarKernels<double> f64;
 

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "unaligned.hpp"
+
 namespace vesica {
 namespace {  // a type of its own in each object: no instantiation may be shared with one for another instruction set
 
@@ -59,7 +61,7 @@ struct Floats {
   Floats() = default;
   Floats(__m512 x) : v(x) {}
   explicit Floats(float x) : v(_mm512_set1_ps(x)) {}
-  static Floats load(const float* p) { return _mm512_loadu_ps(p); }
+  static Floats load(Unaligned<float> p) { return _mm512_loadu_ps(reinterpret_cast<const float*>(p.bytes())); }
 };
 inline Floats operator+(Floats a, Floats b) { return _mm512_add_ps(a.v, b.v); }
 inline Floats operator-(Floats a, Floats b) { return _mm512_sub_ps(a.v, b.v); }
@@ -88,8 +90,10 @@ struct Doubles {
   Doubles() = default;
   Doubles(__m512d x) : v(x) {}
   explicit Doubles(double x) : v(_mm512_set1_pd(x)) {}
-  static Doubles load(const double* p) { return _mm512_loadu_pd(p); }
-  static Doubles load(const float* p) { return _mm512_cvtps_pd(_mm256_loadu_ps(p)); }
+  static Doubles load(Unaligned<double> p) { return _mm512_loadu_pd(reinterpret_cast<const double*>(p.bytes())); }
+  static Doubles load(Unaligned<float> p) {
+    return _mm512_cvtps_pd(_mm256_loadu_ps(reinterpret_cast<const float*>(p.bytes())));
+  }
   void store(double* p) const { _mm512_storeu_pd(p, v); }
 };
 inline Doubles operator+(Doubles a, Doubles b) { return _mm512_add_pd(a.v, b.v); }

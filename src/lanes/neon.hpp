@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "unaligned.hpp"
+
 namespace vesica {
 namespace {  // a type of its own in each object: no instantiation may be shared with one for another instruction set
 
@@ -36,7 +38,11 @@ struct Floats {
   Floats() = default;
   Floats(float32x4_t x) : v(x) {}
   explicit Floats(float x) : v(vdupq_n_f32(x)) {}
-  static Floats load(const float* p) { return vld1q_f32(p); }
+  static Floats load(Unaligned<float> p) {
+    Floats lanes;
+    p.copy_to(lanes.v);
+    return lanes;
+  }
 };
 inline Floats operator+(Floats a, Floats b) { return vaddq_f32(a.v, b.v); }
 inline Floats operator-(Floats a, Floats b) { return vsubq_f32(a.v, b.v); }
@@ -82,8 +88,16 @@ struct Doubles {
   Doubles() = default;
   Doubles(float64x2_t x) : v(x) {}
   explicit Doubles(double x) : v(vdupq_n_f64(x)) {}
-  static Doubles load(const double* p) { return vld1q_f64(p); }
-  static Doubles load(const float* p) { return vcvt_f64_f32(vld1_f32(p)); }
+  static Doubles load(Unaligned<double> p) {
+    Doubles lanes;
+    p.copy_to(lanes.v);
+    return lanes;
+  }
+  static Doubles load(Unaligned<float> p) {
+    float32x2_t narrow;
+    p.copy_to(narrow);
+    return vcvt_f64_f32(narrow);
+  }
   void store(double* p) const { vst1q_f64(p, v); }
 };
 inline Doubles operator+(Doubles a, Doubles b) { return vaddq_f64(a.v, b.v); }

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 #include <vesica/scalar.hpp>
+
+#include "unaligned.hpp"
 
 namespace vesica {
 namespace {  // a type of its own in each object: no instantiation may be shared with one for another instruction set
@@ -26,13 +29,8 @@ struct One {
   T v;
   One() = default;
   explicit One(T x) : v(x) {}
-  /// From T, or from float for lanes of double.
-  template <class From>
-  static One load(const From* p) {
-    From x;
-    __builtin_memcpy(&x, p, sizeof x);
-    return One(T{x});
-  }
+  static One load(Unaligned<T> p) { return One(p[0]); }
+  static One load(Unaligned<float> p) requires(!std::is_same_v<T, float>) { return One(T{p[0]}); }
   void store(T* p) const { __builtin_memcpy(p, &v, sizeof v); }
   friend One operator+(One a, One b) { return One(a.v + b.v); }
   friend One operator-(One a, One b) { return One(a.v - b.v); }

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "unaligned.hpp"
+
 namespace vesica {
 namespace {  // a type of its own in each object: no instantiation may be shared with one for another instruction set
 
@@ -34,7 +36,7 @@ struct Floats {
   Floats() = default;
   Floats(__m128 x) : v(x) {}
   explicit Floats(float x) : v(_mm_set1_ps(x)) {}
-  static Floats load(const float* p) { return _mm_loadu_ps(p); }
+  static Floats load(Unaligned<float> p) { return _mm_loadu_ps(reinterpret_cast<const float*>(p.bytes())); }
 };
 inline Floats operator+(Floats a, Floats b) { return _mm_add_ps(a.v, b.v); }
 inline Floats operator-(Floats a, Floats b) { return _mm_sub_ps(a.v, b.v); }
@@ -77,9 +79,9 @@ struct Doubles {
   Doubles() = default;
   Doubles(__m128d x) : v(x) {}
   explicit Doubles(double x) : v(_mm_set1_pd(x)) {}
-  static Doubles load(const double* p) { return _mm_loadu_pd(p); }
-  static Doubles load(const float* p) {
-    return _mm_cvtps_pd(_mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(p))));
+  static Doubles load(Unaligned<double> p) { return _mm_loadu_pd(reinterpret_cast<const double*>(p.bytes())); }
+  static Doubles load(Unaligned<float> p) {
+    return _mm_cvtps_pd(_mm_castsi128_ps(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(p.bytes()))));
   }
   void store(double* p) const { _mm_storeu_pd(p, v); }
 };

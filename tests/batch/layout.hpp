@@ -100,8 +100,8 @@ class Stored {
 
   void write(std::size_t i, const Numbers<T>& numbers) {
     for (std::size_t k = 0; k < fields_; ++k) {
-      const auto* first = reinterpret_cast<const std::byte*>(view_.field[k]);
-      const std::ptrdiff_t at = first - memory_.data() + static_cast<std::ptrdiff_t>(i) * view_.stride;
+      const std::ptrdiff_t first = view_.field[k].bytes() - memory_.data();
+      const std::ptrdiff_t at = first + static_cast<std::ptrdiff_t>(i) * view_.stride;
       std::memcpy(memory_.data() + at, &numbers[k], sizeof(T));
     }
   }

@@ -88,50 +88,60 @@ Bytes ask_corners(const Input& p) {
   return bytes;
 }
 
-/// Both sides of a list of pairs as records.
+/// Both sides of a list of pairs as arrays. Odd places are not aligned for any number.
 template <class T, class Shapes>
 struct Operands {
   std::vector<std::array<T, 6>> records_a, records_b;
   Shapes a{}, b{};
 
-  explicit Operands(const std::vector<Input>& pairs) {
-    for (const Input& p : pairs) {
+  explicit Operands(const Inputs& inputs) {
+    for (const Input& p : inputs.pairs) {
       records_a.push_back(first(p, T{}));
       records_b.push_back(second(p, T{}));
     }
-    a = records(pairs[0].kind_a, records_a);
-    b = records(pairs[0].kind_b, records_b);
+    a = array(inputs.pairs[0].kind_a, records_a, inputs.place, memory_a);
+    b = array(inputs.pairs[0].kind_b, records_b, inputs.place, memory_b);
   }
 
  private:
-  static Shapes records(int kind, const std::vector<std::array<T, 6>>& from) {
-    Shapes s{kind, 0, static_cast<std::int64_t>(from.size()), sizeof from[0], {}};
-    for (int k = 0; k < 6; ++k) s.field[k] = from[0].data() + k;
+  Bytes memory_a, memory_b;
+
+  static Shapes array(int kind, const std::vector<std::array<T, 6>>& from, Place place, Bytes& memory) {
+    const std::size_t odd = place == Place::records ? 0 : 1, count = from.size();
+    const std::size_t stride = place == Place::odd_columns ? sizeof(T) : sizeof from[0] + odd;
+    const std::size_t field = place == Place::odd_columns ? count * sizeof(T) + odd : sizeof(T);
+    memory.resize(odd + 6 * (sizeof(T) + odd) * (count + 1));
+    Shapes s{kind, 0, static_cast<std::int64_t>(count), static_cast<std::ptrdiff_t>(stride), {}};
+    for (std::size_t k = 0; k < 6; ++k) {
+      unsigned char* const column = memory.data() + odd + k * field;
+      for (std::size_t i = 0; i < count; ++i) std::memcpy(column + i * stride, &from[i][k], sizeof(T));
+      s.field[k] = reinterpret_cast<const T*>(column);
+    }
     return s;
   }
 };
 
 /// function(a, b, column...).
 template <class T, class Shapes, class Out, auto function, std::size_t... Column>
-Bytes ask_many(const std::vector<Input>& pairs, std::index_sequence<Column...>) {
-  const Operands<T, Shapes> operands(pairs);
+Bytes ask_many(const Inputs& inputs, std::index_sequence<Column...>) {
+  const Operands<T, Shapes> operands(inputs);
   std::vector<Out> columns[sizeof...(Column)];
-  for (auto& column : columns) column.resize(pairs.size());
+  for (auto& column : columns) column.resize(inputs.pairs.size());
   Bytes bytes;
   append(bytes, function(&operands.a, &operands.b, columns[Column].data()...));
   for (const auto& column : columns) append(bytes, column.data(), column.size());
   return bytes;
 }
 template <class T, class Shapes, class Out, auto function, std::size_t count>
-Bytes ask_many(const std::vector<Input>& pairs) {
-  return ask_many<T, Shapes, Out, function>(pairs, std::make_index_sequence<count>{});
+Bytes ask_many(const Inputs& inputs) {
+  return ask_many<T, Shapes, Out, function>(inputs, std::make_index_sequence<count>{});
 }
 
 /// function(a, b, out, row_stride).
 template <class T, class Shapes, class Out, auto function>
-Bytes ask_matrix(const std::vector<Input>& pairs) {
-  const Operands<T, Shapes> operands(pairs);
-  std::vector<Out> out(pairs.size() * pairs.size());
+Bytes ask_matrix(const Inputs& inputs) {
+  const Operands<T, Shapes> operands(inputs);
+  std::vector<Out> out(inputs.pairs.size() * inputs.pairs.size());
   Bytes bytes;
   append(bytes, function(&operands.a, &operands.b, out.data(), operands.b.count));
   append(bytes, out.data(), out.size());
@@ -139,10 +149,10 @@ Bytes ask_matrix(const std::vector<Input>& pairs) {
 }
 
 template <class T, class Shapes, auto function>
-Bytes ask_select(const std::vector<Input>& pairs) {
-  Operands<T, Shapes> operands(pairs);
+Bytes ask_select(const Inputs& inputs) {
+  Operands<T, Shapes> operands(inputs);
   operands.a.count = 1;
-  std::vector<std::int64_t> out(pairs.size());
+  std::vector<std::int64_t> out(inputs.pairs.size());
   Bytes bytes;
   append(bytes, function(&operands.a, &operands.b, out.data(), operands.b.count));
   append(bytes, out.data(), out.size());
@@ -151,12 +161,12 @@ Bytes ask_select(const std::vector<Input>& pairs) {
 
 /// function(shapes, scores, threshold, scratch, scratch_size, keep, kept), the scores being the first shapes' numbers.
 template <class T, class Shapes, auto function>
-Bytes ask_nms(const std::vector<Input>& pairs) {
-  const Operands<T, Shapes> operands(pairs);
+Bytes ask_nms(const Inputs& inputs) {
+  const Operands<T, Shapes> operands(inputs);
   std::vector<T> scores;
   for (const auto& shape : operands.records_a) scores.push_back(shape[0]);
   Bytes scratch(static_cast<std::size_t>(vesica_nms_scratch(operands.b.count)));
-  std::vector<std::int64_t> keep(pairs.size());
+  std::vector<std::int64_t> keep(inputs.pairs.size());
   std::int64_t kept = 0;
   Bytes bytes;
   append(bytes, function(&operands.b, scores.data(), T{1} / 4, scratch.data(),
@@ -179,8 +189,8 @@ struct Aligned {
 
 /// An index of both sides' shapes, built, checked and read.
 template <class T, class Shapes, auto build, auto select, auto nearest>
-Bytes ask_index(const std::vector<Input>& pairs) {
-  const Operands<T, Shapes> operands(pairs);
+Bytes ask_index(const Inputs& inputs) {
+  const Operands<T, Shapes> operands(inputs);
   const Shapes sets[] = {operands.a, operands.b};
   Shapes one = operands.a;
   one.count = 1;
@@ -205,14 +215,14 @@ Bytes ask_index(const std::vector<Input>& pairs) {
 
 /// Pairs of two indexes, by each query, and the nearest items of the second one to each of the first.
 template <class T, class Shapes, auto build, auto join, auto nearest>
-Bytes ask_join(const std::vector<Input>& pairs) {
-  const Operands<T, Shapes> operands(pairs);
+Bytes ask_join(const Inputs& inputs) {
+  const Operands<T, Shapes> operands(inputs);
   const Shapes &a = operands.a, &b = operands.b;
   Aligned index_a(vesica_index_size(a.count)), index_b(vesica_index_size(b.count));
   Aligned scratch(vesica_index_scratch(a.count)), join_scratch(vesica_join_scratch());
   build(&a, 1, index_a.units.data(), index_a.size, scratch.units.data(), scratch.size);
   build(&b, 1, index_b.units.data(), index_b.size, scratch.units.data(), scratch.size);
-  std::vector<std::int64_t> out_a(pairs.size() * pairs.size()), out_b(out_a.size());
+  std::vector<std::int64_t> out_a(inputs.pairs.size() * inputs.pairs.size()), out_b(out_a.size());
   std::vector<T> distance(out_a.size());
   Bytes bytes;
   for (std::int32_t query = VESICA_JOIN_OVERLAP; query <= VESICA_JOIN_INSIDE; ++query) {

@@ -31,10 +31,18 @@ struct Call {
 /// Calls about one pair of shapes; constructors take their numbers from the first.
 const std::vector<Call>& scalar_calls(properties::Scalar scalar);
 
-/// Calls about the arrays of shapes that a list of pairs makes, all of the same two kinds.
+/// Where the numbers of an array lie.
+enum class Place { records, odd_records, odd_columns };
+
+/// Pairs, all of the same two kinds, whose shapes make two arrays.
+struct Inputs {
+  std::vector<Input> pairs;
+  Place place = Place::records;
+};
+
 struct BatchCall {
   const char* name;
-  Bytes (*ask)(const std::vector<Input>& inputs);
+  Bytes (*ask)(const Inputs& inputs);
 };
 const std::vector<BatchCall>& batch_calls(properties::Scalar scalar);
 

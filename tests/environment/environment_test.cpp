@@ -19,6 +19,7 @@ using environment::all_environments;
 using environment::Bytes;
 using environment::Environment;
 using environment::Input;
+using environment::Inputs;
 using properties::Pair;
 using properties::Workload;
 
@@ -67,8 +68,7 @@ TEST_P(EnvironmentTest, ScalarFunctionsGiveTheSameBits) {
 TEST_P(EnvironmentTest, BatchesGiveTheSameBits) {
   for (const Workload workload : workloads) {
     const std::vector<Pair> pairs = draw(workload, GetParam(), 40);
-    expect_same_bits(environment::batch_calls(GetParam().scalar), std::vector<Input>(pairs.begin(), pairs.end()),
-                     name(workload));
+    expect_same_bits(environment::batch_calls(GetParam().scalar), Inputs{{pairs.begin(), pairs.end()}}, name(workload));
   }
 }
 

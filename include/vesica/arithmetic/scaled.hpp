@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <vesica/scalar.hpp>
 
 namespace vesica::detail::arithmetic {
 
