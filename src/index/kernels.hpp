@@ -72,6 +72,8 @@ extern const Kernels kernels_portable;
 extern const Kernels kernels_sse2, kernels_avx2, kernels_avx512;
 #elif defined(__aarch64__)
 extern const Kernels kernels_neon;
+#elif defined(__wasm_simd128__)
+extern const Kernels kernels_simd128;
 #endif
 
 /// Those of the named instruction set; the plainest ones of this processor for an unknown name.

@@ -11,8 +11,13 @@ namespace vesica {
 
 #if defined(__wasm__)
 
-// Nothing to choose from, no environment to read and nobody to call constructors: a module without imports or start.
+// Nothing to choose from, no environment to read and nobody to call constructors: a module without imports or start. It
+// has vectors or not, and engines without vectors refuse one that has: who loads it chooses.
+#if defined(__wasm_simd128__)
+const KernelTable& kernels() noexcept { return kernels_simd128; }
+#else
 const KernelTable& kernels() noexcept { return kernels_portable; }
+#endif
 
 #else
 

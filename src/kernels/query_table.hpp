@@ -62,6 +62,8 @@ extern const QueryTable kernels_portable_queries;
 extern const QueryTable kernels_sse2_queries, kernels_avx2_queries, kernels_avx512_queries;
 #elif defined(__aarch64__)
 extern const QueryTable kernels_neon_queries;
+#elif defined(__wasm_simd128__)
+extern const QueryTable kernels_simd128_queries;
 #endif
 
 }  // namespace vesica

@@ -69,6 +69,8 @@ extern const KernelTable kernels_portable;
 extern const KernelTable kernels_sse2, kernels_avx2, kernels_avx512;
 #elif defined(__aarch64__)
 extern const KernelTable kernels_neon;
+#elif defined(__wasm_simd128__)
+extern const KernelTable kernels_simd128;
 #endif
 
 /// The table chosen when the library was loaded.

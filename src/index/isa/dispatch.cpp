@@ -7,7 +7,10 @@
 namespace vesica::index {
 
 const Kernels& kernels_named(const char* isa) noexcept {
-#if defined(__x86_64__) && !defined(VESICA_PORTABLE_ONLY)
+#if defined(__wasm_simd128__)
+  static_cast<void>(isa);
+  return kernels_simd128;
+#elif defined(__x86_64__) && !defined(VESICA_PORTABLE_ONLY)
   if (std::strcmp(isa, kernels_avx512.name) == 0) return kernels_avx512;
   if (std::strcmp(isa, kernels_avx2.name) == 0) return kernels_avx2;
   return kernels_sse2;

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// clang-format off
+#include "lanes/simd128.hpp"
+// clang-format on
+#include "kernels/query_loop.hpp"
+
+namespace vesica {
+
+constinit const QueryTable kernels_simd128_queries = make_query_table();
+
+}  // namespace vesica
