@@ -2,24 +2,27 @@
 /// Box against ellipse, exactly.
 #pragma once
 
+#include <type_traits>
 #include <vesica/exact/box_box.hpp>
 
 namespace vesica::exact {
 
 namespace detail {
 
-/// A segment at distance x from the ellipse's centre along the first axis of the frame, centred at distance y across
-/// it and of half length e, against the ellipse { z : z . P^-1 z <= 1 }: 1 when it misses, 0 when it only touches, -1
-/// when it meets the inside. The line cuts the ellipse in the chord with centre p01 x / p00 and half length
-/// sqrt(det (p00 - x^2)) / p00.
-template <int P, int X, int Y, int E, int D>
-int segment_gap(const Number<P>& p00, const Number<P>& p01, const Number<D>& det, const Number<X>& x,
-                const Number<Y>& y, const Number<E>& e) noexcept {
-  const auto gap = abs(p00 * y - p01 * x) - p00 * e;
+/// A segment at distance x from the ellipse's centre along the first axis of the frame, from `from` to `to` across it,
+/// against the ellipse { z : z . P^-1 z <= 1 }: 1 when it misses, 0 when it only touches, -1 when it meets the inside.
+/// The line cuts the ellipse in the chord with centre p01 x / p00 and half length sqrt(det (p00 - x^2)) / p00. The gap
+/// is how far the chord's centre lies beyond the nearer end.
+template <class P, class D, class X, class Y>
+int segment_gap(const P& p00, const P& p01, const D& det, const X& x, const Y& from, const Y& to, Signs& sign) noexcept {
   const auto room = p00 - square(x);
-  if (room.sign < 0) return 1;
-  if (gap.sign <= 0) return -room.sign;
-  return -compare_product_with_square(det, room, gap);
+  const int room_sign = sign.of(room);
+  if (room_sign < 0) return 1;
+  const auto centre = p01 * x;
+  auto gap = p00 * from - centre;
+  if (sign.of(gap) <= 0) gap = centre - p00 * to;
+  if (sign.of(gap) <= 0) return -room_sign;
+  return -sign.of_product_less_square(det, room, gap);
 }
 
 /// A box and an ellipse in the frame of the box, in units of |u|, folded so that the ellipse's centre k lies in the
@@ -29,40 +32,48 @@ int segment_gap(const Number<P>& p00, const Number<P>& p01, const Number<D>& det
 /// centre's foot, so meeting it also proves overlap. The same holds for the inside of the ellipse. Degree 18. The
 /// regions are those of D. Eberly, "Intersection of Rectangle and Ellipse" (Geometric Tools).
 struct VisibleEdges {
-  Number<6> p00, p01, p11;
-  Number<12> det;
-  Number<3> x, y, kx, ky, ex, ey;
-  bool centre_inside;  ///< the ellipse's centre is in the box, and nothing but ex, ey, kx, ky is set
+  Number<2> c, s;
+  Number<3> near_x, near_y, far_x, far_y;
+  const Length &a, &b;
+  int fold;
+  bool centre_inside;  ///< the ellipse's centre is in the box
 
-  VisibleEdges(const Box& box, const Ellipse& ellipse) noexcept {
+  VisibleEdges(const Box& box, const Ellipse& ellipse) noexcept
+      : c(dot(box.ux, box.uy, ellipse.ux, ellipse.uy)),
+        s(cross(box.ux, box.uy, ellipse.ux, ellipse.uy)),
+        a(ellipse.a),
+        b(ellipse.b) {
     const Length dx = ellipse.cx - box.cx, dy = ellipse.cy - box.cy;
     const auto uu = dot(box.ux, box.uy, box.ux, box.uy);
-    kx = dot(box.ux, box.uy, dx, dy);
-    ky = cross(box.ux, box.uy, dx, dy);
-    const int fold = kx.sign * ky.sign < 0 ? -1 : 1;
+    auto kx = dot(box.ux, box.uy, dx, dy), ky = cross(box.ux, box.uy, dx, dy);
+    fold = kx.sign * ky.sign < 0 ? -1 : 1;
     kx.sign *= kx.sign;
     ky.sign *= ky.sign;
-    ex = box.hx * uu;
-    ey = box.hy * uu;
-    x = kx - ex;
-    y = ky - ey;
-    centre_inside = x.sign <= 0 && y.sign <= 0;
-    if (centre_inside) return;
-    if (x.sign < 0) x = {};
-    if (y.sign < 0) y = {};
-
-    const auto c = dot(box.ux, box.uy, ellipse.ux, ellipse.uy);
-    const auto s = cross(box.ux, box.uy, ellipse.ux, ellipse.uy);
-    const auto aa = square(ellipse.a), bb = square(ellipse.b);
-    const auto cc = square(c), ss = square(s);
-    p00 = aa * cc + bb * ss;
-    p11 = aa * ss + bb * cc;
-    p01 = (aa - bb) * (c * s);
-    p01.sign *= fold;
-    det = square((ellipse.a * ellipse.b) * (cc + ss));
+    const auto ex = box.hx * uu, ey = box.hy * uu;
+    near_x = kx - ex;
+    near_y = ky - ey;
+    far_x = kx + ex;
+    far_y = ky + ey;
+    centre_inside = near_x.sign <= 0 && near_y.sign <= 0;
   }
-  int gap_x() const noexcept { return segment_gap(p00, p01, det, x, ky, ey); }
-  int gap_y() const noexcept { return segment_gap(p11, p01, det, y, kx, ex); }
+  /// The lesser gap of the two edges; that of the first if it is at most `enough`. Sizes are a and b.
+  int gap(int enough) const noexcept {
+    const auto least_gap = [this, enough](Signs& sign, const auto& cosine, const auto& sine, const auto& size_0,
+                                          const auto& size_1, const auto& x0, const auto& x1, const auto& y0,
+                                          const auto& y1) {
+      using Place = std::decay_t<decltype(x0)>;
+      const auto aa = square(size_0), bb = square(size_1), cc = square(cosine), ss = square(sine);
+      const auto p00 = aa * cc + bb * ss, p11 = aa * ss + bb * cc;
+      auto p01 = (aa - bb) * (cosine * sine);
+      p01.sign *= fold;
+      const auto det = square((size_0 * size_1) * (cc + ss));
+      const int gap_x = segment_gap(p00, p01, det, x0.sign < 0 ? Place() : x0, y0, y1, sign);
+      if (gap_x <= enough) return gap_x;
+      const int gap_y = segment_gap(p11, p01, det, y0.sign < 0 ? Place() : y0, x0, x1, sign);
+      return gap_x < gap_y ? gap_x : gap_y;
+    };
+    return decide(least_gap, c, s, a, b, near_x, far_x, near_y, far_y);
+  }
 };
 
 }  // namespace detail
@@ -71,18 +82,14 @@ struct VisibleEdges {
 inline bool overlap(const Box& box, const Ellipse& ellipse) noexcept {
   if (degenerate(ellipse)) return overlap(box, as_box(ellipse));
   const detail::VisibleEdges edges(box, ellipse);
-  return edges.centre_inside || edges.gap_x() <= 0 || edges.gap_y() <= 0;
+  return edges.centre_inside || edges.gap(0) <= 0;
 }
 
 /// -1 when the inside of an ellipse that is not degenerate meets the box, 0 when only its outline does, 1 when they are
 /// disjoint. The inside of the ellipse is open, so if it meets the box, it also meets the box's relative inside.
 inline int contact(const Box& box, const Ellipse& ellipse) noexcept {
   const detail::VisibleEdges edges(box, ellipse);
-  if (edges.centre_inside) return -1;
-  const int gap_x = edges.gap_x();
-  if (gap_x < 0) return -1;
-  const int gap_y = edges.gap_y();
-  return gap_x < gap_y ? gap_x : gap_y;
+  return edges.centre_inside ? -1 : edges.gap(-1);
 }
 
 /// How far a box stays within an ellipse that is not degenerate: 1 clear of the outline, 0 up to it, -1 not within.
