@@ -2,6 +2,7 @@
 #include "cost/climb.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <vector>
@@ -77,8 +78,9 @@ void change_number(Pair& p, Random& random) {
 
 /// Every number of one role times a power of two.
 void scale_role(Pair& p, Random& random) {
-  const auto role = random.chance(0.4) ? properties::Role::size : random.chance(0.5) ? properties::Role::axis
-                                                                                      : properties::Role::x;
+  const auto role = random.chance(0.4)   ? properties::Role::size
+                    : random.chance(0.5) ? properties::Role::axis
+                                         : properties::Role::x;
   const bool first = random.chance(0.5);
   const int by = random.chance(0.5) ? random.integer(-64, 64) : random.integer(-1500, 1500);
   const int kind = first ? p.kind_a : p.kind_b;
@@ -101,7 +103,8 @@ void move_to_contact(Pair& p, Random& random) {
   };
   const double before = x;
   std::int64_t low = properties::ordinal(Scalar::f64, x);
-  std::int64_t high = properties::ordinal(Scalar::f64, with_exponent(random.sign(), random.integer(least_exponent, most_exponent)));
+  std::int64_t high =
+      properties::ordinal(Scalar::f64, with_exponent(random.sign(), random.integer(least_exponent, most_exponent)));
   const std::int32_t at_low = relation_at(low);
   if (at_low < 0 || relation_at(high) < 0 || relation_at(high) == at_low) {
     x = before;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The dearest input of every query and pair of kinds that a search finds: vesica_cost [SECONDS] [QUERY [KIND KIND]].
-// vesica_cost --replay FILE measures the inputs of a file, one a line.
+// The dearest input of every query and pair of kinds that a search finds. --replay measures inputs found before, one a
+// line as in dearest.txt, and fails where one takes longer than it may.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <fstream>
+#include <limits>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "cost/climb.hpp"
@@ -37,9 +39,10 @@ std::optional<int> kind_of(const char* name) {
 int search_all(int count, char** words) {
   const double seconds = count > 0 ? std::strtod(words[0], nullptr) : 10;
   const auto only = count > 1 ? hammer::find_query(words[1]) : std::nullopt;
-  const auto kind_a = count > 3 ? kind_of(words[2]) : std::nullopt, kind_b = count > 3 ? kind_of(words[3]) : std::nullopt;
+  const auto kind_a = count > 3 ? kind_of(words[2]) : std::nullopt,
+             kind_b = count > 3 ? kind_of(words[3]) : std::nullopt;
   if (!(seconds > 0) || (count > 1 && !only) || (count > 3 && (!kind_a || !kind_b))) {
-    std::fputs("usage: vesica_cost [SECONDS a search] [QUERY [KIND KIND]] | --replay FILE\n", stderr);
+    std::fputs("usage: vesica_cost [SECONDS a search] [QUERY [KIND KIND]] | --replay FILE [YARDSTICKS]\n", stderr);
     return 2;
   }
   for (const Query query : hammer::all_queries) {
@@ -53,27 +56,31 @@ int search_all(int count, char** words) {
   return 0;
 }
 
-int replay(const char* file) {
+/// Returns 1 where an input takes more than `most` yardsticks, or where there is none.
+int replay(const char* file, double most) {
   std::ifstream in(file);
   std::string line;
-  double most = 0;
+  int inputs = 0, dear = 0;
   while (std::getline(in, line)) {
-    const auto at = line.find_first_of("abcdefghijklmnopqrstuvwxyz", line.find(" x  ") + 1 == 0 ? 0 : line.find(" x  ") + 4);
-    const auto input = at == std::string::npos ? std::nullopt : hammer::parse(line.substr(at));
-    if (!input) continue;
-    const double us = cost::microseconds(*input, 200);
-    most = us > most ? us : most;
-    print(*input, us, cost::yardstick_microseconds());
+    if (line.empty() || line[0] == '#') continue;
+    const auto input = hammer::parse(line);
+    if (!input) throw std::runtime_error("not an input: " + line);
+    const double yardstick = cost::yardstick_microseconds(), time = cost::microseconds(*input, 500);
+    print(*input, time, yardstick);
+    ++inputs;
+    dear += time > most * yardstick;
   }
-  std::printf("dearest: %.1f us\n", most);
-  return 0;
+  std::printf("%d inputs, %d of them dearer than %g yardsticks\n", inputs, dear, most);
+  return inputs > 0 && dear == 0 ? 0 : 1;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    if (argc == 3 && std::strcmp(argv[1], "--replay") == 0) return replay(argv[2]);
+    if (argc > 2 && std::strcmp(argv[1], "--replay") == 0) {
+      return replay(argv[2], argc > 3 ? std::strtod(argv[3], nullptr) : std::numeric_limits<double>::infinity());
+    }
     return search_all(argc - 1, argv + 1);
   } catch (const std::exception& e) {
     std::fprintf(stderr, "%s\n", e.what());

@@ -54,8 +54,6 @@ double microseconds(const hammer::Case& c, int calls) {
   return least_microseconds(calls, [&] { sink = static_cast<std::uint64_t>(ask(c.query, c.scalar, c.pair).code); });
 }
 
-double yardstick_microseconds() {
-  return least_microseconds(1000, yardstick);
-}
+double yardstick_microseconds() { return least_microseconds(1000, yardstick); }
 
 }  // namespace cost

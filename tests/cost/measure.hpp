@@ -10,7 +10,7 @@ namespace cost {
 double microseconds(const hammer::Case& c, int calls);
 
 /// The same of a fixed piece of work that no mend changes: the square of a number of 32 limbs, 1,024 multiplications of
-/// 64 bits, about 0.5 us. Costs in this unit can be compared between machines.
+/// 64 bits, 0.8 to 1 us. Costs in this unit can be compared between machines.
 double yardstick_microseconds();
 
 }  // namespace cost

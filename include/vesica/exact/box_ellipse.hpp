@@ -9,33 +9,44 @@ namespace vesica::exact {
 
 namespace detail {
 
-/// A segment at distance x from the ellipse's centre along the first axis of the frame, from `from` to `to` across it,
-/// against the ellipse { z : z . P^-1 z <= 1 }: 1 when it misses, 0 when it only touches, -1 when it meets the inside.
-/// The line cuts the ellipse in the chord with centre p01 x / p00 and half length sqrt(det (p00 - x^2)) / p00. The gap
-/// is how far the chord's centre lies beyond the nearer end.
-template <class P, class D, class X, class Y>
-int segment_gap(const P& p00, const P& p01, const D& det, const X& x, const Y& from, const Y& to, Signs& sign) noexcept {
-  const auto room = p00 - square(x);
-  const int room_sign = sign.of(room);
-  if (room_sign < 0) return 1;
+/// An ellipse about the origin, in the frame of a box: { z : z . P^-1 z <= 1 } with P = a^2 (c, s)(c, s)^T + b^2 (-s, c)
+/// (-s, c)^T.
+template <class Size, class Axis>
+struct FramedEllipse {
+  const Size &a, &b;
+  const Axis &c, &s;
+
+  /// The sign of 1 - z . P^-1 z for z = (x, y). Degree 12.
+  template <class Place>
+  int inside(const Place& x, const Place& y, Signs& sign) const noexcept {
+    const auto along = b * (c * x + s * y), across = a * (c * y - s * x), radius = (a * b) * (square(c) + square(s));
+    return sign.of(square(radius) - (square(along) + square(across)));
+  }
+};
+
+/// A segment at distance x >= 0 from the ellipse's centre along the first axis of the frame, from `from` to `to` across
+/// it: 1 when it misses the ellipse, 0 when it only touches, -1 when it meets the inside. The line cuts the ellipse in
+/// a chord with centre p01 x / p00, if p00 >= x^2. Where that lies beyond an end, the end tells.
+template <class P, class Place, class Inside>
+int segment_gap(const P& p00, const P& p01, const Place& x, const Place& from, const Place& to, const Inside& inside,
+                Signs& sign) noexcept {
+  const int room = sign.of(p00 - square(x));
+  if (room < 0) return 1;
   const auto centre = p01 * x;
-  auto gap = p00 * from - centre;
-  if (sign.of(gap) <= 0) gap = centre - p00 * to;
-  if (sign.of(gap) <= 0) return -room_sign;
-  return -sign.of_product_less_square(det, room, gap);
+  if (sign.of(p00 * from - centre) > 0) return -inside(from);
+  return sign.of(centre - p00 * to) > 0 ? -inside(to) : -room;
 }
 
 /// A box and an ellipse in the frame of the box, in units of |u|, folded so that the ellipse's centre k lies in the
 /// first quadrant. The edges visible from there are those towards +x and +y. Testing these two suffices: a common point
 /// of both shapes, seen from the centre, lies behind a visible edge, so the ellipse meets that edge too. If the centre
 /// lies beside the box along an axis (x or y is then 0), the tested segment runs inside the box instead, through the
-/// centre's foot, so meeting it also proves overlap. The same holds for the inside of the ellipse. Degree 18. The
-/// regions are those of D. Eberly, "Intersection of Rectangle and Ellipse" (Geometric Tools).
+/// centre's foot, so meeting it also proves overlap. The same holds for the inside of the ellipse. The regions are those
+/// of D. Eberly, "Intersection of Rectangle and Ellipse" (Geometric Tools).
 struct VisibleEdges {
   Number<2> c, s;
   Number<3> near_x, near_y, far_x, far_y;
   const Length &a, &b;
-  int fold;
   bool centre_inside;  ///< the ellipse's centre is in the box
 
   VisibleEdges(const Box& box, const Ellipse& ellipse) noexcept
@@ -46,7 +57,7 @@ struct VisibleEdges {
     const Length dx = ellipse.cx - box.cx, dy = ellipse.cy - box.cy;
     const auto uu = dot(box.ux, box.uy, box.ux, box.uy);
     auto kx = dot(box.ux, box.uy, dx, dy), ky = cross(box.ux, box.uy, dx, dy);
-    fold = kx.sign * ky.sign < 0 ? -1 : 1;
+    s.sign *= kx.sign * ky.sign < 0 ? -1 : 1;
     kx.sign *= kx.sign;
     ky.sign *= ky.sign;
     const auto ex = box.hx * uu, ey = box.hy * uu;
@@ -56,23 +67,25 @@ struct VisibleEdges {
     far_y = ky + ey;
     centre_inside = near_x.sign <= 0 && near_y.sign <= 0;
   }
-  /// The lesser gap of the two edges; that of the first if it is at most `enough`. Sizes are a and b.
+  /// The lesser gap of the two edges; that of the first if it is at most `enough`.
   int gap(int enough) const noexcept {
-    const auto least_gap = [this, enough](Signs& sign, const auto& cosine, const auto& sine, const auto& size_0,
-                                          const auto& size_1, const auto& x0, const auto& x1, const auto& y0,
-                                          const auto& y1) {
-      using Place = std::decay_t<decltype(x0)>;
-      const auto aa = square(size_0), bb = square(size_1), cc = square(cosine), ss = square(sine);
-      const auto p00 = aa * cc + bb * ss, p11 = aa * ss + bb * cc;
-      auto p01 = (aa - bb) * (cosine * sine);
-      p01.sign *= fold;
-      const auto det = square((size_0 * size_1) * (cc + ss));
-      const int gap_x = segment_gap(p00, p01, det, x0.sign < 0 ? Place() : x0, y0, y1, sign);
-      if (gap_x <= enough) return gap_x;
-      const int gap_y = segment_gap(p11, p01, det, y0.sign < 0 ? Place() : y0, x0, x1, sign);
-      return gap_x < gap_y ? gap_x : gap_y;
-    };
-    return decide(least_gap, c, s, a, b, near_x, far_x, near_y, far_y);
+    return decide(
+        [enough](Signs& sign, const auto& size_0, const auto& size_1, const auto& cosine, const auto& sine,
+                 const auto& x0, const auto& x1, const auto& y0, const auto& y1) {
+          using Place = std::decay_t<decltype(x0)>;
+          const FramedEllipse<std::decay_t<decltype(size_0)>, std::decay_t<decltype(sine)>> e{size_0, size_1, cosine,
+                                                                                              sine};
+          const auto aa = square(size_0), bb = square(size_1), cc = square(cosine), ss = square(sine);
+          const auto p01 = (aa - bb) * (cosine * sine);
+          const Place x = x0.sign < 0 ? Place() : x0, y = y0.sign < 0 ? Place() : y0;
+          const auto at_x = [&](const Place& end) { return e.inside(x, end, sign); };
+          const int gap_x = segment_gap(aa * cc + bb * ss, p01, x, y0, y1, at_x, sign);
+          if (gap_x <= enough) return gap_x;
+          const auto at_y = [&](const Place& end) { return e.inside(end, y, sign); };
+          const int gap_y = segment_gap(aa * ss + bb * cc, p01, y, x0, x1, at_y, sign);
+          return gap_x < gap_y ? gap_x : gap_y;
+        },
+        a, b, c, s, near_x, far_x, near_y, far_y);
   }
 };
 

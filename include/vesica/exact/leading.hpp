@@ -8,9 +8,9 @@
 
 namespace vesica::exact {
 
-/// A number to 321 digits or more, with a bound on what is missing.
+/// A number to 64 limbs - 63 binary digits or more, with a bound on what is missing.
+template <int limbs>
 struct Leading {
-  static constexpr int limbs = 6;
   static constexpr std::int64_t nothing = -(std::int64_t{1} << 40);
 
   std::int32_t sign = 0;
@@ -20,7 +20,7 @@ struct Leading {
 
   Leading() noexcept = default;
   template <int Degree>
-  Leading(const Number<Degree>& x) noexcept {
+  explicit Leading(const Number<Degree>& x) noexcept {
     if (x.sign != 0) set(x.sign, x.span());
   }
   /// Of a magnitude that may begin with zeros.
@@ -36,6 +36,13 @@ struct Leading {
   }
   void lose(std::int64_t exponent) noexcept { error = (error > exponent ? error : exponent) + 1; }
 
+  /// As a product.
+  void lose_factors(const Leading& a, const Leading& b) noexcept {
+    for (const std::int64_t part : {a.top() + b.error, b.top() + a.error, a.error + b.error}) {
+      if (part > nothing / 2) lose(part);
+    }
+  }
+
   detail::Span span() const noexcept { return {limb, low, limbs}; }
   /// Its magnitude is less than 2^top, and at least half of that unless it is 0.
   std::int64_t top() const noexcept {
@@ -44,40 +51,58 @@ struct Leading {
   bool sign_is_certain() const noexcept { return error == nothing || top() - 1 > error; }
 };
 
-inline Leading operator*(const Leading& a, const Leading& b) noexcept {
-  Leading product;
+template <int limbs>
+Leading<limbs> operator*(const Leading<limbs>& a, const Leading<limbs>& b) noexcept {
+  Leading<limbs> product;
   if (a.sign != 0 && b.sign != 0) {
-    Limb limb[2 * Leading::limbs];
-    detail::multiply(a.limb, Leading::limbs, b.limb, Leading::limbs, limb);
-    product.set(a.sign * b.sign, {limb, a.low + b.low, 2 * Leading::limbs});
+    Limb limb[2 * limbs];
+    detail::multiply(a.limb, limbs, b.limb, limbs, limb);
+    product.set(a.sign * b.sign, {limb, a.low + b.low, 2 * limbs});
   }
-  for (const std::int64_t error : {a.top() + b.error, b.top() + a.error, a.error + b.error}) {
-    if (error > Leading::nothing / 2) product.lose(error);
-  }
+  product.lose_factors(a, b);
   return product;
 }
 
-inline Leading square(const Leading& a) noexcept { return a * a; }
+/// A small whole number of times.
+template <int limbs>
+Leading<limbs> times(int factor, const Leading<limbs>& a) noexcept {
+  return Leading<limbs>(integer(factor)) * a;
+}
 
-inline Leading abs(Leading a) noexcept {
+template <int limbs>
+Leading<limbs> square(const Leading<limbs>& a) noexcept {
+  Leading<limbs> product;
+  if (a.sign != 0) {
+    Limb limb[2 * limbs];
+    detail::multiply_by_itself(a.limb, limbs, limb);
+    product.set(1, {limb, 2 * a.low, 2 * limbs});
+  }
+  product.lose_factors(a, a);
+  return product;
+}
+
+template <int limbs>
+Leading<limbs> abs(Leading<limbs> a) noexcept {
   a.sign = a.sign < 0 ? 1 : a.sign;
   return a;
 }
 
-inline Leading operator-(const Leading& a) noexcept {
-  Leading negative = a;
+template <int limbs>
+Leading<limbs> operator-(const Leading<limbs>& a) noexcept {
+  Leading<limbs> negative = a;
   negative.sign = -a.sign;
   return negative;
 }
 
-inline Leading operator+(const Leading& a, const Leading& b) noexcept {
-  Leading sum;
+template <int limbs>
+Leading<limbs> operator+(const Leading<limbs>& a, const Leading<limbs>& b) noexcept {
+  Leading<limbs> sum;
   // One limb more than the longer of them; what is cut off below is the same for both, so that no order changes.
-  constexpr int n = Leading::limbs + 2;
+  constexpr int n = limbs + 2;
   Limb limb[n];
   if (a.sign == 0 || b.sign == 0) {
     sum = a.sign == 0 ? b : a;
-    sum.error = Leading::nothing;
+    sum.error = Leading<limbs>::nothing;
   } else {
     const int low = (a.low > b.low ? a.low : b.low) - 1;
     const int order = a.sign == b.sign ? 1 : detail::compare_magnitude(a.span(), b.span());
@@ -91,15 +116,18 @@ inline Leading operator+(const Leading& a, const Leading& b) noexcept {
     if (a.low < low || b.low < low) sum.lose(std::int64_t{64} * low);
   }
   for (const std::int64_t error : {a.error, b.error}) {
-    if (error != Leading::nothing) sum.lose(error);
+    if (error != Leading<limbs>::nothing) sum.lose(error);
   }
   return sum;
 }
 
-inline Leading operator-(const Leading& a, const Leading& b) noexcept { return a + -b; }
+template <int limbs>
+Leading<limbs> operator-(const Leading<limbs>& a, const Leading<limbs>& b) noexcept {
+  return a + -b;
+}
 
-/// Of numbers with more limbs the leading digits are worth asking first.
-inline constexpr int least_long = 16;
+/// Of numbers with more limbs the leading digits are worth asking first: few of them, and then more.
+inline constexpr int least_long = 16, few_limbs = 6, some_limbs = 16, more_limbs = 40;
 
 /// Sign of a b - c^2, with neither product formed where signs or magnitudes tell.
 template <int A, int B, int C>
@@ -111,8 +139,9 @@ int compare_product_with_square(const Number<A>& a, const Number<B>& b, const Nu
   if (left + 1 < right) return -1;
   if (right + 1 < left) return 1;
   if (a.size > least_long || b.size > least_long || c.size > least_long) {
-    const Leading difference = Leading(a) * Leading(b) - square(Leading(c));
-    if (difference.sign_is_certain()) return difference.sign;
+    using Few = Leading<few_limbs>;
+    const Few few = Few(a) * Few(b) - square(Few(c));
+    if (few.sign_is_certain()) return few.sign;
   }
   return compare(a * b, square(c));
 }
@@ -125,28 +154,24 @@ struct Signs {
   int of(const Number<Degree>& x) noexcept {
     return x.sign;
   }
-  int of(const Leading& x) noexcept {
+  template <int limbs>
+  int of(const Leading<limbs>& x) noexcept {
     certain = certain && x.sign_is_certain();
     return x.sign;
-  }
-  /// Of a b - c^2.
-  template <int A, int B, int C>
-  int of_product_less_square(const Number<A>& a, const Number<B>& b, const Number<C>& c) noexcept {
-    return compare_product_with_square(a, b, c);
-  }
-  int of_product_less_square(const Leading& a, const Leading& b, const Leading& c) noexcept {
-    return of(a * b - square(c));
   }
 };
 
 /// The answer to a question about signs: from the numbers' leading digits where these tell, else from all digits.
 template <class Question, int... Degree>
 auto decide(const Question& question, const Number<Degree>&... x) noexcept {
-  Signs signs;
   if (((x.size > least_long) || ...)) {
-    const auto answer = question(signs, Leading(x)...);
-    if (signs.certain) return answer;
+    Signs of_few, of_some;
+    const auto few = question(of_few, Leading<few_limbs>(x)...);
+    if (of_few.certain) return few;
+    const auto some = question(of_some, Leading<some_limbs>(x)...);
+    if (of_some.certain) return some;
   }
+  Signs signs;
   return question(signs, x...);
 }
 

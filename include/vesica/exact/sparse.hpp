@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Products of numbers whose exponents are wildly unlike: few of their many limbs matter.
 ///
-/// Such a number is a sum of a few stored ones far apart. Between them lie limbs that are all zeros, or all ones where
-/// a small number was subtracted. In balanced form, with digits from -2^63 to 2^63, both are zeros.
+/// Such a number is a sum of a few stored ones, or products of them, far apart. Between them lie limbs that are all
+/// zeros, or all ones where a small number was subtracted. Those from place i up to place j are 2^(64 j) - 2^(64 i).
 #pragma once
 
 #include <vesica/exact/limbs.hpp>
@@ -10,44 +10,87 @@
 
 namespace vesica::exact::detail {
 
-/// The digits that are not zero, the least first, if they are few.
-struct Digits {
-  static constexpr int most = 128;
-
-  Limb size[most];
-  std::int16_t place[most];
-  bool negative[most];
+/// A magnitude as a sum of runs of limbs, some of them to be subtracted.
+class Runs {
+ public:
+  struct Run {
+    Span span;
+    bool negative;
+  };
+  Run run[24];
   int count = 0;
+  int limbs = 0;  ///< of all runs
 
-  /// False where there are more than fit.
+  /// False where it falls into more runs than are worth while.
   bool set(const Limb* a, int n) noexcept {
-    Limb carry = 0;
-    for (int i = 0; i < n; ++i) {
-      const Limb x = a[i] + carry;
-      if (x == 0) continue;  // a carry stays one: the limb was all ones
-      carry = x >> 63;
-      if (!add(carry != 0 ? Limb{0} - x : x, i, carry != 0)) return false;
+    int from = 0;  // of limbs that are in no run yet
+    for (int i = 0; i < n;) {
+      const int end = end_of_filling(a, i, n);
+      if (end - i < least_filling) {
+        i = end > i ? end : i + 1;
+        continue;
+      }
+      if (!add({a + from, from, i - from}, false)) return false;
+      if (a[i] != 0 && (!add({&one, i, 1}, true) || !add({&one, end, 1}, false))) return false;
+      from = i = end;
     }
-    return carry == 0 || add(1, n, false);
+    return add({a + from, from, n - from}, false);
   }
 
  private:
-  bool add(Limb x, int i, bool minus) noexcept {
-    if (count == most) return false;
-    size[count] = x;
-    place[count] = static_cast<std::int16_t>(i);
-    negative[count++] = minus;
+  static constexpr Limb one = 1;
+  static constexpr int least_filling = 2;
+
+  /// Where limbs that are all zeros, or all ones, end that begin at i.
+  static int end_of_filling(const Limb* a, int i, int n) noexcept {
+    if (a[i] + 1 > 1) return i;
+    int end = i + 1;
+    while (end < n && a[end] == a[i]) ++end;
+    return end;
+  }
+  bool add(const Span& span, bool negative) noexcept {
+    if (span.size == 0) return true;
+    if (count == static_cast<int>(sizeof run / sizeof run[0])) return false;
+    run[count++] = {span, negative};
+    limbs += span.size;
     return true;
   }
 };
 
-/// Adds x * y at a place; the sum has room for it.
-inline void add_product(Limb x, Limb y, Limb* sum) noexcept {
-  const LimbPair first = multiply_add(x, y, sum[0], 0);
-  sum[0] = first.low;
-  sum[1] += first.high;
-  Limb carry = sum[1] < first.high;
-  for (int i = 2; carry != 0; ++i) carry = ++sum[i] == 0;
+/// sum += a * b, both of at least one limb. The sum has room for it.
+inline void add_product(const Span& a, const Span& b, Limb* sum) noexcept {
+  for (int i = 0; i < a.size; ++i) {
+    if (a.limb[i] == 0) continue;
+    Limb* out = sum + (a.low + i + b.low);
+    Limb carry = 0;
+    for (int j = 0; j < b.size; ++j, ++out) {
+      const LimbPair total = multiply_add(a.limb[i], b.limb[j], *out, carry);
+      *out = total.low;
+      carry = total.high;
+    }
+    *out += carry;
+    for (carry = *out < carry; carry != 0; carry = *out == 0) ++*++out;
+  }
+}
+
+inline void double_all(Limb* a, int n) noexcept {
+  for (int i = n - 1; i > 0; --i) a[i] = a[i] << 1 | a[i - 1] >> 63;
+  a[0] <<= 1;
+}
+
+/// The products of all runs in `plus` and `minus`, of a number by itself in half as many.
+inline void add_products(const Runs& x, const Runs& y, bool same, int n, Limb* plus, Limb* minus) noexcept {
+  for (int i = 0; i < x.count; ++i) {
+    for (int j = same ? i + 1 : 0; j < y.count; ++j) {
+      const auto &p = x.run[i], &q = y.run[j];
+      Limb* const sum = p.negative == q.negative ? plus : minus;
+      p.span.size < q.span.size ? add_product(p.span, q.span, sum) : add_product(q.span, p.span, sum);
+    }
+  }
+  if (!same) return;
+  double_all(plus, n);
+  double_all(minus, n);
+  for (int i = 0; i < x.count; ++i) add_product(x.run[i].span, x.run[i].span, plus);
 }
 
 /// Numbers of fewer limbs are multiplied limb by limb.
@@ -55,20 +98,15 @@ inline constexpr int least_sparse = 12;
 /// Products of longer numbers too: more than those of degree 32 have.
 inline constexpr int most_sparse = 1100;
 
-/// out = a * b, two limbs longer than both together, where few digits matter; false where limb by limb is as quick.
+/// out = a * b, two limbs longer than both together, where few limbs matter; false where limb by limb is as quick.
 VESICA_COLD inline bool multiply_sparse(const Span& a, const Span& b, Limb* out) noexcept {
   const int n = a.size + b.size + 2;
-  Digits x, y;
+  Runs x, y;
   if (n > most_sparse || !x.set(a.limb, a.size) || !y.set(b.limb, b.size)) return false;
-  if (4 * x.count * y.count > a.size * b.size) return false;
+  if (2 * x.limbs * y.limbs > a.size * b.size) return false;
   Limb minus[most_sparse];
   for (int i = 0; i < n; ++i) out[i] = minus[i] = 0;
-  Limb* const sums[2] = {out, minus};
-  for (int i = 0; i < x.count; ++i) {
-    for (int j = 0; j < y.count; ++j) {
-      add_product(x.size[i], y.size[j], sums[x.negative[i] != y.negative[j]] + (x.place[i] + y.place[j]));
-    }
-  }
+  add_products(x, y, a.limb == b.limb, n, out, minus);
   Limb borrow = 0;
   for (int i = 0; i < n; ++i) {
     const Limb difference = out[i] - minus[i], total = difference - borrow;
