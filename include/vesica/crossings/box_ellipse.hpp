@@ -34,6 +34,11 @@ struct DiscCorner {
   exact::Number<8> exact_value(const DiscFrame& frame) const noexcept {
     return exact::square(m0) + exact::square(m1) - exact::square(frame.radius);
   }
+  int exact_sign(const DiscFrame& frame) const noexcept {
+    return exact::decide([](exact::Signs& signs, const auto& x, const auto& y,
+                            const auto& r) { return signs.of(square(x) + square(y) - square(r)); },
+                         m0, m1, frame.radius);
+  }
   void set(const DiscFrame& frame, const Position& x, const Position& y) noexcept {
     const Position dx = x - frame.e.cx, dy = y - frame.e.cy;
     m0 = frame.along(dx, dy);
@@ -41,7 +46,7 @@ struct DiscCorner {
     r0 = Rough(m0);
     r1 = Rough(m1);
     value = square(r0) + square(r1) - square(frame.rough_radius);
-    sign = sign_of(value, [&] { return exact_value(frame); });
+    sign = value.sign_is_known() ? value.sign() : exact_sign(frame);
   }
 };
 
