@@ -61,12 +61,24 @@ inline ClosestPoints<double> points_exchanged(const ClosestPoints<double>& c) no
   return {c.distance, c.bx, c.by, c.ax, c.ay};
 }
 
-inline ClosestPoints<double> closest_points_of_forms(Relation relation, const Form& a, const Form& b) noexcept {
-  if (relation == Relation::inside && !flat(b)) return points_exchanged(nested_outlines(b, a));
-  if (relation == Relation::contains && !flat(a)) return nested_outlines(a, b);
-  const PlaneVector p = common_outline_point(a, b);
-  const double x = p.x + 0.0, y = p.y + 0.0;  // no -0, whichever shape is called the first
-  return {0, x, y, x, y};
+/// No -0, whichever shape is called the first.
+inline ClosestPoints<double> at_one_point(double x, double y) noexcept {
+  return {0, x + 0.0, y + 0.0, x + 0.0, y + 0.0};
+}
+
+/// Returns false where a common point was found, but is not certain.
+inline bool closest_points_of_forms(Relation relation, const Form& a, const Form& b,
+                                    ClosestPoints<double>& out) noexcept {
+  if (relation == Relation::inside && !flat(b)) {
+    out = points_exchanged(nested_outlines(b, a));
+  } else if (relation == Relation::contains && !flat(a)) {
+    out = nested_outlines(a, b);
+  } else {
+    const CommonPoint common = common_outline_point(a, b);
+    out = at_one_point(common.at.x, common.at.y);
+    return common.certain;
+  }
+  return true;
 }
 
 /// The pairs that batches answer in lanes use the same core here if one shape is inside the other. Returns false where
@@ -89,7 +101,11 @@ bool settled_outlines(const A& a, const Ellipse<double>& b, Relation relation, C
 
 template <class A, class B>
 ClosestPoints<double> closest_outline_points(Relation relation, const A& a, const B& b) noexcept {
-  return closest_points_of_forms(relation, support_minimum::form(a), support_minimum::form(b));
+  ClosestPoints<double> found;
+  const bool certain = closest_points_of_forms(relation, support_minimum::form(a), support_minimum::form(b), found);
+  double x, y;
+  // Equal curves have no single places; then any point of one will do.
+  return !certain && crossings::one_place(a, b, x, y) ? at_one_point(x, y) : found;
 }
 
 }  // namespace detail::boundary_distance

@@ -74,6 +74,20 @@ CrossingPoints<double> between(const A& a, const B& b) noexcept {
   }
 }
 
+/// Of the places where outlines meet the first by its coordinates, which does not depend on the order of the shapes.
+/// Returns false where there is none.
+template <class A, class B>
+VESICA_COLD bool one_place(const A& a, const B& b, double& x, double& y) noexcept {
+  const CrossingPoints<double> met = between(a, b);
+  for (int i = 0; i < met.count; ++i) {
+    const bool level = met.x[i] == x;
+    if (i > 0 && !(level ? met.y[i] < y : met.x[i] < x)) continue;
+    x = met.x[i];
+    y = met.y[i];
+  }
+  return met.count > 0;
+}
+
 /// What the filter leaves open needs no exact answer: no places will be found.
 template <class A, class B>
 auto overlap_filter(const A& a, const B& b) noexcept {
