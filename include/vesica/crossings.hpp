@@ -79,13 +79,15 @@ CrossingPoints<double> between(const A& a, const B& b) noexcept {
 template <class A, class B>
 VESICA_COLD bool one_place(const A& a, const B& b, double& x, double& y) noexcept {
   const CrossingPoints<double> met = between(a, b);
-  for (int i = 0; i < met.count; ++i) {
-    const bool level = met.x[i] == x;
-    if (i > 0 && !(level ? met.y[i] < y : met.x[i] < x)) continue;
-    x = met.x[i];
-    y = met.y[i];
+  if (met.count == 0) return false;
+  int first = 0;
+  for (int i = 1; i < met.count; ++i) {
+    const bool level = met.x[i] == met.x[first];
+    if (level ? met.y[i] < met.y[first] : met.x[i] < met.x[first]) first = i;
   }
-  return met.count > 0;
+  x = met.x[first];
+  y = met.y[first];
+  return true;
 }
 
 /// What the filter leaves open needs no exact answer: no places will be found.

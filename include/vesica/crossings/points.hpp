@@ -81,7 +81,7 @@ struct Found {
     double least = 0x1p-30;
     for (int i = 0; i < count; ++i) {
       const double at = rounded(place[i].along_b), off = at > 2 ? 4 - at : at;
-      if (off > least) continue;
+      if (off >= least) continue;  // of several the first: a corner, which is exact
       least = off;
       next = &place[i];
     }
