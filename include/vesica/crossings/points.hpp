@@ -75,13 +75,14 @@ struct Found {
   void add(const Place& p) noexcept {
     if (count < 8) place[count++] = p;
   }
-  /// The place nearest to where the second outline begins, if one is near it.
+  /// The place nearest to where the second outline begins, if one is near it; of several the first, a corner perhaps,
+  /// which is exact.
   Place* next_to_start_of_b() noexcept {
     Place* next = nullptr;
-    double least = 0x1p-30;
+    Real least(0x1p-30);
     for (int i = 0; i < count; ++i) {
-      const double at = rounded(place[i].along_b), off = at > 2 ? 4 - at : at;
-      if (off >= least) continue;  // of several the first: a corner, which is exact
+      const Real at = place[i].along_b, off = rounded(at) > 2 ? Real(4.0) - at : at;
+      if (!(off < least)) continue;
       least = off;
       next = &place[i];
     }

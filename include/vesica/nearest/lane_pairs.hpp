@@ -107,12 +107,17 @@ VESICA_INLINE LaneAnswer<V> choose(MaskOf<V> m, const LaneAnswer<V>& yes, const 
           either(both(m, yes.settled), and_not(no.settled, m))};
 }
 
-/// Offsets from centres to places.
+/// Offsets from centres to places. A sum of zeros loses its sign, which would tell the order of the shapes.
 template <class A, class B, class V>
 VESICA_INLINE LaneAnswer<V> located(const A& a, const B& b, const Twofold<V>& distance, V ax, V ay, V bx, V by,
                                     MaskOf<V> settled, V doubt = V(0.0)) noexcept {
-  const V least = rounded(distance);
-  return {least, a.cx + ax, a.cy + ay, b.cx + bx, b.cy + by, both(settled, both(least > V(0.0), least >= doubt))};
+  const V least = rounded(distance), zero(0.0);
+  return {least,
+          zero + (a.cx + ax),
+          zero + (a.cy + ay),
+          zero + (b.cx + bx),
+          zero + (b.cy + by),
+          both(settled, both(least > V(0.0), least >= doubt))};
 }
 
 template <class V>

@@ -163,7 +163,8 @@ struct Located {
 template <class Shape>
 Located located(const Shape& s, const Placed&, const Contact& c, int exponent) noexcept {
   const form::Centre<double> centre = form::of(s).place;
-  return {centre.x + scale_far(c.x, exponent), centre.y + scale_far(c.y, exponent)};
+  // A sum of zeros loses its sign, which would tell the order of the shapes.
+  return {0.0 + (centre.x + scale_far(c.x, exponent)), 0.0 + (centre.y + scale_far(c.y, exponent))};
 }
 /// Without a sum, which would lose the sign of a zero.
 inline Located located(const Point<double>& s, const Placed&, const Contact&, int) noexcept { return {s.x, s.y}; }
