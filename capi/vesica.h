@@ -281,9 +281,9 @@ VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const double *numbers_a, i
  * whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes exchanges the points
  * and changes no bit. Moving both shapes by the same exact amounts changes no bit of the distance.
  * Accuracy: the distance is right to 4 u scale at aspect ratios up to 1e6, and above 0 if the outlines do not meet.
- * Before its coordinates are rounded, each point is within 4 u scale times the greater aspect ratio of its outline.
- * Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, and 1 us more for few of them;
- * 0.5 to 2 us for a common point; up to 5 us more if only exact arithmetic can tell how the shapes relate.
+ * Before coordinates are rounded, points are on their outlines to 12 u scale, and the distance apart to 16 u scale.
+ * Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2 us
+ * for a common point, and that of vesica_crossings_f64 more for needles; up to 5 us more if exact arithmetic must tell.
  */
 VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b,
                                                 const double *numbers_b, vesica_closest_points_f64 *out);
