@@ -17,6 +17,10 @@ namespace {
 
 using namespace vesica::bench;
 
+/// A workload of this bench's own: n^2 pairs, so of a few thousand shapes at most.
+constexpr const char* identical = "identical";
+constexpr std::int64_t most_identical = 3000;
+
 struct Memory {
   explicit Memory(std::int64_t bytes)
       : size((bytes + 63) / 64 * 64), data(std::aligned_alloc(64, static_cast<std::size_t>(size))) {}
@@ -28,6 +32,8 @@ struct Memory {
 };
 
 std::vector<RectRecord> draw(const std::string& workload, std::int64_t n, std::uint64_t seed) {
+  if (workload == identical)
+    return std::vector<RectRecord>(static_cast<std::size_t>(n), RectRecord{0, 0, 0.8, 0.6, 2, 1});
   const auto records = index_tests::rects<double>(workload, n, seed);
   std::vector<RectRecord> shapes(static_cast<std::size_t>(n));
   for (std::size_t i = 0; i < shapes.size(); ++i) {
@@ -82,11 +88,12 @@ Times run(const vesica_shapes_f64& a, const vesica_shapes_f64& b, const Memory& 
 }
 
 void report(const std::string& workload, std::int64_t n, int repeats, bool with_peers) {
+  if (workload == identical) n = std::min(n, most_identical);
   const auto shapes_a = draw(workload, n, 1), shapes_b = draw(workload, n, 2);
   const auto a = view(shapes_a), b = view(shapes_b);
   const Memory index_a(vesica_index_size(n)), index_b(vesica_index_size(n)), scratch(vesica_index_scratch(n));
   const Memory join_scratch(vesica_join_scratch());
-  std::vector<std::int64_t> out(2 << 16);
+  std::vector<std::int64_t> out(2 << 20);  // all pairs of two blocks
   Times best;
   for (int i = 0; i < repeats; ++i) {
     const Times t = run(a, b, index_a, index_b, scratch, join_scratch, out);
@@ -94,11 +101,14 @@ void report(const std::string& workload, std::int64_t n, int repeats, bool with_
   }
   const double each = 1e9 / (2.0 * static_cast<double>(n));
   std::printf(
-      "%-16s %7.1f ns/shape: plan %.1f bin %.1f place %.1f finish %.1f rest %.1f | candidates %.1f decide %.1f (%.1f "
+      "%-16s %7.1f ns/shape, %.1f ns/pair: plan %.1f bin %.1f place %.1f finish %.1f rest %.1f | candidates %.1f "
+      "decide %.1f (%.1f "
       "ns each) | "
       "%lld candidates %lld pairs, %.2f B/shape",
-      workload.c_str(), best.total() * each, best.step[0] * each, best.step[1] * each, best.step[2] * each,
-      best.step[3] * each, best.step[4] * each, best.candidates * each, (best.join - best.candidates) * each,
+      workload.c_str(), best.total() * each,
+      best.total() * 1e9 / static_cast<double>(std::max<std::int64_t>(1, best.pairs)), best.step[0] * each,
+      best.step[1] * each, best.step[2] * each, best.step[3] * each, best.step[4] * each, best.candidates * each,
+      (best.join - best.candidates) * each,
       (best.join - best.candidates) * 1e9 / static_cast<double>(std::max<std::int64_t>(1, best.candidate_count)),
       static_cast<long long>(best.candidate_count), static_cast<long long>(best.pairs),
       static_cast<double>(best.bytes) / static_cast<double>(n));
@@ -152,6 +162,7 @@ int main(int argc, char** argv) {
   if (all)
     std::ranges::copy_if(index_tests::rect_workloads(), std::back_inserter(names),
                          [](const auto& name) { return name != "whole_range"; });
+  if (all) names.emplace_back(identical);
   std::printf("%s, %lld shapes a side, least of %d; peers' time over the library's\n", vesica_isa_name(),
               static_cast<long long>(n), repeats);
   for (const std::string& name : names) report(name, n, repeats, std::getenv("VESICA_BENCH_ALONE") == nullptr);
