@@ -644,8 +644,8 @@ VESICA_API int64_t vesica_overlap_select_f64(const vesica_shapes_f64 *one, const
 
 /**
  * Bytes of scratch memory that vesica_nms_f64 and vesica_nms_f32 need for that many shapes.
- * Returns: about 56 bytes for each.
- * Errors: VESICA_E_ARGUMENT (a negative count, or one whose scratch has no representable size).
+ * Returns: about 97 bytes for each, and 380,416.
+ * Errors: VESICA_E_ARGUMENT (a negative count, or one above 2147483647).
  */
 VESICA_API int64_t vesica_nms_scratch(int64_t count);
 
@@ -661,7 +661,7 @@ VESICA_API int64_t vesica_nms_scratch(int64_t count);
  * Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: the result is that without it, and is written.
  * Before anything is written: VESICA_E_NULL (if there are no shapes, only shapes and kept are looked at), VESICA_E_KIND
  * (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too little scratch).
- * Cost: sorting, and an IoU for each pair whose bounds meet: about 15 ms for 10,000 scattered rectangles.
+ * Cost: an index, sorting, and an IoU where bounds and areas allow one above the threshold: 0.3 to 1.2 us a shape.
  */
 VESICA_API int32_t vesica_nms_f64(const vesica_shapes_f64 *shapes, const double *scores, double threshold,
                                   void *scratch, int64_t scratch_size, int64_t *keep, int64_t *kept);
