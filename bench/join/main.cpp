@@ -17,7 +17,9 @@ namespace {
 using namespace vesica::bench;
 
 void report(const std::string& row, std::int64_t n, int repeats) {
-  if (row == "windows") {
+  if (row == "identical") {
+    report_identical(repeats);
+  } else if (row == "windows") {
     report_windows(n, repeats);
   } else if (row == "nearest") {
     report_nearest(n, repeats);

@@ -17,10 +17,6 @@ Memory::Memory(std::int64_t bytes)
 Memory::~Memory() { munmap(data, static_cast<std::size_t>(size)); }
 
 std::vector<RectRecord> draw(const std::string& workload, std::int64_t n, std::uint64_t seed) {
-  if (workload == "identical") {
-    return std::vector<RectRecord>(static_cast<std::size_t>(std::min<std::int64_t>(n, 3000)),
-                                   RectRecord{0, 0, 0.8, 0.6, 2, 1});
-  }
   const auto records = index_tests::rects<double>(workload, n, seed);
   std::vector<RectRecord> shapes(static_cast<std::size_t>(n));
   for (std::size_t i = 0; i < shapes.size(); ++i) {

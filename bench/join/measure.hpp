@@ -23,7 +23,7 @@ struct Memory {
   void* data;
 };
 
-/// Rectangles of a workload of tests/index; or "identical", where all pairs overlap, so at most 3000.
+/// Rectangles of a workload.
 std::vector<RectRecord> draw(const std::string& workload, std::int64_t n, std::uint64_t seed);
 
 vesica_shapes_f64 view(const std::vector<RectRecord>& shapes);
