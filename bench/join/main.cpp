@@ -3,8 +3,8 @@
 ///
 ///     vesica_bench_join [n] [repeats] [row]...
 ///
-/// A row is a workload of tests/index/workloads.cpp, or identical, windows, nearest, kinds, growth, memory, threads, frame; all by
-/// default.
+/// A row is a workload of tests/index/workloads.cpp, or identical, windows, nearest, kinds, growth, memory, threads or
+/// frame; all by default.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
