@@ -280,8 +280,8 @@ VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const double *numbers_a, i
  * the result is that of vesica_nearest_f64. If one is strictly inside the other, the distance is the least over the
  * whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes exchanges the points
  * and changes no bit. Moving both shapes by the same exact amounts changes no bit of the distance.
- * Accuracy: the distance is right to 4 u scale at aspect ratios up to 1e6, and above 0 if the outlines do not meet.
- * Before coordinates are rounded, points are on their outlines to 12 u scale, and the distance apart to 16 u scale.
+ * Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u
+ * scale. At any, it is above 0 if outlines do not meet, and points are on them to 12 u scale before they are rounded.
  * Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2 us
  * for a common point, and that of vesica_crossings_f64 more for needles; up to 5 us more if exact arithmetic must tell.
  */

@@ -144,6 +144,7 @@ void judge_outline_points(Judge& j, const Pair& p, const Answer& r, double scale
     j.demand(off <= 12 * unit, n[0] == 0 ? "common_point" : "off_outline", "12 u scale", in_units(off, unit));
     both += rounding;
   }
+  if (std::max(nearest_reference::aspect(a), nearest_reference::aspect(b)) > Real(1e6)) return;
   const Real dx = Real(n[3]) - Real(n[1]), dy = Real(n[4]) - Real(n[2]);
   const Real off = abs(Real(sqrt(Real(dx * dx + dy * dy)) - Real(n[0]))) - both - Real(last_place);
   j.demand(off <= 16 * unit, "points_apart", "16 u scale", in_units(off, unit));
