@@ -176,6 +176,19 @@ Pool last_ulp(Kinds kinds, std::uint64_t seed) {
   });
 }
 
+/// Two neighbours of a lattice of unit squares, whose coordinates are multiples of 1 / parts.
+Pool lattice(double parts, std::uint64_t seed) {
+  Random random(seed);
+  const auto square = [](double x, double y) { return Numbers{x, y, 1, 0, 0.5, 0.5}; };
+  return matched(pool_size, [&] {
+    const double x = std::floor(random.between(0, 1000 * parts)), y = std::floor(random.between(0, 1000 * parts));
+    const double along = parts * (std::floor(random.between(0, 3)) - 1), across = random.chance(0.5) ? parts : -parts;
+    const bool turned = random.chance(0.5);
+    const double dx = turned ? across : along, dy = turned ? along : across;
+    return Pair(square(x / parts, y / parts), square((x + dx) / parts, (y + dy) / parts));
+  });
+}
+
 Pool tangent(Kinds kinds, std::uint64_t seed) {
   Random random(seed);
   return matched(exact_pool_size, [&] {
@@ -229,6 +242,10 @@ const char* name_of(Workload workload) {
       return "sparse";
     case Workload::near:
       return "near";
+    case Workload::pixels:
+      return "pixels";
+    case Workload::hundredths:
+      return "hundredths";
     case Workload::tangent:
       return "tangent";
     case Workload::last_ulp:
@@ -248,6 +265,9 @@ bool has_workload(std::int32_t kind_a, std::int32_t kind_b, Workload workload) {
     case Workload::near:
     case Workload::last_ulp:
       return meets_by_chance({kind_a, kind_b});
+    case Workload::pixels:
+    case Workload::hundredths:
+      return kind_a == VESICA_RECT && kind_b == VESICA_RECT;
     case Workload::tangent:
     case Workload::exponents:
       return kind_a >= VESICA_RECT && kind_b >= VESICA_RECT;
@@ -264,6 +284,10 @@ Pool make_pool(std::int32_t kind_a, std::int32_t kind_b, Workload workload, std:
       return overlapping_by(kinds, 0.05, seed);
     case Workload::near:
       return near_contact(kinds, seed);
+    case Workload::pixels:
+      return lattice(1, seed);
+    case Workload::hundredths:
+      return lattice(100, seed);
     case Workload::tangent:
       return tangent(kinds, seed);
     case Workload::last_ulp:

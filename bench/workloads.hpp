@@ -11,12 +11,14 @@
 namespace vesica::bench {
 
 enum class Workload {
-  mixed,      ///< independent shapes, scattered so that about half of the pairs overlap
-  sparse,     ///< the same, about 5% overlap
-  near,       ///< pairs moved along a line until they touch, then apart or together by 1e-6 of the distance
-  tangent,    ///< integers that touch exactly: no filter can decide, every call reaches the exact stage
-  last_ulp,   ///< pairs within the last unit in the last place of touching, all mantissas full
-  exponents,  ///< random exponents over the whole finite range, a field each; the slowest few of many
+  mixed,       ///< independent shapes, scattered so that about half of the pairs overlap
+  sparse,      ///< the same, about 5% overlap
+  near,        ///< pairs moved along a line until they touch, then apart or together by 1e-6 of the distance
+  pixels,      ///< unit squares at whole coordinates that touch along an edge or at a corner
+  hundredths,  ///< the same at multiples of 0.01, which are rounded: they touch, miss or overlap by a place
+  tangent,     ///< integers that touch exactly: no bound on an error can decide
+  last_ulp,    ///< pairs within the last unit in the last place of touching, all mantissas full
+  exponents,   ///< random exponents over the whole finite range, a field each; the slowest few of many
 };
 
 const char* name_of(Workload workload);

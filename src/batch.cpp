@@ -19,6 +19,7 @@ struct Question {
   std::int32_t kind_first, kind_second;
   int fields_first, fields_second;
   const PairKernels<T>& pair;
+  const BlockKernel<double> ties;  // null where there are none
 
   Question(const KernelTable& table, std::int32_t first, std::int32_t second) noexcept
       : kernels(table),
@@ -26,7 +27,8 @@ struct Question {
         kind_second(second),
         fields_first(field_count(first)),
         fields_second(field_count(second)),
-        pair(table.of(T{})[first][second]) {}
+        pair(table.of(T{})[first][second]),
+        ties(table.ties->of[first][second]) {}
 
   Question<double> in_double() const noexcept { return {kernels, kind_first, kind_second}; }
 };
@@ -138,7 +140,9 @@ struct RetryBlock {
     block.out = answers;
     block.undecided = open;
     block.give_up = count;
-    return answer_block(question, repeat, question.pair.general[static_cast<int>(repeat)], block);
+    const bool with_ties = repeat == Repeat::none && question.ties != nullptr;
+    return answer_block(question, repeat, with_ties ? question.ties : question.pair.general[static_cast<int>(repeat)],
+                        block);
   }
 };
 
@@ -205,9 +209,9 @@ struct Answerer {
     }
   }
 
-  /// Answers the elements that a kernel left undecided.
-  void finish(const Block<T>& block, Repeat repeat, std::int32_t undecided, bool by_general) noexcept {
-    if (undecided <= few || (!is_float && by_general)) {
+  /// Answers the elements that a kernel left undecided; `final` where lanes of double know no more.
+  void finish(const Block<T>& block, Repeat repeat, std::int32_t undecided, bool final) noexcept {
+    if (undecided <= few || final) {
       for (std::int32_t i = 0; i < undecided; ++i) resolve(block, repeat, block.undecided[i]);
       return;
     }
@@ -216,15 +220,28 @@ struct Answerer {
     }
   }
 
-  /// Answers a block by the general kernel, or in double lanes where float lanes leave much undecided.
+  /// Answers a block by the general kernel. Where that leaves much undecided, float lanes hand over to double lanes, and
+  /// those to the kernel that decides ties.
   void answer_generally(Block<T>& block, Repeat repeat) noexcept {
-    block.give_up = is_float ? block.count / 4 : block.count;
+    const bool ties_in_place = !is_float && repeat == Repeat::none && question.ties != nullptr;
+    block.give_up = is_float || ties_in_place ? block.count / 4 : block.count;
     const BlockResult result = answer_block(question, repeat, question.pair.general[static_cast<int>(repeat)], block);
-    if constexpr (is_float) {
-      if (result.undecided > block.give_up) return redo_in_double(block, repeat);
+    if (result.undecided > block.give_up) {
+      if constexpr (is_float) {
+        return redo_in_double(block, repeat);
+      } else {
+        return answer_with_ties(block);
+      }
     }
     tally.overlaps += result.overlaps;
-    finish(block, repeat, result.undecided, true);
+    finish(block, repeat, result.undecided, !is_float && question.ties == nullptr);
+  }
+
+  void answer_with_ties(Block<double>& block) noexcept {
+    block.give_up = block.count;
+    const BlockResult result = answer_block(question, Repeat::none, question.ties, block);
+    tally.overlaps += result.overlaps;
+    finish(block, Repeat::none, result.undecided, true);
   }
 
   /// Answers a block by the kernel for unit axes. Where that leaves too much undecided to pay, another way is taken.

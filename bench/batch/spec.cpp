@@ -40,6 +40,12 @@ class Specs {
     for (const Isa& isa : instruction_sets()) add(pair, true, isa, Layout::near, Workload::last_ulp);
   }
 
+  /// Neighbours of a lattice, which touch.
+  void touching(Pair pair) {
+    for (const Workload workload : {Workload::pixels, Workload::hundredths})
+      everywhere(pair, Layout::in_step, workload);
+  }
+
   void everywhere(Pair pair, Layout layout, Workload workload) {
     for (const bool single : {true, false}) {
       for (const Isa& isa : instruction_sets()) add(pair, single, isa, layout, workload);
@@ -111,6 +117,10 @@ BatchTarget Spec::target() const {
   switch (layout) {
     case Layout::one_many:
     case Layout::in_step:
+      if (workload == Workload::pixels || workload == Workload::hundredths) {
+        if (isa->name != "avx512") return {};
+        return {BatchTarget::Of::tests_a_second, 1e8};
+      }
       if (workload != Workload::mixed || !is_main({kind_a, kind_b})) return {};
       return in_cache_target(*this);
     case Layout::memory_one_many:
@@ -140,6 +150,7 @@ std::vector<Spec> all_specs() {
   }
   specs.best(main_pairs[0], true, Layout::two_threads);
   for (const Pair& pair : main_pairs) specs.near_contact(pair);
+  specs.touching(main_pairs[0]);
   for (std::int32_t a = VESICA_POINT; a <= VESICA_ELLIPSE; ++a) {
     for (std::int32_t b = a; b <= VESICA_ELLIPSE; ++b) {
       if (is_main({a, b})) continue;

@@ -3,8 +3,8 @@
 ///
 ///     vesica_bench_join [n] [repeats] [row]...
 ///
-/// A row is a workload of tests/index/workloads.cpp, or windows, nearest, kinds, growth, memory, threads, frame; all by
-/// default.
+/// A row is a workload of tests/index/workloads.cpp, or identical, windows, nearest, kinds, growth, memory, threads or
+/// frame; all by default.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -17,7 +17,9 @@ namespace {
 using namespace vesica::bench;
 
 void report(const std::string& row, std::int64_t n, int repeats) {
-  if (row == "windows") {
+  if (row == "identical") {
+    report_identical(repeats);
+  } else if (row == "windows") {
     report_windows(n, repeats);
   } else if (row == "nearest") {
     report_nearest(n, repeats);
@@ -47,7 +49,7 @@ int main(int argc, char** argv) {
     // Nearly all pairs of the whole range overlap: no join for a bench.
     std::ranges::copy_if(index_tests::rect_workloads(), std::back_inserter(rows),
                          [](const auto& name) { return name != "whole_range"; });
-    rows.insert(rows.end(), {"windows", "nearest", "kinds", "growth", "memory", "threads", "frame"});
+    rows.insert(rows.end(), {"identical", "windows", "nearest", "kinds", "growth", "memory", "threads", "frame"});
   }
   std::printf("%s, %lld shapes a side, least of %d; peers' time over the library's\n", vesica_isa_name(),
               static_cast<long long>(n), repeats);

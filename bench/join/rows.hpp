@@ -10,6 +10,9 @@ namespace vesica::bench {
 /// One workload of rectangles, n a side: its phases, and peers in the same run.
 void report_join(const std::string& workload, std::int64_t n, int repeats);
 
+/// 3,000 times the same rectangle a side.
+void report_identical(int repeats);
+
 /// Windows of three sizes, one at a time, on n rectangles.
 void report_windows(std::int64_t n, int repeats);
 

@@ -8,8 +8,9 @@
 /// answer is one of them. relation() decides exactly which case it is.
 ///
 /// Accuracy, u = 2^-53 and scale the largest coordinate of the offset of centres or half length: the distance is right
-/// to 4u scale at aspect ratios up to 1e6, and never rounded to 0 where outlines are apart; each point is within 4u
-/// scale times the greater aspect ratio of its outline, before the rounding of its coordinates.
+/// to 4u scale at aspect ratios up to 1e6, and never rounded to 0 where outlines are apart. Before the rounding of their
+/// coordinates, points are within 12u scale of their outlines, a common point of both, at any aspect ratio (a search that
+/// climbs found 6.8u); and at aspects up to 1e6 they are as far apart as the distance to 16u scale (it found 10.6u).
 ///
 /// Laws, each tested: boundary_distance(b, a) has the same bits with the points exchanged; the distance is unchanged
 /// when both shapes are moved by the same exact amounts; it is at least nearest(), and equals it for disjoint shapes.
@@ -22,6 +23,7 @@
 #include <vesica/boundary_distance/nested.hpp>
 #include <vesica/nearest.hpp>
 #include <vesica/relation.hpp>
+#include <vesica/support_minimum/stored_extents.hpp>
 
 namespace vesica {
 
@@ -61,12 +63,24 @@ inline ClosestPoints<double> points_exchanged(const ClosestPoints<double>& c) no
   return {c.distance, c.bx, c.by, c.ax, c.ay};
 }
 
-inline ClosestPoints<double> closest_points_of_forms(Relation relation, const Form& a, const Form& b) noexcept {
-  if (relation == Relation::inside && !flat(b)) return points_exchanged(nested_outlines(b, a));
-  if (relation == Relation::contains && !flat(a)) return nested_outlines(a, b);
-  const PlaneVector p = common_outline_point(a, b);
-  const double x = p.x + 0.0, y = p.y + 0.0;  // no -0, whichever shape is called the first
-  return {0, x, y, x, y};
+/// No -0, whichever shape is called the first.
+inline ClosestPoints<double> at_one_point(double x, double y) noexcept {
+  return {0, x + 0.0, y + 0.0, x + 0.0, y + 0.0};
+}
+
+/// Returns false where a common point was found, but is not certain.
+inline bool closest_points_of_forms(Relation relation, const Form& a, const Form& b,
+                                    ClosestPoints<double>& out) noexcept {
+  if (relation == Relation::inside && !flat(b)) {
+    out = points_exchanged(nested_outlines(b, a));
+  } else if (relation == Relation::contains && !flat(a)) {
+    out = nested_outlines(a, b);
+  } else {
+    const CommonPoint common = common_outline_point(a, b);
+    out = at_one_point(common.at.x, common.at.y);
+    return common.certain;
+  }
+  return true;
 }
 
 /// The pairs that batches answer in lanes use the same core here if one shape is inside the other. Returns false where
@@ -89,7 +103,16 @@ bool settled_outlines(const A& a, const Ellipse<double>& b, Relation relation, C
 
 template <class A, class B>
 ClosestPoints<double> closest_outline_points(Relation relation, const A& a, const B& b) noexcept {
-  return closest_points_of_forms(relation, support_minimum::form(a), support_minimum::form(b));
+  const Form f = support_minimum::form(a), g = support_minimum::form(b);
+  ClosestPoints<double> found;
+  const bool certain = closest_points_of_forms(relation, f, g, found);
+  if constexpr (stores_extents<A> && stores_extents<B>) {
+    if (found.distance > 0)
+      found.distance = relation == Relation::inside ? distance_from_sides(g, f) : distance_from_sides(f, g);
+  }
+  double x = 0, y = 0;
+  // Equal curves have no single places; then any point of one will do.
+  return !certain && crossings::one_place(a, b, x, y) ? at_one_point(x, y) : found;
 }
 
 }  // namespace detail::boundary_distance

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vesica/arithmetic/rounding.hpp>
 #include <vesica/check.hpp>
-#include <vesica/exact/number.hpp>
+#include <vesica/exact/rounded.hpp>
 #include <vesica/shapes.hpp>
 
 namespace vesica {
@@ -20,10 +20,8 @@ struct Reach {
   double c, p0, q0, p1, q1;
 };
 
-/// A guess for a search to start from; nothing is known of its error.
-inline arithmetic::Estimate unknown(double guess) noexcept {
-  return {guess, 0, std::numeric_limits<double>::infinity()};
-}
+/// Nothing is known.
+inline constexpr arithmetic::Estimate unknown{0, 0, std::numeric_limits<double>::infinity()};
 
 /// Whether the product of p and q is 0 exactly, or lies where its square and the remainders have full precision.
 inline bool in_range(double p, double q, double product) noexcept {
@@ -62,30 +60,36 @@ inline arithmetic::Estimate estimate(const Ellipse<double>&, const arithmetic::P
   return x.high == 0 || y.high == 0 ? estimate_sum(x, y) : estimate_root(x, y);
 }
 
-/// The smallest double at or above c + extent, in exact arithmetic; false when it is beyond the finite ones.
-inline bool exact_upper(const Rect<double>&, const Reach& r, double start, double& out) noexcept {
+/// The smallest double at or above c + extent, in exact arithmetic; false when it is beyond the finite ones. The search
+/// starts within a few last places of it, and so is short.
+inline bool exact_upper(const Rect<double>&, const Reach& r, double& out) noexcept {
   using namespace exact;
   const auto value =
       from_double(r.c) + abs(from_double(r.p0) * from_double(r.q0)) + abs(from_double(r.p1) * from_double(r.q1));
+  const arithmetic::Scaled start = rounded(value);
   return arithmetic::search_up(
-      start, [&](double m) { return compare(from_double(m), value) >= 0; }, out);
+      arithmetic::scale(start.value, start.exponent), [&](double m) { return compare(from_double(m), value) >= 0; },
+      out);
 }
-inline bool exact_upper(const Ellipse<double>&, const Reach& r, double start, double& out) noexcept {
+inline bool exact_upper(const Ellipse<double>&, const Reach& r, double& out) noexcept {
   using namespace exact;
   const auto c = from_double(r.c);
   const auto extent_squared =
       square(from_double(r.p0) * from_double(r.q0)) + square(from_double(r.p1) * from_double(r.q1));
+  const arithmetic::Scaled squared = rounded(extent_squared);
+  const int odd = squared.exponent & 1;
+  const double extent = arithmetic::scale(std::sqrt(squared.value * (1 + odd)), (squared.exponent - odd) / 2);
   const auto reaches = [&](double m) {
     const auto distance = from_double(m) - c;
     return distance.sign >= 0 && compare(square(distance), extent_squared) >= 0;
   };
-  return arithmetic::search_up(start, reaches, out);
+  return arithmetic::search_up(r.c + extent, reaches, out);
 }
 
 /// The smallest double at or above c + extent; false when it is beyond the finite ones.
 template <class Shape>
 bool upper(const Shape& s, const Reach& r, const arithmetic::Estimate& extent, double& out) noexcept {
-  return arithmetic::round_up(arithmetic::add(r.c, extent), out) || exact_upper(s, r, r.c + extent.high, out);
+  return arithmetic::round_up(arithmetic::add(r.c, extent), out) || exact_upper(s, r, out);
 }
 
 /// The shape's interval along one coordinate.
@@ -94,7 +98,7 @@ bool interval(const Shape& s, const Reach& r, double& low, double& high) noexcep
   const auto x = arithmetic::two_product_fused(std::fabs(r.p0), r.q0),
              y = arithmetic::two_product_fused(std::fabs(r.p1), r.q1);
   const bool usable = in_range(r.p0, r.q0, x.high) && in_range(r.p1, r.q1, y.high) && std::fabs(r.c) <= 0x1p400;
-  const auto extent = usable ? estimate(s, x, y) : unknown(x.high + y.high);
+  const auto extent = usable ? estimate(s, x, y) : unknown;
   double minus_low;
   if (!upper(s, r, extent, high) || !upper(s, {-r.c, r.p0, r.q0, r.p1, r.q1}, extent, minus_low)) return false;
   low = 0 - minus_low;

@@ -74,6 +74,22 @@ CrossingPoints<double> between(const A& a, const B& b) noexcept {
   }
 }
 
+/// Of the places where outlines meet the first by its coordinates, which does not depend on the order of the shapes.
+/// Returns false where there is none.
+template <class A, class B>
+VESICA_COLD bool one_place(const A& a, const B& b, double& x, double& y) noexcept {
+  const CrossingPoints<double> met = between(a, b);
+  if (met.count == 0) return false;
+  int first = 0;
+  for (int i = 1; i < met.count; ++i) {
+    const bool level = met.x[i] == met.x[first];
+    if (level ? met.y[i] < met.y[first] : met.x[i] < met.x[first]) first = i;
+  }
+  x = met.x[first];
+  y = met.y[first];
+  return true;
+}
+
 /// What the filter leaves open needs no exact answer: no places will be found.
 template <class A, class B>
 auto overlap_filter(const A& a, const B& b) noexcept {

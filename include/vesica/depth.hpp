@@ -8,8 +8,8 @@
 /// directions are equally short, the answer is one of them.
 ///
 /// Accuracy, with u = 2^-53 and scale the largest coordinate of the offset of centres or half length: the depth is
-/// right to 4u scale; of two circles, and of a point and a circle, to its last place. It is rounded once, among
-/// subnormals too. The direction is a unit vector to 3u; moving b along it by the depth separates the shapes to within
+/// right to 4u scale; of two circles, and of a point and a circle, to its last place; so are depths along a coordinate
+/// axis of points, segments and AABBs. It is rounded once, among subnormals too. The direction is a unit vector to 3u; moving b along it by the depth separates the shapes to within
 /// 4u scale. Whether the depth is 0 is decided exactly: it is 0 only where the true depth is.
 ///
 /// Laws, each tested: depth(b, a) has the same bits with the opposite direction (except for equal shapes at one place,
@@ -25,6 +25,7 @@
 #include <vesica/depth/lane_pairs.hpp>
 #include <vesica/depth/search.hpp>
 #include <vesica/overlap.hpp>
+#include <vesica/support_minimum/stored_extents.hpp>
 
 namespace vesica {
 
@@ -75,11 +76,24 @@ inline Depth depth_of_forms(const Form& a, const Form& b) noexcept {
   return searched_depth(a, b);
 }
 
+/// A depth > 0 of shapes that store their extents, along a coordinate axis.
+template <class A, class B>
+void round_once(const Form& f, const Form& g, Penetration<double>& p) noexcept {
+  if constexpr (stores_extents<A> && stores_extents<B>) {
+    if (p.x != 0 && p.y != 0) return;
+    const double depth = depth_along_axis(f, g, p.x, p.y);
+    if (depth > 0) p.depth = depth;  // if not, the direction is an axis only after rounding
+  }
+}
+
 template <class A, class B>
 std::int32_t depth_of_overlapping(const A& a, const B& b, Penetration<double>& out) noexcept {
   const Form f = support_minimum::form(a), g = support_minimum::form(b);
   if (!f.curved && !g.curved) {
-    if (is_round<A> || is_round<B> ? depth_of_boxes_apart(f, g, out) : depth_of_boxes(f, g, out)) return 0;
+    if (is_round<A> || is_round<B> ? depth_of_boxes_apart(f, g, out) : depth_of_boxes(f, g, out)) {
+      round_once<A, B>(f, g, out);
+      return 0;
+    }
   }
   Depth d;
   if constexpr (is_disc<A> && is_disc<B>) {
@@ -90,6 +104,7 @@ std::int32_t depth_of_overlapping(const A& a, const B& b, Penetration<double>& o
   Penetration<double> result{0, d.direction.x + 0.0, d.direction.y + 0.0};  // no -0
   if (d.value.high > surely_positive || !has_no_depth_exactly(a, b)) {
     result.depth = above_zero(arithmetic::scale_rounded(d.value.high, d.value.low, d.exponent));
+    round_once<A, B>(f, g, result);
   }
   if (!all_finite(result.depth)) return error_range;
   out = result;

@@ -17,6 +17,7 @@
 #pragma once
 
 #include <limits>
+#include <vesica/crossings.hpp>
 #include <vesica/nearest/common_point.hpp>
 #include <vesica/nearest/lane_pairs.hpp>
 #include <vesica/overlap.hpp>
@@ -54,15 +55,18 @@ VESICA_COLD ClosestPoints<double> common_points(const A& a, const B& b) noexcept
   const Located middle_a = located(a, p.a, middle_of_shape, p.exponent);
   const Located middle_b = located(b, p.b, middle_of_shape, p.exponent);
   const bool in_a = holds_other(p.a, p.b, p.d, p.size), in_b = holds_other(p.b, p.a, flipped(p.d, -1.0), p.size);
-  Located common;
+  Located common{0, 0};
   if (in_a && in_b) {
     const bool a_first = middle_a.x < middle_b.x || (middle_a.x == middle_b.x && middle_a.y < middle_b.y);
     common = a_first ? middle_a : middle_b;
   } else if (in_a || in_b) {
     common = in_a ? middle_b : middle_a;
   } else {
+    // Neither shape contains the other then, so outlines meet.
     const Common c = common_point(p);
-    common = c.of_a ? located(a, p.a, c.contact, p.exponent) : located(b, p.b, c.contact, p.exponent);
+    if (is_certain(c, p) || !crossings::one_place(a, b, common.x, common.y)) {
+      common = c.of_a ? located(a, p.a, c.contact, p.exponent) : located(b, p.b, c.contact, p.exponent);
+    }
   }
   // Shapes at one place may differ by the sign of a zero, which must not tell which of them was called the first.
   const double x = common.x + 0.0, y = common.y + 0.0;

@@ -3,6 +3,7 @@
 ///
 /// Two stages. The pair's filter evaluates the predicate in floating point with a bound on its error and answers
 /// nearly always; what it leaves open is checked for validity and decided in exact arithmetic. There is no epsilon.
+/// Exact contact among short numbers is decided between the two, by an evaluation without errors.
 ///
 /// Laws, each tested: overlap(a, b) == overlap(b, a); unchanged when both shapes are mirrored, turned by quarter turns,
 /// or scaled by a power of two without leaving the format; overlap(a, a); a shape's bounds overlap whatever it
@@ -10,6 +11,7 @@
 #pragma once
 
 #include <vesica/check.hpp>
+#include <vesica/filter/error_free.hpp>
 #include <vesica/overlap/aabb_aabb.hpp>
 #include <vesica/overlap/aabb_ellipse.hpp>
 #include <vesica/overlap/aabb_rect.hpp>
@@ -39,6 +41,10 @@ namespace detail {
 /// For pairs that a filter left undecided. Invalid shapes get their error here, valid ones their exact answer.
 template <class A, class B>
 VESICA_COLD std::int32_t decide_undecided(const A& a, const B& b) noexcept {
+  if constexpr (filter::HasErrorFree<A, B>) {
+    const auto verdict = filter::error_free(widen(a), widen(b));
+    if (verdict.overlap || verdict.disjoint) return verdict.overlap ? 1 : 0;
+  }
   if (check(a) != 0 || check(b) != 0) return error_shape;
   return detail::overlap::exact(widen(a), widen(b)) ? 1 : 0;
 }

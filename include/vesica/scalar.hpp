@@ -112,6 +112,17 @@ inline float flip_sign(float x, float y) noexcept {
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) ^ sign);
 }
 
+/// The bits set in either: 0, of any sign, where both are.
+inline double or_bits(double a, double b) noexcept {
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(a) | std::bit_cast<std::uint64_t>(b));
+}
+
+#if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__ARM_FEATURE_FMA)
+#define VESICA_HAS_FUSED 1
+/// a b - c, rounded once; only where it is one instruction.
+inline double fused_difference(double a, double b, double c) noexcept { return std::fma(a, b, -c); }
+#endif
+
 }  // namespace lane
 
 namespace detail {

@@ -79,13 +79,19 @@ inline exact::Number<1> exact_pi() noexcept {
   return n;
 }
 
+template <int Degree>
+Measure measure(const exact::Number<Degree>& x) noexcept {
+  const auto [high, low] = exact::rounded_twice(x);
+  return {high.value, high.exponent, low};
+}
+
 /// A function of the exact product of sizes and squared axis that never decreases: whatever numbers describe a shape,
 /// the result is the same. Degree 5.
 inline Measure exact_area(const exact::Box& s) noexcept {
-  return exact::rounded(exact::integer(4) * (s.hx * s.hy * exact::dot(s.ux, s.uy, s.ux, s.uy)));
+  return measure(exact::integer(4) * (s.hx * s.hy * exact::dot(s.ux, s.uy, s.ux, s.uy)));
 }
 inline Measure exact_area(const exact::Ellipse& s) noexcept {
-  return exact::rounded(exact_pi() * (s.a * s.b * exact::dot(s.ux, s.uy, s.ux, s.uy)));
+  return measure(exact_pi() * (s.a * s.b * exact::dot(s.ux, s.uy, s.ux, s.uy)));
 }
 
 /// x * 2^-exponent for the exponents of doubles.
@@ -115,7 +121,8 @@ Measure shape_measure(const Shape& shape) noexcept {
   if (!(s.size_0.high <= 0x1p1020 && s.size_1.high <= 0x1p1020)) return exact_area(exact::form(shape));
   const int exponent = in_area_range(s) ? 0 : standardise(s);
   const DoubleDouble estimate = area_estimate(s);
-  if (rounds_one_way(estimate)) [[likely]]
+  const bool may_be_subnormal = exponent < -1017;  // the estimate is then from 2^-4 to 2^4
+  if (rounds_one_way(estimate) && !may_be_subnormal) [[likely]]
     return {estimate.high, exponent};
   return exact_area(exact::form(shape));
 }
@@ -134,8 +141,7 @@ std::int32_t store(const Measure& m, T& out) noexcept {
 }  // namespace detail::area
 
 /// The checked form: writes the area of a shape, 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or
-/// a segment; the nearest double to the true area (a float: that double rounded), also among the subnormal ones but for
-/// a second rounding. Returns 0, error_shape, or error_range when the area would be beyond the finite numbers; on error
+/// a segment; the nearest double to the true area (a float: that double rounded), also among the subnormal ones. Returns 0, error_shape, or error_range when the area would be beyond the finite numbers; on error
 /// `out` is untouched.
 template <template <class> class Shape, class T>
 std::int32_t shape_area_or_error(const Shape<T>& s, T& out) noexcept {

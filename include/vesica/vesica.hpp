@@ -18,7 +18,6 @@
 #include <vesica/depth.hpp>
 #include <vesica/iou.hpp>
 #include <vesica/nearest.hpp>
-#include <vesica/nms.hpp>
 #include <vesica/overlap.hpp>
 #include <vesica/relation.hpp>
 #include <vesica/shape_area.hpp>

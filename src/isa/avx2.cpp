@@ -6,6 +6,6 @@
 
 namespace vesica {
 
-constinit const KernelTable kernels_avx2 = make_table("avx2", kernels_avx2_queries);
+constinit const KernelTable kernels_avx2 = make_table("avx2", kernels_avx2_queries, kernels_avx2_ties);
 
 }  // namespace vesica

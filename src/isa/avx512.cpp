@@ -6,6 +6,6 @@
 
 namespace vesica {
 
-constinit const KernelTable kernels_avx512 = make_table("avx512", kernels_avx512_queries);
+constinit const KernelTable kernels_avx512 = make_table("avx512", kernels_avx512_queries, kernels_avx512_ties);
 
 }  // namespace vesica

@@ -6,6 +6,6 @@
 
 namespace vesica {
 
-constinit const KernelTable kernels_neon = make_table("neon", kernels_neon_queries);
+constinit const KernelTable kernels_neon = make_table("neon", kernels_neon_queries, kernels_neon_ties);
 
 }  // namespace vesica

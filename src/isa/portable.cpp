@@ -6,6 +6,6 @@
 
 namespace vesica {
 
-constinit const KernelTable kernels_portable = make_table("portable", kernels_portable_queries);
+constinit const KernelTable kernels_portable = make_table("portable", kernels_portable_queries, kernels_portable_ties);
 
 }  // namespace vesica

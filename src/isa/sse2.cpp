@@ -6,6 +6,6 @@
 
 namespace vesica {
 
-constinit const KernelTable kernels_sse2 = make_table("sse2", kernels_sse2_queries);
+constinit const KernelTable kernels_sse2 = make_table("sse2", kernels_sse2_queries, kernels_sse2_ties);
 
 }  // namespace vesica

@@ -253,8 +253,9 @@ std::int64_t count_pairs(const Join& join) noexcept {
   return pairs;
 }
 
-// A state: block of A, block of B, pairs of these already written, and the end of the part's run of blocks above the
-// mark. All 0 is the beginning; the first is -1 at the end.
+// A state: block of A, block of B, candidates of these already decided, and the end of the part's run of blocks above the
+// mark. All 0 is the beginning; the first is -1 at the end. Candidates, not pairs: a call that goes on in the middle of a
+// crowded pair of blocks finds them again, which is quick, and decides none twice.
 
 bool state_is_sound(const Join& join, const std::int64_t* state) noexcept {
   if (state[0] == 0 && state[1] == 0 && state[2] == 0 && state[3] == 0) return true;
@@ -279,27 +280,36 @@ std::int64_t write_pairs(const Join& join, std::int64_t* out_a, std::int64_t* ou
   std::int64_t written = 0, block_a = -1, block_b = -1;
   while (runner.first() < runner.last()) {
     // Where little room is left, few candidates: the next call begins at that pair of blocks again.
-    const std::int64_t wanted = 2 * (capacity - written + skip) + 32;
+    const std::int64_t wanted = 2 * (capacity - written) + skip + 32;
     const std::int32_t n = runner.gather(wanted < wanted_at_most ? static_cast<std::int32_t>(wanted) : wanted_at_most);
     if (n == 0) break;
+    const Segment& first = runner.segment(0);
+    if (n <= skip && runner.segments() == 1 &&
+        (block_a == -1 || (block_a == first.block_a && block_b == first.block_b))) {
+      block_a = first.block_a;
+      block_b = first.block_b;
+      in_pair += n;
+      skip -= n;
+      continue;
+    }
     runner.decide(n);
     const Scratch& s = runner.scratch();
     for (int k = 0; k < runner.segments(); ++k) {
       const Segment& segment = runner.segment(k);
       const std::int32_t end = k + 1 < runner.segments() ? runner.segment(k + 1).begin : n;
       if (segment.block_a != block_a || segment.block_b != block_b) {
-        // A state's pairs to skip are of its first pair of blocks.
+        // A state's candidates to skip are of its first pair of blocks.
         if (block_a != -1) skip = 0;
         in_pair = 0;
         block_a = segment.block_a;
         block_b = segment.block_b;
       }
-      for (std::int32_t i = segment.begin; i < end; ++i) {
-        if (s.verdict[i] == 0) continue;
-        if (in_pair < skip) {
-          ++in_pair;
+      for (std::int32_t i = segment.begin; i < end; ++i, ++in_pair) {
+        if (skip > 0) {
+          --skip;
           continue;
         }
+        if (s.verdict[i] == 0) continue;
         if (written == capacity) {
           state[0] = block_a;
           state[1] = block_b;
@@ -309,7 +319,6 @@ std::int64_t write_pairs(const Join& join, std::int64_t* out_a, std::int64_t* ou
         }
         out_a[written] = s.a[i];
         out_b[written++] = s.b[i];
-        ++in_pair;
       }
     }
   }

@@ -1,125 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loop behind every batch of overlap: load lanes, ask the filter, store bytes, list the undecided elements.
-// Included once by each source in src/isa, after the lanes of its instruction set.
+// The kernels of overlap for every pair. Included once by each source in src/isa, after the lanes of its instruction set.
 #pragma once
 
-#include <type_traits>
-#include <utility>
-#include <vesica/each_shape.hpp>
-#include <vesica/overlap.hpp>
-
-#include "kernels/filters.hpp"
-#include "kernels/table.hpp"
+#include "kernels/block_loop.hpp"
 
 namespace vesica {
 namespace {
-
-template <class T>
-using LanesOf = std::conditional_t<sizeof(T) == 4, Floats, Doubles>;
-
-/// A shape of lanes from element i on, or one shape in every lane.
-template <template <class> class Shape, class T, std::size_t... Field>
-VESICA_INLINE Shape<LanesOf<T>> load_lanes(const Unaligned<T>* field, std::int32_t i,
-                                           std::index_sequence<Field...>) noexcept {
-  return {LanesOf<T>::load(field[Field] + i)...};
-}
-template <template <class> class Shape, class T, std::size_t... Field>
-VESICA_INLINE Shape<LanesOf<T>> broadcast(const Unaligned<T>* field, std::index_sequence<Field...>) noexcept {
-  return {LanesOf<T>(field[Field][0])...};
-}
-
-/// One operand of a kernel. It keeps copies of the column pointers: a store through a byte pointer may alias anything, so
-/// the compiler would load the originals again in each iteration.
-template <template <class> class Shape, class T, bool Repeated>
-struct LaneOperand {
-  static constexpr int fields = ShapeTraits<Shape<T>>::fields;
-  Unaligned<T> field[fields];
-
-  VESICA_INLINE explicit LaneOperand(const Unaligned<T>* from) noexcept {
-    for (int k = 0; k < fields; ++k) field[k] = from[k];
-  }
-  VESICA_INLINE Shape<LanesOf<T>> at(std::int32_t i) const noexcept {
-    return load_lanes<Shape>(field, i, std::make_index_sequence<fields>{});
-  }
-};
-
-template <template <class> class Shape, class T>
-struct LaneOperand<Shape, T, true> {
-  Shape<LanesOf<T>> shape;
-
-  VESICA_INLINE explicit LaneOperand(const Unaligned<T>* from) noexcept
-      : shape(broadcast<Shape>(from, std::make_index_sequence<ShapeTraits<Shape<T>>::fields>{})) {}
-  VESICA_INLINE const Shape<LanesOf<T>>& at(std::int32_t) const noexcept { return shape; }
-};
-
-/// The verdicts on n elements, a vector at a time, in order.
-template <class Filter, class First, class Second>
-class Verdicts {
- public:
-  VESICA_INLINE Verdicts(const First& first, const Second& second, std::int32_t) noexcept
-      : first_(first), second_(second) {}
-  VESICA_INLINE auto at(std::int32_t i) noexcept { return Filter::filter(first_.at(i), second_.at(i)); }
-
- private:
-  const First& first_;
-  const Second& second_;
-};
-
-/// Software pipelining, for a filter in two halves. Each half is a long chain of dependent operations, so the first half
-/// of the next vector is computed beside the second half of this one. The processor then has two chains to work on.
-template <class Filter, class First, class Second>
-requires HalfDone<decltype(Filter::filter(std::declval<First>().at(0), std::declval<Second>().at(0)))>
-class Verdicts<Filter, First, Second> {
- public:
-  VESICA_INLINE Verdicts(const First& first, const Second& second, std::int32_t n) noexcept
-      : first_(first), second_(second), n_(n), next_(half(0)) {}
-  VESICA_INLINE auto at(std::int32_t i) noexcept {
-    const auto current = next_;
-    next_ = half(i + width < n_ ? i + width : i);
-    return decide(current);
-  }
-
- private:
-  VESICA_INLINE auto half(std::int32_t i) const noexcept { return Filter::filter(first_.at(i), second_.at(i)); }
-
-  const First& first_;
-  const Second& second_;
-  std::int32_t n_;
-  decltype(Filter::filter(std::declval<First>().at(0), std::declval<Second>().at(0))) next_;
-  static constexpr std::int32_t width = decltype(next_)::Lanes::width;
-};
-
-/// Appends the indices of the lanes set in `open`.
-VESICA_INLINE std::int32_t* append(std::uint32_t open, std::int32_t i, std::int32_t* list) noexcept {
-  for (; open != 0; open &= open - 1) *list++ = i + __builtin_ctz(open);
-  return list;
-}
-
-/// Answers a whole number of vectors; whoever calls takes care of a rest.
-template <class Filter, template <class> class A, template <class> class B, class T, Repeat repeat>
-[[gnu::noinline]] BlockResult answer_vectors(const Block<T>& block) noexcept {
-  constexpr std::int32_t width = LanesOf<T>::width;
-  constexpr std::uint32_t lanes = (1u << width) - 1;
-  const LaneOperand<A, T, repeat == Repeat::first> first(block.first);
-  const LaneOperand<B, T, repeat == Repeat::second> second(block.second);
-  const std::int32_t n = block.count;
-  std::uint8_t* const out = block.out;
-  std::int32_t* list = block.undecided;
-  std::int32_t overlaps = 0;
-  if (n == 0) return {0, 0};
-  Verdicts<Filter, decltype(first), decltype(second)> verdicts(first, second, n);
-  for (std::int32_t i = 0; i < n; i += width) {
-    const auto verdict = verdicts.at(i);
-    store_bytes(verdict.overlap, out + i);
-    overlaps += count(verdict.overlap);
-    const auto known = decided(verdict);
-    if (!all(known)) [[unlikely]] {
-      list = append(~bits(known) & lanes, i, list);
-      if (list - block.undecided > block.give_up) break;
-    }
-  }
-  return {overlaps, static_cast<std::int32_t>(list - block.undecided)};
-}
 
 template <class Filter, template <class> class A, template <class> class B, class T>
 constexpr void fill(BlockKernel<T> (&kernel)[repeat_count]) noexcept {
@@ -163,10 +49,11 @@ void widen_column(Unaligned<float> from, std::int32_t n, double* to) noexcept {
 }
 
 /// Everything this instruction set offers, laid down at compile time.
-consteval KernelTable make_table(const char* name, const QueryTable& queries) noexcept {
+consteval KernelTable make_table(const char* name, const QueryTable& queries, const TieKernels& ties) noexcept {
   KernelTable table{};
   table.name = name;
   table.queries = &queries;
+  table.ties = &ties;
   table.width_f32 = Floats::width;
   table.width_f64 = Doubles::width;
   table.widen_column = widen_column;

@@ -31,9 +31,9 @@ class Guard {
     ((holds_ = both(holds_, both(x >= V(low), x < V(high)))), ...);
     return *this;
   }
-  /// a / b from 1/17 to 17, a being positive; from 1/16 to 16 it always passes.
+  /// a / b in [1/16, 16), a being positive.
   VESICA_INLINE Guard& near_in_size(V a, V b) noexcept {
-    holds_ = both(holds_, both(a <= V(16.0f) * b, b <= V(16.0f) * a));
+    holds_ = both(holds_, both(a < V(16.0f) * b, b <= V(16.0f) * a));
     return *this;
   }
   template <class... X>

@@ -46,11 +46,18 @@ struct PairKernels {
 template <class T>
 using ScalarKernels = PairKernels<T>[kind_count][kind_count];
 
+/// Kernels for pairs in step that decide what `general` does, and most exact contacts; null for pairs with an ellipse and
+/// those that have none open. Slower where there are no contacts.
+struct TieKernels {
+  BlockKernel<double> of[kind_count][kind_count];
+};
+
 struct QueryTable;
 
 struct KernelTable {
   const char* name;
   const QueryTable* queries;          // of the same instruction set
+  const TieKernels* ties;             // likewise
   std::int32_t width_f32, width_f64;  // lanes of a vector
   void (*widen_column)(Unaligned<float> from, std::int32_t n, double* to) noexcept;
   ScalarKernels<float> f32;
@@ -61,6 +68,13 @@ struct KernelTable {
   const ScalarKernels<float>& of(float) const noexcept { return f32; }
   const ScalarKernels<double>& of(double) const noexcept { return f64; }
 };
+
+extern const TieKernels kernels_portable_ties;
+#if defined(__x86_64__)
+extern const TieKernels kernels_sse2_ties, kernels_avx2_ties, kernels_avx512_ties;
+#elif defined(__aarch64__)
+extern const TieKernels kernels_neon_ties;
+#endif
 
 /// The instruction sets built for this machine's architecture. The portable one is a single lane and runs anywhere; the
 /// library has it only where the architecture's baseline has no vectors that it knows.

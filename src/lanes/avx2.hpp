@@ -85,6 +85,7 @@ inline Doubles operator+(Doubles a, Doubles b) { return _mm256_add_pd(a.v, b.v);
 inline Doubles operator-(Doubles a, Doubles b) { return _mm256_sub_pd(a.v, b.v); }
 inline Doubles operator*(Doubles a, Doubles b) { return _mm256_mul_pd(a.v, b.v); }
 inline Doubles operator/(Doubles a, Doubles b) { return _mm256_div_pd(a.v, b.v); }
+inline Doubles fused_difference(Doubles a, Doubles b, Doubles c) { return _mm256_fmsub_pd(a.v, b.v, c.v); }
 inline Doubles operator-(Doubles a) { return _mm256_xor_pd(a.v, _mm256_set1_pd(-0.0)); }
 inline Doubles abs(Doubles a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a.v); }
 inline Doubles max(Doubles a, Doubles b) { return _mm256_max_pd(a.v, b.v); }
@@ -96,6 +97,7 @@ inline DoubleMask operator>(Doubles a, Doubles b) { return {_mm256_cmp_pd(a.v, b
 inline DoubleMask operator>=(Doubles a, Doubles b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_GE_OQ)}; }
 inline DoubleMask operator==(Doubles a, Doubles b) { return {_mm256_cmp_pd(a.v, b.v, _CMP_EQ_OQ)}; }
 inline Doubles select(DoubleMask m, Doubles yes, Doubles no) { return _mm256_blendv_pd(no.v, yes.v, m.v); }
+inline Doubles or_bits(Doubles a, Doubles b) { return _mm256_or_pd(a.v, b.v); }
 inline Doubles flip_sign(Doubles x, Doubles y) { return _mm256_xor_pd(x.v, _mm256_and_pd(y.v, _mm256_set1_pd(-0.0))); }
 inline Doubles sqrt(Doubles a) { return _mm256_sqrt_pd(a.v); }
 inline Doubles rough_sqrt(Doubles a) { return _mm256_sqrt_pd(a.v); }

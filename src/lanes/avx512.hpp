@@ -100,6 +100,7 @@ inline Doubles operator+(Doubles a, Doubles b) { return _mm512_add_pd(a.v, b.v);
 inline Doubles operator-(Doubles a, Doubles b) { return _mm512_sub_pd(a.v, b.v); }
 inline Doubles operator*(Doubles a, Doubles b) { return _mm512_mul_pd(a.v, b.v); }
 inline Doubles operator/(Doubles a, Doubles b) { return _mm512_div_pd(a.v, b.v); }
+inline Doubles fused_difference(Doubles a, Doubles b, Doubles c) { return _mm512_fmsub_pd(a.v, b.v, c.v); }
 inline Doubles operator-(Doubles a) { return _mm512_xor_pd(a.v, _mm512_set1_pd(-0.0)); }
 inline Doubles abs(Doubles a) { return _mm512_abs_pd(a.v); }
 inline Doubles max(Doubles a, Doubles b) { return _mm512_max_pd(a.v, b.v); }
@@ -111,6 +112,7 @@ inline Mask<8> operator>(Doubles a, Doubles b) { return {_mm512_cmp_pd_mask(a.v,
 inline Mask<8> operator>=(Doubles a, Doubles b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_GE_OQ)}; }
 inline Mask<8> operator==(Doubles a, Doubles b) { return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_EQ_OQ)}; }
 inline Doubles select(Mask<8> m, Doubles yes, Doubles no) { return _mm512_mask_blend_pd(m.bits, no.v, yes.v); }
+inline Doubles or_bits(Doubles a, Doubles b) { return _mm512_or_pd(a.v, b.v); }
 inline Doubles flip_sign(Doubles x, Doubles y) { return _mm512_xor_pd(x.v, _mm512_and_pd(y.v, _mm512_set1_pd(-0.0))); }
 // The 14-bit estimates and one Newton step each: 2^-26.
 inline Doubles sqrt(Doubles a) { return _mm512_sqrt_pd(a.v); }

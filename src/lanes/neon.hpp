@@ -104,6 +104,7 @@ inline Doubles operator+(Doubles a, Doubles b) { return vaddq_f64(a.v, b.v); }
 inline Doubles operator-(Doubles a, Doubles b) { return vsubq_f64(a.v, b.v); }
 inline Doubles operator*(Doubles a, Doubles b) { return vmulq_f64(a.v, b.v); }
 inline Doubles operator/(Doubles a, Doubles b) { return vdivq_f64(a.v, b.v); }
+inline Doubles fused_difference(Doubles a, Doubles b, Doubles c) { return vfmaq_f64(vnegq_f64(c.v), a.v, b.v); }
 inline Doubles operator-(Doubles a) { return vnegq_f64(a.v); }
 inline Doubles abs(Doubles a) { return vabsq_f64(a.v); }
 inline Doubles max(Doubles a, Doubles b) { return vmaxq_f64(a.v, b.v); }
@@ -115,6 +116,9 @@ inline DoubleMask operator>(Doubles a, Doubles b) { return {vcgtq_f64(a.v, b.v)}
 inline DoubleMask operator>=(Doubles a, Doubles b) { return {vcgeq_f64(a.v, b.v)}; }
 inline DoubleMask operator==(Doubles a, Doubles b) { return {vceqq_f64(a.v, b.v)}; }
 inline Doubles select(DoubleMask m, Doubles yes, Doubles no) { return vbslq_f64(m.v, yes.v, no.v); }
+inline Doubles or_bits(Doubles a, Doubles b) {
+  return vreinterpretq_f64_u64(vorrq_u64(vreinterpretq_u64_f64(a.v), vreinterpretq_u64_f64(b.v)));
+}
 inline Doubles flip_sign(Doubles x, Doubles y) {
   const uint64x2_t sign = vandq_u64(vreinterpretq_u64_f64(y.v), vdupq_n_u64(0x8000000000000000u));
   return vreinterpretq_f64_u64(veorq_u64(vreinterpretq_u64_f64(x.v), sign));

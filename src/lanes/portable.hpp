@@ -36,6 +36,9 @@ struct One {
   friend One operator-(One a, One b) { return One(a.v - b.v); }
   friend One operator*(One a, One b) { return One(a.v * b.v); }
   friend One operator/(One a, One b) { return One(a.v / b.v); }
+#if defined(VESICA_HAS_FUSED)
+  friend One fused_difference(One a, One b, One c) { return One(lane::fused_difference(a.v, b.v, c.v)); }
+#endif
   friend One operator-(One a) { return One(-a.v); }
   friend LaneMask operator<(One a, One b) { return {a.v < b.v}; }
   friend LaneMask operator<=(One a, One b) { return {a.v <= b.v}; }
@@ -48,6 +51,7 @@ struct One {
   friend One positive_part(One a) { return One(lane::positive_part(a.v)); }
   friend One select(LaneMask m, One yes, One no) { return m.v ? yes : no; }
   friend One flip_sign(One x, One y) { return One(lane::flip_sign(x.v, y.v)); }
+  friend One or_bits(One a, One b) { return One(lane::or_bits(a.v, b.v)); }
   friend One sqrt(One a) { return One(lane::sqrt(a.v)); }
   friend One rough_sqrt(One a) { return One(lane::rough_sqrt(a.v)); }
   friend One rough_quotient(One a, One b) { return One(lane::rough_quotient(a.v, b.v)); }

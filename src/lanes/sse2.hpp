@@ -102,6 +102,7 @@ inline DoubleMask operator==(Doubles a, Doubles b) { return {_mm_cmpeq_pd(a.v, b
 inline Doubles select(DoubleMask m, Doubles yes, Doubles no) {
   return _mm_or_pd(_mm_and_pd(m.v, yes.v), _mm_andnot_pd(m.v, no.v));
 }
+inline Doubles or_bits(Doubles a, Doubles b) { return _mm_or_pd(a.v, b.v); }
 inline Doubles flip_sign(Doubles x, Doubles y) { return _mm_xor_pd(x.v, _mm_and_pd(y.v, _mm_set1_pd(-0.0))); }
 inline Doubles sqrt(Doubles a) { return _mm_sqrt_pd(a.v); }
 inline Doubles rough_sqrt(Doubles a) { return _mm_sqrt_pd(a.v); }

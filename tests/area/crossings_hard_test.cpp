@@ -273,6 +273,25 @@ TEST(CrossingsHard, MixedExponents) {
   tally.report("mixed exponents");
 }
 
+// Were errors of range: shares of an edge underflowed, and 0 was divided by 0.
+TEST(CrossingsHard, EdgesFarLongerThanAnEllipse) {
+  const auto count = [](const Shape& a, const Shape& b) {
+    vesica_crossing_points_f64 out;
+    return vesica_crossings_f64(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out);
+  };
+  EXPECT_EQ(count(ellipse(0, 0, 0, 0x1p-189, 1, 1), {VESICA_AABB, {-0x1p+976, -1, 0x1p-113, 0}}), 2);
+  EXPECT_EQ(count(ellipse(0, 0, 0x1p-892, -1, 0x1p-14, 1), {VESICA_AABB, {0, 0, 1, 0x1p+229}}), 4);
+}
+
+// The start's place was given to its neighbour too, and the start came second.
+TEST(CrossingsHard, ACornerAtTheStartAndANeighbour) {
+  const double r = 0x1.1e68c65b0a91dp+493;
+  const Shape a = circle(-r, 0, r), b{VESICA_AABB, {-1, -1, 0, 0}};
+  vesica_crossing_points_f64 out;
+  ASSERT_EQ(vesica_crossings_f64(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out), 2);
+  EXPECT_TRUE(out.x[0] == 0 && out.y[0] == 0 && out.y[1] == -1);
+}
+
 /// One of the places is where the first outline begins, exactly; and it comes first.
 TEST(CrossingsHard, AStartThatIsAPlaceComesFirst) {
   Random random(seed());

@@ -52,6 +52,17 @@ TEST(KnownAreas, OfOneShape) {
   EXPECT_EQ(shape_area({VESICA_ELLIPSE, {0, 0, 0, -2, 0.5, 0.5}}), pi);
 }
 
+// Were a last place off: rounded to 53 bits first and to fewer then.
+TEST(KnownAreas, SubnormalOnesAreRoundedOnce) {
+  const Kinded rect{VESICA_RECT, {0, 0, 1, 0x1.e4715p-4, 0x1p-513, 0x1.f4p-512}};
+  const Kinded turned{VESICA_RECT, {0, 0, 0x1.e4715ep-2, 1, 0x1.4p-514, 0x1.ep-512}};
+  const Kinded ellipse{VESICA_ELLIPSE, {0, 0, 0, 2, 0x1p-514, 0x1.8p-514}};
+  EXPECT_EQ(shape_area(rect), 4459567686302891 * 0x1p-1074);
+  EXPECT_EQ(shape_area(turned), 3229431709444577 * 0x1p-1074);
+  EXPECT_EQ(shape_area(ellipse), 1326419578505333 * 0x1p-1074);
+  EXPECT_EQ(area(rect, {VESICA_AABB, {-1, -1, 1, 1}}), shape_area(rect));
+}
+
 TEST(KnownAreas, OfBoxes) {
   EXPECT_EQ(area(square, {VESICA_AABB, {1, 1, 3, 3}}), 1);
   EXPECT_EQ(area(square, {VESICA_AABB, {0.5, -1, 1.5, 3}}), 2);

@@ -133,6 +133,7 @@ TEST(Nms, Errors) {
   EXPECT_EQ(kept, 0);
   EXPECT_EQ(vesica_nms_scratch(-1), VESICA_E_ARGUMENT);
   EXPECT_EQ(vesica_nms_scratch(std::numeric_limits<std::int64_t>::max()), VESICA_E_ARGUMENT);
+  EXPECT_EQ(vesica_nms_scratch(std::int64_t{1} << 31), VESICA_E_ARGUMENT);
   EXPECT_GE(vesica_nms_scratch(0), 0);
   EXPECT_GE(vesica_nms_scratch(1000), 1000 * 8);
 }
@@ -220,6 +221,98 @@ TEST(Nms, OfFloatsIsTheDefinition) {
     });
     EXPECT_EQ(run(vesica_nms_f32, shapes, scores, 0.25f).kept, truth);
   }
+}
+
+/// Sets of many blocks of the index: rectangles against the definition.
+void expect_the_definition(const std::vector<vesica_rect_f64>& rects, const std::vector<double>& scores,
+                           double threshold, const char* what) {
+  const auto at = [&](std::int64_t i) { return &rects[static_cast<std::size_t>(i)].cx; };
+  const Indices truth = literally(scores, threshold, [&](std::int64_t i, std::int64_t j) {
+    double ratio = 0;
+    vesica_iou_f64(VESICA_RECT, at(i), VESICA_RECT, at(j), &ratio);
+    return ratio;
+  });
+  EXPECT_EQ(run(vesica_nms_f64, shapes_of(VESICA_RECT, rects), scores, threshold).kept, truth)
+      << what << ", threshold " << threshold << ", seed " << properties::seed();
+}
+
+vesica_rect_f64 turned_rect(double side, double size, Random& random) {
+  const double angle = random.between(0, 6.3);
+  return {random.between(0, side), random.between(0, side),         std::cos(angle),
+          std::sin(angle),         size * random.between(0.5, 1.5), size * random.between(0.5, 1.5)};
+}
+
+TEST(Nms, OfManyIsTheDefinition) {
+  Random random(properties::seed());
+  for (const double threshold : {0.0, 0x1p-11, 0.1, 0.5, 0.9}) {
+    std::vector<vesica_rect_f64> crowded, mixed;
+    std::vector<double> scores;
+    for (int i = 0; i < 2500; ++i) {
+      crowded.push_back(turned_rect(40, 1, random));
+      // Small ones, large ones, needles and giants.
+      mixed.push_back(turned_rect(40, std::exp2(random.between(-9, 3)), random));
+      if (i % 16 == 0) mixed.back().hx = 60;
+      if (i % 512 == 0) mixed.back().hy = 60;
+      scores.push_back(random.chance(0.2) ? random.below(8) / 8.0 : random.unit());
+    }
+    expect_the_definition(crowded, scores, threshold, "crowded");
+    expect_the_definition(mixed, scores, threshold, "mixed");
+  }
+}
+
+/// Equal shapes: all at threshold 1, else one of each place.
+TEST(Nms, OfManyEqualShapes) {
+  Random random(properties::seed());
+  std::vector<vesica_rect_f64> one_place, places;
+  std::vector<double> scores;
+  for (int i = 0; i < 1500; ++i) {
+    one_place.push_back({1, 2, 0.8, 0.6, 3, 1});
+    places.push_back({10.0 * random.below(7), 0, 0.8, 0.6, 3, 1});
+    scores.push_back(random.unit());
+  }
+  for (const double threshold : {0.0, 0.5, 1.0}) {
+    expect_the_definition(one_place, scores, threshold, "one place");
+    expect_the_definition(places, scores, threshold, "places");
+  }
+}
+
+/// Each suppresses the next one only if it is kept, and the best is the last of them, however the index orders them.
+TEST(Nms, OfAChain) {
+  for (const double direction : {1.0, -1.0}) {
+    std::vector<vesica_rect_f64> chain;
+    std::vector<double> scores;
+    for (int i = 0; i < 5001; ++i) {
+      chain.push_back({0.5 * i, 0, 1, 0, 1, 1});
+      scores.push_back(direction * i);
+    }
+    const Result result = run(vesica_nms_f64, shapes_of(VESICA_RECT, chain), scores, 0.5);
+    ASSERT_EQ(result.kept.size(), 2501u);
+    for (std::size_t k = 0; k < result.kept.size(); ++k) {
+      ASSERT_EQ(result.kept[k],
+                direction > 0 ? 5000 - 2 * static_cast<std::int64_t>(k) : 2 * static_cast<std::int64_t>(k));
+    }
+  }
+}
+
+TEST(Nms, OfManyFloats) {
+  Random random(properties::seed());
+  std::vector<vesica_rect_f32> rects;
+  std::vector<float> scores;
+  for (int i = 0; i < 2500; ++i) {
+    const vesica_rect_f64 r = turned_rect(40, 1, random);
+    rects.push_back({static_cast<float>(r.cx), static_cast<float>(r.cy), static_cast<float>(r.ux),
+                     static_cast<float>(r.uy), static_cast<float>(r.hx), static_cast<float>(r.hy)});
+    scores.push_back(static_cast<float>(random.unit()));
+  }
+  vesica_shapes_f32 shapes;
+  ASSERT_EQ(vesica_shapes_from_records_f32(VESICA_RECT, 2500, rects.data(), sizeof rects[0], &shapes), 0);
+  const auto at = [&](std::int64_t i) { return &rects[static_cast<std::size_t>(i)].cx; };
+  const Indices truth = literally(scores, 0.3f, [&](std::int64_t i, std::int64_t j) {
+    float ratio = 0;
+    vesica_iou_f32(VESICA_RECT, at(i), VESICA_RECT, at(j), &ratio);
+    return ratio;
+  });
+  EXPECT_EQ(run(vesica_nms_f32, shapes, scores, 0.3f).kept, truth);
 }
 
 /// Columns, read backwards, and one shape repeated.

@@ -14,8 +14,7 @@ namespace {
 using outline_reference::Real;
 using properties::Numbers;
 
-// Was up to 3.5 quanta off: products underflowed, and the result was rounded twice. Turned boxes are still up to 1.6
-// quanta off; the aim is half a quantum.
+// Was up to 3.5 quanta off: products underflowed, and the result was rounded twice. A distance below one quantum is one.
 TEST(OutlineLastPlace, SubnormalBoxes) {
   std::mt19937_64 random(properties::seed());
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -33,10 +32,24 @@ TEST(OutlineLastPlace, SubnormalBoxes) {
     const auto exact = outline_reference::least(outline_reference::shape(VESICA_RECT, outer),
                                                 outline_reference::shape(VESICA_RECT, inner), -1);
     const Real off = abs(Real(Real(found.distance) - exact.value)) / Real(0x1p-1074);
-    EXPECT_LE(off.get_d(), 2) << i;
+    const double place = std::nextafter(found.distance, 1) - found.distance;
+    EXPECT_TRUE(off.get_d() <= 0.5001 * place / 0x1p-1074 || found.distance == 0x1p-1074) << i;
     ++nested;
   }
   EXPECT_GT(nested, 30);
+}
+
+// Were a last place off: an AABB's width was rounded before it was used.
+TEST(OutlineLastPlace, AabbsAtAnyMagnitude) {
+  const Numbers a{-0x1.3a8a05b50c8ebp-1021, -0x1.76ea81920f92p-1021, 0x1.c366c75d36d5cp-1021, 0x1.cd0654bea756p-1021};
+  const Numbers b{-0x0.94564c4dbe52p-1022, -0x1.035fe46cf11b1p-1022, 0x1.152bf06581cdcp-1022, 0x0.a0e1b2041c37ep-1022};
+  for (const int exponent : {0, 1, 600, 1020}) {
+    Numbers p = a, q = b;
+    for (std::size_t i = 0; i < 4; ++i) p[i] = std::ldexp(a[i], exponent), q[i] = std::ldexp(b[i], exponent);
+    vesica_closest_points_f64 found;
+    ASSERT_EQ(vesica_boundary_distance_f64(VESICA_AABB, p.data(), VESICA_AABB, q.data(), &found), 0);
+    EXPECT_EQ(found.distance, q[0] - p[0]);
+  }
 }
 
 }  // namespace

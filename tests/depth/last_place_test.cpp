@@ -111,7 +111,7 @@ TEST(DepthLastPlace, SubnormalBoxesThatTouchHaveNone) {
   }
 }
 
-// Was up to 3.5 quanta off. Turned boxes are still up to one quantum off; the aim is half a quantum.
+// Was up to 3.5 quanta off. A depth below one quantum is one.
 TEST(DepthLastPlace, AllSubnormalBoxes) {
   std::mt19937_64 random(properties::seed());
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -124,10 +124,26 @@ TEST(DepthLastPlace, AllSubnormalBoxes) {
     };
     const Numbers a = box(), b = box();
     if (vesica_overlap_f64(VESICA_RECT, a.data(), VESICA_RECT, b.data()) != 1) continue;
-    EXPECT_LE(off_by_quanta(VESICA_RECT, a, VESICA_RECT, b), 2);
+    const double found = depth(VESICA_RECT, a, VESICA_RECT, b).depth,
+                 off = off_by_quanta(VESICA_RECT, a, VESICA_RECT, b);
+    EXPECT_TRUE(off <= 0.5001 * last_place(found) / quantum || found == quantum) << off;
     ++overlapping;
   }
   EXPECT_GT(overlapping, 30);
+}
+
+// Were a last place off: an AABB's width was rounded before it was used.
+TEST(DepthLastPlace, AabbsAtAnyMagnitude) {
+  const Numbers a{-0x1.3046eec8b8bc9p-1022, -0x1.264380b791ca5p-1021, 0x0.d3c841dc893dep-1022, 0x0.9ff4fa39e44b4p-1022};
+  const Numbers b{-0x1.5859047ac507ap-1021, -0x1.5932d0949d045p-1021, 0x0.259ec2ce1db88p-1022, 0x0.d7cf3691d717fp-1022};
+  for (const int exponent : {0, 1, 600, 1020}) {
+    Numbers p = a, q = b;
+    for (std::size_t i = 0; i < 4; ++i) p[i] = std::ldexp(a[i], exponent), q[i] = std::ldexp(b[i], exponent);
+    const auto found = depth(VESICA_AABB, p, VESICA_AABB, q);
+    EXPECT_EQ(found.depth, q[2] - p[0]);
+    EXPECT_TRUE(found.x == -1 && found.y == 0);
+  }
+  EXPECT_EQ(depth(VESICA_AABB, {-0x1p+52, 0, 3, 9}, VESICA_POINT, {2.5, 4}).depth, 0.5);
 }
 
 // A component that was rounded to 0 kept its sign: -0.

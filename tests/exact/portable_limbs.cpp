@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cstdint>
 #include <cstring>
+#include <vesica/scalar.hpp>
 
 #undef __SIZEOF_INT128__
 // Under another name, or the linker would keep one of the two definitions for the whole program.

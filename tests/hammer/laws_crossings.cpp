@@ -9,6 +9,7 @@
 
 #include "area/crossing_count.hpp"
 #include "area/reference.hpp"
+#include "hammer/exact_stage.hpp"
 #include "hammer/laws.hpp"
 #include "nearest/reference.hpp"
 
@@ -66,6 +67,13 @@ bool exact_start(int kind, const Numbers& n, Place& start) {
   return x - n[0] == by && x - by == n[0];
 }
 
+/// Decided exactly: another place may only round to the start.
+bool on_outline(int kind, const Numbers& n, const Place& p) {
+  const std::int32_t relation = exact_relation({VESICA_POINT, kind, {p.x, p.y}, n});
+  return relation == VESICA_INSIDE_TOUCH || relation == VESICA_EQUAL ||
+         (relation == VESICA_INSIDE && !has_area(kind, n));
+}
+
 void demand_order(Judge& j, const Pair& p, const Answer& r) {
   const Along line = along(p.kind_a, p.a);
   if (!line.known || r.code < 1) return;
@@ -73,7 +81,7 @@ void demand_order(Judge& j, const Pair& p, const Answer& r) {
   const double slack = 1e-9 + 256 * u * extent(p) / size;
   if (!(slack < 0.05)) return;
   Place start;
-  const bool starts = exact_start(p.kind_a, p.a, start);
+  const bool starts = exact_start(p.kind_a, p.a, start) && on_outline(p.kind_b, p.b, start);
   double last = -1;
   for (int i = 0; i < r.code; ++i) {
     const Place here = place(r, i);

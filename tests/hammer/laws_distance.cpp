@@ -136,13 +136,18 @@ void judge_outline_points(Judge& j, const Pair& p, const Answer& r, double scale
   const auto& n = r.numbers;
   set_reference_precision(p, r);
   const Shape a = nearest_reference::shape(p.kind_a, p.a), b = nearest_reference::shape(p.kind_b, p.b);
-  const Real aspect = std::max(nearest_reference::aspect(a), nearest_reference::aspect(b));
+  const Real unit = Real(u) * Real(scale);
+  Real both = 0;
   for (const auto& [s, x, y] : {std::tuple{&a, n[1], n[2]}, {&b, n[3], n[4]}}) {
-    const Real rounding = coordinate_rounding(x, y), unit = Real(u) * Real(scale);
+    const Real rounding = coordinate_rounding(x, y);
     const Real off = abs(nearest_reference::beyond_outline(*s, x, y, Real(rounding + unit))) - rounding;
-    j.demand(off <= 4 * unit * aspect, n[0] == 0 ? "common_point" : "off_outline", "4 u scale aspect",
-             in_units(off, Real(unit * aspect)));
+    j.demand(off <= 12 * unit, n[0] == 0 ? "common_point" : "off_outline", "12 u scale", in_units(off, unit));
+    both += rounding;
   }
+  if (std::max(nearest_reference::aspect(a), nearest_reference::aspect(b)) > Real(1e6)) return;
+  const Real dx = Real(n[3]) - Real(n[1]), dy = Real(n[4]) - Real(n[2]);
+  const Real off = abs(Real(sqrt(Real(dx * dx + dy * dy)) - Real(n[0]))) - both - Real(last_place);
+  j.demand(off <= 16 * unit, "points_apart", "16 u scale", in_units(off, unit));
 }
 
 void judge_nested(Judge& j, const Pair& outer_first, const Answer& r) {

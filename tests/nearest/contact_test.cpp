@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Distances just short of contact, where an ellipse bends sharply: right to 2u of themselves.
+// At contact and just short of it: distances that are right to 2u of themselves, and common points in both shapes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -65,6 +65,74 @@ TEST(NearestContact, Ellipses) {
     worst = std::max(worst, error);
   }
   RecordProperty("worst_in_u", std::to_string(worst));
+}
+
+// Was 0.042: the face that the ellipse all but touches was taken for its vertex.
+TEST(NearestContact, AFaceThatAnEllipseAllButTouches) {
+  const Pair pair{VESICA_RECT,
+                  VESICA_ELLIPSE,
+                  {-0x1.f04c41a506cp-52, 0, 0x1.8d4e1a8e01875p-1, 0x1.42f1995cb90cbp-1, 1, 0x1.7cee8e42f12c8p-6},
+                  {0x1.1ce2908419da2p+0, 0x1.0330c8f78e62p+0, 0x1.8552bfbf8b70ep-1, 0x1.4c85d69270895p-1,
+                   0x1.3afdead6ec723p+1, 0x1.0e2a577fc4393p-7}};
+  const Answer r = nearest_test::nearest(properties::Scalar::f64, pair);
+  EXPECT_GT(r.distance, 0);
+  EXPECT_LE(r.distance, 0x1p-52);
+}
+
+/// How far a common point is outside of a shape, at least, in u of the scale, but for its coordinates' rounding.
+double common_point_outside(const Pair& pair) {
+  const Answer r = nearest_test::nearest(properties::Scalar::f64, pair);
+  EXPECT_TRUE(r.code == 0 && r.distance == 0);
+  nearest_reference::set_precision(pair);
+  const auto a = nearest_reference::shape(pair.kind_a, pair.a), b = nearest_reference::shape(pair.kind_b, pair.b);
+  const Real scale = nearest_reference::scale(a, b), rounding = Real(0x1p-53) * (std::fabs(r.ax) + std::fabs(r.ay));
+  Real worst = 0;
+  for (const auto* shape : {&a, &b}) {
+    const Real off = nearest_reference::beyond_outline(*shape, r.ax, r.ay, Real(0x1p-60) * scale) - rounding;
+    if (off > worst) worst = off;
+  }
+  return Real(worst / scale * Real(0x1p53)).get_d();
+}
+
+// Were up to 256,450 u of the scale outside.
+TEST(NearestContact, CommonPointsOfNeedles) {
+  const Pair pairs[] = {{VESICA_ELLIPSE, VESICA_AABB, {0, 0, -0x1p-1, 1, 0x1.8p-28, 4}, {-32, -0x1p+30, 0x1p+41, -1}},
+                        {VESICA_ELLIPSE, VESICA_AABB, {0, 0, 0x1.fp-1, -1, 0x1p-28, 1}, {-0x1.4p+36, 0x1p-2, 2, 1}},
+                        {VESICA_ELLIPSE,
+                         VESICA_RECT,
+                         {0, 0, 1, 0x1.273cfd3c5p-1, 0x1.1a3a01435p+2, 0x1p-36},
+                         {0x1.deb0e7fe1p+0, 0x1.fe93aba3cp+0, -0x1.f4778b02p-1, -0x1.b03cbef08p-3, 4, 0x1p-36}}};
+  for (const Pair& pair : pairs) {
+    EXPECT_LE(common_point_outside(pair), 8) << properties::describe(pair);
+    EXPECT_EQ(nearest_test::nearest(properties::Scalar::f64, nearest_test::exchanged(pair)),
+              nearest_test::exchanged(nearest_test::nearest(properties::Scalar::f64, pair)));
+  }
+}
+
+// In batches' unit and in the pair's the search took another number of steps: the distance changed by 1e-9 of itself.
+TEST(NearestContact, ScaledByAPowerOfTwo) {
+  const Pair pair{
+      VESICA_ELLIPSE,
+      VESICA_ELLIPSE,
+      {0, 0, -0x1.51f5b6c73571p+1, 0x1.076c3620895p+0, 0x1.2d16153727d8p-1, 0x1.26823d496cep-4},
+      {0x1.5adbdd3f55e4p+0, -0x1.a245107b4a05p-2, 0x1.49d6994bfb65p+1, -0x1.76734902de1p+0, 0x1.05p-1, 0x1.934dp-38}};
+  const double distance = nearest_test::nearest(properties::Scalar::f64, pair).distance;
+  for (const int exponent : {-300, -3, 5, 300}) {
+    Pair scaled = pair;
+    for (const std::size_t i : {0U, 1U, 4U, 5U}) {
+      scaled.a[i] = std::ldexp(pair.a[i], exponent);
+      scaled.b[i] = std::ldexp(pair.b[i], exponent);
+    }
+    EXPECT_EQ(nearest_test::nearest(properties::Scalar::f64, scaled).distance, std::ldexp(distance, exponent));
+  }
+}
+
+// The offset of centres underflowed in the pair's unit, and with it the sign that tells the order.
+TEST(NearestContact, ExchangedWhereTheOffsetIsBelowTheRange) {
+  const double length = 0x1.9bb15ffc51cfep+964;
+  const Pair pair{VESICA_SEGMENT, VESICA_SEGMENT, {0, 0, 0, length}, {-0x1p-184, 0, -0x1p-115, length}};
+  EXPECT_EQ(nearest_test::nearest(properties::Scalar::f64, nearest_test::exchanged(pair)),
+            nearest_test::exchanged(nearest_test::nearest(properties::Scalar::f64, pair)));
 }
 
 // The common point's zero had the sign of the shape that came second.

@@ -183,7 +183,7 @@ VESICA_INLINE auto crossing_area(const Rect<V>& a, const Rect<V>& b) noexcept {
 }
 
 /// m * 2^-exponent, kept within bounds so that no product overflows.
-inline double bounded(const Measure& m, int exponent, double bound) noexcept {
+inline double bounded(const arithmetic::Scaled& m, int exponent, double bound) noexcept {
   return clamp(arithmetic::scale(m.value, m.exponent - exponent), -bound, bound);
 }
 
@@ -199,9 +199,10 @@ struct UnitBox {
 
 inline UnitBox unit_box(const exact::Box& s) noexcept {
   using arithmetic::scale;
-  const Measure ux = exact::rounded(s.ux), uy = exact::rounded(s.uy), hx = exact::rounded(s.hx),
-                hy = exact::rounded(s.hy);
-  const auto exponent = [](const Measure& m) { return m.value == 0 ? -10000 : m.exponent; };
+  using arithmetic::Scaled;
+  const Scaled ux = exact::rounded(s.ux), uy = exact::rounded(s.uy), hx = exact::rounded(s.hx),
+               hy = exact::rounded(s.hy);
+  const auto exponent = [](const Scaled& m) { return m.value == 0 ? -10000 : m.exponent; };
   const int axis = exponent(ux) > exponent(uy) ? exponent(ux) : exponent(uy);
   const int length = exponent(hx) > exponent(hy) ? exponent(hx) : exponent(hy);
   return {scale(ux.value, ux.exponent - axis),

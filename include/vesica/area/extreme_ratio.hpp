@@ -36,11 +36,12 @@ inline HalfPlane tangent_half_plane(const exact::Ellipse& e, const exact::Length
   const exact::Length dx = cx - e.cx, dy = cy - e.cy;
   const auto p = e.b * exact::dot(e.ux, e.uy, dx, dy), q = e.a * exact::cross(e.ux, e.uy, dx, dy);
   const auto radius = e.a * e.b * exact::dot(e.ux, e.uy, e.ux, e.uy);
-  const Measure value = exact::rounded(exact::square(p) + exact::square(q) - exact::square(radius));
-  const Measure r = exact::rounded(radius), k0 = exact::rounded(p), k1 = exact::rounded(q);
+  using arithmetic::Scaled;
+  const Scaled value = exact::rounded(exact::square(p) + exact::square(q) - exact::square(radius));
+  const Scaled r = exact::rounded(radius), k0 = exact::rounded(p), k1 = exact::rounded(q);
   const int axis = later(e.ux, e.uy), length = later(e.a, e.b);
   const auto part = [](const exact::Length& x, int exponent) {
-    const Measure m = exact::rounded(x);
+    const Scaled m = exact::rounded(x);
     return arithmetic::scale(m.value, m.exponent - exponent);
   };
   const double vx = part(e.ux, axis), vy = part(e.uy, axis), a = part(e.a, length), b = part(e.b, length);
@@ -48,7 +49,7 @@ inline HalfPlane tangent_half_plane(const exact::Ellipse& e, const exact::Length
   const double y = arithmetic::scale(k1.value / r.value, k1.exponent - r.exponent);
   const double vv = vx * vx + vy * vy, n0 = x / (a * vv), n1 = y / (b * vv);
   const double wx = n0 * vx - n1 * vy, wy = n0 * vy + n1 * vx, longer = std::fmax(std::fabs(wx), std::fabs(wy));
-  const Measure distance{-0.5 * value.value / (r.value * r.value * longer), value.exponent - 2 * r.exponent};
+  const Scaled distance{-0.5 * value.value / (r.value * r.value * longer), value.exponent - 2 * r.exponent};
   return {wx / longer, wy / longer, bounded(distance, unit - axis - length, out_of_sight)};
 }
 

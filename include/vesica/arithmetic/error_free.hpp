@@ -2,7 +2,7 @@
 /// Error-free transformations: sums and products of two numbers as an unevaluated pair high + low that is exact. All
 /// arithmetic beyond one double in the library is built from these.
 ///
-/// There are two products. The lanes of a vector, and scalar functions that must give the same bits as lanes, split
+/// There are two products, and a third that is one of them. The lanes of a vector, and scalar functions that must give the same bits as lanes, split
 /// their factors into halves: this takes plain multiplications and additions only, which every instruction set has.
 /// Scalar functions without lanes use a fused multiply-add: it has no intermediate overflow, so its range is wider.
 #pragma once
@@ -27,6 +27,13 @@ template <class V>
 VESICA_INLINE Pair<V> two_sum(V a, V b) noexcept {
   const V high = a + b, part = high - a;
   return {high, (a - (high - part)) + (b - part)};
+}
+
+/// a - b, likewise: lanes need not change a sign.
+template <class V>
+VESICA_INLINE Pair<V> two_difference(V a, V b) noexcept {
+  const V high = a - b, part = high - a;
+  return {high, (a - (high - part)) - (b + part)};
 }
 
 /// a + b, exact where a is 0 or has at least the exponent of b (T. J. Dekker's FastTwoSum).
@@ -71,6 +78,24 @@ inline Pair<double> two_product_fused(double a, double b) noexcept {
   const double high = a * b;
 #endif
   return {high, std::fma(a, b, -high)};
+}
+
+/// Where the hardware fuses: scalars and lanes that have a * b - c, rounded once.
+template <class V>
+concept HasFused = requires(V x) {
+  fused_difference(x, x, x);
+};
+
+/// a * b by the quicker of the two, exact within the limits of both. A compiler that contracts cannot contract this, as
+/// where it could, the product is a fused operation already: high is the same number to all who use it.
+template <class V>
+VESICA_INLINE Pair<V> two_product_uncontracted(V a, V b) noexcept {
+  if constexpr (HasFused<V>) {
+    const V high = fused_difference(a, b, V(-0.0));
+    return {high, fused_difference(a, b, high)};
+  } else {
+    return two_product<V>(factor(a), factor(b));
+  }
 }
 
 }  // namespace vesica::detail::arithmetic

@@ -43,9 +43,11 @@ inline int exponent_of(double x) noexcept {
 inline double scale_rounded(double high, double low, int exponent) noexcept {
   if (exponent_of(high) + exponent >= -1021) return scale_far(high, exponent);
   const double quanta = scale_far(high, exponent + 1074), left = scale_far(low, exponent + 1074);
-  const double whole = (quanta + 0x1.8p52) - 0x1.8p52, rest = (quanta - whole) + left;
+  const double whole = (quanta + 0x1.8p52) - 0x1.8p52, rest = quanta - whole;
+  // How far beyond half a quantum: near it this is exact, however little `left` is.
+  const double above = (rest - 0.5) + left, below = (rest + 0.5) + left;
   const bool odd = std::fmod(whole, 2.0) != 0;
-  const double up = rest > 0.5 || (rest == 0.5 && odd) ? 1 : 0, down = rest < -0.5 || (rest == -0.5 && odd) ? 1 : 0;
+  const double up = above > 0 || (above == 0 && odd) ? 1 : 0, down = below < 0 || (below == 0 && odd) ? 1 : 0;
   return scale_far(whole + (up - down), -1074);
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 /// A point of both outlines, for shapes whose outlines are known to meet (the outline of a point or a segment is all of
-/// it). Since they are known to meet, the candidate with the least error is the answer, whatever its error.
+/// it). The candidate with the least error is taken, and that error is measured: where it is too large, as it may be of
+/// needles, the caller takes one of the places that crossings.hpp finds.
 #pragma once
 
 #include <vesica/boundary_distance/edge.hpp>
 #include <vesica/boundary_distance/ellipse_in_disc.hpp>
+#include <vesica/nearest/near_outline.hpp>
 #include <vesica/support_minimum/order.hpp>
 
 namespace vesica::detail::boundary_distance {
@@ -40,9 +42,14 @@ inline PlaneVector common_point_on_box(const Frame& frame) noexcept {
   return corners[edge] + lane::max(lane::min(t, 1.0), 0.0) * along;
 }
 
-/// A common point of two outlines that meet, rounded. It is found as a point of one outline, so it is on that one to
-/// rounding, and within 4u times the pair's scale of the other.
-inline PlaneVector common_outline_point(const Form& a, const Form& b) noexcept {
+/// A point that is on one outline to rounding, and whether it is on the other one too.
+struct CommonPoint {
+  PlaneVector at;
+  bool certain;
+};
+
+/// A common point of two outlines that meet, rounded: found as a point of one, and measured from the other.
+inline CommonPoint common_outline_point(const Form& a, const Form& b) noexcept {
   const PlacedPair given = place(a, b);
   // The edges of the second shape are walked, so a box comes second.
   const bool exchange = a.curved == b.curved ? out_of_order(a, b, given) : b.curved;
@@ -50,7 +57,12 @@ inline PlaneVector common_outline_point(const Form& a, const Form& b) noexcept {
   const Frame frame(pair);
   const PlaneVector w = pair.second.centred.curved ? EllipseInDisc(frame).common() : common_point_on_box(frame);
   const PlacedShape& s = pair.second;
-  return located(exchange ? a : b, out_of_frame(s.u, {s.a * w.x, s.b * w.y}), pair.exponent);
+  const CentredShape first = frame.first_by_axis();
+  const PlaneVector seen = frame.second_by_axis(w.x, w.y);
+  const double off =
+      first.curved ? nearest::off_ellipse(first.a, first.b, seen.x, seen.y) : distance_to_outline(first, seen);
+  return {located(exchange ? a : b, out_of_frame(s.u, {s.a * w.x, s.b * w.y}), pair.exponent),
+          off <= nearest::least_certain * frame.axis_length()};
 }
 
 }  // namespace vesica::detail::boundary_distance

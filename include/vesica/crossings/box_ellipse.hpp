@@ -34,6 +34,11 @@ struct DiscCorner {
   exact::Number<8> exact_value(const DiscFrame& frame) const noexcept {
     return exact::square(m0) + exact::square(m1) - exact::square(frame.radius);
   }
+  int exact_sign(const DiscFrame& frame) const noexcept {
+    return exact::decide([](exact::Signs& signs, const auto& x, const auto& y,
+                            const auto& r) { return signs.of(square(x) + square(y) - square(r)); },
+                         m0, m1, frame.radius);
+  }
   void set(const DiscFrame& frame, const Position& x, const Position& y) noexcept {
     const Position dx = x - frame.e.cx, dy = y - frame.e.cy;
     m0 = frame.along(dx, dy);
@@ -41,7 +46,7 @@ struct DiscCorner {
     r0 = Rough(m0);
     r1 = Rough(m1);
     value = square(r0) + square(r1) - square(frame.rough_radius);
-    sign = sign_of(value, [&] { return exact_value(frame); });
+    sign = value.sign_is_known() ? value.sign() : exact_sign(frame);
   }
 };
 
@@ -114,15 +119,12 @@ inline Roots roots_inside(const DiscEdge& edge) noexcept {
     roots.add(-quotient(b, a), 0);
     return roots;
   }
-  // Everything over the square's coefficient: t^2 + 2 b t + c, with c and the discriminant each rounded once.
+  // a t^2 + 2 b t + c, c and the discriminant each rounded once. |b| + root does not cancel.
   const Scaled c = size_of(edge.from.value, [&] { return edge.from.exact_value(edge.frame); });
-  const double half = quotient(b, a), product = quotient(c, a);
-  const double squared = arithmetic::scale(d.value / (a.value * a.value), d.exponent - 2 * a.exponent);
-  const double root = std::sqrt(squared);
-  const double low = half > 0 ? -(half + root) : product / (root - half);
-  const double high = half > 0 ? product / -(half + root) : root - half;
-  if (start > 0) roots.add(low, -1);
-  if (end > 0) roots.add(high, 1);
+  const Scaled all = sum({std::fabs(b.value), b.exponent}, root(d));
+  const double larger = quotient(all, a), lesser = quotient(c, all);
+  if (start > 0) roots.add(b.value > 0 ? -larger : lesser, -1);
+  if (end > 0) roots.add(b.value > 0 ? -lesser : larger, 1);
   return roots;
 }
 
@@ -138,8 +140,7 @@ class Chord {
     ux_ = steep ? 0 : unit_edge.x;
     uy_ = steep ? (y.value < 0 ? -1 : 1) : unit_edge.y;
     // The discriminant's root is half the chord where `off` is its distance.
-    const bool odd = (d.exponent & 1) != 0;
-    const Scaled half{std::sqrt(odd ? 2 * d.value : d.value), (d.exponent - (odd ? 1 : 0)) / 2};
+    const Scaled half = root(d);
     const int unit = off.value == 0 || (half.value != 0 && half.exponent > off.exponent) ? half.exponent : off.exponent;
     off_ = arithmetic::scale(off.value, off.exponent - unit);
     half_ = arithmetic::scale(half.value, half.exponent - unit);

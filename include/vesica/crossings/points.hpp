@@ -29,6 +29,17 @@ inline double quotient(const Scaled& a, const Scaled& b) noexcept {
   return arithmetic::scale(a.value / b.value, a.exponent - b.exponent);
 }
 
+/// a + b for numbers that are not negative.
+inline Scaled sum(const Scaled& a, const Scaled& b) noexcept {
+  if (b.value == 0) return a;
+  if (a.value == 0 || a.exponent < b.exponent) return a.value == 0 ? b : sum(b, a);
+  return {a.value + arithmetic::scale(b.value, b.exponent - a.exponent), a.exponent};
+}
+inline Scaled root(const Scaled& a) noexcept {
+  const bool odd = (a.exponent & 1) != 0;
+  return {std::sqrt(odd ? 2 * a.value : a.value), (a.exponent - (odd ? 1 : 0)) / 2};
+}
+
 template <int Degree>
 double nearest(const exact::Number<Degree>& x) noexcept {
   return to_double(exact::rounded(x));
@@ -37,9 +48,9 @@ double nearest(const exact::Number<Degree>& x) noexcept {
 /// An exact number over 2^exponent, to two doubles.
 template <int Degree>
 Real two_doubles(const exact::Number<Degree>& x, int exponent) noexcept {
-  const Scaled high = exact::rounded(x), low = exact::rounded(x - exact::from_double(high.value, high.exponent));
-  return {arithmetic::scale(high.value, high.exponent - exponent),
-          arithmetic::scale(low.value, low.exponent - exponent)};
+  const auto [high, low] = exact::rounded_twice(x);
+  const int shift = high.exponent - exponent;
+  return {arithmetic::scale(high.value, shift), arithmetic::scale(low, shift)};
 }
 
 /// Grows with the angle of (x, y) from the positive x axis, from 0 up to 4; 0 for the origin.
@@ -64,13 +75,14 @@ struct Found {
   void add(const Place& p) noexcept {
     if (count < 8) place[count++] = p;
   }
-  /// The place nearest to where the second outline begins, if one is near it.
+  /// The place nearest to where the second outline begins, if one is near it; of several the first, a corner perhaps,
+  /// which is exact.
   Place* next_to_start_of_b() noexcept {
     Place* next = nullptr;
-    double least = 0x1p-30;
+    Real least(0x1p-30);
     for (int i = 0; i < count; ++i) {
-      const double at = rounded(place[i].along_b), off = at > 2 ? 4 - at : at;
-      if (off > least) continue;
+      const Real at = place[i].along_b, off = rounded(at) > 2 ? Real(4.0) - at : at;
+      if (!(off < least)) continue;
       least = off;
       next = &place[i];
     }

@@ -37,11 +37,9 @@ inline Depth tiny_disc_depth(const Circle<double>& a, const Circle<double>& b, c
   using exact::from_double;
   const auto x = from_double(b.cx) - from_double(a.cx), y = from_double(b.cy) - from_double(a.cy);
   const auto numerator = exact::square(from_double(a.r) + from_double(b.r)) - (exact::square(x) + exact::square(y));
-  const auto high = exact::rounded(numerator);
-  const auto low = exact::rounded(numerator - from_double(high.value, high.exponent));
-  const auto quotient =
-      arithmetic::AccurateDoubleDouble(high.value, arithmetic::scale_far(low.value, low.exponent - high.exponent)) /
-      arithmetic::AccurateDoubleDouble(both_lengths.high, both_lengths.low);
+  const auto [high, low] = exact::rounded_twice(numerator);
+  const auto quotient = arithmetic::AccurateDoubleDouble(high.value, low) /
+                        arithmetic::AccurateDoubleDouble(both_lengths.high, both_lengths.low);
   return {{quotient.high, quotient.low}, plain.direction, high.exponent - plain.exponent};
 }
 

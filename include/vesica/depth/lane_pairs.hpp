@@ -26,13 +26,20 @@ VESICA_INLINE MaskOf<V> out_of_order(const Ellipse<V>& a, const Ellipse<V>& b, c
   return greater;
 }
 
+/// An offset of 0 has no sign: whether a stored 0 had one must not tell the way.
+template <class V>
+VESICA_INLINE Vector<V> without_signs_of_zero(const Vector<V>& d) noexcept {
+  const V zero(0.0);
+  return {{zero + d.x.high, d.x.low}, {zero + d.y.high, d.y.low}};
+}
+
 /// idle: lanes that are not asked for, whatever they then answer.
 template <class V>
 VESICA_INLINE LaneDepth<V> lane_depth(const Ellipse<V>& a, const Ellipse<V>& b, MaskOf<V> idle) noexcept {
   const V zero(0.0), one(1.0);
   const auto exchange = out_of_order(a, b, offset(a.cx, a.cy, b.cx, b.cy));
   const Ellipse<V> first = choose(exchange, b, a), second = choose(exchange, a, b);
-  const Vector<V> d = offset(first.cx, first.cy, second.cx, second.cy);
+  const Vector<V> d = without_signs_of_zero(offset(first.cx, first.cy, second.cx, second.cy));
   const V size = size_of(first, second, d);
   const ClosestOffsets<V> f = deepest(axes(first), axes(second), d, size, idle);
   const V depth = -rounded(f.distance), sign = select(exchange, -one, one);
@@ -46,7 +53,7 @@ VESICA_INLINE LaneDepth<V> lane_depth(const Circle<V>& a, const Ellipse<V>& b, M
 template <class V>
 VESICA_INLINE LaneDepth<V> lane_depth(const Rect<V>& a, const Ellipse<V>& b, MaskOf<V> idle) noexcept {
   const V zero(0.0);
-  const Vector<V> d = offset(a.cx, a.cy, b.cx, b.cy);
+  const Vector<V> d = without_signs_of_zero(offset(a.cx, a.cy, b.cx, b.cy));
   const V size = size_of(a, b, d);
   const BoxEllipse<V> f = deepest(box(a), axes(b), d, size, idle);
   const V depth = -rounded(f.distance);

@@ -2,67 +2,91 @@
 /// Box against ellipse, exactly.
 #pragma once
 
+#include <type_traits>
 #include <vesica/exact/box_box.hpp>
 
 namespace vesica::exact {
 
 namespace detail {
 
-/// A segment at distance x from the ellipse's centre along the first axis of the frame, centred at distance y across
-/// it and of half length e, against the ellipse { z : z . P^-1 z <= 1 }: 1 when it misses, 0 when it only touches, -1
-/// when it meets the inside. The line cuts the ellipse in the chord with centre p01 x / p00 and half length
-/// sqrt(det (p00 - x^2)) / p00.
-template <int P, int X, int Y, int E, int D>
-int segment_gap(const Number<P>& p00, const Number<P>& p01, const Number<D>& det, const Number<X>& x,
-                const Number<Y>& y, const Number<E>& e) noexcept {
-  const auto gap = abs(p00 * y - p01 * x) - p00 * e;
-  const auto room = p00 - square(x);
-  if (room.sign < 0) return 1;
-  if (gap.sign <= 0) return -room.sign;
-  return -compare_product_with_square(det, room, gap);
+/// An ellipse about the origin, in the frame of a box: { z : z . P^-1 z <= 1 } with P = a^2 (c, s)(c, s)^T + b^2 (-s, c)
+/// (-s, c)^T.
+template <class Size, class Axis>
+struct FramedEllipse {
+  const Size &a, &b;
+  const Axis &c, &s;
+
+  /// The sign of 1 - z . P^-1 z for z = (x, y). Degree 12.
+  template <class Place>
+  int inside(const Place& x, const Place& y, Signs& sign) const noexcept {
+    const auto along = b * (c * x + s * y), across = a * (c * y - s * x), radius = (a * b) * (square(c) + square(s));
+    return sign.of(square(radius) - (square(along) + square(across)));
+  }
+};
+
+/// A segment at distance x >= 0 from the ellipse's centre along the first axis of the frame, from `from` to `to` across
+/// it: 1 when it misses the ellipse, 0 when it only touches, -1 when it meets the inside. The line cuts the ellipse in
+/// a chord with centre p01 x / p00, if p00 >= x^2. Where that lies beyond an end, the end tells.
+template <class P, class Place, class Inside>
+int segment_gap(const P& p00, const P& p01, const Place& x, const Place& from, const Place& to, const Inside& inside,
+                Signs& sign) noexcept {
+  const int room = sign.of(p00 - square(x));
+  if (room < 0) return 1;
+  const auto centre = p01 * x;
+  if (sign.of(p00 * from - centre) > 0) return -inside(from);
+  return sign.of(centre - p00 * to) > 0 ? -inside(to) : -room;
 }
 
 /// A box and an ellipse in the frame of the box, in units of |u|, folded so that the ellipse's centre k lies in the
 /// first quadrant. The edges visible from there are those towards +x and +y. Testing these two suffices: a common point
 /// of both shapes, seen from the centre, lies behind a visible edge, so the ellipse meets that edge too. If the centre
 /// lies beside the box along an axis (x or y is then 0), the tested segment runs inside the box instead, through the
-/// centre's foot, so meeting it also proves overlap. The same holds for the inside of the ellipse. Degree 18. The
-/// regions are those of D. Eberly, "Intersection of Rectangle and Ellipse" (Geometric Tools).
+/// centre's foot, so meeting it also proves overlap. The same holds for the inside of the ellipse. The regions are those
+/// of D. Eberly, "Intersection of Rectangle and Ellipse" (Geometric Tools).
 struct VisibleEdges {
-  Number<6> p00, p01, p11;
-  Number<12> det;
-  Number<3> x, y, kx, ky, ex, ey;
-  bool centre_inside;  ///< the ellipse's centre is in the box, and nothing but ex, ey, kx, ky is set
+  Number<2> c, s;
+  Number<3> near_x, near_y, far_x, far_y;
+  const Length &a, &b;
+  bool centre_inside;  ///< the ellipse's centre is in the box
 
-  VisibleEdges(const Box& box, const Ellipse& ellipse) noexcept {
+  VisibleEdges(const Box& box, const Ellipse& ellipse) noexcept
+      : c(dot(box.ux, box.uy, ellipse.ux, ellipse.uy)),
+        s(cross(box.ux, box.uy, ellipse.ux, ellipse.uy)),
+        a(ellipse.a),
+        b(ellipse.b) {
     const Length dx = ellipse.cx - box.cx, dy = ellipse.cy - box.cy;
     const auto uu = dot(box.ux, box.uy, box.ux, box.uy);
-    kx = dot(box.ux, box.uy, dx, dy);
-    ky = cross(box.ux, box.uy, dx, dy);
-    const int fold = kx.sign * ky.sign < 0 ? -1 : 1;
+    auto kx = dot(box.ux, box.uy, dx, dy), ky = cross(box.ux, box.uy, dx, dy);
+    s.sign *= kx.sign * ky.sign < 0 ? -1 : 1;
     kx.sign *= kx.sign;
     ky.sign *= ky.sign;
-    ex = box.hx * uu;
-    ey = box.hy * uu;
-    x = kx - ex;
-    y = ky - ey;
-    centre_inside = x.sign <= 0 && y.sign <= 0;
-    if (centre_inside) return;
-    if (x.sign < 0) x = {};
-    if (y.sign < 0) y = {};
-
-    const auto c = dot(box.ux, box.uy, ellipse.ux, ellipse.uy);
-    const auto s = cross(box.ux, box.uy, ellipse.ux, ellipse.uy);
-    const auto aa = square(ellipse.a), bb = square(ellipse.b);
-    const auto cc = square(c), ss = square(s);
-    p00 = aa * cc + bb * ss;
-    p11 = aa * ss + bb * cc;
-    p01 = (aa - bb) * (c * s);
-    p01.sign *= fold;
-    det = square((ellipse.a * ellipse.b) * (cc + ss));
+    const auto ex = box.hx * uu, ey = box.hy * uu;
+    near_x = kx - ex;
+    near_y = ky - ey;
+    far_x = kx + ex;
+    far_y = ky + ey;
+    centre_inside = near_x.sign <= 0 && near_y.sign <= 0;
   }
-  int gap_x() const noexcept { return segment_gap(p00, p01, det, x, ky, ey); }
-  int gap_y() const noexcept { return segment_gap(p11, p01, det, y, kx, ex); }
+  /// The lesser gap of the two edges; that of the first if it is at most `enough`.
+  int gap(int enough) const noexcept {
+    return decide(
+        [enough](Signs& sign, const auto& size_0, const auto& size_1, const auto& cosine, const auto& sine,
+                 const auto& x0, const auto& x1, const auto& y0, const auto& y1) {
+          using Place = std::decay_t<decltype(x0)>;
+          const FramedEllipse<std::decay_t<decltype(size_0)>, std::decay_t<decltype(sine)>> e{size_0, size_1, cosine,
+                                                                                              sine};
+          const auto aa = square(size_0), bb = square(size_1), cc = square(cosine), ss = square(sine);
+          const auto p01 = (aa - bb) * (cosine * sine);
+          const Place x = x0.sign < 0 ? Place() : x0, y = y0.sign < 0 ? Place() : y0;
+          const auto at_x = [&](const Place& end) { return e.inside(x, end, sign); };
+          const int gap_x = segment_gap(aa * cc + bb * ss, p01, x, y0, y1, at_x, sign);
+          if (gap_x <= enough) return gap_x;
+          const auto at_y = [&](const Place& end) { return e.inside(end, y, sign); };
+          const int gap_y = segment_gap(aa * ss + bb * cc, p01, y, x0, x1, at_y, sign);
+          return gap_x < gap_y ? gap_x : gap_y;
+        },
+        a, b, c, s, near_x, far_x, near_y, far_y);
+  }
 };
 
 }  // namespace detail
@@ -71,18 +95,14 @@ struct VisibleEdges {
 inline bool overlap(const Box& box, const Ellipse& ellipse) noexcept {
   if (degenerate(ellipse)) return overlap(box, as_box(ellipse));
   const detail::VisibleEdges edges(box, ellipse);
-  return edges.centre_inside || edges.gap_x() <= 0 || edges.gap_y() <= 0;
+  return edges.centre_inside || edges.gap(0) <= 0;
 }
 
 /// -1 when the inside of an ellipse that is not degenerate meets the box, 0 when only its outline does, 1 when they are
 /// disjoint. The inside of the ellipse is open, so if it meets the box, it also meets the box's relative inside.
 inline int contact(const Box& box, const Ellipse& ellipse) noexcept {
   const detail::VisibleEdges edges(box, ellipse);
-  if (edges.centre_inside) return -1;
-  const int gap_x = edges.gap_x();
-  if (gap_x < 0) return -1;
-  const int gap_y = edges.gap_y();
-  return gap_x < gap_y ? gap_x : gap_y;
+  return edges.centre_inside ? -1 : edges.gap(-1);
 }
 
 /// How far a box stays within an ellipse that is not degenerate: 1 clear of the outline, 0 up to it, -1 not within.

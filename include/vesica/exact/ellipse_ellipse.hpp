@@ -3,38 +3,20 @@
 #pragma once
 
 #include <vesica/exact/box_ellipse.hpp>
+#include <vesica/exact/contact_cubic.hpp>
+#include <vesica/exact/long_cubic.hpp>
 #include <vesica/relation_code.hpp>
 
 namespace vesica::exact {
 
-/// The cubic p(x) = d1 + c1 x + c2 x^2 + d2 x^3 that decides everything between two ellipses: they share a point
-/// iff p(x) >= 0 for all x > 0. With S1, S2 the matrices of the ellipses, E = { K + z : z . S^-1 z <= 1 }, and D the
-/// offset of centres, they share a point iff the Perram-Wertheim contact function D . (S1 / l + S2 / (1 - l))^-1 D
-/// stays at most 1 on 0 < l < 1. With x = l / (1 - l), cleared of fractions, that is
-/// p(x) = (1 + x) det(S1 + x S2) - x D . adj(S1 + x S2) D, where det = d1 + mu x + d2 x^2 and the rest al + be x.
-/// J. W. Perram and M. S. Wertheim, J. Comput. Phys. 58 (1985) 409.
-struct ContactCubic {
-  Number<8> d1, c1, c2, d2, mu, al, be;
-};
-
-inline ContactCubic contact_cubic(const Ellipse& e, const Ellipse& f) noexcept {
-  const Length dx = f.cx - e.cx, dy = f.cy - e.cy;
-  const auto c = dot(e.ux, e.uy, f.ux, f.uy), s = cross(e.ux, e.uy, f.ux, f.uy);
-  const auto a0 = square(e.a), a1 = square(e.b), b0 = square(f.a), b1 = square(f.b);
-  ContactCubic p;
-  p.mu = square(c) * (a0 * b1 + a1 * b0) + square(s) * (a0 * b0 + a1 * b1);
-  p.al = square(e.b * dot(e.ux, e.uy, dx, dy)) + square(e.a * cross(e.ux, e.uy, dx, dy));
-  p.be = square(f.b * dot(f.ux, f.uy, dx, dy)) + square(f.a * cross(f.ux, f.uy, dx, dy));
-  p.d1 = square(e.a * e.b * dot(e.ux, e.uy, e.ux, e.uy));
-  p.d2 = square(f.a * f.b * dot(f.ux, f.uy, f.ux, f.uy));
-  p.c1 = p.d1 + p.mu - p.al;
-  p.c2 = p.d2 + p.mu - p.be;
-  return p;
-}
-
 /// Sign of the discriminant of p, up to a positive factor: 1 for three real roots, 0 for a multiple one, -1 for a
 /// single real root. Degree 32.
 VESICA_COLD inline int discriminant_sign(const ContactCubic& p) noexcept {
+  if (is_long(p)) {
+    Signs signs;
+    const int sign = discriminant_sign(p, signs);
+    if (signs.certain) return sign;
+  }
   const Number<0> three = integer(3);
   const auto a = square(p.c2) - three * (p.d2 * p.c1);
   const auto b = p.c1 * p.c2 - integer(9) * (p.d1 * p.d2);
@@ -81,6 +63,11 @@ inline Relation concentric(const ContactCubic& p) noexcept {
 /// or beyond y+ to a local maximum; with three real roots that maximum is not negative. q'(y+), q''(y+) and q(y+) times
 /// positive factors are numbers a + b sqrt(delta). Degree 32.
 VESICA_COLD inline bool first_in_second(const ContactCubic& p) noexcept {
+  if (is_long(p)) {
+    Signs signs;
+    const bool inside = exact::first_in_second(p, signs);
+    if (signs.certain) return inside;
+  }
   const Number<0> two = integer(2), three = integer(3);
   const Number<16> delta = square(p.mu) - integer(4) * (p.d1 * p.d2);
   const Number<8> slope = two * p.c2 - three * p.mu;

@@ -2,7 +2,7 @@
 /// The two forms the exact stage knows. Each shape becomes one without rounding, by the mapping of form/form.hpp.
 #pragma once
 
-#include <vesica/exact/number.hpp>
+#include <vesica/exact/leading.hpp>
 #include <vesica/form/form.hpp>
 
 namespace vesica::exact {

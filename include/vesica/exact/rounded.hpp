@@ -23,4 +23,15 @@ vesica::detail::arithmetic::Scaled rounded(const Number<Degree>& x) noexcept {
   return {x.sign < 0 ? -value : value, 64 * (x.low + x.size) - shift};
 }
 
+/// The same, and what it leaves: (high.value + low) * 2^high.exponent, low rounded as high is.
+struct RoundedTwice {
+  vesica::detail::arithmetic::Scaled high;
+  double low;
+};
+template <int Degree>
+RoundedTwice rounded_twice(const Number<Degree>& x) noexcept {
+  const auto high = rounded(x), low = rounded(x - from_double(high.value, high.exponent));
+  return {high, vesica::detail::arithmetic::scale_far(low.value, low.exponent - high.exponent)};
+}
+
 }  // namespace vesica::exact

@@ -67,12 +67,21 @@ inline constexpr bool is_corners = false;
 template <class V>
 inline constexpr bool is_corners<Corners<V>> = true;
 
+template <class Axis>
+inline constexpr bool is_fixed_axis = false;
+template <>
+inline constexpr bool is_fixed_axis<Constant> = true;
+template <>
+inline constexpr bool is_fixed_axis<WidthAxis> = true;
+
 template <Outline outline_, class Place, class Ux, class Uy, class Size>
 struct Form {
   static constexpr Outline outline = outline_;
   /// A difference of end points is 0 for a segment of no length; the stages that need an axis then take any.
   static constexpr bool axis_may_vanish = is_difference<Ux>;
   static constexpr bool has_corners = is_corners<Place>;
+  /// Along the coordinate axes, whatever its numbers are.
+  static constexpr bool is_upright = outline_ == Outline::straight && is_fixed_axis<Ux>;
   Place place;
   Ux ux;
   Uy uy;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <vesica/nearest/disjoint.hpp>
+#include <vesica/nearest/near_outline.hpp>
 
 namespace vesica::detail::nearest {
 
@@ -190,6 +191,24 @@ inline Common common_point(const PlacedPair& p) noexcept {
 
 /// Smaller than this share of the pair a shape is all one place, to rounding.
 inline constexpr double small_share = 0x1p-56;
+
+/// How far outside of a shape the point at (x, y) from its centre is, at least; 0 inside.
+inline double beyond(const Placed& s, double x, double y) noexcept {
+  if (s.radius > 0) return positive_part(sqrt(x * x + y * y) - s.radius);
+  const double ux = s.box.u.x.high, uy = s.box.u.y.high, length = sqrt(ux * ux + uy * uy);
+  const double along = (ux * x + uy * y) / length, across = (ux * y - uy * x) / length;
+  const double a = s.box.hx.high * length, b = s.box.hy.high * length;
+  if (!s.curved) return positive_part(outside(along, across, a, b));
+  const bool inside = (along / a) * (along / a) + (across / b) * (across / b) <= 1;
+  return inside ? 0 : off_ellipse(a, b, along, across);
+}
+
+/// Whether the other shape holds the point too, to rounding.
+inline bool is_certain(const Common& c, const PlacedPair& p) noexcept {
+  const double sign = c.of_a ? -1.0 : 1.0;
+  const Vector<double> d = flipped(p.d, sign);
+  return beyond(c.of_a ? p.b : p.a, c.contact.x + d.x.high, c.contact.y + d.y.high) <= least_certain;
+}
 
 inline bool holds_other(const Placed& a, const Placed& b, const Vector<double>& d, double size) noexcept {
   return reach(b) < small_share * size || holds(a, d);

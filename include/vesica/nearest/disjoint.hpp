@@ -87,7 +87,8 @@ inline Closest closest_box_ellipse(const Box<double>& box, const Axes<double>& e
                                    double radius, int& steps) noexcept {
   BoxEllipse<double> found = box_ellipse(box, e, d, size, steps);
   if (!found.settled) found = box_ellipse_by_features(box, e, d, size, steps);
-  if (rounded(found.distance) - radius < found.doubt) {
+  // A face's normal lacks nothing, and leaves no doubt.
+  if (found.doubt > 0 && rounded(found.distance) - radius < found.doubt) {
     const Vector<double> corner = vertex(box, std::copysign(1.0, found.spot.s), std::copysign(1.0, found.spot.t));
     found.distance = polished_distance(renormalised(d - corner), {found.nx, found.ny}, nullptr, e);
   }

@@ -107,12 +107,36 @@ VESICA_INLINE LaneAnswer<V> choose(MaskOf<V> m, const LaneAnswer<V>& yes, const 
           either(both(m, yes.settled), and_not(no.settled, m))};
 }
 
-/// Offsets from centres to places.
+/// Offsets from centres to places. A sum of zeros loses its sign, which would tell the order of the shapes.
 template <class A, class B, class V>
 VESICA_INLINE LaneAnswer<V> located(const A& a, const B& b, const Twofold<V>& distance, V ax, V ay, V bx, V by,
                                     MaskOf<V> settled, V doubt = V(0.0)) noexcept {
-  const V least = rounded(distance);
-  return {least, a.cx + ax, a.cy + ay, b.cx + bx, b.cy + by, both(settled, both(least > V(0.0), least >= doubt))};
+  const V least = rounded(distance), zero(0.0);
+  return {least,
+          zero + (a.cx + ax),
+          zero + (a.cy + ay),
+          zero + (b.cx + bx),
+          zero + (b.cy + by),
+          both(settled, both(least > V(0.0), least >= doubt))};
+}
+
+template <class V>
+VESICA_INLINE V extent(const Circle<V>& c) noexcept {
+  return c.r;
+}
+template <class V>
+VESICA_INLINE V extent(const Ellipse<V>& e) noexcept {
+  return extent(e.ux, e.uy, e.a, e.b);
+}
+template <class V>
+VESICA_INLINE V extent(const Rect<V>& r) noexcept {
+  return extent(r.ux, r.uy, r.hx, r.hy);
+}
+
+/// At least the scale that error bounds speak of, at most some ten times that; but for powers of two PlacedPair::size.
+template <class A, class B, class V>
+VESICA_INLINE V size_of(const A& a, const B& b, const Vector<V>& d) noexcept {
+  return (extent(a) + extent(b)) + (abs(d.x.high) + abs(d.y.high));
 }
 
 template <class V>
@@ -124,23 +148,20 @@ VESICA_INLINE LaneAnswer<V> apart(const Rect<V>& a, const Rect<V>& b, const Vect
 template <class V>
 VESICA_INLINE LaneAnswer<V> apart(const Rect<V>& a, const Ellipse<V>& b, const Vector<V>& d) noexcept {
   int steps;
-  const V size = ((a.hx + a.hy) + (b.a + b.b)) + (abs(d.x.high) + abs(d.y.high));
-  const BoxEllipse<V> f = box_ellipse(box(a), axes(b), d, size, steps);
+  const BoxEllipse<V> f = box_ellipse(box(a), axes(b), d, size_of(a, b, d), steps);
   return located(a, b, f.distance, f.spot.s * a.ux - f.spot.t * a.uy, f.spot.s * a.uy + f.spot.t * a.ux, f.bx, f.by,
                  f.settled, f.doubt);
 }
 template <class V>
 VESICA_INLINE LaneAnswer<V> apart(const Circle<V>& a, const Ellipse<V>& b, const Vector<V>& d) noexcept {
   int steps;
-  const V size = (a.r + (b.a + b.b)) + (abs(d.x.high) + abs(d.y.high));
-  const ClosestOffsets<V> f = circle_ellipse(a.r, axes(b), d, size, steps);
+  const ClosestOffsets<V> f = circle_ellipse(a.r, axes(b), d, size_of(a, b, d), steps);
   return located(a, b, f.distance, f.ax, f.ay, f.bx, f.by, f.settled, f.doubt);
 }
 template <class V>
 VESICA_INLINE LaneAnswer<V> apart(const Ellipse<V>& a, const Ellipse<V>& b, const Vector<V>& d) noexcept {
   int steps;
-  const V size = ((a.a + a.b) + (b.a + b.b)) + (abs(d.x.high) + abs(d.y.high));
-  const ClosestOffsets<V> f = ellipse_ellipse(axes(a), axes(b), d, size, steps);
+  const ClosestOffsets<V> f = ellipse_ellipse(axes(a), axes(b), d, size_of(a, b, d), steps);
   return located(a, b, f.distance, f.ax, f.ay, f.bx, f.by, f.settled, f.doubt);
 }
 

@@ -69,7 +69,7 @@ struct Placed {
 struct PlacedPair {
   Placed a, b;
   Vector<double> d;
-  double size;  // at least the largest length, at most some six times that
+  double size;  // at least the largest length, at most some ten times that
   int exponent;
 };
 
@@ -103,15 +103,26 @@ inline Placed placed(const Form& f, int unit) noexcept {
   return p;
 }
 
-inline double reach(const Placed& p) noexcept { return p.radius + (p.box.hx.high + p.box.hy.high); }
+/// At least how far the shape reaches. Its digits are those of a circle, a rectangle or an ellipse as stored.
+inline double reach(const Placed& p) noexcept {
+  return p.radius > 0 ? p.radius : extent(p.box.u.x.high, p.box.u.y.high, p.box.hx.high, p.box.hy.high);
+}
+
+/// A coordinate of the offset in units of 2^exponent. It keeps its sign, by which closest points are chosen where
+/// several are equally close.
+inline Twofold<double> scaled_offset(const arithmetic::Pair<double>& x, int exponent) noexcept {
+  const Twofold<double> s = scaled({x.high, x.low}, exponent);
+  const bool vanished = s.high == 0 && x.high != 0;
+  return vanished ? Twofold<double>{std::copysign(0x1p-1074, x.high), 0} : s;
+}
 
 inline PlacedPair placed(const Form& a, const Form& b) noexcept {
   const arithmetic::Pair<double> x = form::twice_offset_x(a.place, b.place, 1);
   const arithmetic::Pair<double> y = form::twice_offset_y(a.place, b.place, 1);
-  const Vector<double> d{{x.high, x.low}, {y.high, y.low}};
-  const int unit = form::common_exponent({largest_exponent(a), largest_exponent(b), form::length_exponent(d.x.high, -1),
-                                          form::length_exponent(d.y.high, -1)});
-  PlacedPair p{placed(a, unit), placed(b, unit), {scaled(d.x, -1 - unit), scaled(d.y, -1 - unit)}, 0, unit};
+  const int unit = form::common_exponent(
+      {largest_exponent(a), largest_exponent(b), form::length_exponent(x.high, -1), form::length_exponent(y.high, -1)});
+  const Vector<double> d{scaled_offset(x, -1 - unit), scaled_offset(y, -1 - unit)};
+  PlacedPair p{placed(a, unit), placed(b, unit), d, 0, unit};
   p.size = (reach(p.a) + reach(p.b)) + (abs(p.d.x.high) + abs(p.d.y.high));
   return p;
 }
@@ -152,7 +163,8 @@ struct Located {
 template <class Shape>
 Located located(const Shape& s, const Placed&, const Contact& c, int exponent) noexcept {
   const form::Centre<double> centre = form::of(s).place;
-  return {centre.x + scale_far(c.x, exponent), centre.y + scale_far(c.y, exponent)};
+  // A sum of zeros loses its sign, which would tell the order of the shapes.
+  return {0.0 + (centre.x + scale_far(c.x, exponent)), 0.0 + (centre.y + scale_far(c.y, exponent))};
 }
 /// Without a sum, which would lose the sign of a zero.
 inline Located located(const Point<double>& s, const Placed&, const Contact&, int) noexcept { return {s.x, s.y}; }

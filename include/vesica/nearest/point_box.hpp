@@ -14,6 +14,12 @@ struct Box {
   Twofold<V> hx, hy;
 };
 
+/// At least how far a box or an ellipse reaches from its centre.
+template <class V>
+VESICA_INLINE V extent(V ux, V uy, V a, V b) noexcept {
+  return (abs(ux) + abs(uy)) * (a + b);
+}
+
 /// A place in a box, by coordinates along and across the axis; exactly +-hx or +-hy where on a face.
 template <class V>
 struct Spot {

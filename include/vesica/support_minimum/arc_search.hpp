@@ -41,6 +41,8 @@ struct Minimum {
 inline constexpr int evaluation_limit = 400;
 inline constexpr int arc_limit = 24;
 inline constexpr int polish_limit = 12;
+/// Two values at the same minimum differ by their rounding, which is up to so many tolerances.
+inline constexpr double polish_slack = 16;
 
 /// Between two samples; `e` includes the corners of boxes.
 struct Arc {
@@ -260,18 +262,24 @@ class ArcSearch {
 
   /// The search ends where F is least up to rounding. The direction may then still be off by the square root of that.
   /// Further Newton steps improve the closest points; they are taken while each halves the slope and the same corners
-  /// of boxes are the furthest.
+  /// of boxes are the furthest. Where a thin shape's curvature changes faster than a step allows for, a quarter of it is
+  /// tried.
   void polish() noexcept {
+    double damping = 1;
     for (int i = 0; i < polish_limit; ++i) {
       const Sample& s = minimum_.at;
       const double k = s.radius1 + objective_.sign * s.radius2 - s.value;
       if (!(k > 0) || s.slope == 0) return;
-      const PlaneVector n = towards_minimum(s, k), e = with_corners(n);
+      const PlaneVector n = towards_minimum(s, damping * k), e = with_corners(n);
       if (e.x != e_.x || e.y != e_.y) return;
       const Sample next = evaluate(n, e_);
-      const bool better = lane::abs(next.slope) <= lane::abs(s.slope) / 2;
-      if (!better || !(next.value <= s.value + objective_.tolerance)) return;
-      minimum_.at = next;
+      const bool better = lane::abs(next.slope) <= lane::abs(s.slope) * (1 - 0.5 / damping);
+      if (better && next.value <= s.value + polish_slack * objective_.tolerance) {
+        minimum_.at = next;
+        damping = 1;
+      } else {
+        damping *= 4;
+      }
     }
   }
 

@@ -38,6 +38,8 @@ class Frame {
     return quotient_by_root(all, uu_ * support_minimum::dot(n.x, n.y, n.x, n.y));
   }
 
+  /// The length of the first shape's axis in the pair's unit.
+  double axis_length() const noexcept { return lane::sqrt(uu_.high); }
   /// The first shape where the frame's unit is the length of its own axis.
   CentredShape first_by_axis() const noexcept {
     const PlacedShape& s = pair_.first;
@@ -61,7 +63,7 @@ class Frame {
   PlaneVector world(const PlaneVector& n) const noexcept { return out_of_frame(pair_.first.centred.axis, n); }
   /// The second centre, from the first, in the frame.
   PlaneVector offset() const noexcept {
-    const double length = lane::sqrt(uu_.high);
+    const double length = axis_length();
     return {offset_.x.high / length, offset_.y.high / length};
   }
 

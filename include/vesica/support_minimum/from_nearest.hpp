@@ -45,6 +45,7 @@ using nearest::pull;
 using nearest::search_between;
 using nearest::semi_axes;
 using nearest::separation;
+using nearest::size_of;
 using nearest::support;
 using nearest::two_ellipses;
 using nearest::unit;

@@ -18,24 +18,6 @@ VESICA_INLINE const Ellipse<V>& as_ellipse(const Ellipse<V>& e) noexcept {
   return e;
 }
 
-template <class V>
-VESICA_INLINE V extent(V ux, V uy, V a, V b) noexcept {
-  return (abs(ux) + abs(uy)) * (a + b);
-}
-template <class V>
-VESICA_INLINE V extent(const Ellipse<V>& e) noexcept {
-  return extent(e.ux, e.uy, e.a, e.b);
-}
-template <class V>
-VESICA_INLINE V extent(const Rect<V>& r) noexcept {
-  return extent(r.ux, r.uy, r.hx, r.hy);
-}
-
-/// At least the scale that error bounds speak of, at most some ten times that.
-template <class A, class B, class V>
-VESICA_INLINE V size_of(const A& a, const B& b, const Vector<V>& d) noexcept {
-  return (extent(a) + extent(b)) + (abs(d.x.high) + abs(d.y.high));
-}
 template <class A, class B, class V>
 VESICA_INLINE MaskOf<V> moderate_pair(const A& a, const B& b, const Vector<V>& d) noexcept {
   return both(moderate(d), both(moderate(a), moderate(b)));

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The leading digits of long numbers: nearly always they tell the sign of a polynomial, in a small part of the time
+/// that all digits take. What they do not tell is asked of the numbers themselves.
+#pragma once
+
+#include <initializer_list>
+#include <vesica/exact/number.hpp>
+
+namespace vesica::exact {
+
+/// A number to 64 limbs - 63 binary digits or more, with a bound on what is missing.
+template <int limbs>
+struct Leading {
+  static constexpr std::int64_t nothing = -(std::int64_t{1} << 40);
+
+  std::int32_t sign = 0;
+  std::int32_t low = 0;
+  std::int64_t error = nothing;  ///< the number is less than 2^error away, or `nothing` is missing
+  Limb limb[limbs] = {};         ///< the last one not zero, unless the sign is 0
+
+  Leading() noexcept = default;
+  template <int Degree>
+  explicit Leading(const Number<Degree>& x) noexcept {
+    if (x.sign != 0) set(x.sign, x.span());
+  }
+  /// Of a magnitude that may begin with zeros.
+  void set(int its_sign, detail::Span x) noexcept {
+    while (x.size > 0 && x.limb[x.size - 1] == 0) --x.size;
+    if (x.size == 0) return;
+    sign = its_sign;
+    low = x.low + x.size - limbs;
+    for (int i = 0; i < limbs; ++i) limb[i] = x.at(low + i);
+    for (int i = 0; i < x.size - limbs; ++i) {
+      if (x.limb[i] != 0) return lose(std::int64_t{64} * low);
+    }
+  }
+  void lose(std::int64_t exponent) noexcept { error = (error > exponent ? error : exponent) + 1; }
+
+  /// As a product.
+  void lose_factors(const Leading& a, const Leading& b) noexcept {
+    for (const std::int64_t part : {a.top() + b.error, b.top() + a.error, a.error + b.error}) {
+      if (part > nothing / 2) lose(part);
+    }
+  }
+
+  detail::Span span() const noexcept { return {limb, low, limbs}; }
+  /// Its magnitude is less than 2^top, and at least half of that unless it is 0.
+  std::int64_t top() const noexcept {
+    return sign == 0 ? nothing : 64 * (std::int64_t{low} + limbs) - std::countl_zero(limb[limbs - 1]);
+  }
+  bool sign_is_certain() const noexcept { return error == nothing || top() - 1 > error; }
+};
+
+template <int limbs>
+Leading<limbs> operator*(const Leading<limbs>& a, const Leading<limbs>& b) noexcept {
+  Leading<limbs> product;
+  if (a.sign != 0 && b.sign != 0) {
+    Limb limb[2 * limbs];
+    detail::multiply(a.limb, limbs, b.limb, limbs, limb);
+    product.set(a.sign * b.sign, {limb, a.low + b.low, 2 * limbs});
+  }
+  product.lose_factors(a, b);
+  return product;
+}
+
+/// A small whole number of times.
+template <int limbs>
+Leading<limbs> times(int factor, const Leading<limbs>& a) noexcept {
+  return Leading<limbs>(integer(factor)) * a;
+}
+
+template <int limbs>
+Leading<limbs> square(const Leading<limbs>& a) noexcept {
+  Leading<limbs> product;
+  if (a.sign != 0) {
+    Limb limb[2 * limbs];
+    detail::multiply_by_itself(a.limb, limbs, limb);
+    product.set(1, {limb, 2 * a.low, 2 * limbs});
+  }
+  product.lose_factors(a, a);
+  return product;
+}
+
+template <int limbs>
+Leading<limbs> abs(Leading<limbs> a) noexcept {
+  a.sign = a.sign < 0 ? 1 : a.sign;
+  return a;
+}
+
+template <int limbs>
+Leading<limbs> operator-(const Leading<limbs>& a) noexcept {
+  Leading<limbs> negative = a;
+  negative.sign = -a.sign;
+  return negative;
+}
+
+template <int limbs>
+Leading<limbs> operator+(const Leading<limbs>& a, const Leading<limbs>& b) noexcept {
+  Leading<limbs> sum;
+  // One limb more than the longer of them; what is cut off below is the same for both, so that no order changes.
+  constexpr int n = limbs + 2;
+  Limb limb[n];
+  if (a.sign == 0 || b.sign == 0) {
+    sum = a.sign == 0 ? b : a;
+    sum.error = Leading<limbs>::nothing;
+  } else {
+    const int low = (a.low > b.low ? a.low : b.low) - 1;
+    const int order = a.sign == b.sign ? 1 : detail::compare_magnitude(a.span(), b.span());
+    const detail::Span x = order < 0 ? b.span() : a.span(), y = order < 0 ? a.span() : b.span();
+    if (a.sign == b.sign) {
+      detail::add_magnitude(x, y, low, n, limb);
+    } else {
+      detail::subtract_magnitude(x, y, low, n, limb);
+    }
+    sum.set(order < 0 ? b.sign : a.sign, {limb, low, n});
+    if (a.low < low || b.low < low) sum.lose(std::int64_t{64} * low);
+  }
+  for (const std::int64_t error : {a.error, b.error}) {
+    if (error != Leading<limbs>::nothing) sum.lose(error);
+  }
+  return sum;
+}
+
+template <int limbs>
+Leading<limbs> operator-(const Leading<limbs>& a, const Leading<limbs>& b) noexcept {
+  return a + -b;
+}
+
+/// Of numbers with more limbs the leading digits are worth asking first: few of them, and then more.
+inline constexpr int least_long = 16, few_limbs = 6, some_limbs = 16, more_limbs = 40;
+
+/// Sign of a b - c^2, with neither product formed where signs or magnitudes tell.
+template <int A, int B, int C>
+int compare_product_with_square(const Number<A>& a, const Number<B>& b, const Number<C>& c) noexcept {
+  const int sign = a.sign * b.sign;
+  if (sign <= 0 || c.sign == 0) return sign < 0 || c.sign == 0 ? sign : -1;
+  // The top bit of a product is that of its factors' sum, or one below.
+  const std::int64_t left = detail::top_bit(a) + detail::top_bit(b), right = 2 * detail::top_bit(c);
+  if (left + 1 < right) return -1;
+  if (right + 1 < left) return 1;
+  if (a.size > least_long || b.size > least_long || c.size > least_long) {
+    using Few = Leading<few_limbs>;
+    const Few few = Few(a) * Few(b) - square(Few(c));
+    if (few.sign_is_certain()) return few.sign;
+  }
+  return compare(a * b, square(c));
+}
+
+/// The signs of numbers; once one was not certain nothing is.
+struct Signs {
+  bool certain = true;
+
+  template <int Degree>
+  int of(const Number<Degree>& x) noexcept {
+    return x.sign;
+  }
+  template <int limbs>
+  int of(const Leading<limbs>& x) noexcept {
+    certain = certain && x.sign_is_certain();
+    return x.sign;
+  }
+};
+
+/// The answer to a question about signs: from the numbers' leading digits where these tell, else from all digits.
+template <class Question, int... Degree>
+auto decide(const Question& question, const Number<Degree>&... x) noexcept {
+  if (((x.size > least_long) || ...)) {
+    Signs of_few, of_some;
+    const auto few = question(of_few, Leading<few_limbs>(x)...);
+    if (of_few.certain) return few;
+    const auto some = question(of_some, Leading<some_limbs>(x)...);
+    if (of_some.certain) return some;
+  }
+  Signs signs;
+  return question(signs, x...);
+}
+
+}  // namespace vesica::exact

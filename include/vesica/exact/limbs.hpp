@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Magnitudes as limbs: sums, differences, products.
+#pragma once
+
+#include <cassert>
+#include <cstdint>
+#include <cstring>
+
+namespace vesica::exact {
+
+/// Limbs are 64 bits: value = sum of limb[i] * 2^(64 (low + i)).
+using Limb = std::uint64_t;
+
+namespace detail {
+
+struct LimbPair {
+  Limb low, high;
+};
+
+/// a * b + c + d, which cannot overflow two limbs.
+inline LimbPair multiply_add(Limb a, Limb b, Limb c, Limb d) noexcept {
+#if defined(__SIZEOF_INT128__)
+  __extension__ using Wide = unsigned __int128;
+  const Wide sum = Wide{a} * b + c + d;
+  return {static_cast<Limb>(sum), static_cast<Limb>(sum >> 64)};
+#else
+  constexpr Limb half = 0xffffffffu;
+  const Limb low_low = (a & half) * (b & half), low_high = (a & half) * (b >> 32);
+  const Limb high_low = (a >> 32) * (b & half), high_high = (a >> 32) * (b >> 32);
+  const Limb middle = (low_low >> 32) + (low_high & half) + (high_low & half);
+  LimbPair sum{(middle << 32) | (low_low & half), high_high + (low_high >> 32) + (high_low >> 32) + (middle >> 32)};
+  sum.low += c;
+  sum.high += sum.low < c;
+  sum.low += d;
+  sum.high += sum.low < d;
+  return sum;
+#endif
+}
+
+/// out[0, na + nb) = a * b, schoolbook. Zero limbs of a are skipped.
+inline void multiply(const Limb* a, int na, const Limb* b, int nb, Limb* out) noexcept {
+  for (int i = 0; i < na + nb; ++i) out[i] = 0;
+  for (int i = 0; i < na; ++i) {
+    if (a[i] == 0) continue;
+    Limb carry = 0;
+    for (int j = 0; j < nb; ++j) {
+      const LimbPair sum = multiply_add(a[i], b[j], out[i + j], carry);
+      out[i + j] = sum.low;
+      carry = sum.high;
+    }
+    out[i + nb] = carry;
+  }
+}
+
+/// out[0, 2 n) = a * a: products of different limbs once, doubled, and the squares.
+inline void multiply_by_itself(const Limb* a, int n, Limb* out) noexcept {
+  for (int i = 0; i < 2 * n; ++i) out[i] = 0;
+  for (int i = 0; i < n; ++i) {
+    if (a[i] == 0) continue;
+    Limb carry = 0;
+    for (int j = i + 1; j < n; ++j) {
+      const LimbPair sum = multiply_add(a[i], a[j], out[i + j], carry);
+      out[i + j] = sum.low;
+      carry = sum.high;
+    }
+    out[i + n] = carry;
+  }
+  Limb carry = 0, shifted_out = 0;
+  for (int i = 0; i < n; ++i) {
+    const Limb low = out[2 * i] << 1 | shifted_out, high = out[2 * i + 1] << 1 | out[2 * i] >> 63;
+    shifted_out = out[2 * i + 1] >> 63;
+    const LimbPair sum = multiply_add(a[i], a[i], low, carry);
+    out[2 * i] = sum.low;
+    out[2 * i + 1] = sum.high + high;
+    carry = out[2 * i + 1] < high;
+  }
+}
+
+/// A magnitude placed on the limb grid; zeros surround it.
+struct Span {
+  const Limb* limb;
+  int low, size;
+  Limb at(int i) const noexcept { return i < low || i >= low + size ? 0 : limb[i - low]; }
+};
+
+/// Sign of |a| - |b|; both stripped of leading zeros.
+inline int compare_magnitude(const Span& a, const Span& b) noexcept {
+  const int top_a = a.low + a.size, top_b = b.low + b.size;
+  if (top_a != top_b) return top_a < top_b ? -1 : 1;
+  const int bottom = a.low < b.low ? a.low : b.low;
+  for (int i = top_a - 1; i >= bottom; --i) {
+    if (a.at(i) != b.at(i)) return a.at(i) < b.at(i) ? -1 : 1;
+  }
+  return 0;
+}
+
+/// What is left of a magnitude above a place on the grid.
+inline Span from(const Span& a, int low) noexcept {
+  const int cut = low > a.low ? low - a.low : 0;
+  return cut >= a.size ? Span{a.limb, low, 0} : Span{a.limb + cut, a.low + cut, a.size - cut};
+}
+
+/// out[0, n) = |a| on the grid from low on.
+inline void place_magnitude(const Span& a, int low, int n, Limb* out) noexcept {
+  const Span kept = from(a, low);
+  const int zeros = kept.low - low;
+  for (int i = 0; i < zeros; ++i) out[i] = 0;
+  std::memcpy(out + zeros, kept.limb, static_cast<std::size_t>(kept.size) * sizeof(Limb));
+  for (int i = zeros + kept.size; i < n; ++i) out[i] = 0;
+}
+
+/// out[0, n) = |a| + |b| on the grid from low on; n leaves room for the carry.
+inline void add_magnitude(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
+  place_magnitude(a, low, n, out);
+  const Span added = from(b, low);
+  Limb carry = 0;
+  int i = added.low - low;
+  for (int k = 0; k < added.size; ++k, ++i) {
+    const Limb y = added.limb[k], sum = out[i] + y, total = sum + carry;
+    carry = static_cast<Limb>(sum < y) | static_cast<Limb>(total < sum);
+    out[i] = total;
+  }
+  for (; carry != 0; ++i) carry = ++out[i] == 0;
+}
+
+/// out[0, n) = |a| - |b|, which must not be negative.
+inline void subtract_magnitude(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
+  place_magnitude(a, low, n, out);
+  const Span taken = from(b, low);
+  Limb borrow = 0;
+  int i = taken.low - low;
+  for (int k = 0; k < taken.size; ++k, ++i) {
+    const Limb x = out[i], difference = x - taken.limb[k], total = difference - borrow;
+    borrow = static_cast<Limb>(x < taken.limb[k]) | static_cast<Limb>(difference < borrow);
+    out[i] = total;
+  }
+  for (; borrow != 0; ++i) borrow = out[i]-- == 0;
+}
+
+}  // namespace detail
+
+}  // namespace vesica::exact

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// clang-format off
+#include "lanes/sse2.hpp"
+// clang-format on
+#include "kernels/ties.hpp"
+
+namespace vesica {
+
+constinit const TieKernels kernels_sse2_ties = make_tie_kernels();
+
+}  // namespace vesica

@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "join/suppress.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "index/build.hpp"
+#include "index/frame.hpp"
+#include "join/decide.hpp"
+
+namespace vesica::index {
+
+namespace {
+
+/// A place to sort by its score.
+struct Ranked {
+  std::uint64_t key;
+  std::uint32_t place;
+};
+
+/// A shape's bounds and area; NaN for an area that nothing is to be concluded from.
+struct Extent {
+  double box[4];
+  double area;
+};
+
+/// The index first, then what its build needs. Once it is built, that room is for the order: its two halves are sorted
+/// to and fro, and the free one has other uses before and after. Behind it, columns by place.
+struct Parts {
+  std::int64_t order, spare, item, rank, extent, bytes;
+
+  explicit Parts(std::int64_t items) noexcept {
+    const std::int64_t ranked = round_up(items * static_cast<std::int64_t>(sizeof(Ranked)));
+    const std::int64_t build = scratch_bound(items), column = round_up(items * 4);
+    order = size_bound(items);
+    spare = order + ranked;
+    item = order + (2 * ranked < build ? build : 2 * ranked);
+    rank = item + column;
+    extent = rank + column;
+    bytes = extent + round_up(items * static_cast<std::int64_t>(sizeof(Extent))) + alignment;
+  }
+};
+
+// ---- The order. ----
+
+/// Ascending where the scores descend; 0 and -0 are equal.
+std::uint64_t key_of(double score) noexcept {
+  const auto bits = std::bit_cast<std::uint64_t>(score + 0.0);
+  constexpr std::uint64_t sign = std::uint64_t{1} << 63;
+  return ~((bits & sign) != 0 ? ~bits : bits | sign);
+}
+
+/// Sorts by keys, a byte at a time from the lowest, equal ones in the order they have. Returns which buffer has them.
+Ranked* sort(Ranked* from, Ranked* to, std::int64_t n) noexcept {
+  constexpr int digits = 8, values = 256;
+  std::uint32_t count[digits][values] = {};
+  for (std::int64_t i = 0; i < n; ++i) {
+    for (int d = 0; d < digits; ++d) ++count[d][from[i].key >> (8 * d) & 0xff];
+  }
+  for (int d = 0; d < digits; ++d) {
+    if (n > 0 && count[d][from[0].key >> (8 * d) & 0xff] == n) continue;
+    std::uint32_t begin = 0;
+    for (std::uint32_t& c : count[d]) begin += std::exchange(c, begin);
+    for (std::int64_t i = 0; i < n; ++i) to[count[d][from[i].key >> (8 * d) & 0xff]++] = from[i];
+    std::swap(from, to);
+  }
+  return from;
+}
+
+// ---- What bounds and areas tell. ----
+
+/// The area of a shape of moderate size and aspect, to 2^-40 of itself, else NaN.
+double moderate_area(double size_0, double size_1, double unit) noexcept {
+  const double area = size_0 * size_1 * unit;
+  const bool moderate = size_0 <= 0x1p10 * size_1 && size_1 <= 0x1p10 * size_0 && area >= 0x1p-500 && area <= 0x1p500;
+  return moderate ? area : __builtin_nan("");
+}
+
+double area_of(std::int32_t kind, const Fields& f, int i) noexcept {
+  constexpr double pi = 3.14159265358979;
+  const auto number = [&](int k) { return f.column[k][i]; };
+  if (kind == kind_circle) return moderate_area(number(2), number(2), pi);
+  if (kind == kind_aabb) return moderate_area(number(2) - number(0), number(3) - number(1), 1);
+  const double uu = number(2) * number(2) + number(3) * number(3);
+  const bool in_range = uu >= 0x1p-200 && uu <= 0x1p200;
+  return in_range ? moderate_area(number(4), number(5), (kind == kind_rect ? 4 : pi) * uu) : __builtin_nan("");
+}
+
+/// Leaves out most pairs whose ratio is far below a threshold t. With areas A and B the ratio of a shared area S exceeds t
+/// only where S (1 + t) > t (A + B), and S is at most that of the bounds. The ratio errs by at most 2^-37 at aspects up
+/// to 2^10; from t = 2^-10 on that is less than the 2^-20 taken off here.
+class Reach {
+ public:
+  explicit Reach(double threshold) noexcept
+      : shared_(1 + threshold), needed_(threshold >= 0x1p-10 ? threshold * (1 - 0x1p-20) : 0) {}
+  bool may_exceed(const Extent& a, const Extent& b) const noexcept {
+    const double width = std::min(a.box[2], b.box[2]) - std::max(a.box[0], b.box[0]);
+    const double height = std::min(a.box[3], b.box[3]) - std::max(a.box[1], b.box[1]);
+    const bool apart = (width < 0) | (height < 0), little = width * height * shared_ < (a.area + b.area) * needed_;
+    return !(apart | little);
+  }
+
+ private:
+  double shared_, needed_;
+};
+
+// ---- Suppression. ----
+
+/// Shapes are numbered anew by their places in the index: what lies near lies together in memory.
+class Suppressor {
+ public:
+  Suppressor(const Suppression& suppression, unsigned char* scratch) noexcept
+      : asked_(suppression),
+        kind_(suppression.sets.set[0].kind),
+        parts_(suppression.sets.items),
+        reach_(suppression.threshold),
+        scratch_(scratch),
+        item_(column(parts_.item)),
+        rank_(column(parts_.rank)),
+        extent_(reinterpret_cast<Extent*>(scratch + parts_.extent)) {
+    one_.begin();
+    others_.begin();
+  }
+
+  void build() noexcept {
+    for (int step = 0; step < build_steps; ++step) {
+      build_step(asked_.kernels, asked_.sets, step, 0, 1, scratch_, scratch_ + parts_.order);
+    }
+    number_by_place();
+    for (std::int64_t begin = 0; begin < placed_; begin += chunk) {
+      set_extents(begin, static_cast<int>(std::min<std::int64_t>(placed_ - begin, chunk)));
+    }
+  }
+
+  /// Ranks what may be kept; returns how many.
+  template <class T>
+  std::int64_t order(const T* score) noexcept {
+    auto* const ranked = reinterpret_cast<Ranked*>(scratch_ + parts_.order);
+    auto* const spare = reinterpret_cast<Ranked*>(scratch_ + parts_.spare);
+    std::uint32_t* const place_of = column(parts_.spare);
+    std::fill_n(place_of, asked_.sets.items, closed);
+    std::fill_n(rank_, placed_, closed);
+    for (std::int64_t place = 0; place < placed_; ++place) place_of[item_[place]] = static_cast<std::uint32_t>(place);
+    for (std::int64_t i = 0; i < asked_.sets.items; ++i) {
+      ranked[count_] = {key_of(static_cast<double>(score[i])), place_of[i]};
+      count_ += place_of[i] != closed && score[i] == score[i];
+    }
+    ranked_ = sort(ranked, spare, count_);
+    waiting_ = column(ranked_ == ranked ? parts_.spare : parts_.order);
+    for (std::int64_t r = 0; r < count_; ++r) rank_[ranked_[r].place] = static_cast<std::uint32_t>(r);
+    return count_;
+  }
+
+  std::int64_t keep(std::int64_t* out) noexcept {
+    const View view(scratch_);
+    for (std::int64_t i = 0; i < view.blocks(); ++i) settle_block(view, view.block(i));
+    std::int64_t kept = 0;
+    for (std::int64_t r = 0; r < count_; ++r) {
+      if (rank_[ranked_[r].place] == is_kept) out[kept++] = item_[ranked_[r].place];
+    }
+    return kept;
+  }
+
+ private:
+  static constexpr std::uint32_t closed = UINT32_MAX, is_kept = UINT32_MAX - 1;  // above every rank
+  static constexpr std::int32_t block_list = 32, most_listed = 512;
+
+  std::uint32_t* column(std::int64_t at) const noexcept { return reinterpret_cast<std::uint32_t*>(scratch_ + at); }
+
+  void number_by_place() noexcept {
+    const View view(scratch_);
+    std::uint32_t place = 0;
+    for (std::int64_t i = 0; i < view.blocks(); ++i) {
+      auto* const leaf = const_cast<Leaf*>(leaves_of(view.block(i)));
+      for (std::int32_t lane = 0; lane < view.block(i).count; ++lane, ++place) {
+        item_[place] = std::exchange(leaf[lane / leaf_items].item[lane % leaf_items], place);
+      }
+    }
+    placed_ = place;
+  }
+
+  void set_extents(std::int64_t begin, int n) noexcept {
+    for (std::int64_t ahead = begin + chunk; ahead < std::min(begin + 2 * chunk, placed_); ++ahead) {
+      ask_for(asked_.sets.set[0], item_[ahead]);
+    }
+    gather(asked_.sets, asked_.sets.set[0], item_ + begin, n, fields_);
+    asked_.kernels.bounds(kind_, fields_, n, boxes_);
+    for (int i = 0; i < n; ++i) {
+      extent_[begin + i] = {{boxes_.min_x[i], boxes_.min_y[i], boxes_.max_x[i], boxes_.max_y[i]},
+                            area_of(kind_, fields_, i)};
+    }
+  }
+
+  /// Settles a block's shapes, the best first: few then wait for one in another block.
+  void settle_block(const View& view, const Block& block) noexcept {
+    std::uint64_t open[block_items];
+    std::int32_t n = 0;
+    for (std::int32_t lane = 0; lane < block.count; ++lane) {
+      const std::uint32_t place = item_at(block, lane);
+      open[n] = std::uint64_t{rank_[place]} << 32 | place;
+      n += rank_[place] < is_kept;
+    }
+    std::sort(open, open + n);
+    for (std::int32_t i = 0; i < n; ++i) settle(view, static_cast<std::uint32_t>(open[i]));
+  }
+
+  /// Settles a shape, and before it any better one that may suppress it. Each that waits is better than the one before:
+  /// no more wait than there are.
+  void settle(const View& view, std::uint32_t place) noexcept {
+    std::int64_t depth = 0;
+    waiting_[depth++] = place;
+    while (depth > 0) {
+      const std::uint32_t last = waiting_[depth - 1];
+      if (rank_[last] >= is_kept) {
+        --depth;
+        continue;
+      }
+      find_open(view, last);
+      if (best_ < rank_[last]) {
+        waiting_[depth++] = ranked_[best_].place;
+      } else {
+        rank_[last] = is_kept;
+        close_near(view, last);
+        --depth;
+      }
+    }
+  }
+
+  /// Calls visit(places, n) with those of each block that meet a shape's bounds.
+  template <class Visit>
+  void each_block_near(const View& view, const Extent& extent, const Visit& visit) const noexcept {
+    std::int64_t block[block_list];
+    std::uint32_t place[block_items + 64];
+    std::int32_t n = block_list;
+    for (std::int64_t from = 0; n == block_list; from = block[n - 1] + 1) {
+      n = asked_.kernels.meeting_blocks(view, extent.box, from, block_list, block);
+      for (std::int32_t i = 0; i < n; ++i) {
+        const Block& b = view.block(block[i]);
+        visit(place, asked_.kernels.in_window(b, to_columns(b.frame, extent.box), place));
+      }
+      if (n == 0) break;
+    }
+  }
+
+  /// Calls found(place) for the open ones of n that may suppress a shape, or it them.
+  template <class Found>
+  void each_open(const Extent& extent, const std::uint32_t* place, std::int32_t n, const Found& found) const noexcept {
+    for (std::int32_t i = 0; i < n; ++i) {
+      const bool open = rank_[place[i]] < is_kept;
+      if (open & reach_.may_exceed(extent, extent_[place[i]])) found(place[i]);
+    }
+  }
+
+  /// Lists what is open near a shape, and finds the best of it.
+  void find_open(const View& view, std::uint32_t place) noexcept {
+    const std::uint32_t own = std::exchange(rank_[place], closed);
+    best_ = closed;
+    open_count_ = 0;
+    each_block_near(view, extent_[place], [&](const std::uint32_t* near, std::int32_t n) {
+      each_open(extent_[place], near, n, [&](std::uint32_t other) {
+        best_ = std::min(best_, rank_[other]);
+        if (open_count_ < most_listed) open_[open_count_] = other;
+        ++open_count_;
+      });
+    });
+    rank_[place] = own;
+  }
+
+  /// Closes what a kept shape suppresses: of the list, or where that is not all, once more by windows.
+  void close_near(const View& view, std::uint32_t place) noexcept {
+    if (open_count_ == 0) return;
+    const std::uint32_t item = item_[place];
+    gather_columns(asked_.sets, kind_, &item, 1, 0, one_);
+    if (open_count_ <= most_listed) return close_some(open_, open_count_);
+    each_block_near(view, extent_[place], [&](std::uint32_t* near, std::int32_t n) {
+      std::int32_t open = 0;
+      each_open(extent_[place], near, n, [&](std::uint32_t other) { near[open++] = other; });
+      close_some(near, open);
+    });
+  }
+
+  void close_some(const std::uint32_t* place, std::int32_t n) noexcept {
+    for (std::int32_t i = 0; i < n; i += decided_at_once) {
+      const int m = std::min(n - i, decided_at_once);
+      std::uint32_t item[decided_at_once];
+      std::uint8_t exceeds[decided_at_once];
+      for (int k = 0; k < m; ++k) item[k] = item_[place[i + k]];
+      gather_columns(asked_.sets, kind_, item, m, 0, others_);
+      asked_.exceeds(kind_, one_.field, others_.field, m, asked_.threshold, exceeds);
+      for (int k = 0; k < m; ++k) {
+        if (exceeds[k] != 0) rank_[place[i + k]] = closed;
+      }
+    }
+  }
+
+  const Suppression& asked_;
+  const std::int32_t kind_;
+  const Parts parts_;
+  const Reach reach_;
+  unsigned char* const scratch_;
+  std::uint32_t *const item_, *const rank_;  // by place; a rank is the place in the order, closed or is_kept
+  Extent* const extent_;
+  std::int64_t placed_ = 0, count_ = 0;
+  const Ranked* ranked_ = nullptr;
+  std::uint32_t* waiting_ = nullptr;
+  std::uint32_t best_ = closed, open_[most_listed];  // near the shape looked at
+  std::int32_t open_count_ = 0;
+  Columns one_, others_;
+  Fields fields_;
+  Boxes boxes_;
+};
+
+}  // namespace
+
+std::int64_t suppression_bytes(std::int64_t items) noexcept { return Parts(items).bytes; }
+
+template <class T>
+std::int64_t suppress(const Suppression& suppression, const T* score, std::int64_t* keep, bool& left_out) noexcept {
+  const auto misplaced = static_cast<std::int64_t>(reinterpret_cast<std::uintptr_t>(suppression.scratch) % alignment);
+  unsigned char* const scratch = static_cast<unsigned char*>(suppression.scratch) + (alignment - misplaced) % alignment;
+  Suppressor suppressor(suppression, scratch);
+  suppressor.build();
+  left_out = suppressor.order(score) < suppression.sets.items;
+  return suppressor.keep(keep);
+}
+
+template std::int64_t suppress(const Suppression&, const float*, std::int64_t*, bool&) noexcept;
+template std::int64_t suppress(const Suppression&, const double*, std::int64_t*, bool&) noexcept;
+
+}  // namespace vesica::index

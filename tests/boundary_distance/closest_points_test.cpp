@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// The points that go with a distance of outlines: a common point is on both, and others are as far apart as they should.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <utility>
+
+#include "nearest/reference.hpp"
+#include "properties/exact_changes.hpp"
+#include "properties/generators.hpp"
+#include "vesica.h"
+
+namespace {
+
+using nearest_reference::Real;
+using properties::Numbers;
+using properties::Pair;
+
+constexpr double u = 0x1p-53;
+
+vesica_closest_points_f64 ask(const Pair& p) {
+  vesica_closest_points_f64 out{-1, -1, -1, -1, -1};
+  EXPECT_EQ(vesica_boundary_distance_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data(), &out), 0);
+  return out;
+}
+
+/// What is left of a distance between a computed point and where it should be, but for its coordinates' rounding.
+double in_scales(const Real& off, const Pair& p, double rounding) {
+  const Real scale =
+      nearest_reference::scale(nearest_reference::shape(p.kind_a, p.a), nearest_reference::shape(p.kind_b, p.b));
+  return Real((off - Real(u * rounding)) / (Real(u) * scale)).get_d();
+}
+
+/// In u of the scale.
+double common_point_off(const Pair& p) {
+  const auto found = ask(p);
+  EXPECT_EQ(found.distance, 0) << properties::describe(p);
+  EXPECT_TRUE(found.ax == found.bx && found.ay == found.by);
+  nearest_reference::set_precision(p);
+  double worst = 0;
+  for (const auto& [kind, numbers] : {std::pair(p.kind_a, p.a), std::pair(p.kind_b, p.b)}) {
+    const auto shape = nearest_reference::shape(kind, numbers);
+    const Real off = abs(nearest_reference::beyond_outline(shape, found.ax, found.ay, Real(u * 0x1p-10)));
+    worst = std::fmax(worst, in_scales(off, p, std::fabs(found.ax) + std::fabs(found.ay)));
+  }
+  return worst;
+}
+
+/// How far the two points' distance is from the one that is given, in u of the scale.
+double gap_off(const Pair& p) {
+  const auto f = ask(p);
+  EXPECT_GT(f.distance, 0);
+  nearest_reference::set_precision(p);
+  const Real dx = Real(f.bx) - Real(f.ax), dy = Real(f.by) - Real(f.ay);
+  const Real off = abs(Real(sqrt(Real(dx * dx + dy * dy)) - Real(f.distance)));
+  return in_scales(off, p, std::fabs(f.ax) + std::fabs(f.ay) + std::fabs(f.bx) + std::fabs(f.by));
+}
+
+Pair exchanged(const Pair& p) { return {p.kind_b, p.kind_a, p.b, p.a}; }
+
+/// Both shapes, changed without rounding: turned, mirrored, scaled.
+Pair changed(const Pair& p, int how) {
+  properties::Shape a{p.kind_a, p.a}, b{p.kind_b, p.b};
+  if (how % 2 != 0) a = properties::mirrored(a), b = properties::mirrored(b);
+  for (int quarter = 0; quarter < how / 2 % 4; ++quarter) a = properties::turned(a), b = properties::turned(b);
+  const int exponent = 211 * (how / 8 % 3 - 1);
+  const auto x = properties::scaled_exactly(a, properties::Scalar::f64, exponent, false);
+  const auto y = properties::scaled_exactly(b, properties::Scalar::f64, exponent, false);
+  return x && y ? Pair{x->kind, y->kind, x->numbers, y->numbers} : Pair{a.kind, b.kind, a.numbers, b.numbers};
+}
+
+// Were off an outline by up to twice the needle's size: in the frame in which the needle is round, the other outline
+// has no digits left.
+TEST(OutlinePoints, CommonPointsOfNeedles) {
+  const Pair needles[] = {{VESICA_ELLIPSE,
+                           VESICA_CIRCLE,
+                           {0x1.dafc7978bb618p-3, -0x1.0f40913ef15p-8, 0x1.4b14cc8410729p-1, -0x1.868cc4ef8f132p-1,
+                            0x1.c839c951941ebp-28, 0x1.4dd65c648d778p-1},
+                           {0x1.d2ad671a807e4p-1, -0x1.ba85a7782b92p-4, 0x1.00d98a90f234p+0}},
+                          {VESICA_CIRCLE, VESICA_ELLIPSE, {0, 0, 1}, {0, 1, 1, 0x1.8p-1, 0x1p-41, 1}},
+                          {VESICA_CIRCLE, VESICA_ELLIPSE, {0, 0, 1}, {0, 1, 0x1.bp+1, 2, 0x1.ff8p-30, 0x1p-2}},
+                          {VESICA_ELLIPSE, VESICA_ELLIPSE, {0, 0, 0x1p-1, 1, 0x1p-28, 1}, {1, 0, 1, 0, 1, 0x1.1p+0}}};
+  for (const Pair& needle : needles) {
+    for (int how = 0; how < 24; ++how) {
+      const Pair p = changed(needle, how);
+      EXPECT_LE(common_point_off(p), 4) << properties::describe(p);
+      EXPECT_LE(common_point_off(exchanged(p)), 4);
+      EXPECT_EQ(ask(p).ax, ask(exchanged(p)).ax);
+    }
+  }
+}
+
+Numbers drawn(int kind, double thinness, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  const double angle = 6.28 * unit(random), size = 1 + 3 * unit(random), x = 4 * unit(random), y = 4 * unit(random);
+  if (kind == VESICA_SEGMENT) return {x, y, 4 * unit(random), 4 * unit(random)};
+  if (kind == VESICA_CIRCLE) return {x, y, size};
+  const bool upright = unit(random) < 0.5;
+  return {x, y, std::cos(angle), std::sin(angle), upright ? thinness * size : size, upright ? size : thinness * size};
+}
+
+TEST(OutlinePoints, CommonPointsAtEveryAspect) {
+  std::mt19937_64 random(properties::seed());
+  std::uniform_real_distribution<double> unit(0, 1);
+  int crossing = 0;
+  double worst = 0;
+  for (int i = 0; i < 6000 * properties::repeat(); ++i) {
+    constexpr int kinds[] = {VESICA_SEGMENT, VESICA_CIRCLE, VESICA_RECT, VESICA_ELLIPSE};
+    const double thinness = std::exp2(-60 * unit(random));
+    Pair p{kinds[i % 4], VESICA_ELLIPSE, drawn(kinds[i % 4], i % 3 == 0 ? thinness : 1 - unit(random) / 2, random),
+           drawn(VESICA_ELLIPSE, thinness, random)};
+    if (i % 5 == 0) p.a[0] = p.b[0] + thinness * unit(random), p.a[1] = p.b[1];
+    if (vesica_relation_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data()) != VESICA_CROSS) continue;
+    worst = std::fmax(worst, common_point_off(p));
+    EXPECT_LE(common_point_off(p), 4) << properties::describe(p);
+    ++crossing;
+  }
+  EXPECT_GT(crossing, 2000);
+  RecordProperty("worst_in_u_scale", std::to_string(worst));
+}
+
+// Were 2e-8 of the size off: the search stopped where the distance would gain less than its rounding, which leaves half
+// of the direction's digits open.
+TEST(OutlinePoints, OfNestedShapesNearTangencyAreAsFarApartAsTheDistance) {
+  const Pair nested[] = {{VESICA_ELLIPSE,
+                          VESICA_ELLIPSE,
+                          {0x1.980fde03b8cc4p+0, 0x1.e8a7f3acaa73cp-2, -0x1.e3d0f1dff5181p-1, -0x1.4f0ec3df326ep-2,
+                           0x1.07e3cfa823a9dp+1, 0x1.be29a31920e2bp+0},
+                          {0x1.980fdddc8f354p+0, 0x1.e8a7faf436d84p-2, -0x1.e3d0f2934dd23p-1, -0x1.4f0ebcd539d1dp-2,
+                           0x1.07e3cfaf05235p+1, 0x1.063d74dd147a9p-2}},
+                         {VESICA_ELLIPSE,
+                          VESICA_ELLIPSE,
+                          {0x1.48a4e49fca3bap-2, 0x1.d5f4bbcf8042fp-1, -0x1.09d5707f373efp-2, -0x1.ee723e22a1de3p-1,
+                           0x1.78672ef7b6616p-28, 0x1.8a443442ac1eap+0},
+                          {0x1.48a4e49fc67b3p-2, 0x1.d5f4bbcf80f96p-1, -0x1.09d5707f373efp-2, -0x1.ee723e22a1dd7p-1,
+                           0x1.78642e2e1d268p-28, 0x1.8a42b56ed0696p+0}}};
+  for (const Pair& pair : nested) {
+    for (int how = 0; how < 24; ++how) {
+      EXPECT_LE(gap_off(changed(pair, how)), 16);
+      EXPECT_LE(gap_off(exchanged(changed(pair, how))), 16);
+    }
+  }
+}
+
+/// An ellipse inside another from which it differs little, or that it nearly touches at one end.
+TEST(OutlinePoints, OfNestedEllipsesAreAsFarApartAsTheDistance) {
+  std::mt19937_64 random(properties::seed());
+  std::uniform_real_distribution<double> unit(0, 1);
+  int nested = 0;
+  double worst = 0;
+  for (int i = 0; i < 8000 * properties::repeat(); ++i) {
+    const Numbers outer = drawn(VESICA_ELLIPSE, std::exp2(-20 * unit(random)), random);
+    const double near = std::exp2(-50 * unit(random)), nearer = std::exp2(-50 * unit(random));
+    Numbers inner = outer;
+    inner[4] *= 1 - near, inner[5] *= 1 - nearer;
+    if (i % 2 == 0) inner[5] *= unit(random);
+    inner[0] += near * inner[4] * outer[2] * unit(random), inner[1] += near * inner[4] * outer[3] * unit(random);
+    const Pair p{VESICA_ELLIPSE, VESICA_ELLIPSE, outer, inner};
+    if (vesica_relation_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data()) != VESICA_CONTAINS) continue;
+    worst = std::fmax(worst, gap_off(p));
+    EXPECT_LE(gap_off(p), 16) << properties::describe(p);
+    ++nested;
+  }
+  EXPECT_GT(nested, 500);
+  RecordProperty("worst_in_u_scale", std::to_string(worst));
+}
+
+}  // namespace

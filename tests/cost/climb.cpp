@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cost/climb.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+#include "cost/measure.hpp"
+#include "hammer/call.hpp"
+#include "properties/generators.hpp"
+
+namespace cost {
+namespace {
+
+using hammer::Case;
+using hammer::Query;
+using properties::Pair;
+using properties::Random;
+using properties::Scalar;
+
+constexpr int least_exponent = -1074, most_exponent = 1022;
+
+double scaled(double x, int by) { return properties::nearest(Scalar::f64, std::ldexp(x, by)); }
+
+double with_exponent(double x, int exponent) {
+  int own = 0;
+  const double mantissa = std::frexp(x, &own);
+  return std::ldexp(mantissa == 0 ? 0.5 : mantissa, exponent);
+}
+
+int exponent_of(double x) {
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  return exponent;
+}
+
+/// A number of either shape.
+double& any_number(Pair& p, Random& random) {
+  const bool first = random.chance(0.5);
+  const int fields = properties::field_count(first ? p.kind_a : p.kind_b);
+  return (first ? p.a : p.b)[static_cast<std::size_t>(random.below(fields))];
+}
+
+void change_number(Pair& p, Random& random) {
+  double& x = any_number(p, random);
+  const double other = any_number(p, random);
+  switch (random.below(9)) {
+    case 0:
+      x = with_exponent(x, random.integer(least_exponent, most_exponent));
+      break;
+    case 1:
+      x = with_exponent(x, exponent_of(other) + random.integer(-60, 60));
+      break;
+    case 2:
+      x = scaled(x, random.integer(-70, 70));
+      break;
+    case 3:
+      x = random.chance(0.3) ? 0 : other;
+      break;
+    case 4:
+      x = properties::at_ordinal(Scalar::f64, properties::ordinal(Scalar::f64, x) + random.integer(-4, 4));
+      break;
+    case 5:
+      x = with_exponent(random.chance(0.5) ? 1 : 1 + random.unit(), exponent_of(x));
+      break;
+    case 6:
+      x = -x;
+      break;
+    case 7:
+      x = properties::nearest(Scalar::f64, x + (random.chance(0.5) ? other : -other));
+      break;
+    default:
+      x = properties::nearest(Scalar::f64, std::sqrt(std::fabs(x)) * std::sqrt(std::fabs(other)));
+  }
+}
+
+/// Every number of one role times a power of two.
+void scale_role(Pair& p, Random& random) {
+  const auto role = random.chance(0.4)   ? properties::Role::size
+                    : random.chance(0.5) ? properties::Role::axis
+                                         : properties::Role::x;
+  const bool first = random.chance(0.5);
+  const int by = random.chance(0.5) ? random.integer(-64, 64) : random.integer(-1500, 1500);
+  const int kind = first ? p.kind_a : p.kind_b;
+  for (int i = 0; i < properties::field_count(kind); ++i) {
+    if (properties::role(kind, i) == role) {
+      double& x = (first ? p.a : p.b)[static_cast<std::size_t>(i)];
+      x = scaled(x, by);
+    }
+  }
+}
+
+std::int32_t relation(const Pair& p) { return ask(Query::relation, Scalar::f64, p).code; }
+
+/// One number bisected to where the relation changes: only exact arithmetic decides there.
+void move_to_contact(Pair& p, Random& random) {
+  double& x = any_number(p, random);
+  const auto relation_at = [&](std::int64_t place) {
+    x = properties::at_ordinal(Scalar::f64, place);
+    return relation(p);
+  };
+  const double before = x;
+  std::int64_t low = properties::ordinal(Scalar::f64, x);
+  std::int64_t high =
+      properties::ordinal(Scalar::f64, with_exponent(random.sign(), random.integer(least_exponent, most_exponent)));
+  const std::int32_t at_low = relation_at(low);
+  if (at_low < 0 || relation_at(high) < 0 || relation_at(high) == at_low) {
+    x = before;
+    return;
+  }
+  while (std::abs(high - low) > 1) {
+    const std::int64_t middle = low + (high - low) / 2;
+    (relation_at(middle) == at_low ? low : high) = middle;
+  }
+  x = properties::at_ordinal(Scalar::f64, random.chance(0.5) ? low : high);
+}
+
+Pair changed(Pair p, Random& random) {
+  const int changes = random.chance(0.5) ? 1 : random.integer(2, 4);
+  for (int i = 0; i < changes; ++i) {
+    if (random.chance(0.15)) {
+      scale_role(p, random);
+    } else if (random.chance(0.15)) {
+      move_to_contact(p, random);
+    } else {
+      change_number(p, random);
+    }
+  }
+  p.a = properties::nearest_shape(Scalar::f64, p.kind_a, p.a);
+  p.b = properties::nearest_shape(Scalar::f64, p.kind_b, p.b);
+  return p;
+}
+
+class Climb {
+ public:
+  Climb(Query query, int kind_a, int kind_b, std::uint64_t seed)
+      : query_(query), kind_a_(kind_a), kind_b_(kind_b), random_(seed) {}
+
+  /// A few climbers at a time; the cheapest begins anew when it has not risen for long.
+  Dearest run(double seconds) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+    for (Climber& c : climbers_) c = begun();
+    while (std::chrono::steady_clock::now() < end) {
+      for (Climber& c : climbers_) step(c);
+    }
+    return {{query_, Scalar::f64, dearest_.pair}, dearest_.cost, calls_};
+  }
+
+ private:
+  struct Climber {
+    Pair pair{};
+    double cost = 0;
+    int patience = 0;
+  };
+  static constexpr int patience = 3000, calls = 3, more_calls = 25;
+
+  double cost_of(const Pair& p, int repeats) {
+    ++calls_;
+    return microseconds({query_, Scalar::f64, p}, repeats);
+  }
+
+  Climber begun() {
+    Climber best;
+    for (int i = 0; i < 200; ++i) {
+      constexpr auto count = static_cast<int>(properties::all_workloads.size());
+      auto workload = properties::all_workloads[static_cast<std::size_t>(random_.below(count))];
+      if (workload == properties::Workload::near_contact) workload = properties::Workload::mixed_scale;
+      const Pair p = changed(properties::draw(workload, kind_a_, kind_b_, Scalar::f64, random_), random_);
+      const double cost = cost_of(p, calls);
+      if (cost > best.cost) best = {p, cost, 0};
+    }
+    best.cost = cost_of(best.pair, more_calls);
+    return best;
+  }
+
+  void step(Climber& c) {
+    const Pair p = changed(c.pair, random_);
+    const double cost = cost_of(p, calls);
+    if (cost < c.cost * 0.99) {
+      if (++c.patience > patience) c = begun();
+      return;
+    }
+    const double confirmed = cost_of(p, more_calls);
+    if (confirmed < c.cost * 0.99) return;
+    c = {p, confirmed, confirmed > c.cost * 1.01 ? 0 : c.patience + 1};
+    if (confirmed > dearest_.cost) dearest_ = c;
+  }
+
+  Query query_;
+  int kind_a_, kind_b_;
+  Random random_;
+  std::array<Climber, 4> climbers_;
+  Climber dearest_;
+  std::uint64_t calls_ = 0;
+};
+
+}  // namespace
+
+Dearest climb(Query query, int kind_a, int kind_b, double seconds, std::uint64_t seed) {
+  return Climb(query, kind_a, kind_b, seed).run(seconds);
+}
+
+}  // namespace cost

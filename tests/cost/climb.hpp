@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A search that climbs from random pairs towards the one that a query takes longest for.
+#pragma once
+
+#include <cstdint>
+
+#include "hammer/query.hpp"
+
+namespace cost {
+
+struct Dearest {
+  hammer::Case input;
+  double microseconds;
+  std::uint64_t calls;  ///< inputs tried
+};
+
+/// Searches for so many seconds. Kinds are those of the first and the second shape; the numbers are doubles.
+Dearest climb(hammer::Query query, int kind_a, int kind_b, double seconds, std::uint64_t seed);
+
+}  // namespace cost

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cost/measure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <limits>
+#include <vesica/exact/number.hpp>
+
+#include "hammer/call.hpp"
+
+namespace cost {
+namespace {
+
+template <class Call>
+double least_microseconds(int calls, Call call) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < calls; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    call();
+    const std::chrono::duration<double, std::micro> passed = std::chrono::steady_clock::now() - start;
+    least = std::min(least, passed.count());
+  }
+  return least;
+}
+
+/// Keeps the compiler from leaving work out.
+volatile std::uint64_t sink;
+
+void yardstick() {
+  constexpr int n = 32;
+  static const std::array<std::uint64_t, n> factor = [] {
+    std::array<std::uint64_t, n> limbs{};
+    for (std::uint64_t i = 0; i < n; ++i) limbs[i] = (i + 1) * 0x9E3779B97F4A7C15U;
+    return limbs;
+  }();
+  std::array<std::uint64_t, 2 * n> product{};
+  for (std::size_t i = 0; i < n; ++i) {
+    std::uint64_t carry = 0;
+    for (std::size_t j = 0; j < n; ++j) {
+      const auto sum = vesica::exact::detail::multiply_add(factor[i], factor[j], product[i + j], carry);
+      product[i + j] = sum.low;
+      carry = sum.high;
+    }
+    product[i + n] = carry;
+  }
+  sink = product[n];
+}
+
+}  // namespace
+
+double microseconds(const hammer::Case& c, int calls) {
+  return least_microseconds(calls, [&] { sink = static_cast<std::uint64_t>(ask(c.query, c.scalar, c.pair).code); });
+}
+
+double yardstick_microseconds() { return least_microseconds(1000, yardstick); }
+
+}  // namespace cost

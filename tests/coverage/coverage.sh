@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# coverage.sh [TEST...]: what the library's own tests reach of include/, src/ and capi/, by folder, and the lines that
+# none of them reaches. Clang 19 counts: it knows modified condition and decision coverage. With names of tests only these
+# are built and run. Works under build/coverage. Exit status 1 where a line is not reached that exceptions.txt does not
+# name.
+set -euo pipefail
+
+# shellcheck source=/dev/null
+. "$(dirname "${BASH_SOURCE[0]}")/../../run"  # root, test_packages, need, CMAKE_BUILD_PARALLEL_LEVEL
+here=$root/tests/coverage
+folder=$root/build/coverage
+
+# Tests of other things than the library's own code.
+foreign='^(abi_|bench_|consumer|cross|demo_|description_|ffi_|figures_|flags_|header_|install|.*isa_symbols|lint_|package_'
+foreign+='|readme_|run_|sanitize|subproject_)'
+
+need "${test_packages[@]}" clang-19 llvm-19 libclang-rt-19-dev
+flags='-fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc'
+cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DVESICA_TESTS=ON -DVESICA_LINKER_HAS_z_defs=OFF \
+  -DCMAKE_C_COMPILER=clang-19 -DCMAKE_CXX_COMPILER=clang++-19 "-DCMAKE_C_FLAGS=$flags" "-DCMAKE_CXX_FLAGS=$flags" \
+  -DCMAKE_C_FLAGS_RELEASE=-O1 -DCMAKE_CXX_FLAGS_RELEASE=-O1 >"$folder.log"
+if [ $# -gt 0 ]; then
+  cmake --build "$folder" --target "$@" >>"$folder.log"
+  selection=(-R "^($(IFS='|' && echo "$*"))")
+else
+  cmake --build "$folder" >>"$folder.log"
+  selection=(-LE '^rest$' -E "$foreign")
+fi
+
+rm -rf "$folder/profiles"
+# Programs that run at once merge into a pool of four files each.
+LLVM_PROFILE_FILE=$folder/profiles/%4m.profraw ctest --test-dir "$folder" "${selection[@]}" -j "$CTEST_PARALLEL_LEVEL" \
+  --output-on-failure >"$folder/tests.log" || { tail -n 40 "$folder/tests.log" >&2; exit 1; }
+llvm-profdata-19 merge -sparse "$folder"/profiles/*.profraw -o "$folder/profile"
+
+# Every program and library that was run: a template is reached where any of them reaches it.
+objects=()
+while read -r object; do objects+=(-object "$object"); done < <(
+  find "$folder/capi" "$folder/tests" -maxdepth 3 -type f -perm -u+x ! -name '*.sh' ! -path '*/CMakeFiles/*')
+export_coverage() {
+  llvm-cov-19 export "$@" -instr-profile "$folder/profile" "${objects[@]}" \
+    -ignore-filename-regex "^(/usr|$root/(tests|bench|docs))" 2>/dev/null
+}
+export_coverage -format=lcov >"$folder/lines"
+export_coverage -format=text -summary-only >"$folder/summary"
+python3 "$here/table.py" "$root" "$folder/lines" "$folder/summary" "$here/exceptions.txt"

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+// Leading digits and sparse products, which serve exponents that are wildly unlike, against GMP: what they claim is
+// within their bound, and a sign that they call certain is the sign.
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+#include <vesica/exact/ellipse_ellipse.hpp>
+#include <vesica/exact/leading.hpp>
+
+#include "properties/random.hpp"
+
+namespace {
+
+using namespace vesica;
+using exact::Limb;
+using exact::Number;
+using properties::Random;
+
+mpq_class power_of_two(std::int64_t exponent) {
+  mpq_class x = 1;
+  const auto bits = static_cast<mp_bitcnt_t>(exponent < 0 ? -exponent : exponent);
+  if (exponent < 0) {
+    mpq_div_2exp(x.get_mpq_t(), x.get_mpq_t(), bits);
+  } else {
+    mpq_mul_2exp(x.get_mpq_t(), x.get_mpq_t(), bits);
+  }
+  return x;
+}
+
+mpz_class integer(const Limb* limbs, int n) {
+  mpz_class x;
+  mpz_import(x.get_mpz_t(), static_cast<std::size_t>(n), -1, sizeof(Limb), 0, 0, limbs);
+  return x;
+}
+
+template <int Degree>
+mpq_class value(const Number<Degree>& x) {
+  return mpq_class(x.sign * integer(x.limb, x.size)) * power_of_two(std::int64_t{64} * x.low);
+}
+
+template <int limbs>
+mpq_class value(const exact::Leading<limbs>& x) {
+  return mpq_class(x.sign * integer(x.limb, limbs)) * power_of_two(std::int64_t{64} * x.low);
+}
+
+/// Runs of zeros and of ones, and between them limbs of any kind.
+std::vector<Limb> sparse_limbs(Random& random) {
+  std::vector<Limb> limbs;
+  const int runs = random.integer(1, 8);
+  for (int i = 0; i < runs; ++i) {
+    const int filling = random.integer(0, 20), content = random.integer(1, 3);
+    limbs.insert(limbs.end(), static_cast<std::size_t>(filling), random.chance(0.5) ? Limb{0} : ~Limb{0});
+    for (int k = 0; k < content; ++k) limbs.push_back(random.chance(0.2) ? ~Limb{0} : random.bits());
+  }
+  return limbs;
+}
+
+TEST(Sparse, ProductsAndSquares) {
+  Random random(properties::seed());
+  int formed = 0, left = 0;
+  for (int i = 0; i < 20'000 * properties::repeat(); ++i) {
+    const std::vector<Limb> a = sparse_limbs(random), b = random.chance(0.3) ? a : sparse_limbs(random);
+    const bool same = random.chance(0.5) && a == b;
+    const int na = static_cast<int>(a.size()), nb = static_cast<int>(b.size());
+    std::vector<Limb> out(a.size() + b.size() + 2, 0x5555);
+    const exact::detail::Span x{a.data(), 0, na}, y{same ? a.data() : b.data(), 0, nb};
+    if (!exact::detail::multiply_sparse(x, y, out.data())) {
+      ++left;
+      continue;
+    }
+    ++formed;
+    ASSERT_EQ(integer(out.data(), na + nb + 2), integer(a.data(), na) * integer(b.data(), nb))
+        << "seed " << properties::seed();
+  }
+  EXPECT_GT(formed, left);
+  EXPECT_GT(left, 0);
+}
+
+/// A number as the ellipses' polynomials have them: a sum of products of lengths of any exponents.
+Number<8> any_number(Random& random) {
+  const auto length = [&] { return exact::from_double(std::ldexp(1 + random.unit(), random.integer(-1000, 1000))); };
+  const auto degree_2 = [&] { return length() * length() - length() * length(); };
+  const auto degree_4 = [&] { return degree_2() * degree_2() + square(degree_2()); };
+  return degree_4() * degree_4() - square(degree_4());
+}
+
+template <int limbs>
+void expect_within_bound(const exact::Leading<limbs>& x, const mpq_class& truth) {
+  if (x.error == x.nothing) {
+    EXPECT_EQ(value(x), truth);
+  } else {
+    EXPECT_LT(abs(mpq_class(value(x) - truth)), power_of_two(x.error));
+  }
+  if (x.sign_is_certain()) {
+    EXPECT_EQ(x.sign, sgn(truth)) << "seed " << properties::seed();
+  }
+}
+
+template <int limbs>
+int expect_arithmetic(const Number<8>& p, const Number<8>& q) {
+  const exact::Leading<limbs> a(p), b(q), sum = a + b, product = a * b;
+  const mpq_class x = value(p), y = value(q);
+  expect_within_bound(a, x);
+  expect_within_bound(sum, x + y);
+  expect_within_bound(a - b, x - y);
+  expect_within_bound(product, x * y);
+  expect_within_bound(square(a), x * x);
+  expect_within_bound(abs(a), abs(x));
+  expect_within_bound(times(-12, a), -12 * x);
+  // What is left of these is what was not exact.
+  const exact::Leading<limbs> none = square(sum) - square(a) - square(b) - times(2, product);
+  expect_within_bound(none, 0);
+  expect_within_bound(none * b, 0);
+  return none.sign_is_certain() ? 1 : 0;
+}
+
+TEST(Leading, WithinItsBound) {
+  Random random(properties::seed());
+  int certain = 0;
+  for (int i = 0; i < 2000 * properties::repeat(); ++i) {
+    const Number<8> p = any_number(random);
+    // Often nearly the same, or the same.
+    const Number<8> q = random.chance(0.5) ? any_number(random) : random.chance(0.5) ? p : p + any_number(random);
+    certain += expect_arithmetic<exact::few_limbs>(p, q) + expect_arithmetic<exact::more_limbs>(q, p);
+    expect_arithmetic<exact::some_limbs>(p, Number<8>());
+  }
+  EXPECT_EQ(certain, 0);
+}
+
+TEST(Leading, ShortNumbersAreExact) {
+  const exact::Leading<6> three(exact::integer(3)), four(exact::integer(4)), five(exact::integer(5));
+  const exact::Leading<6> zero = square(three) + square(four) - square(five);
+  EXPECT_EQ(zero.sign, 0);
+  EXPECT_TRUE(zero.sign_is_certain());
+}
+
+/// Ellipses with numbers of wildly unlike exponents, of which many are alike: then much cancels.
+struct Ellipses {
+  exact::Ellipse a, b;
+};
+Ellipses any_ellipses(Random& random) {
+  std::array<double, 6> a{}, b{};
+  for (double& x : a) x = std::ldexp(1 + random.unit(), random.integer(-1000, 1000));
+  for (std::size_t i = 0; i < 6; ++i) {
+    b[i] = random.chance(0.6) ? a[i] : std::ldexp(1 + random.unit(), random.integer(-1000, 1000));
+  }
+  if (random.chance(0.3)) a[5] = a[4];
+  if (random.chance(0.3)) b[5] = b[4];
+  if (random.chance(0.3)) b[4] = a[4] * 2;
+  const auto form = [](const std::array<double, 6>& n) {
+    return exact::form(Ellipse<double>{n[0], n[1], n[2], n[3], n[4], n[5]});
+  };
+  return {form(a), form(b)};
+}
+
+/// The sign of a + b sqrt(c), c >= 0.
+int sign_with_root(const mpq_class& a, const mpq_class& b, const mpq_class& c) {
+  const int root = sgn(b) * sgn(c);
+  if (sgn(a) == root || root == 0) return sgn(a);
+  if (sgn(a) == 0) return root;
+  return root * sgn(mpq_class(b * b * c - a * a));
+}
+
+TEST(LongCubic, SignsAreThoseOfAllDigits) {
+  Random random(properties::seed());
+  int certain = 0, not_certain = 0;
+  for (int i = 0; i < 3000 * properties::repeat(); ++i) {
+    const Ellipses e = any_ellipses(random);
+    const exact::ContactCubic p = exact::contact_cubic(e.a, e.b);
+    if (p.al.sign == 0 || !exact::is_long(p)) continue;
+    const mpq_class d1 = value(p.d1), c1 = value(p.c1), c2 = value(p.c2), d2 = value(p.d2), mu = value(p.mu);
+    const mpq_class a = c2 * c2 - 3 * d2 * c1, b = c1 * c2 - 9 * d1 * d2, c = c1 * c1 - 3 * d1 * c2;
+    const mpq_class discriminant = 4 * a * c - b * b;
+    const exact::SmallParts small(p);
+    expect_within_bound(exact::detail::discriminant<exact::Leading<6>>(p), discriminant);
+    expect_within_bound(exact::detail::discriminant_by_offset<exact::Leading<6>>(p, small), discriminant / 3);
+    exact::Signs of_discriminant, of_containment;
+    const int sign = exact::discriminant_sign(p, of_discriminant);
+    if (of_discriminant.certain) {
+      EXPECT_EQ(sign, sgn(discriminant)) << "seed " << properties::seed();
+    }
+
+    const mpq_class delta = mu * mu - 4 * d1 * d2, slope = 2 * c2 - 3 * mu;
+    const bool inside = exact::first_in_second(p, of_containment);
+    const bool truth =
+        sign_with_root(slope, -3, delta) > 0 || sign_with_root(slope * mu + 2 * d2 * (3 * d1 - c1), slope, delta) > 0;
+    if (of_containment.certain) {
+      EXPECT_EQ(inside, truth) << "seed " << properties::seed();
+    }
+    (of_discriminant.certain && of_containment.certain ? certain : not_certain) += 1;
+  }
+  EXPECT_GT(certain, 20 * not_certain);
+  EXPECT_GT(certain, 1000);
+}
+
+}  // namespace
