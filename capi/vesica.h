@@ -135,7 +135,7 @@ VESICA_API const char *vesica_kind_name(int32_t kind);
  *
  * The environment variable VESICA_ISA forces another one. It is read once, when the library is loaded. A name that is
  * unknown, or of a set that the processor lacks, is ignored.
- * Returns: static text: "sse2", "avx2", "avx512", "neon" or "portable".
+ * Returns: static text: "sse2", "avx2", "avx512", "neon", "simd128" or "portable".
  */
 VESICA_API const char *vesica_isa_name(void);
 

@@ -1,22 +1,24 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# build.sh DIRECTORY [MODULE]: packs the npm package into DIRECTORY, installs it into a fresh folder without network,
-# and runs the tests there; tsc, of npm, reads the declarations. MODULE is a vesica.wasm that is built already.
+# build.sh DIRECTORY [MODULES]: packs the npm package into DIRECTORY, installs it into a fresh folder without network,
+# and runs the tests there; tsc, of npm, reads the declarations. MODULES is where tests/ffi/wasm/build.sh has
+# built the two modules already.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 mkdir -p "$1"
 directory=$(cd "$1" && pwd)
-module=${2:-}
+modules=${2:-}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-if [ -z "$module" ]; then
-  "$here/../tests/ffi/wasm/build.sh" "$directory/wasm"
-  module=$directory/wasm/vesica.wasm
+if [ -z "$modules" ]; then
+  modules=$directory/wasm
+  "$here/../tests/ffi/wasm/build.sh" "$modules"
 fi
 
 mkdir "$work/package" "$work/program"
-cp "$here"/*.mjs "$here"/*.d.ts "$here/package.json" "$here/README.md" "$module" "$work/package"
+cp "$here"/*.mjs "$here"/*.d.ts "$here/package.json" "$here/README.md" "$modules/vesica.wasm" "$work/package"
+cp "$modules/simd/vesica.wasm" "$work/package/vesica-simd.wasm"
 rm -f "$directory"/vesica-*.tgz
 (cd "$work/package" && npm pack --silent --pack-destination "$directory")
 

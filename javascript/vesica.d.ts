@@ -112,6 +112,8 @@ export class Vesica {
   /** The C library; lengths and counts are bigint, pointers are addresses in c.memory. */
   readonly c: C;
   readonly version: string;
+  /** What batches run on: 'simd128' or 'portable'. Answers never depend on it. */
+  readonly isa: string;
 
   /** An array from numbers one after the other, from plain objects of that kind, or of a count, with all numbers 0. */
   shapes(kind: Kind, source: ArrayLike<number> | readonly (Shape | readonly number[])[] | number, options?: { scalar?: Scalar }): ShapeArray;
@@ -164,5 +166,8 @@ export class Vesica {
   indexFromBytes(bytes: ArrayBuffer | Uint8Array, ...sets: ShapeArray[]): Index;
 }
 
-/** Loads vesica.wasm: that beside this file, or `module`, its bytes or a compiled module. */
-export function load(options?: { module?: BufferSource | WebAssembly.Module }): Promise<Vesica>;
+/**
+ * Loads the library: vesica-simd.wasm beside this file, or vesica.wasm where the engine has no vectors or `simd` is
+ * false; or `module`, bytes or a compiled module from elsewhere.
+ */
+export function load(options?: { module?: BufferSource | WebAssembly.Module; simd?: boolean }): Promise<Vesica>;

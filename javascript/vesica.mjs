@@ -29,9 +29,17 @@ async function bytesBeside(url) {
   return readFile(url);
 }
 
-/** Loads vesica.wasm: that beside this file, or `module`, its bytes or a WebAssembly.Module. */
-export async function load({ module = undefined } = {}) {
-  const source = module ?? (await bytesBeside(new URL('./vesica.wasm', import.meta.url)));
+// A module whose only function makes a vector: () -> v128, i8x16.splat of 0.
+const vectorModule = new Uint8Array([
+  0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, // magic, version
+  1, 5, 1, 0x60, 0, 1, 0x7b, // types
+  3, 2, 1, 0, // functions
+  10, 8, 1, 6, 0, 0x41, 0, 0xfd, 0x0f, 0x0b, // code
+]);
+
+/** Loads vesica-simd.wasm, or vesica.wasm where there are no vectors: that beside this file, or `module`. */
+export async function load({ module = undefined, simd = WebAssembly.validate(vectorModule) } = {}) {
+  const source = module ?? (await bytesBeside(new URL(simd ? './vesica-simd.wasm' : './vesica.wasm', import.meta.url)));
   const compiled = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
   const { exports } = await WebAssembly.instantiate(compiled);
   const version = exports.vesica_version();
@@ -49,6 +57,10 @@ export class Vesica {
     this.c = exports;
     this.#memory = new Memory(exports.memory);
     this.#collected = new FinalizationRegistry((blocks) => this.#give(blocks));
+  }
+
+  get isa() {
+    return this.#string(this.c.vesica_isa_name());
   }
 
   get version() {
@@ -215,7 +227,11 @@ export class Vesica {
   }
 
   #text(code) {
-    const bytes = new Uint8Array(this.#memory.buffer, this.c.vesica_strerror(code));
+    return this.#string(this.c.vesica_strerror(code));
+  }
+
+  #string(address) {
+    const bytes = new Uint8Array(this.#memory.buffer, address);
     return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
   }
 

@@ -39,6 +39,22 @@ test('known answers', () => {
   assert.match(vesica.version, /^\d+\.\d+\.\d+$/);
 });
 
+test('both modules say the same', async () => {
+  const plain = await load({ simd: false });
+  assert.deepEqual([vesica.isa, plain.isa], ['simd128', 'portable']);
+  for (const scalar of ['f64', 'f32']) {
+    for (const kind of ['circle', 'aabb', 'rect', 'ellipse']) {
+      const shapes = Array.from({ length: 100 }, () => randomShape(kind));
+      const [fast, slow] = [vesica, plain].map((library) => library.shapes(kind, shapes, { scalar }));
+      for (const name of ['overlapMatrix', 'relationMatrix', 'iouMatrix']) {
+        assert.deepEqual(vesica[name](fast, fast), plain[name](slow, slow));
+      }
+      assert.deepEqual(vesica.depth(fast, fast.at(0)), plain.depth(slow, slow.at(0)));
+      assert.deepEqual(vesica.index(fast).bytes, plain.index(slow).bytes);
+    }
+  }
+});
+
 test('quarter turns in degrees are exact', () => {
   for (const [angle, ux, uy] of [[0, 1, 0], [90, 0, 1], [180, -1, 0], [270, 0, -1], [-90, 0, -1], [810, 0, 1]]) {
     const turned = rect(0, 0, 4, 2, angle, { degrees: true });

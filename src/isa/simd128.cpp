@@ -6,6 +6,6 @@
 
 namespace vesica {
 
-constinit const KernelTable kernels_simd128 = make_table("simd128", kernels_simd128_queries);
+constinit const KernelTable kernels_simd128 = make_table("simd128", kernels_simd128_queries, kernels_simd128_ties);
 
 }  // namespace vesica

@@ -74,6 +74,8 @@ extern const TieKernels kernels_portable_ties;
 extern const TieKernels kernels_sse2_ties, kernels_avx2_ties, kernels_avx512_ties;
 #elif defined(__aarch64__)
 extern const TieKernels kernels_neon_ties;
+#elif defined(__wasm_simd128__)
+extern const TieKernels kernels_simd128_ties;
 #endif
 
 /// The instruction sets built for this machine's architecture. The portable one is a single lane and runs anywhere; the

@@ -97,6 +97,7 @@ inline DoubleMask operator>(Doubles a, Doubles b) { return {wasm_f64x2_gt(a.v, b
 inline DoubleMask operator>=(Doubles a, Doubles b) { return {wasm_f64x2_ge(a.v, b.v)}; }
 inline DoubleMask operator==(Doubles a, Doubles b) { return {wasm_f64x2_eq(a.v, b.v)}; }
 inline Doubles select(DoubleMask m, Doubles yes, Doubles no) { return wasm_v128_bitselect(yes.v, no.v, m.v); }
+inline Doubles or_bits(Doubles a, Doubles b) { return wasm_v128_or(a.v, b.v); }
 inline Doubles flip_sign(Doubles x, Doubles y) {
   return wasm_v128_xor(x.v, wasm_v128_and(y.v, wasm_f64x2_splat(-0.0)));
 }

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// clang-format off
+#include "lanes/simd128.hpp"
+// clang-format on
+#include "kernels/ties.hpp"
+
+namespace vesica {
+
+constinit const TieKernels kernels_simd128_ties = make_tie_kernels();
+
+}  // namespace vesica
