@@ -298,7 +298,7 @@ VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const double *nu
  * Exchanging the shapes reverses the direction and changes no other bit, except for two equal shapes in one place.
  * Moving both shapes by the same exact amounts changes no bit.
  * Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; of two circles, and of a point and a circle, to
- * its last place. The length of (x, y) is 1 but for 3 u, and it moves b clear but for 4 u scale. Whether the depth is 0
+ * its last place. The length of (x, y) is 1 but for 3 u, and it moves b clear but for 8 u scale. Whether the depth is 0
  * is exact.
  * Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
  * if only exact arithmetic can tell the depth from 0.

@@ -8,9 +8,9 @@
 /// answer is one of them. relation() decides exactly which case it is.
 ///
 /// Accuracy, u = 2^-53 and scale the largest coordinate of the offset of centres or half length: the distance is right
-/// to 4u scale at aspect ratios up to 1e6, and never rounded to 0 where outlines are apart. Before the rounding of their
-/// coordinates, points are within 12u scale of their outlines, a common point of both, at any aspect ratio (a search that
-/// climbs found 6.8u); and at aspects up to 1e6 they are as far apart as the distance to 16u scale (it found 10.6u).
+/// to 4u scale at aspect ratios up to 1e6, and never rounded to 0 where outlines are apart. Before coordinates are
+/// rounded, points are within 12u scale of their outlines at any aspect ratio, a common point of both (a search that
+/// climbs found 6.8u); at aspects up to 1e6 they are as far apart as the distance to 16u scale (it found 10.6u).
 ///
 /// Laws, each tested: boundary_distance(b, a) has the same bits with the points exchanged; the distance is unchanged
 /// when both shapes are moved by the same exact amounts; it is at least nearest(), and equals it for disjoint shapes.

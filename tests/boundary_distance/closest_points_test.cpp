@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The points that go with a distance of outlines: a common point is on both, and others are as far apart as they should.
+// The points that go with a distance of outlines: a common point is on both, others are as far apart as they should be.
 #include <gtest/gtest.h>
 
 #include <cmath>

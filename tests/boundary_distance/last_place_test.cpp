@@ -14,7 +14,7 @@ namespace {
 using outline_reference::Real;
 using properties::Numbers;
 
-// Was up to 3.5 quanta off: products underflowed, and the result was rounded twice. A distance below one quantum is one.
+// Was up to 3.5 quanta off: products underflowed, the result was rounded twice. A distance below one quantum is one.
 TEST(OutlineLastPlace, SubnormalBoxes) {
   std::mt19937_64 random(properties::seed());
   std::uniform_real_distribution<double> unit(-1, 1);

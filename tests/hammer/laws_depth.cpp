@@ -74,7 +74,7 @@ void judge_accuracy(Judge& j, const Pair& p, const Answer& r, Effort effort) {
                      : std::to_string(Real(error / unit).get_d()) + " u scale";
   };
   const Real needed = needed_along(a, b, r.numbers[1], r.numbers[2]);
-  j.demand(needed - depth <= allowed, subnormal ? "subnormal_moves_clear" : "moves_clear", "4 u scale",
+  j.demand(needed - depth <= allowed + 4 * unit, subnormal ? "subnormal_moves_clear" : "moves_clear", "8 u scale",
            in_units(needed - depth));
   if (effort == Effort::quick) return;
   const Real error = abs(Real(depth - outline_reference::least(a, b, 1).value));

@@ -7,7 +7,7 @@
 
 namespace vesica::detail::nearest {
 
-/// In a pair's unit, in which the scale is about 1, so far from a shape or its outline a common point may be. Where it is
+/// In a pair's unit, in which the scale is about 1, so far from a shape or its outline a common point may be. If it is
 /// farther, one of the exact places of crossings.hpp is taken.
 inline constexpr double least_certain = 0x1p-52;
 

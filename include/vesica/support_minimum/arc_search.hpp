@@ -262,8 +262,8 @@ class ArcSearch {
 
   /// The search ends where F is least up to rounding. The direction may then still be off by the square root of that.
   /// Further Newton steps improve the closest points; they are taken while each halves the slope and the same corners
-  /// of boxes are the furthest. Where a thin shape's curvature changes faster than a step allows for, a quarter of it is
-  /// tried.
+  /// of boxes are the furthest. Where a thin shape's curvature changes faster than a step allows for, a quarter of the
+  /// step is tried.
   void polish() noexcept {
     double damping = 1;
     for (int i = 0; i < polish_limit; ++i) {
