@@ -109,8 +109,10 @@ inline void place_magnitude(const Span& a, int low, int n, Limb* out) noexcept {
   for (int i = zeros + kept.size; i < n; ++i) out[i] = 0;
 }
 
-/// out[0, n) = |a| + |b| on the grid from low on; n leaves room for the carry.
-inline void add_magnitude(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
+/// Sums of fewer limbs are formed in one pass, of more where the lesser number is.
+inline constexpr int least_wide = 24;
+
+inline void add_wide(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
   place_magnitude(a, low, n, out);
   const Span added = from(b, low);
   Limb carry = 0;
@@ -123,8 +125,18 @@ inline void add_magnitude(const Span& a, const Span& b, int low, int n, Limb* ou
   for (; carry != 0; ++i) carry = ++out[i] == 0;
 }
 
-/// out[0, n) = |a| - |b|, which must not be negative.
-inline void subtract_magnitude(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
+/// out[0, n) = |a| + |b| on the grid from low on; n leaves room for the carry.
+inline void add_magnitude(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
+  if (n >= least_wide) return add_wide(a, b, low, n, out);
+  Limb carry = 0;
+  for (int i = 0; i < n; ++i) {
+    const Limb x = a.at(low + i), y = b.at(low + i), sum = x + y, total = sum + carry;
+    carry = static_cast<Limb>(sum < x) | static_cast<Limb>(total < sum);
+    out[i] = total;
+  }
+}
+
+inline void subtract_wide(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
   place_magnitude(a, low, n, out);
   const Span taken = from(b, low);
   Limb borrow = 0;
@@ -135,6 +147,17 @@ inline void subtract_magnitude(const Span& a, const Span& b, int low, int n, Lim
     out[i] = total;
   }
   for (; borrow != 0; ++i) borrow = out[i]-- == 0;
+}
+
+/// out[0, n) = |a| - |b|, which must not be negative.
+inline void subtract_magnitude(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
+  if (n >= least_wide) return subtract_wide(a, b, low, n, out);
+  Limb borrow = 0;
+  for (int i = 0; i < n; ++i) {
+    const Limb x = a.at(low + i), y = b.at(low + i), difference = x - y, total = difference - borrow;
+    borrow = static_cast<Limb>(x < y) | static_cast<Limb>(difference < borrow);
+    out[i] = total;
+  }
 }
 
 }  // namespace detail
