@@ -113,6 +113,19 @@ TEST(SameBytes, ResumedAtEveryPair) {
   }
 }
 
+/// More pairs of one pair of blocks than are decided at once: calls go on in its midst. Some candidates are no pairs.
+TEST(SameBytes, ResumedInACrowd) {
+  Records<double> discs{VESICA_CIRCLE, {}};
+  for (int i = 0; i < 150; ++i) discs.numbers.insert(discs.numbers.end(), {i % 2 * 1.5, i % 2 * 1.5, 1});
+  const Indexed<double> crowd(discs), other(discs);
+  for (const Indexed<double>* with : {&other, &crowd}) {
+    const std::vector<Pair> whole = join(VESICA_JOIN_OVERLAP, crowd, *with, 0, 1, 1 << 16);
+    ASSERT_EQ(whole.size(), with == &other ? 2u * 75 * 75 : 2u * 75 * 74 / 2);
+    EXPECT_TRUE(join(VESICA_JOIN_OVERLAP, crowd, *with, 0, 1, 7) == whole);
+    EXPECT_TRUE(join(VESICA_JOIN_OVERLAP, crowd, *with, 0, 1, 1000) == whole);
+  }
+}
+
 TEST(SameBytes, StepsInParts) {
   const Laid<double> laid = touching<double>(20000, 5);
   const Indexed<double> whole{Laid<double>(laid)};
