@@ -15,6 +15,7 @@ folder=$root/build/coverage
 foreign='^(abi_|bench_|consumer|cross|demo_|description_|ffi_|figures_|flags_|header_|install|.*isa_symbols|lint_|package_'
 foreign+='|readme_|run_|sanitize|subproject_)'
 
+mkdir -p "$root/build"
 need "${test_packages[@]}" clang-19 llvm-19 libclang-rt-19-dev
 flags='-fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc'
 cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DVESICA_TESTS=ON -DVESICA_LINKER_HAS_z_defs=OFF \
@@ -22,7 +23,7 @@ cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DVESICA_TESTS
   -DCMAKE_C_FLAGS_RELEASE=-O1 -DCMAKE_CXX_FLAGS_RELEASE=-O1 >"$folder.log"
 if [ $# -gt 0 ]; then
   cmake --build "$folder" --target "$@" >>"$folder.log"
-  selection=(-R "^($(IFS='|' && echo "$*"))")
+  selection=(-R "^($(IFS='|' && echo "$*"))\$")
 else
   cmake --build "$folder" >>"$folder.log"
   selection=(-LE '^rest$' -E "$foreign")

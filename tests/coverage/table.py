@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """table.py ROOT LCOV SUMMARY EXCEPTIONS: coverage by folder, and what is not covered.
 
-Lines and branches are counted over all instantiations of a template, from LCOV. Conditions (MC/DC) are of the
-instantiation that reaches most, from SUMMARY: that is what llvm-cov gives.
+A line counts as reached where any instantiation of its template reaches it (LCOV). Branches and conditions (MC/DC) are
+those of the instantiation that reaches most (SUMMARY), which is all that llvm-cov tells.
 """
 
 import collections
@@ -12,27 +12,25 @@ import sys
 
 
 def read_lcov(path, root):
-    """{file: ({line: count}, {branch: count})}, files relative to the root."""
-    files, lines, branches = {}, {}, {}
+    """{file: {line: count}}, files relative to the root."""
+    files, lines = {}, {}
     for record in open(path):
         key, _, value = record.strip().partition(":")
         if key == "SF":
-            lines, branches = files.setdefault(str(pathlib.Path(value).relative_to(root)), ({}, {}))
+            lines = files.setdefault(str(pathlib.Path(value).relative_to(root)), {})
         elif key == "DA":
             line, count = value.split(",")[:2]
             lines[int(line)] = lines.get(int(line), 0) + int(count)
-        elif key == "BRDA":
-            line, block, branch, count = value.split(",")
-            place = (int(line), block, branch)
-            branches[place] = branches.get(place, 0) + (0 if count == "-" else int(count))
     return files
 
 
-def read_conditions(path, root):
-    """{file: (conditions, covered)}."""
+def read_summary(path, root):
+    """{file: [branches, taken, conditions, covered]}."""
     files = json.load(open(path))["data"][0]["files"]
     return {
-        str(pathlib.Path(f["filename"]).relative_to(root)): (f["summary"]["mcdc"]["count"], f["summary"]["mcdc"]["covered"])
+        str(pathlib.Path(f["filename"]).relative_to(root)): [
+            f["summary"][kind][n] for kind in ("branches", "mcdc") for n in ("count", "covered")
+        ]
         for f in files
     }
 
@@ -54,16 +52,14 @@ def share(covered, count):
 
 def main():
     root, lcov, summary, exceptions = sys.argv[1:]
-    files, conditions, excused = read_lcov(lcov, root), read_conditions(summary, root), read_exceptions(exceptions)
+    files, summaries, excused = read_lcov(lcov, root), read_summary(summary, root), read_exceptions(exceptions)
     tallies, missed, used = collections.defaultdict(lambda: [0] * 6), [], set()
-    for file, (lines, branches) in sorted(files.items()):
+    for file, lines in sorted(files.items()):
         text = (pathlib.Path(root) / file).read_text().splitlines()
         unreached = [line for line, count in lines.items() if count == 0]
-        met, count = conditions.get(file, (0, 0))[1], conditions.get(file, (0, 0))[0]
+        numbers = [len(lines), len(lines) - len(unreached), *summaries[file]]
         for tally in (tallies[folder_of(file)], tallies["all"]):
-            for i, n in enumerate((len(lines), len(lines) - len(unreached), len(branches),
-                                   sum(c > 0 for c in branches.values()), count, met)):
-                tally[i] += n
+            tally[:] = map(sum, zip(tally, numbers))
         for line in sorted(unreached):
             place = (file, text[line - 1].strip())
             if place in excused:
