@@ -142,7 +142,8 @@ std::int32_t store(const Measure& m, T& out) noexcept {
 
 /// The checked form: writes the area of a shape, 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or
 /// a segment; the nearest double to the true area (a float: that double rounded), also among the subnormal ones.
-/// Returns 0, error_shape, or error_range when the area would be beyond the finite numbers; on error `out` is untouched.
+/// Returns 0, error_shape, or error_range when the area would be beyond the finite numbers; on error `out` is
+/// untouched.
 template <template <class> class Shape, class T>
 std::int32_t shape_area_or_error(const Shape<T>& s, T& out) noexcept {
   if (check(s) != 0) return error_shape;
