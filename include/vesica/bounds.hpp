@@ -71,19 +71,28 @@ inline bool exact_upper(const Rect<double>&, const Reach& r, double& out) noexce
       arithmetic::scale(start.value, start.exponent), [&](double m) { return compare(from_double(m), value) >= 0; },
       out);
 }
+/// c + sqrt(squared), with one step of Newton's for the root: c may cancel all digits that a double has of it.
+inline double start_of_search(const exact::Number<1>& c, const exact::Number<4>& squared) noexcept {
+  const arithmetic::Scaled s = exact::rounded(squared);
+  const int odd = s.exponent & 1, exponent = (s.exponent - odd) / 2;
+  const double value = std::sqrt(s.value * (1 + odd)), extent = arithmetic::scale(value, exponent);
+  if (!(extent <= std::numeric_limits<double>::max())) return extent;
+  const auto root = exact::from_double(extent);
+  const arithmetic::Scaled sum = exact::rounded(c + root), rest = exact::rounded(squared - exact::square(root));
+  return arithmetic::scale(sum.value, sum.exponent) +
+         arithmetic::scale(rest.value / (2 * value), rest.exponent - exponent);
+}
 inline bool exact_upper(const Ellipse<double>&, const Reach& r, double& out) noexcept {
   using namespace exact;
   const auto c = from_double(r.c);
   const auto extent_squared =
       square(from_double(r.p0) * from_double(r.q0)) + square(from_double(r.p1) * from_double(r.q1));
-  const arithmetic::Scaled squared = rounded(extent_squared);
-  const int odd = squared.exponent & 1;
-  const double extent = arithmetic::scale(std::sqrt(squared.value * (1 + odd)), (squared.exponent - odd) / 2);
+  const auto start = start_of_search(c, extent_squared);
   const auto reaches = [&](double m) {
     const auto distance = from_double(m) - c;
     return distance.sign >= 0 && compare(square(distance), extent_squared) >= 0;
   };
-  return arithmetic::search_up(r.c + extent, reaches, out);
+  return arithmetic::search_up(start, reaches, out);
 }
 
 /// The smallest double at or above c + extent; false when it is beyond the finite ones.
