@@ -161,7 +161,7 @@ export interface C {
    * scale. At any, it is above 0 if outlines do not meet, and points are on them to 12 u scale before they are rounded.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    * Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2 us
-   * for a common point, of needles that of vesica_crossings_f64; 5 us more if exact arithmetic must tell; at worst 150 us.
+   * for a common point, of needles as vesica_crossings_f64; 5 us more if exact arithmetic must tell; at worst 150 us.
    * Since: 0.1.
    */
   vesica_boundary_distance_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -881,7 +881,7 @@ export interface C {
    * Each number is computed in double, within these bounds, and then rounded to float once.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    * Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2 us
-   * for a common point, of needles that of vesica_crossings_f32; 5 us more if exact arithmetic must tell; at worst 150 us.
+   * for a common point, of needles as vesica_crossings_f32; 5 us more if exact arithmetic must tell; at worst 150 us.
    * Since: 0.1.
    */
   vesica_boundary_distance_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;

@@ -51,9 +51,7 @@ inline FloatMask operator>(Floats a, Floats b) { return {wasm_f32x4_gt(a.v, b.v)
 inline FloatMask operator>=(Floats a, Floats b) { return {wasm_f32x4_ge(a.v, b.v)}; }
 inline FloatMask operator==(Floats a, Floats b) { return {wasm_f32x4_eq(a.v, b.v)}; }
 inline Floats select(FloatMask m, Floats yes, Floats no) { return wasm_v128_bitselect(yes.v, no.v, m.v); }
-inline Floats flip_sign(Floats x, Floats y) {
-  return wasm_v128_xor(x.v, wasm_v128_and(y.v, wasm_f32x4_splat(-0.0f)));
-}
+inline Floats flip_sign(Floats x, Floats y) { return wasm_v128_xor(x.v, wasm_v128_and(y.v, wasm_f32x4_splat(-0.0f))); }
 inline Floats rough_sqrt(Floats a) { return wasm_f32x4_sqrt(a.v); }
 inline Floats rough_quotient(Floats a, Floats b) { return wasm_f32x4_div(a.v, b.v); }
 
