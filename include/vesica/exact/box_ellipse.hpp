@@ -91,7 +91,8 @@ struct VisibleEdges {
   template <class Size, class Axis, class Place>
   static int least_gap(int enough, Signs& sign, const Size& a, const Size& b, const Axis& c, const Axis& s,
                        const Place& x0, const Place& x1, const Place& y0, const Place& y1) noexcept {
-    const auto aa = square(a), bb = square(b), cc = square(c), ss = square(s), nn = cc + ss;
+    const auto aa = square(a), bb = square(b);
+    const auto cc = square(c), ss = square(s), nn = cc + ss;
     const FramedEllipse<Size, Axis, std::decay_t<decltype(nn)>> e{a, b, c, s, nn};
     const auto p01 = (aa - bb) * (c * s);
     const Place none;
