@@ -119,7 +119,6 @@ Measure shape_measure(const Shape& shape) noexcept {
   if (is_flat(s)) return {0, 0};
   // Differences of the greatest numbers may be infinite; exact ones are not.
   if (!(s.size_0.high <= 0x1p1020 && s.size_1.high <= 0x1p1020)) return exact_area(exact::form(shape));
-  if (is_flat(s)) return {0, 0};
   const int exponent = in_area_range(s) ? 0 : standardise(s);
   const DoubleDouble estimate = area_estimate(s);
   const bool may_be_subnormal = exponent < -1017;  // the estimate is then from 2^-4 to 2^4

@@ -26,7 +26,7 @@ struct Measure {
 inline Measure standard(const Measure& m) noexcept {
   if (m.value == 0) return {0, 0};
   const int own = arithmetic::exponent_of(m.value);
-  return {arithmetic::scale(m.value, -own), m.exponent + own, arithmetic::scale(m.low, -own)};
+  return {arithmetic::scale(m.value, -own), m.exponent + own, m.low == 0 ? 0 : arithmetic::scale(m.low, -own)};
 }
 
 /// The nearest double, infinite where there is none.

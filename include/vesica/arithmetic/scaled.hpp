@@ -41,7 +41,7 @@ inline int exponent_of(double x) noexcept {
 
 /// (high + low) * 2^exponent, rounded once also where the result is subnormal. high is the double nearest to the sum.
 inline double scale_rounded(double high, double low, int exponent) noexcept {
-  if (exponent_of(high) + exponent >= -1021) return scale_far(high, exponent);
+  if (high == 0 || exponent_of(high) + exponent >= -1021) return scale_far(high, exponent);
   const double quanta = scale_far(high, exponent + 1074), left = scale_far(low, exponent + 1074);
   const double whole = (quanta + 0x1.8p52) - 0x1.8p52, rest = quanta - whole;
   // How far beyond half a quantum: near it this is exact, however little `left` is.
