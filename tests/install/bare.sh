@@ -38,7 +38,7 @@ echo "bare: $(cat "$bare/etc/debian_version"), $(git -C "$bare/vesica" log -1 --
 # inside COMMAND: in the root, with its own mounts and processes, which end with it, and a new login's environment.
 inside() {
   # shellcheck disable=SC2016
-  unshare --mount --pid --fork --kill-child bash -c 'mount -t proc proc "$1/proc" && mount --bind /dev "$1/dev" &&
+  unshare --mount --pid --fork --kill-child bash -c 'mount -t proc proc "$1/proc" && mount --rbind /dev "$1/dev" &&
     exec env -i HOME=/root TERM=dumb PATH=/usr/sbin:/usr/bin:/sbin:/bin chroot "$1" bash -c "cd /vesica && $2"' \
     inside "$bare" "$1"
 }
