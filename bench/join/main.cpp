@@ -16,6 +16,14 @@ namespace {
 
 using namespace vesica::bench;
 
+/// Rows that are not a workload.
+constexpr const char* questions[] = {"identical", "windows", "nearest", "kinds", "growth", "memory", "threads", "frame"};
+
+bool is_row(const std::string& name) {
+  return std::ranges::find(questions, name) != std::end(questions) ||
+         std::ranges::find(index_tests::rect_workloads(), name) != index_tests::rect_workloads().end();
+}
+
 void report(const std::string& row, std::int64_t n, int repeats) {
   if (row == "identical") {
     report_identical(repeats);
@@ -49,7 +57,12 @@ int main(int argc, char** argv) {
     // Nearly all pairs of the whole range overlap: no join for a bench.
     std::ranges::copy_if(index_tests::rect_workloads(), std::back_inserter(rows),
                          [](const auto& name) { return name != "whole_range"; });
-    rows.insert(rows.end(), {"identical", "windows", "nearest", "kinds", "growth", "memory", "threads", "frame"});
+    rows.insert(rows.end(), std::begin(questions), std::end(questions));
+  }
+  for (const std::string& row : rows) {
+    if (is_row(row)) continue;
+    std::fprintf(stderr, "no such row: %s\n", row.c_str());
+    return 2;
   }
   std::printf("%s, %lld shapes a side, least of %d; peers' time over the library's\n", vesica_isa_name(),
               static_cast<long long>(n), repeats);
