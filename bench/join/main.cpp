@@ -17,7 +17,8 @@ namespace {
 using namespace vesica::bench;
 
 /// Rows that are not a workload.
-constexpr const char* questions[] = {"identical", "windows", "nearest", "kinds", "growth", "memory", "threads", "frame"};
+constexpr const char* questions[] = {"identical", "windows", "nearest", "kinds",
+                                     "growth",    "memory",  "threads", "frame"};
 
 bool is_row(const std::string& name) {
   return std::ranges::find(questions, name) != std::end(questions) ||
