@@ -77,15 +77,17 @@ def _count(a, b):
     return counts.pop() if counts else 1
 
 
-def _finish(code, result, a, b):
-    """The result, or the error with it."""
+def _finish(code, result, **operands):
+    """The result, or the error with it; operands: what may be invalid, by the names of the parameters."""
     if code >= 0:
         return result
     message = None
     if code == _declarations.E_SHAPE:
-        wrong = [(name, shape.invalid()) for name, shape in (("a", a), ("b", b))]
+        wrong = [(name, shape.invalid()) for name, shape in operands.items()]
         message = "; ".join(
-            f"{len(which)} invalid shapes in {name}, the first is number {which[0]}" for name, which in wrong if len(which)
+            f"{len(which)} invalid shapes in {name}, the first is number {which[0]}"
+            for name, which in wrong
+            if len(which)
         )
     raise VesicaError(code, message, result)
 
@@ -113,7 +115,8 @@ class _Query:
                 raise ValueError(f"out has an array, or None, for each of {' '.join(self.result._fields)}")
             columns = [_output(column, (count,), (a.dtype,), (a, b)) for column in given]
             result, addresses = self.result(*columns), [column.ctypes.data for column in columns]
-        return _finish(self.many[letter](ctypes.byref(a.view), ctypes.byref(b.view), *addresses), result, a, b)
+        code = self.many[letter](ctypes.byref(a.view), ctypes.byref(b.view), *addresses)
+        return _finish(code, result, a=a, b=b)
 
     def _single(self, letter, a, b, out):
         if out is not None:
@@ -139,7 +142,8 @@ class _Matrix:
         shape = (len(a.columns[0]), len(b.columns[0]))
         result = _output(out, shape, self.dtypes or (a.dtype,), (a, b))
         row = result.strides[0] // result.itemsize if result.size else shape[1]
-        return _finish(self.function[letter](ctypes.byref(a.view), ctypes.byref(b.view), result.ctypes.data, row), result, a, b)
+        code = self.function[letter](ctypes.byref(a.view), ctypes.byref(b.view), result.ctypes.data, row)
+        return _finish(code, result, a=a, b=b)
 
 
 
@@ -186,7 +190,7 @@ def overlap_select(one, many):
     code = _SELECT[letter](ctypes.byref(one.view), ctypes.byref(many.view), out.ctypes.data, len(out))
     # With an invalid shape, which is never selected, -1 follows the others.
     found = out[:code] if code >= 0 else out[: numpy.argmax(out == -1)]
-    return _finish(code, found, one, many)
+    return _finish(code, found, one=one, many=many)
 
 
 def relation(a, b, out=None):
@@ -298,4 +302,4 @@ def nms(boxes, scores, threshold=0.5):
         keep.ctypes.data,
         ctypes.byref(kept),
     )
-    return _finish(code, keep[: kept.value], boxes, boxes)
+    return _finish(code, keep[: kept.value], boxes=boxes)

@@ -49,9 +49,9 @@ class Shapes:
         addresses = (ctypes.c_void_p * 6)(*(column.ctypes.data for column in columns))
         #: The C library's view of the array.
         self.view = _VIEWS[self.letter](int(kind), 0, len(columns[0]), stride, addresses)
+        scalar = ctypes.c_double if self.letter == "d" else ctypes.c_float
         #: A single shape's numbers side by side, for the functions of two shapes.
-        self.record = (ctypes.c_double if self.letter == "d" else ctypes.c_float) * len(columns)
-        self.record = self.record(*(column[0] for column in columns)) if single else None
+        self.record = (scalar * len(columns))(*(column[0] for column in columns)) if single else None
 
     def __len__(self):
         if self.single:
@@ -62,13 +62,10 @@ class Shapes:
         if self.single:
             raise TypeError("one shape cannot be indexed")
         if isinstance(index, (int, numpy.integer)):
-            return Shapes(self.kind, [column[index : index + 1 or None] for column in self._one(index)], True)
+            if not -len(self) <= index < len(self):
+                raise IndexError(f"shape {index} of {len(self)}")
+            return Shapes(self.kind, [column[index : index + 1 or None] for column in self.columns], True)
         return Shapes(self.kind, _alike([column[index] for column in self.columns]))
-
-    def _one(self, index):
-        if not -len(self) <= index < len(self):
-            raise IndexError(f"shape {index} of {len(self)}")
-        return self.columns
 
     def __iter__(self):
         return (self[i] for i in range(len(self)))
@@ -158,7 +155,8 @@ def shapes(kind, array):
         return Shapes(kind, [rows[:, i] for i in range(rows.shape[1])], single)
     missing = [name for name in FIELDS[kind] if name not in names]
     if missing:
-        raise ValueError(f"{kind.name.lower()} shapes need fields {' '.join(FIELDS[kind])}; missing: {' '.join(missing)}")
+        wanted = f"{kind.name.lower()} shapes need fields {' '.join(FIELDS[kind])}"
+        raise ValueError(f"{wanted}; missing: {' '.join(missing)}")
     columns = [_floats(numpy.atleast_1d(array)[name]) for name in FIELDS[kind]]
     if len({column.dtype for column in columns}) > 1:
         raise TypeError("the fields of shapes are all float64 or all float32")

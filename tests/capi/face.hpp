@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The structs and functions of vesica.h by scalar type.
+/// The structs and functions of vesica.h and vesica_index.h by scalar type.
 #pragma once
 
 #include <vesica.h>
@@ -43,6 +43,12 @@ struct Face<double> {
   static constexpr auto iou_many = vesica_iou_many_f64;
   static constexpr auto iou_matrix = vesica_iou_matrix_f64;
   static constexpr auto nms = vesica_nms_f64;
+  static constexpr auto index_build = vesica_index_build_f64;
+  static constexpr auto index_step = vesica_index_step_f64;
+  static constexpr auto index_select = vesica_index_select_f64;
+  static constexpr auto index_nearest = vesica_index_nearest_f64;
+  static constexpr auto join = vesica_join_f64;
+  static constexpr auto join_nearest = vesica_join_nearest_f64;
 };
 
 template <>
@@ -79,6 +85,12 @@ struct Face<float> {
   static constexpr auto iou_many = vesica_iou_many_f32;
   static constexpr auto iou_matrix = vesica_iou_matrix_f32;
   static constexpr auto nms = vesica_nms_f32;
+  static constexpr auto index_build = vesica_index_build_f32;
+  static constexpr auto index_step = vesica_index_step_f32;
+  static constexpr auto index_select = vesica_index_select_f32;
+  static constexpr auto index_nearest = vesica_index_nearest_f32;
+  static constexpr auto join = vesica_join_f32;
+  static constexpr auto join_nearest = vesica_join_nearest_f32;
 };
 
 }  // namespace capi_tests

@@ -32,7 +32,9 @@ TYPED_TEST(ArgumentsTest, Build) {
   const std::vector<unsigned char> before(static_cast<const unsigned char*>(index.get()),
                                           static_cast<const unsigned char*>(index.get()) + index.size);
   const auto build = [&](const auto* s, std::int32_t n, void* to, std::int64_t size, void* with,
-                         std::int64_t with_size) { return Face<TypeParam>::build(s, n, to, size, with, with_size); };
+                         std::int64_t with_size) {
+    return Face<TypeParam>::index_build(s, n, to, size, with, with_size);
+  };
   char* const odd_index = static_cast<char*>(index.get()) + 8;
   char* const odd_scratch = static_cast<char*>(scratch.get()) + 8;
   EXPECT_EQ(build(sets.data(), 1, nullptr, index.size, scratch.get(), scratch.size), VESICA_E_NULL);
@@ -59,8 +61,8 @@ TYPED_TEST(ArgumentsTest, Build) {
   EXPECT_EQ(std::memcmp(index.get(), before.data(), before.size()), 0) << "nothing was written";
 
   const auto step = [&](std::int32_t number, std::int64_t part, std::int64_t parts) {
-    return Face<TypeParam>::step(number, part, parts, sets.data(), 1, index.get(), index.size, scratch.get(),
-                                 scratch.size);
+    return Face<TypeParam>::index_step(number, part, parts, sets.data(), 1, index.get(), index.size, scratch.get(),
+                                       scratch.size);
   };
   EXPECT_EQ(step(1, 0, 1), VESICA_E_ARGUMENT) << "step 0 was not done";
   EXPECT_EQ(step(-1, 0, 1), VESICA_E_ARGUMENT);

@@ -11,36 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "capi/face.hpp"
 #include "index/workloads.hpp"
 
 namespace index_tests {
 
-template <class T>
-struct Face;
-template <>
-struct Face<double> {
-  using Shapes = vesica_shapes_f64;
-  static constexpr auto from_records = vesica_shapes_from_records_f64;
-  static constexpr auto build = vesica_index_build_f64;
-  static constexpr auto step = vesica_index_step_f64;
-  static constexpr auto select = vesica_index_select_f64;
-  static constexpr auto join = vesica_join_f64;
-  static constexpr auto nearest = vesica_index_nearest_f64;
-  static constexpr auto overlap = vesica_overlap_f64;
-  static constexpr auto contains = vesica_contains_f64;
-};
-template <>
-struct Face<float> {
-  using Shapes = vesica_shapes_f32;
-  static constexpr auto from_records = vesica_shapes_from_records_f32;
-  static constexpr auto build = vesica_index_build_f32;
-  static constexpr auto step = vesica_index_step_f32;
-  static constexpr auto select = vesica_index_select_f32;
-  static constexpr auto join = vesica_join_f32;
-  static constexpr auto nearest = vesica_index_nearest_f32;
-  static constexpr auto overlap = vesica_overlap_f32;
-  static constexpr auto contains = vesica_contains_f32;
-};
+using capi_tests::Face;
 
 /// Memory aligned to 64 that is as large as it says, so that a sanitizer sees a step beyond.
 struct Memory {
@@ -85,7 +61,7 @@ struct Indexed {
 
   explicit Indexed(Laid<T> shapes) : laid(std::move(shapes)), sets(laid), index(vesica_index_size(sets.items)) {
     const Memory scratch(vesica_index_scratch(sets.items));
-    result = Face<T>::build(sets.data(), sets.count(), index.get(), index.size, scratch.get(), scratch.size);
+    result = Face<T>::index_build(sets.data(), sets.count(), index.get(), index.size, scratch.get(), scratch.size);
   }
   explicit Indexed(Records<T> records) : Indexed(Laid<T>{std::move(records)}) {}
   std::int64_t bytes() const { return vesica_index_bytes(index.get()); }

@@ -61,7 +61,7 @@ struct Guarded {
     const std::int64_t size = vesica_index_size(items), scratch_size = (vesica_index_scratch(items) + 63) / 64 * 64;
     std::byte* const built = buffers.lines(size);
     const std::int64_t used =
-        Face<T>::build(sets.data(), count(), built, size, buffers.lines(scratch_size), scratch_size);
+        Face<T>::index_build(sets.data(), count(), built, size, buffers.lines(scratch_size), scratch_size);
     EXPECT_GT(used, 0);
     // What reads it sees no more than the bytes that a file would have.
     index = buffers.lines(used);
@@ -104,11 +104,11 @@ TYPED_TEST(GuardPagesTest, EveryBuffer) {
       ASSERT_EQ(Face<T>::from_records(VESICA_POINT, 1, point, 0, &one), 0);
       std::fill(state, state + 4, 0);
       while (state[0] != -1) {
-        ASSERT_GE(Face<T>::select(a.index, a.sets.data(), a.count(), &one, first, 2, state), 0);
+        ASSERT_GE(Face<T>::index_select(a.index, a.sets.data(), a.count(), &one, first, 2, state), 0);
       }
       auto* const distance = buffers.room<T>(room);
-      EXPECT_EQ(Face<T>::nearest(a.index, a.sets.data(), a.count(), &one, room, std::numeric_limits<T>::infinity(),
-                                 first, distance),
+      EXPECT_EQ(Face<T>::index_nearest(a.index, a.sets.data(), a.count(), &one, room,
+                                       std::numeric_limits<T>::infinity(), first, distance),
                 room);
       auto* const order = buffers.room<std::int64_t>(1344);
       EXPECT_EQ(vesica_index_order(a.index, order, 1344), 1344);

@@ -11,28 +11,11 @@ namespace index_tests {
 namespace {
 
 template <class T>
-struct NearestFace;
-template <>
-struct NearestFace<double> {
-  static constexpr auto scalar = vesica_nearest_f64;
-  static constexpr auto index = vesica_index_nearest_f64;
-  static constexpr auto join = vesica_join_nearest_f64;
-  using Points = vesica_closest_points_f64;
-};
-template <>
-struct NearestFace<float> {
-  static constexpr auto scalar = vesica_nearest_f32;
-  static constexpr auto index = vesica_index_nearest_f32;
-  static constexpr auto join = vesica_join_nearest_f32;
-  using Points = vesica_closest_points_f32;
-};
-
-template <class T>
 std::vector<std::pair<T, std::int64_t>> all_distances(const Item<T>& one, const std::vector<Item<T>>& many, T within) {
   std::vector<std::pair<T, std::int64_t>> all;
   for (const Item<T>& other : many) {
-    typename NearestFace<T>::Points points;
-    if (NearestFace<T>::scalar(one.kind, one.numbers, other.kind, other.numbers, &points) != 0) continue;
+    typename Face<T>::Points points;
+    if (Face<T>::nearest(one.kind, one.numbers, other.kind, other.numbers, &points) != 0) continue;
     if (points.distance <= within) all.emplace_back(points.distance, other.number);
   }
   std::sort(all.begin(), all.end());
@@ -56,7 +39,7 @@ TYPED_TEST(NearestTest, AllSorted) {
       Face<T>::from_records(one.kind, 1, one.numbers, 0, &shape);
       for (const T within : {infinity, T(1.5), T(0)}) {
         const auto expected = all_distances<T>(one, items, within);
-        const auto find = NearestFace<T>::index;
+        const auto find = Face<T>::index_nearest;
         EXPECT_EQ(find(many.index.get(), many.sets.data(), many.sets.count(), &shape, 0, within, nullptr, nullptr),
                   static_cast<std::int64_t>(expected.size()));
         for (const std::int64_t k : {1, 10, 1000}) {
@@ -86,8 +69,8 @@ TYPED_TEST(NearestTest, OfEachItem) {
   std::vector<T> distance(500);
   bool invalid = false;
   for (const std::int64_t part : {0, 1, 2}) {
-    invalid |= NearestFace<T>::join(sets.data(), sets.count(), many.index.get(), many.sets.data(), many.sets.count(), 5,
-                                    T(2), part, 3, out.data(), distance.data()) == VESICA_E_SHAPE;
+    invalid |= Face<T>::join_nearest(sets.data(), sets.count(), many.index.get(), many.sets.data(), many.sets.count(),
+                                     5, T(2), part, 3, out.data(), distance.data()) == VESICA_E_SHAPE;
   }
   EXPECT_TRUE(invalid);
   std::vector<bool> seen(100);

@@ -13,7 +13,7 @@ std::vector<std::int64_t> select(const Indexed<T>& many, const typename Face<T>:
   std::int64_t state[4] = {0, 0, 0, 0};
   while (state[0] != -1) {
     const std::int64_t n =
-        Face<T>::select(many.index.get(), many.sets.data(), many.sets.count(), &one, out.data(), capacity, state);
+        Face<T>::index_select(many.index.get(), many.sets.data(), many.sets.count(), &one, out.data(), capacity, state);
     EXPECT_GE(n, 0);
     if (n < 0) break;
     all.insert(all.end(), out.begin(), out.begin() + n);
@@ -42,10 +42,10 @@ TYPED_TEST(SelectTest, WhatTheScalarFunctionSays) {
         const std::vector<std::int64_t> all = select<TypeParam>(many, one, 4096);
         EXPECT_EQ(select<TypeParam>(many, one, 1), all) << name;
         EXPECT_EQ(select<TypeParam>(many, one, 7), all) << name;
-        EXPECT_EQ(
-            Face<TypeParam>::select(many.index.get(), many.sets.data(), many.sets.count(), &one, nullptr, 0, nullptr),
-            static_cast<std::int64_t>(all.size()));
-        EXPECT_GE(Face<TypeParam>::select(many.index.get(), nullptr, 0, &one, nullptr, 0, nullptr),
+        EXPECT_EQ(Face<TypeParam>::index_select(many.index.get(), many.sets.data(), many.sets.count(), &one, nullptr, 0,
+                                                nullptr),
+                  static_cast<std::int64_t>(all.size()));
+        EXPECT_GE(Face<TypeParam>::index_select(many.index.get(), nullptr, 0, &one, nullptr, 0, nullptr),
                   static_cast<std::int64_t>(all.size()));
         for (const std::int64_t item : all) found.emplace_back(number, item);
       }

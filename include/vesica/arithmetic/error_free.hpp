@@ -2,9 +2,9 @@
 /// Error-free transformations: sums and products of two numbers as an unevaluated pair high + low that is exact. All
 /// arithmetic beyond one double in the library is built from these.
 ///
-/// There are two products, and a third that is one of them. The lanes of a vector, and scalar functions that must give the same bits as lanes, split
-/// their factors into halves: this takes plain multiplications and additions only, which every instruction set has.
-/// Scalar functions without lanes use a fused multiply-add: it has no intermediate overflow, so its range is wider.
+/// There are two products. Lanes, and scalars that must give the same bits as lanes, split their factors into halves, by
+/// multiplications and additions that every instruction set has. Scalars without lanes use a fused multiply-add, whose
+/// range is wider. Where only signs of exact values count, two_product_uncontracted() takes the quicker of the two.
 #pragma once
 
 #include <cmath>

@@ -95,7 +95,7 @@ inline void add_products(const Runs& x, const Runs& y, bool same, int n, Limb* p
 
 /// Numbers of fewer limbs are multiplied limb by limb.
 inline constexpr int least_sparse = 12;
-/// Products of longer numbers too: more than those of degree 32 have.
+/// Limbs of the longest product that is tried here. Those of degree 32 are shorter.
 inline constexpr int most_sparse = 1100;
 
 /// out = a * b, two limbs longer than both together, where few limbs matter; false where limb by limb is as quick.
