@@ -260,7 +260,8 @@ class Engine {
   NumberColumns first_near_, second_near_;
 
   void answer(const Query& query, const Pairs& pairs, Results& results) noexcept {
-    if (query.asked_instead != nullptr) {
+    if (query.derive != nullptr) return derive(query, pairs, results);
+    if (query.from_code != nullptr) {
       answer(*query.asked_instead, pairs, results);
       for (std::int32_t i = 0; i < pairs.n; ++i) results[0][i] = query.from_code(results[0][i]);
       return;
@@ -268,6 +269,20 @@ class Engine {
     const QueryKernel kernel = kernel_of(query, pairs.first().kind(), pairs.second().kind());
     if (kernel != nullptr && ask_kernel(kernel, query, pairs, results)) return;
     ask_scalar(query, pairs, kernel == nullptr, results);
+  }
+
+  /// What is an error of the other query is looked at anew.
+  void derive(const Query& query, const Pairs& pairs, Results& results) noexcept {
+    const std::int32_t error = error_;
+    answer(*query.asked_instead, pairs, results);
+    error_ = error;
+    for (std::int32_t i = 0; i < pairs.n; ++i) {
+      double a[max_fields], b[max_fields], number = std::numeric_limits<double>::quiet_NaN();
+      pairs.a.element(i, a);
+      pairs.b.element(i, b);
+      note(query.derive(results[0][i], pairs.a.kind(), a, pairs.b.kind(), b, number));
+      results[0][i] = number;
+    }
   }
 
   QueryKernel kernel_of(const Query& query, std::int32_t first, std::int32_t second) const noexcept {
@@ -382,8 +397,8 @@ QueryTally query_many(const Query& query, const KernelTable& kernels, const Shap
   std::int64_t counted = 0;
   for (std::int64_t begin = 0; begin < n; begin += query_block) {
     pairs.n = block_length(n - begin, query_block);
-    if (begin == 0 || a.stride != 0) pairs.a.set(a, begin, pairs.n, query, kernels);
-    if (begin == 0 || b.stride != 0) pairs.b.set(b, begin, pairs.n, query, kernels);
+    if (begin == 0 || a.stride != 0) pairs.a.set(a, begin, pairs.n, query.asked(), kernels);
+    if (begin == 0 || b.stride != 0) pairs.b.set(b, begin, pairs.n, query.asked(), kernels);
     engine.answer<Out>(pairs, results);
     counted += count(query, results[0], pairs.n);
     for (int k = 0; k < query.columns(); ++k) {
@@ -403,9 +418,9 @@ QueryTally query_matrix(const Query& query, const KernelTable& kernels, const Sh
   std::int64_t counted = 0;
   for (std::int64_t begin = 0; begin < b.count; begin += query_block) {
     pairs.n = block_length(b.count - begin, query_block);
-    pairs.b.set(b, begin, pairs.n, query, kernels);
+    pairs.b.set(b, begin, pairs.n, query.asked(), kernels);
     for (std::int64_t row = 0; row < a.count; ++row) {
-      pairs.a.set(element(a, row), 0, pairs.n, query, kernels);
+      pairs.a.set(element(a, row), 0, pairs.n, query.asked(), kernels);
       engine.answer<Out>(pairs, results);
       counted += count(query, results[0], pairs.n);
       std::memcpy(out + row * row_stride + begin, results[0], static_cast<std::size_t>(pairs.n) * sizeof(Out));
