@@ -40,11 +40,13 @@ class NumberColumns {
   template <class T>
   void set(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n, const Query& query,
            const KernelTable& kernels) noexcept {
+    const Known known = query.asked().known;
+    const ShapeArea shape_area = query.shape_area;
     kind_ = shapes.kind;
     repeated_ = shapes.stride == 0;
     if (repeated_) n = 1;
     // overlap_block() reads whole columns.
-    const std::int32_t end = repeated_ && query.known == Known::overlap ? query_block : whole_vectors(n);
+    const std::int32_t end = repeated_ && known == Known::overlap ? query_block : whole_vectors(n);
     if (!read_in_place(shapes, begin, n, end)) {
       if (n < widest_vector) {
         read_few(shapes, begin, n);
@@ -56,9 +58,9 @@ class NumberColumns {
     }
     // Numbers that the kind does not have repeat the first: loops of a fixed length read elements faster.
     for (int k = field_count(kind_); k < max_fields; ++k) number_[k] = number_[0];
-    if (query.shape_area != nullptr) set_areas(n, end, query.shape_area);
-    if (query.known == Known::reach && kind_ == static_cast<std::int32_t>(Kind::rect)) {
-      set_reaches(end, query.shape_area != nullptr);
+    if (shape_area != nullptr) set_areas(n, end, shape_area);
+    if (known == Known::reach && kind_ == static_cast<std::int32_t>(Kind::rect)) {
+      set_reaches(end, shape_area != nullptr);
     }
   }
 
@@ -92,6 +94,12 @@ class NumberColumns {
       out[k] = number_[k][at];
       out[k + 1] = number_[k + 1][at];
     }
+  }
+
+  /// The same with its area, where the query asked for areas.
+  ShapeOfKind shape(std::int32_t i, double (&numbers)[max_fields]) const noexcept {
+    element(i, numbers);
+    return {kind_, numbers, area_[repeated_ ? 0 : i]};
   }
 
  private:
@@ -278,9 +286,7 @@ class Engine {
     error_ = error;
     for (std::int32_t i = 0; i < pairs.n; ++i) {
       double a[max_fields], b[max_fields], number = std::numeric_limits<double>::quiet_NaN();
-      pairs.a.element(i, a);
-      pairs.b.element(i, b);
-      note(query.derive(results[0][i], pairs.a.kind(), a, pairs.b.kind(), b, number));
+      note(query.derive(results[0][i], pairs.a.shape(i, a), pairs.b.shape(i, b), number));
       results[0][i] = number;
     }
   }
@@ -397,8 +403,8 @@ QueryTally query_many(const Query& query, const KernelTable& kernels, const Shap
   std::int64_t counted = 0;
   for (std::int64_t begin = 0; begin < n; begin += query_block) {
     pairs.n = block_length(n - begin, query_block);
-    if (begin == 0 || a.stride != 0) pairs.a.set(a, begin, pairs.n, query.asked(), kernels);
-    if (begin == 0 || b.stride != 0) pairs.b.set(b, begin, pairs.n, query.asked(), kernels);
+    if (begin == 0 || a.stride != 0) pairs.a.set(a, begin, pairs.n, query, kernels);
+    if (begin == 0 || b.stride != 0) pairs.b.set(b, begin, pairs.n, query, kernels);
     engine.answer<Out>(pairs, results);
     counted += count(query, results[0], pairs.n);
     for (int k = 0; k < query.columns(); ++k) {
@@ -418,9 +424,9 @@ QueryTally query_matrix(const Query& query, const KernelTable& kernels, const Sh
   std::int64_t counted = 0;
   for (std::int64_t begin = 0; begin < b.count; begin += query_block) {
     pairs.n = block_length(b.count - begin, query_block);
-    pairs.b.set(b, begin, pairs.n, query.asked(), kernels);
+    pairs.b.set(b, begin, pairs.n, query, kernels);
     for (std::int64_t row = 0; row < a.count; ++row) {
-      pairs.a.set(element(a, row), 0, pairs.n, query.asked(), kernels);
+      pairs.a.set(element(a, row), 0, pairs.n, query, kernels);
       engine.answer<Out>(pairs, results);
       counted += count(query, results[0], pairs.n);
       std::memcpy(out + row * row_stride + begin, results[0], static_cast<std::size_t>(pairs.n) * sizeof(Out));

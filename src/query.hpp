@@ -18,10 +18,15 @@ enum class Known {
 /// The area of a shape given by kind and flat numbers; NaN for one that is invalid or whose area is beyond the range.
 using ShapeArea = double (*)(std::int32_t kind, const double* numbers) noexcept;
 
-/// A number that follows from another query's and the two shapes, given by kind and flat numbers. Returns 0 or an error;
-/// out is then untouched.
-using Derive = std::int32_t (*)(double asked, std::int32_t kind_a, const double* a, std::int32_t kind_b,
-                                const double* b, double& out) noexcept;
+/// A shape by its kind and flat numbers, with its area as ShapeArea gives it.
+struct ShapeOfKind {
+  std::int32_t kind;
+  const double* numbers;
+  double area;
+};
+
+/// A number that follows from another query's and the two shapes. Returns 0 or an error; out is then untouched.
+using Derive = std::int32_t (*)(double asked, const ShapeOfKind& a, const ShapeOfKind& b, double& out) noexcept;
 
 struct Query {
   PairTable doubles, floats;
@@ -37,7 +42,7 @@ struct Query {
   /// Null where the scalar function does it all.
   QueryKernels QueryTable::*kernels = nullptr;
   Known known = Known::nothing;
-  /// Set where a kernel must know the shapes' areas.
+  /// Set where a kernel or `derive` must know the shapes' areas.
   ShapeArea shape_area = nullptr;
   /// Set where batches ask another query. Then from_code turns its codes into this one's, where NaN stays NaN, or
   /// derive makes its number, or a NaN for an error, into this one's.

@@ -45,12 +45,9 @@ inline double quotient(const area::Measure& x, const area::Measure& y) noexcept 
   return arithmetic::scale(s.value / t.value, s.exponent - t.exponent);
 }
 
-/// Whether the shared area, 0 or a double, is as accurate as it is where nothing under- or overflows.
-inline bool is_usual(double shared, const Facts& a, const Facts& b) noexcept {
-  const auto in_range = [](const area::Measure& m) {
-    return m.value == 0 || std::abs(area::standard(m).exponent) <= 400;
-  };
-  return (shared == 0 || shared >= 0x1p-900) && in_range(a.area) && in_range(b.area);
+/// Whether an area is one of usual magnitude, or 0.
+inline bool is_usual(const area::Measure& m) noexcept {
+  return m.value == 0 || (m.exponent == 0 && is_moderate(m.value)) || std::abs(area::standard(m).exponent) <= 400;
 }
 
 inline const area::Measure& divisor(Ratio which, const Facts& a, const Facts& b) noexcept {
@@ -80,13 +77,23 @@ inline double distance_share(const Facts& a, const Facts& b) noexcept {
   return (h.dx * h.dx + h.dy * h.dy) / (h.width * h.width + h.height * h.height);
 }
 
+/// Half lengths along and across the axis; of a shape without size (0, 0).
+struct Sides {
+  double along, across;
+};
+inline Sides sides(const Facts& s) noexcept {
+  if (s.ux == 0 && s.uy == 0) return {0, 0};
+  const double most = std::fmax(s.along, s.across);
+  if (is_moderate(most)) return {s.along, s.across};
+  const int exponent = arithmetic::exponent_of(most);
+  return {arithmetic::scale_far(s.along, -exponent), arithmetic::scale_far(s.across, -exponent)};
+}
+
 /// What unlike ratios of width to height take away.
 inline double aspect_share(double r, const Facts& a, const Facts& b) noexcept {
-  const auto length = [](const Facts& s, const Scaled& x) {
-    return arithmetic::scale_far(x.value, x.exponent - std::max(s.along.exponent, s.across.exponent));
-  };
-  const double wa = length(a, a.along), ha = length(a, a.across), wb = length(b, b.along), hb = length(b, b.across);
-  const double angle = angle_of(ha * hb + wa * wb, std::fabs(wa * hb - wb * ha)) / right_angle, v = angle * angle;
+  const Sides p = sides(a), q = sides(b);
+  const double cross = std::fabs(p.along * q.across - q.along * p.across);
+  const double angle = angle_of(p.across * q.across + p.along * q.along, cross) / right_angle, v = angle * angle;
   return v == 0 ? 0 : v * (v / ((1 - r) + v));
 }
 
@@ -110,8 +117,8 @@ std::int32_t over_area(double shared, Ratio which, const Facts& a, const Facts& 
                        double& out) noexcept {
   const area::Measure& whole = divisor(which, a, b);
   if (whole.value == 0) return error_argument;
-  if (is_usual(shared, a, b)) {
-    out = quotient({shared, 0}, whole);
+  if ((shared == 0 || shared >= 0x1p-900) && is_usual(a.area) && is_usual(b.area)) [[likely]] {
+    out = whole.exponent == 0 ? shared / whole.value : quotient({shared, 0}, whole);
   } else {
     out = from_union(iou(), which, a, b);
   }
@@ -129,16 +136,16 @@ std::int32_t ratio_or_error(Ratio which, const A<T>& a, const B<T>& b, T& out) n
   if (check(a) != 0 || check(b) != 0) return error_shape;
   const auto first = widen(a);
   const auto second = widen(b);
+  const auto facts = [](const auto& shape) { return detail::ratio::facts(shape, shape_area(shape)); };
   double result = 0;
-  const auto union_ratio = [&] { return iou(first, second); };
   std::int32_t error;
   if (detail::ratio::is_of_area(which)) {
-    error = detail::ratio::over_area(area(first, second), which, detail::ratio::facts(first),
-                                     detail::ratio::facts(second), union_ratio, result);
+    error = detail::ratio::over_area(
+        area(first, second), which, facts(first), facts(second), [&] { return iou(first, second); }, result);
   } else {
     error = iou_or_error(first, second, result);
     if (error == 0 && which != Ratio::over_union) {
-      result = detail::ratio::less_than_union(result, which, detail::ratio::facts(first), detail::ratio::facts(second));
+      result = detail::ratio::less_than_union(result, which, facts(first), facts(second));
     }
   }
   if (error == 0) out = static_cast<T>(result);
