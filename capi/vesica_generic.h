@@ -32,6 +32,9 @@
 #define vesica_depth(a, b, out) VESICA_TWO_OUT_(vesica_depth, a, b, out)
 #define vesica_area(a, b, out) VESICA_TWO_OUT_(vesica_area, a, b, out)
 #define vesica_iou(a, b, out) VESICA_TWO_OUT_(vesica_iou, a, b, out)
+#define vesica_ratio(ratio, a, b, out) \
+    VESICA_QUERY_(vesica_ratio, VESICA_SIZE_(a) & VESICA_SIZE_(b) & VESICA_SIZE_(out)) \
+    (ratio, VESICA_SHAPE_(a), VESICA_SHAPE_(b), out)
 
 /* Kind of the shape that a pointer points to: VESICA_POINT ... VESICA_ELLIPSE. */
 #define VESICA_KIND_OF(shape) \

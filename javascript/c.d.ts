@@ -1750,4 +1750,156 @@ export interface C {
    * Since: 0.1.
    */
   vesica_join_nearest_f32(sets_a: number, set_count_a: number, index_b: number, sets_b: number, set_count_b: number, k: bigint, within: number, part: bigint, parts: bigint, out: number, distance: number): bigint;
+  /**
+   * What share of a's area does b cover, or of b's area a? And other ratios by which detections are compared.
+   *
+   * The first four are from 0 to 1. One over a shape is 0 if no area is shared, and 1 if the other shape contains it. The
+   * last three are at most the IoU, and at least -1, for CIoU -2. The angle of a shape in CIoU is that of the vector
+   * (half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging the shapes exchanges
+   * OVER_FIRST and OVER_SECOND, and changes no bit of the others.
+   *
+   * Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the shape whose
+   * area divides has none; for the others, neither shape has one).
+   * Accuracy: within 8 u of what follows from the shared area or the IoU, which are right as vesica_area_f64 and
+   * vesica_iou_f64 tell, for half lengths from 2^-200 to 2^200.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; 40 to 100 in arrays.
+   * Since: 0.1.
+   */
+  vesica_ratio_f64(ratio: number, kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
+  /**
+   * A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
+   *
+   * Arrays and errors are those of vesica_iou_many_f64. If a pair has no ratio since an area is 0, out[i] is NaN, and the
+   * call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   *
+   * Returns: how many are > 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
+   * Accuracy: every result has the bits of vesica_ratio_f64, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_ratio_many_f64(ratio: number, a: number, b: number, out: number): bigint;
+  /**
+   * A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f64.
+   *
+   * Arrays, row_stride and errors are those of vesica_iou_matrix_f64. If a pair has no ratio since an area is 0, it gets
+   * NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   *
+   * Returns: how many are > 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
+   * Accuracy: every result has the bits of vesica_ratio_f64, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_ratio_matrix_f64(ratio: number, a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * How far apart are a[i] and b[j]? The elements of out are distances of vesica_nearest_f64.
+   *
+   * Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64.
+   * Returns: how many pairs overlap (distance 0).
+   * Errors: as vesica_iou_matrix_f64.
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_nearest_matrix_f64(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * How far apart are the outlines of a[i] and b[j]? The elements of out are distances of vesica_boundary_distance_f64.
+   *
+   * Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64.
+   * Returns: how many pairs of outlines meet (distance 0).
+   * Errors: as vesica_iou_matrix_f64.
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_boundary_distance_matrix_f64(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * How deep do a[i] and b[j] overlap? The elements of out are depths of vesica_depth_f64.
+   *
+   * Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64.
+   * Returns: how many depths are > 0.
+   * Errors: as vesica_iou_matrix_f64.
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_depth_matrix_f64(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * What share of a's area does b cover, or of b's area a? And other ratios by which detections are compared.
+   *
+   * The first four are from 0 to 1. One over a shape is 0 if no area is shared, and 1 if the other shape contains it. The
+   * last three are at most the IoU, and at least -1, for CIoU -2. The angle of a shape in CIoU is that of the vector
+   * (half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging the shapes exchanges
+   * OVER_FIRST and OVER_SECOND, and changes no bit of the others.
+   *
+   * Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the shape whose
+   * area divides has none; for the others, neither shape has one).
+   * Accuracy: within 8 u of what follows from the shared area or the IoU, which are right as vesica_area_f32 and
+   * vesica_iou_f32 tell, for half lengths from 2^-200 to 2^200.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * Cost: that of vesica_area_f32 or vesica_iou_f32, and 100 to 150 ns more; 40 to 100 in arrays.
+   * Since: 0.1.
+   */
+  vesica_ratio_f32(ratio: number, kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
+  /**
+   * A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
+   *
+   * Arrays and errors are those of vesica_iou_many_f32. If a pair has no ratio since an area is 0, out[i] is NaN, and the
+   * call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   *
+   * Returns: how many are > 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
+   * Accuracy: every result has the bits of vesica_ratio_f32, on every instruction set and in every layout.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Since: 0.1.
+   */
+  vesica_ratio_many_f32(ratio: number, a: number, b: number, out: number): bigint;
+  /**
+   * A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f32.
+   *
+   * Arrays, row_stride and errors are those of vesica_iou_matrix_f32. If a pair has no ratio since an area is 0, it gets
+   * NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   *
+   * Returns: how many are > 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
+   * Accuracy: every result has the bits of vesica_ratio_f32, on every instruction set and in every layout.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Since: 0.1.
+   */
+  vesica_ratio_matrix_f32(ratio: number, a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * How far apart are a[i] and b[j]? The elements of out are distances of vesica_nearest_f32.
+   *
+   * Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32.
+   * Returns: how many pairs overlap (distance 0).
+   * Errors: as vesica_iou_matrix_f32.
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Since: 0.1.
+   */
+  vesica_nearest_matrix_f32(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * How far apart are the outlines of a[i] and b[j]? The elements of out are distances of vesica_boundary_distance_f32.
+   *
+   * Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32.
+   * Returns: how many pairs of outlines meet (distance 0).
+   * Errors: as vesica_iou_matrix_f32.
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Since: 0.1.
+   */
+  vesica_boundary_distance_matrix_f32(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * How deep do a[i] and b[j] overlap? The elements of out are depths of vesica_depth_f32.
+   *
+   * Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32.
+   * Returns: how many depths are > 0.
+   * Errors: as vesica_iou_matrix_f32.
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Since: 0.1.
+   */
+  vesica_depth_matrix_f32(a: number, b: number, out: number, row_stride: number): bigint;
 }

@@ -19,6 +19,7 @@
 #include <vesica/iou.hpp>
 #include <vesica/nearest.hpp>
 #include <vesica/overlap.hpp>
+#include <vesica/ratio.hpp>
 #include <vesica/relation.hpp>
 #include <vesica/shape_area.hpp>
 #include <vesica/shapes.hpp>

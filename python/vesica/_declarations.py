@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Written by declare.py from capi/vesica.json: not to be edited.
-"""The constants, structs and functions of vesica.h and vesica_index.h for ctypes. help() of a function has its text."""
+"""The constants, structs and functions of libvesica for ctypes. help() of a function has its text."""
 from ctypes import Structure, c_char_p, c_double, c_float, c_int32, c_int64, c_ssize_t, c_uint8, c_void_p
 
 VERSION_MAJOR = 0
@@ -35,6 +35,13 @@ JOIN_OVERLAP = 0
 JOIN_BOUNDS = 1
 JOIN_CONTAINS = 2
 JOIN_INSIDE = 3
+RATIO_OVER_UNION = 0
+RATIO_OVER_FIRST = 1
+RATIO_OVER_SECOND = 2
+RATIO_OVER_SMALLER = 3
+RATIO_GENERALIZED = 4
+RATIO_DISTANCE = 5
+RATIO_COMPLETE = 6
 
 
 class point_f64(Structure):
@@ -2436,6 +2443,194 @@ Returns: how many items were found in all rows of the part.
 Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number or
 a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this call).
 Accuracy: distances are those of vesica_nearest_f32, bit for bit.
+Since: 0.1.""",
+    ),
+    "vesica_ratio_f64": (
+        c_int32,
+        (c_int32, c_int32, c_void_p, c_int32, c_void_p, c_void_p,),
+        """vesica_ratio_f64(ratio, kind_a, numbers_a, kind_b, numbers_b, out)
+
+What share of a's area does b cover, or of b's area a? And other ratios by which detections are compared.
+
+The first four are from 0 to 1. One over a shape is 0 if no area is shared, and 1 if the other shape contains it. The
+last three are at most the IoU, and at least -1, for CIoU -2. The angle of a shape in CIoU is that of the vector
+(half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging the shapes exchanges
+OVER_FIRST and OVER_SECOND, and changes no bit of the others.
+
+Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
+Returns: 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the shape whose
+area divides has none; for the others, neither shape has one).
+Accuracy: within 8 u of what follows from the shared area or the IoU, which are right as vesica_area_f64 and
+vesica_iou_f64 tell, for half lengths from 2^-200 to 2^200.
+Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; 40 to 100 in arrays.
+Since: 0.1.""",
+    ),
+    "vesica_ratio_many_f64": (
+        c_int64,
+        (c_int32, c_void_p, c_void_p, c_void_p,),
+        """vesica_ratio_many_f64(ratio, a, b, out)
+
+A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
+
+Arrays and errors are those of vesica_iou_many_f64. If a pair has no ratio since an area is 0, out[i] is NaN, and the
+call returns VESICA_E_ARGUMENT unless a shape is invalid.
+
+Returns: how many are > 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
+Accuracy: every result has the bits of vesica_ratio_f64, on every instruction set and in every layout.
+Since: 0.1.""",
+    ),
+    "vesica_ratio_matrix_f64": (
+        c_int64,
+        (c_int32, c_void_p, c_void_p, c_void_p, c_ssize_t,),
+        """vesica_ratio_matrix_f64(ratio, a, b, out, row_stride)
+
+A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f64.
+
+Arrays, row_stride and errors are those of vesica_iou_matrix_f64. If a pair has no ratio since an area is 0, it gets
+NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+
+Returns: how many are > 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
+Accuracy: every result has the bits of vesica_ratio_f64, on every instruction set and in every layout.
+Since: 0.1.""",
+    ),
+    "vesica_nearest_matrix_f64": (
+        c_int64,
+        (c_void_p, c_void_p, c_void_p, c_ssize_t,),
+        """vesica_nearest_matrix_f64(a, b, out, row_stride)
+
+How far apart are a[i] and b[j]? The elements of out are distances of vesica_nearest_f64.
+
+Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64.
+Returns: how many pairs overlap (distance 0).
+Errors: as vesica_iou_matrix_f64.
+Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+Since: 0.1.""",
+    ),
+    "vesica_boundary_distance_matrix_f64": (
+        c_int64,
+        (c_void_p, c_void_p, c_void_p, c_ssize_t,),
+        """vesica_boundary_distance_matrix_f64(a, b, out, row_stride)
+
+How far apart are the outlines of a[i] and b[j]? The elements of out are distances of vesica_boundary_distance_f64.
+
+Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64.
+Returns: how many pairs of outlines meet (distance 0).
+Errors: as vesica_iou_matrix_f64.
+Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+Since: 0.1.""",
+    ),
+    "vesica_depth_matrix_f64": (
+        c_int64,
+        (c_void_p, c_void_p, c_void_p, c_ssize_t,),
+        """vesica_depth_matrix_f64(a, b, out, row_stride)
+
+How deep do a[i] and b[j] overlap? The elements of out are depths of vesica_depth_f64.
+
+Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64.
+Returns: how many depths are > 0.
+Errors: as vesica_iou_matrix_f64.
+Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+Since: 0.1.""",
+    ),
+    "vesica_ratio_f32": (
+        c_int32,
+        (c_int32, c_int32, c_void_p, c_int32, c_void_p, c_void_p,),
+        """vesica_ratio_f32(ratio, kind_a, numbers_a, kind_b, numbers_b, out)
+
+What share of a's area does b cover, or of b's area a? And other ratios by which detections are compared.
+
+The first four are from 0 to 1. One over a shape is 0 if no area is shared, and 1 if the other shape contains it. The
+last three are at most the IoU, and at least -1, for CIoU -2. The angle of a shape in CIoU is that of the vector
+(half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging the shapes exchanges
+OVER_FIRST and OVER_SECOND, and changes no bit of the others.
+
+Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
+Returns: 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the shape whose
+area divides has none; for the others, neither shape has one).
+Accuracy: within 8 u of what follows from the shared area or the IoU, which are right as vesica_area_f32 and
+vesica_iou_f32 tell, for half lengths from 2^-200 to 2^200.
+Each number is computed in double, within these bounds, and then rounded to float once.
+Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+Cost: that of vesica_area_f32 or vesica_iou_f32, and 100 to 150 ns more; 40 to 100 in arrays.
+Since: 0.1.""",
+    ),
+    "vesica_ratio_many_f32": (
+        c_int64,
+        (c_int32, c_void_p, c_void_p, c_void_p,),
+        """vesica_ratio_many_f32(ratio, a, b, out)
+
+A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
+
+Arrays and errors are those of vesica_iou_many_f32. If a pair has no ratio since an area is 0, out[i] is NaN, and the
+call returns VESICA_E_ARGUMENT unless a shape is invalid.
+
+Returns: how many are > 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
+Accuracy: every result has the bits of vesica_ratio_f32, on every instruction set and in every layout.
+Each number is computed in double, within these bounds, and then rounded to float once.
+Since: 0.1.""",
+    ),
+    "vesica_ratio_matrix_f32": (
+        c_int64,
+        (c_int32, c_void_p, c_void_p, c_void_p, c_ssize_t,),
+        """vesica_ratio_matrix_f32(ratio, a, b, out, row_stride)
+
+A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f32.
+
+Arrays, row_stride and errors are those of vesica_iou_matrix_f32. If a pair has no ratio since an area is 0, it gets
+NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+
+Returns: how many are > 0.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
+Accuracy: every result has the bits of vesica_ratio_f32, on every instruction set and in every layout.
+Each number is computed in double, within these bounds, and then rounded to float once.
+Since: 0.1.""",
+    ),
+    "vesica_nearest_matrix_f32": (
+        c_int64,
+        (c_void_p, c_void_p, c_void_p, c_ssize_t,),
+        """vesica_nearest_matrix_f32(a, b, out, row_stride)
+
+How far apart are a[i] and b[j]? The elements of out are distances of vesica_nearest_f32.
+
+Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32.
+Returns: how many pairs overlap (distance 0).
+Errors: as vesica_iou_matrix_f32.
+Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+Each number is computed in double, within these bounds, and then rounded to float once.
+Since: 0.1.""",
+    ),
+    "vesica_boundary_distance_matrix_f32": (
+        c_int64,
+        (c_void_p, c_void_p, c_void_p, c_ssize_t,),
+        """vesica_boundary_distance_matrix_f32(a, b, out, row_stride)
+
+How far apart are the outlines of a[i] and b[j]? The elements of out are distances of vesica_boundary_distance_f32.
+
+Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32.
+Returns: how many pairs of outlines meet (distance 0).
+Errors: as vesica_iou_matrix_f32.
+Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+Each number is computed in double, within these bounds, and then rounded to float once.
+Since: 0.1.""",
+    ),
+    "vesica_depth_matrix_f32": (
+        c_int64,
+        (c_void_p, c_void_p, c_void_p, c_ssize_t,),
+        """vesica_depth_matrix_f32(a, b, out, row_stride)
+
+How deep do a[i] and b[j] overlap? The elements of out are depths of vesica_depth_f32.
+
+Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32.
+Returns: how many depths are > 0.
+Errors: as vesica_iou_matrix_f32.
+Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+Each number is computed in double, within these bounds, and then rounded to float once.
 Since: 0.1.""",
     ),
 }

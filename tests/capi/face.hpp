@@ -42,6 +42,12 @@ struct Face<double> {
   static constexpr auto area_matrix = vesica_area_matrix_f64;
   static constexpr auto iou_many = vesica_iou_many_f64;
   static constexpr auto iou_matrix = vesica_iou_matrix_f64;
+  static constexpr auto ratio = vesica_ratio_f64;
+  static constexpr auto ratio_many = vesica_ratio_many_f64;
+  static constexpr auto ratio_matrix = vesica_ratio_matrix_f64;
+  static constexpr auto nearest_matrix = vesica_nearest_matrix_f64;
+  static constexpr auto boundary_distance_matrix = vesica_boundary_distance_matrix_f64;
+  static constexpr auto depth_matrix = vesica_depth_matrix_f64;
   static constexpr auto nms = vesica_nms_f64;
   static constexpr auto index_build = vesica_index_build_f64;
   static constexpr auto index_step = vesica_index_step_f64;
@@ -84,6 +90,12 @@ struct Face<float> {
   static constexpr auto area_matrix = vesica_area_matrix_f32;
   static constexpr auto iou_many = vesica_iou_many_f32;
   static constexpr auto iou_matrix = vesica_iou_matrix_f32;
+  static constexpr auto ratio = vesica_ratio_f32;
+  static constexpr auto ratio_many = vesica_ratio_many_f32;
+  static constexpr auto ratio_matrix = vesica_ratio_matrix_f32;
+  static constexpr auto nearest_matrix = vesica_nearest_matrix_f32;
+  static constexpr auto boundary_distance_matrix = vesica_boundary_distance_matrix_f32;
+  static constexpr auto depth_matrix = vesica_depth_matrix_f32;
   static constexpr auto nms = vesica_nms_f32;
   static constexpr auto index_build = vesica_index_build_f32;
   static constexpr auto index_step = vesica_index_step_f32;
