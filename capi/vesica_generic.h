@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: Apache-2.0
  *
- * vesica.h includes this file in C11 and later. C99 and C++ never see it.
+ * vesica.h includes this file. To C99 and C++ it is empty.
  *
  *     vesica_circle_f64 car = {0, 0, 2};
  *     vesica_point_f64 person = {5, 0};
@@ -13,7 +13,7 @@
  * Every argument is a pointer to a shape or to a result. Each is evaluated once. Double and float cannot be mixed: such
  * a call does not compile. Results and errors are those of the functions, such as vesica_nearest_f64.
  */
-#ifndef VESICA_GENERIC_H
+#if !defined(VESICA_GENERIC_H) && !defined(__cplusplus) && defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
 #define VESICA_GENERIC_H
 
 #include "vesica.h"

@@ -76,3 +76,9 @@ export const RATIO_GENERALIZED = 4;
 export const RATIO_DISTANCE = 5;
 /** DIoU - v^2 / (1 - IoU + v), v = (difference of angles / 90 degrees)^2 (CIoU) */
 export const RATIO_COMPLETE = 6;
+export const ANGLE_RADIANS = 0;
+export const ANGLE_DEGREES = 1;
+/** quarter turns */
+export const ANGLE_QUARTERS = 2;
+/** added to a unit: angles turn from +x away from +y */
+export const ANGLE_REVERSED = 4;

@@ -9,6 +9,7 @@ install(TARGETS vesica vesica_methods vesica_core EXPORT vesica-targets
 install(FILES
     ${PROJECT_SOURCE_DIR}/capi/vesica.h
     ${PROJECT_SOURCE_DIR}/capi/vesica_generic.h
+    ${PROJECT_SOURCE_DIR}/capi/vesica_boxes.h
     ${PROJECT_SOURCE_DIR}/capi/vesica_index.h
     ${PROJECT_SOURCE_DIR}/capi/vesica_index.hpp
     ${PROJECT_SOURCE_DIR}/capi/vesica_measures.h

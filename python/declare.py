@@ -13,7 +13,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 DESCRIPTION = HERE.parent / "capi" / "vesica.json"
 DECLARATIONS = HERE / "vesica" / "_declarations.py"
 # The named methods are another library, which this package does not have.
-HEADERS = ("vesica.h", "vesica_index.h", "vesica_measures.h")
+HEADERS = ("vesica.h", "vesica_index.h", "vesica_measures.h", "vesica_boxes.h")
 NUMBERS = {
     "uint8_t": "c_uint8",
     "int32_t": "c_int32",
