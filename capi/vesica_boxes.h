@@ -37,7 +37,7 @@ extern "C" {
 /**
  * Rectangles from boxes.
  * Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
- * Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. Degrees that are multiples of 90, and whole
+ * Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and whole
  * quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
  * Cost: about 40 ns a box.
  */

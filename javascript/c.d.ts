@@ -1911,7 +1911,7 @@ export interface C {
    * ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
    * count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
    * an unknown unit of angles).
-   * Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. Degrees that are multiples of 90, and whole
+   * Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and whole
    * quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
    * Cost: about 40 ns a box.
    * Since: 0.1.
@@ -1987,7 +1987,7 @@ export interface C {
    * ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
    * count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
    * an unknown unit of angles).
-   * Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. Degrees that are multiples of 90, and whole
+   * Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and whole
    * quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
    * Each number is computed in double, within these bounds, and then rounded to float once.
    * Cost: about 40 ns a box.

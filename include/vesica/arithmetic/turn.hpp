@@ -24,7 +24,7 @@ inline constexpr double quarter_high = 0x1.921fb54442d18p+0, quarter_low = 0x1.1
 inline constexpr double degree_high = 0x1.1df46a2529d39p-6, degree_low = 0x1.5c1d8becdd291p-62;
 
 /// Cosine and sine of turn * (high + low), high + low being a unit of angle in radians, for an eighth of a turn at most.
-/// Each is right to 1 unit in its last place.
+/// Each is right to 1.1 units in its last place: those of the mathematics library, and one rounding.
 inline Direction unit_vector(double turn, double high, double low) noexcept {
   const double angle = turn * high, rest = std::fma(turn, high, -angle) + turn * low;
   const double cosine = std::cos(angle), sine = std::sin(angle);
