@@ -27,18 +27,18 @@ extern "C" {
 
 /* ---- Arrays, double ----
  * Returns: 0.
- * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
- * ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
- * count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
- * an unknown unit of angles).
+ * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+ * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+ * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+ * the address space, an unknown unit of angles).
  * Since: 0.1.
  */
 
 /**
  * Rectangles from boxes.
  * Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
- * Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and whole
- * quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
+ * Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
+ * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
  * Cost: about 40 ns a box.
  */
 VESICA_API int64_t vesica_rects_from_boxes_f64(const double *boxes, int64_t count, ptrdiff_t stride, int32_t angle,

@@ -1907,12 +1907,12 @@ export interface C {
    *
    * Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
    * Returns: 0.
-   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
-   * ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-   * count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
-   * an unknown unit of angles).
-   * Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and whole
-   * quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   * Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
+   * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
    * Cost: about 40 ns a box.
    * Since: 0.1.
    */
@@ -1922,10 +1922,10 @@ export interface C {
    *
    * Requires: as vesica_rects_from_boxes_f64.
    * Returns: 0.
-   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
-   * ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-   * count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
-   * an unknown unit of angles).
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
    * Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
    * Cost: about 40 ns a box.
    * Since: 0.1.
@@ -1938,10 +1938,10 @@ export interface C {
    *
    * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
    * Returns: 0.
-   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
-   * ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-   * count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
-   * an unknown unit of angles).
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
    * Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
    * quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
    * Cost: about 60 ns a shape.
@@ -1955,10 +1955,10 @@ export interface C {
    *
    * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
    * Returns: 0.
-   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
-   * ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-   * count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
-   * an unknown unit of angles).
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
    * Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
    * Cost: about 20 ns a shape.
    * Since: 0.1.
@@ -1969,10 +1969,10 @@ export interface C {
    *
    * Requires: out, room for `count`.
    * Returns: 0.
-   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
-   * ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-   * count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
-   * an unknown unit of angles).
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
    * Accuracy: that of vesica_bounds_f64.
    * Cost: that of vesica_bounds_f64.
    * Since: 0.1.
@@ -1983,12 +1983,12 @@ export interface C {
    *
    * Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
    * Returns: 0.
-   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
-   * ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-   * count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
-   * an unknown unit of angles).
-   * Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and whole
-   * quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   * Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
+   * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
    * Each number is computed in double, within these bounds, and then rounded to float once.
    * Cost: about 40 ns a box.
    * Since: 0.1.
@@ -1999,10 +1999,10 @@ export interface C {
    *
    * Requires: as vesica_rects_from_boxes_f32.
    * Returns: 0.
-   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
-   * ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-   * count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
-   * an unknown unit of angles).
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
    * Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
    * Each number is computed in double, within these bounds, and then rounded to float once.
    * Cost: about 40 ns a box.
@@ -2016,10 +2016,10 @@ export interface C {
    *
    * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
    * Returns: 0.
-   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
-   * ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-   * count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
-   * an unknown unit of angles).
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
    * Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
    * quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
    * Each number is computed in double, within these bounds, and then rounded to float once.
@@ -2034,10 +2034,10 @@ export interface C {
    *
    * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
    * Returns: 0.
-   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
-   * ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-   * count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
-   * an unknown unit of angles).
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
    * Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
    * Each number is computed in double, within these bounds, and then rounded to float once.
    * Cost: about 20 ns a shape.
@@ -2049,10 +2049,10 @@ export interface C {
    *
    * Requires: out, room for `count`.
    * Returns: 0.
-   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
-   * ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-   * count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
-   * an unknown unit of angles).
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
    * Accuracy: that of vesica_bounds_f32.
    * Cost: that of vesica_bounds_f32.
    * Since: 0.1.

@@ -2646,12 +2646,12 @@ Rectangles from boxes.
 
 Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
 Returns: 0.
-Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
-ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
-an unknown unit of angles).
-Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and whole
-quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+the address space, an unknown unit of angles).
+Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
+whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
 Cost: about 40 ns a box.
 Since: 0.1.""",
     ),
@@ -2664,10 +2664,10 @@ Ellipses from the boxes about them, whose sides they touch in the middle.
 
 Requires: as vesica_rects_from_boxes_f64.
 Returns: 0.
-Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
-ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
-an unknown unit of angles).
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+the address space, an unknown unit of angles).
 Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
 Cost: about 40 ns a box.
 Since: 0.1.""",
@@ -2683,10 +2683,10 @@ An angle is from -180 to 180 degrees.
 
 Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
 Returns: 0.
-Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
-ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
-an unknown unit of angles).
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+the address space, an unknown unit of angles).
 Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
 quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
 Cost: about 60 ns a shape.
@@ -2703,10 +2703,10 @@ Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
 
 Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
 Returns: 0.
-Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
-ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
-an unknown unit of angles).
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+the address space, an unknown unit of angles).
 Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
 Cost: about 20 ns a shape.
 Since: 0.1.""",
@@ -2720,10 +2720,10 @@ The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.
 
 Requires: out, room for `count`.
 Returns: 0.
-Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
-ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
-an unknown unit of angles).
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+the address space, an unknown unit of angles).
 Accuracy: that of vesica_bounds_f64.
 Cost: that of vesica_bounds_f64.
 Since: 0.1.""",
@@ -2737,12 +2737,12 @@ Rectangles from boxes.
 
 Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
 Returns: 0.
-Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
-ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
-an unknown unit of angles).
-Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and whole
-quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+the address space, an unknown unit of angles).
+Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
+whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
 Each number is computed in double, within these bounds, and then rounded to float once.
 Cost: about 40 ns a box.
 Since: 0.1.""",
@@ -2756,10 +2756,10 @@ Ellipses from the boxes about them, whose sides they touch in the middle.
 
 Requires: as vesica_rects_from_boxes_f32.
 Returns: 0.
-Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
-ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
-an unknown unit of angles).
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+the address space, an unknown unit of angles).
 Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
 Each number is computed in double, within these bounds, and then rounded to float once.
 Cost: about 40 ns a box.
@@ -2776,10 +2776,10 @@ An angle is from -180 to 180 degrees.
 
 Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
 Returns: 0.
-Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
-ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
-an unknown unit of angles).
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+the address space, an unknown unit of angles).
 Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
 quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
 Each number is computed in double, within these bounds, and then rounded to float once.
@@ -2797,10 +2797,10 @@ Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
 
 Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
 Returns: 0.
-Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
-ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
-an unknown unit of angles).
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+the address space, an unknown unit of angles).
 Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
 Each number is computed in double, within these bounds, and then rounded to float once.
 Cost: about 20 ns a shape.
@@ -2815,10 +2815,10 @@ The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.
 
 Requires: out, room for `count`.
 Returns: 0.
-Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the finite
-ones: its result is NaN throughout, and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space,
-an unknown unit of angles).
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+the address space, an unknown unit of angles).
 Accuracy: that of vesica_bounds_f32.
 Cost: that of vesica_bounds_f32.
 Since: 0.1.""",

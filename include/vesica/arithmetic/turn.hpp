@@ -23,8 +23,8 @@ struct Direction {
 inline constexpr double quarter_high = 0x1.921fb54442d18p+0, quarter_low = 0x1.1a62633145c07p-54;
 inline constexpr double degree_high = 0x1.1df46a2529d39p-6, degree_low = 0x1.5c1d8becdd291p-62;
 
-/// Cosine and sine of turn * (high + low), high + low being a unit of angle in radians, for an eighth of a turn at most.
-/// Each is right to 1.1 units in its last place: those of the mathematics library, and one rounding.
+/// Cosine and sine of turn * (high + low), at most an eighth of a turn; high + low is a unit of angle in radians. Each
+/// is right to 1.1 units in its last place: the mathematics library's error, and one rounding.
 inline Direction unit_vector(double turn, double high, double low) noexcept {
   const double angle = turn * high, rest = std::fma(turn, high, -angle) + turn * low;
   const double cosine = std::cos(angle), sine = std::sin(angle);
