@@ -2540,6 +2540,24 @@ Errors: as vesica_iou_matrix_f64.
 Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
 Since: 0.1.""",
     ),
+    "vesica_suppress_f64": (
+        c_int32,
+        (c_void_p, c_void_p, c_void_p, c_int32, c_double, c_double, c_int64, c_void_p, c_int64, c_void_p, c_void_p,),
+        """vesica_suppress_f64(shapes, scores, labels, ratio, threshold, least_score, most, scratch, scratch_size, keep, kept)
+
+Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
+
+Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape kept before, of
+the same label, is at most the threshold. Shapes whose score is below least_score are not looked at.
+
+Requires: shapes, scores, threshold, scratch and keep as vesica_nms_f64; labels, one for each, or NULL if all are
+alike; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be -infinity; most, how many
+are kept at most: keep needs room for no more.
+Returns: 0, and keep and *kept as vesica_nms_f64.
+Errors: as vesica_nms_f64; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative most.
+Cost: that of vesica_nms_f64; ratios other than IoU cost 0.1 us more a comparison.
+Since: 0.1.""",
+    ),
     "vesica_ratio_f32": (
         c_int32,
         (c_int32, c_int32, c_void_p, c_int32, c_void_p, c_void_p,),
@@ -2635,6 +2653,24 @@ Returns: how many depths are > 0.
 Errors: as vesica_iou_matrix_f32.
 Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
 Each number is computed in double, within these bounds, and then rounded to float once.
+Since: 0.1.""",
+    ),
+    "vesica_suppress_f32": (
+        c_int32,
+        (c_void_p, c_void_p, c_void_p, c_int32, c_float, c_float, c_int64, c_void_p, c_int64, c_void_p, c_void_p,),
+        """vesica_suppress_f32(shapes, scores, labels, ratio, threshold, least_score, most, scratch, scratch_size, keep, kept)
+
+Greedy non-maximum suppression as vesica_nms_f32, by any ratio and among like labels.
+
+Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape kept before, of
+the same label, is at most the threshold. Shapes whose score is below least_score are not looked at.
+
+Requires: shapes, scores, threshold, scratch and keep as vesica_nms_f32; labels, one for each, or NULL if all are
+alike; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be -infinity; most, how many
+are kept at most: keep needs room for no more.
+Returns: 0, and keep and *kept as vesica_nms_f32.
+Errors: as vesica_nms_f32; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative most.
+Cost: that of vesica_nms_f32; ratios other than IoU cost 0.1 us more a comparison.
 Since: 0.1.""",
     ),
     "vesica_rects_from_boxes_f64": (

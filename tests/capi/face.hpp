@@ -49,6 +49,7 @@ struct Face<double> {
   static constexpr auto boundary_distance_matrix = vesica_boundary_distance_matrix_f64;
   static constexpr auto depth_matrix = vesica_depth_matrix_f64;
   static constexpr auto nms = vesica_nms_f64;
+  static constexpr auto suppress = vesica_suppress_f64;
   static constexpr auto index_build = vesica_index_build_f64;
   static constexpr auto index_step = vesica_index_step_f64;
   static constexpr auto index_select = vesica_index_select_f64;
@@ -97,6 +98,7 @@ struct Face<float> {
   static constexpr auto boundary_distance_matrix = vesica_boundary_distance_matrix_f32;
   static constexpr auto depth_matrix = vesica_depth_matrix_f32;
   static constexpr auto nms = vesica_nms_f32;
+  static constexpr auto suppress = vesica_suppress_f32;
   static constexpr auto index_build = vesica_index_build_f32;
   static constexpr auto index_step = vesica_index_step_f32;
   static constexpr auto index_select = vesica_index_select_f32;
