@@ -9,16 +9,7 @@ stage=$(mktemp -d "${TMPDIR:-/tmp}/vesica-postgresql.XXXXXX")
 trap stop_server EXIT
 chmod 755 "$stage"
 
-# The server refuses to be root.
-server_user=postgres
-getent passwd postgres >/dev/null || server_user=nobody
-as_server() {
-  if [ "$(id -u)" = 0 ]; then
-    setpriv --reuid="$server_user" --regid="$(id -g "$server_user")" --clear-groups "$@"
-  else
-    "$@"
-  fi
-}
+. "$here/../common/unprivileged.sh"
 
 # link_rest FROM TO: what is in the one folder, and not in the other yet.
 link_rest() {
@@ -49,19 +40,19 @@ build_stage() {
 
 start_server() {
   local options="-c listen_addresses= -k $stage/socket -c fsync=off -c max_wal_size=4GB $*"
-  as_server pg_ctl -s -w -D "$stage/server/data" -l "$stage/server/log" -o "$options" start
+  unprivileged pg_ctl -s -w -D "$stage/server/data" -l "$stage/server/log" -o "$options" start
 }
 
 make_server() {
   build_stage
   mkdir "$stage/server"
-  [ "$(id -u)" != 0 ] || chown "$server_user" "$stage/server" "$stage/socket"
-  (cd "$stage" && as_server initdb -D "$stage/server/data" -A trust -U vesica -E UTF8 --locale=C --no-sync) >/dev/null
+  hand_over "$stage/server" "$stage/socket"
+  (cd "$stage" && unprivileged initdb -D "$stage/server/data" -A trust -U vesica -E UTF8 --locale=C --no-sync) >/dev/null
   (cd "$stage" && start_server "$@")
 }
 
 stop_server() {
-  [ ! -f "$stage/server/data/postmaster.pid" ] || (cd "$stage" && as_server pg_ctl -s -D "$stage/server/data" -m immediate stop) || true
+  [ ! -f "$stage/server/data/postmaster.pid" ] || (cd "$stage" && unprivileged pg_ctl -s -D "$stage/server/data" -m immediate stop) || true
   rm -rf "$stage"
 }
 
