@@ -73,6 +73,33 @@ int shape_from_numbers(int32_t kind, const double* numbers, struct shape* out, c
   return 1;
 }
 
+enum { number_bytes = 8 };
+
+int shape_from_blob(const unsigned char* blob, int bytes, struct shape* out, char fault[shape_fault_room]) {
+  const int32_t kind = bytes < 1 ? VESICA_E_KIND : blob[0];
+  const int count = vesica_field_count(kind);
+  double numbers[6];
+  if (count < 0 || bytes != 1 + count * number_bytes)
+    return fail(fault, "not a shape: a BLOB of vs_shape's, or words as 'circle 0 0 1'");
+  for (int i = 0; i < count; i++) {
+    uint64_t bits = 0;
+    for (int k = number_bytes - 1; k >= 0; k--) bits = bits << 8 | blob[1 + i * number_bytes + k];
+    memcpy(&numbers[i], &bits, sizeof bits);
+  }
+  return shape_from_numbers(kind, numbers, out, fault);
+}
+
+int shape_to_blob(const struct shape* shape, unsigned char out[shape_blob_room]) {
+  unsigned char* at = out;
+  *at++ = (unsigned char)shape->kind;
+  for (int i = 0; i < vesica_field_count(shape->kind); i++) {
+    uint64_t bits;
+    memcpy(&bits, &shape->numbers[i], sizeof bits);
+    for (int k = 0; k < number_bytes; k++) *at++ = (unsigned char)(bits >> 8 * k);
+  }
+  return (int)(at - out);
+}
+
 static int put_number(char* out, double number) {
   int length = 0;
   for (int digits = 15; digits <= 17; digits++) {

@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <vesica.h>
 
-enum { shape_text_room = 192, shape_fault_room = 160 };
+enum { shape_text_room = 192, shape_fault_room = 160, shape_blob_room = 49 };
 
 struct shape {
   int32_t kind;
@@ -20,6 +20,13 @@ int shape_from_text(const char* text, struct shape* out, char fault[shape_fault_
 
 /// Writes it as words, each number with the digits, 15 to 17, that give the same bits back.
 void shape_to_text(const struct shape* shape, char out[shape_text_room]);
+
+/// Reads it from bytes: one for the kind, then the numbers, 8 bytes each, least significant byte first. Returns 1, or 0
+/// with the reason in `fault`.
+int shape_from_blob(const unsigned char* blob, int bytes, struct shape* out, char fault[shape_fault_room]);
+
+/// Writes these bytes. Returns how many they are.
+int shape_to_blob(const struct shape* shape, unsigned char out[shape_blob_room]);
 
 /// Takes a kind and its numbers. Returns 1, or 0 with the reason in `fault`.
 int shape_from_numbers(int32_t kind, const double* numbers, struct shape* out, char fault[shape_fault_room]);

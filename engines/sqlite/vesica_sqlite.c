@@ -6,46 +6,14 @@
 #include "shape.h"
 SQLITE_EXTENSION_INIT1
 
-// ---- Shapes in a database: a byte for the kind, then its numbers, least significant byte first ----
-
-enum { number_bytes = 8, most_bytes = 1 + 6 * number_bytes };
-
-// The kind, or an error.
-static int32_t take_blob(const unsigned char* blob, int bytes, double numbers[6]) {
-  const int32_t kind = bytes < 1 ? VESICA_E_KIND : blob[0];
-  const int count = vesica_field_count(kind);
-  if (count < 0 || bytes != 1 + count * number_bytes) return VESICA_E_KIND;
-  for (int i = 0; i < count; i++) {
-    uint64_t bits = 0;
-    for (int k = number_bytes - 1; k >= 0; k--) bits = bits << 8 | blob[1 + i * number_bytes + k];
-    memcpy(&numbers[i], &bits, sizeof bits);
-  }
-  return kind;
-}
-
-static void return_shape(sqlite3_context* context, const struct shape* shape) {
-  unsigned char blob[most_bytes], *at = blob;
-  *at++ = (unsigned char)shape->kind;
-  for (int i = 0; i < vesica_field_count(shape->kind); i++) {
-    uint64_t bits;
-    memcpy(&bits, &shape->numbers[i], sizeof bits);
-    for (int k = 0; k < number_bytes; k++) *at++ = (unsigned char)(bits >> 8 * k);
-  }
-  sqlite3_result_blob(context, blob, (int)(at - blob), SQLITE_TRANSIENT);
-}
-
 // ---- Arguments: 1 for a shape, 0 for NULL, -1 with the reason in `fault` ----
 
 static int read_shape(sqlite3_value* value, struct shape* out, char fault[shape_fault_room]) {
   switch (sqlite3_value_type(value)) {
     case SQLITE_NULL:
       return 0;
-    case SQLITE_BLOB: {
-      double numbers[6];
-      const int32_t kind = take_blob(sqlite3_value_blob(value), sqlite3_value_bytes(value), numbers);
-      if (kind < 0) break;
-      return shape_from_numbers(kind, numbers, out, fault) ? 1 : -1;
-    }
+    case SQLITE_BLOB:
+      return shape_from_blob(sqlite3_value_blob(value), sqlite3_value_bytes(value), out, fault) ? 1 : -1;
     case SQLITE_TEXT: {
       const char* text = (const char*)sqlite3_value_text(value);
       if (!text) break;
@@ -54,8 +22,12 @@ static int read_shape(sqlite3_value* value, struct shape* out, char fault[shape_
     default:
       break;
   }
-  sqlite3_snprintf(shape_fault_room, fault, "not a shape: a BLOB of vs_shape's, or words as 'circle 0 0 1'");
-  return -1;
+  return shape_from_blob(NULL, 0, out, fault) - 1;
+}
+
+static void return_shape(sqlite3_context* context, const struct shape* shape) {
+  unsigned char blob[shape_blob_room];
+  sqlite3_result_blob(context, blob, shape_to_blob(shape, blob), SQLITE_TRANSIENT);
 }
 
 // All of them, or 0 where the answer is NULL or an error, which it then is.
