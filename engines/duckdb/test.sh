@@ -60,9 +60,10 @@ SQL
     echo "INSERT INTO killed SELECT 1000 * $i + k, vs_circle($i, k, 1) FROM range(1000) r (k);"
   done
 } >inserts.sql
+: >written
 node "$here/sql.mjs" database=all.db <inserts.sql >written &
 writer=$!
-trap 'kill -9 "$writer" 2>/dev/null' EXIT
+trap 'kill -9 "$writer" 2>/dev/null || true' EXIT
 until [ "$(wc -l <written)" -gt 20 ] || ! kill -0 "$writer"; do sleep 0.02; done
 kill -9 "$writer"
 wait "$writer" 2>/dev/null || true

@@ -86,7 +86,7 @@ sql "$work/killed.db" <"$here/pattern.sql"
   for i in $(seq 0 19999); do echo "INSERT INTO a VALUES ($i, vs_circle($i, 0, 0.5)) RETURNING id;"; done
 } | sqlite3 "$work/killed.db" >"$work/written" &
 writer=$!
-trap 'kill -9 "$writer" 2>/dev/null' EXIT
+trap 'kill -9 "$writer" 2>/dev/null || true' EXIT
 until [ -s "$work/written" ] || ! kill -0 "$writer"; do sleep 0.02; done
 sleep 0.3
 kill -9 "$writer"
