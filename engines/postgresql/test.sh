@@ -38,7 +38,9 @@ SQL
 windows="SELECT w.id, e.id FROM extremes w JOIN extremes e ON e.shape && w.shape WHERE w.id % 40 < 2 ORDER BY 1, 2"
 nearest="SELECT w.id, (SELECT array_agg(d) FROM (SELECT e.shape <-> w.shape AS d FROM extremes e WHERE e.shape IS NOT NULL
   AND e.id <= 3000 ORDER BY e.shape <-> w.shape LIMIT 5) n) FROM extremes w WHERE w.id % 40 = 0 ORDER BY 1"
-for question in "$windows" "$nearest"; do
+tight="SELECT b.id, (SELECT array_agg(d) FROM (SELECT a.shape <-> b.shape AS d FROM a ORDER BY a.shape <-> b.shape LIMIT 9) n)
+  FROM b WHERE b.id % 500 = 0 ORDER BY 1"
+for question in "$windows" "$nearest" "$tight"; do
   with=$(sql pairs <<<"SET enable_seqscan = off; SET enable_sort = off; $question")
   without=$(sql pairs <<<"SET enable_indexscan = off; SET enable_bitmapscan = off; $question")
   check 'by index' "$without" "$with"

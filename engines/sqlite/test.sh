@@ -78,6 +78,11 @@ INSERT INTO b VALUES (1, vs_point(1e300, 0)), (2, vs_point(0.1, 1e-310)), (3, vs
 SELECT count(*) FROM overlaps WHERE a = b;
 SQL
 )"
+check 'bounds are rounded outward' '1|1|1|1' "$(sql <<'SQL'
+SELECT vs_min_x(vs_point(0.3, 0)) < 0.3, vs_max_x(vs_point(0.7, 0)) > 0.7, vs_min_y(vs_point(0, -0.7)) < -0.7,
+  vs_max_y(vs_point(0, 1e-310)) > 1e-310;
+SQL
+)"
 
 # ---- A writer killed in the middle: the R*Tree is that of the table ----
 sql "$work/killed.db" <"$here/pattern.sql"
