@@ -16,5 +16,5 @@ for n in 1 2 4; do
   rm -f pairs.*
   read -r _ _ _ _ _ _ _ seconds _ memory _ shuffled _ neighbours < <(
     unprivileged mpirun --oversubscribe --bind-to none -n "$n" ./join_mpi a.npy b.npy pairs)
-  row "MPI: $n ranks, $shuffled bytes to their cells, $neighbours to neighbours" "$seconds" "$memory a rank" pairs.*.csv
+  row "MPI: $n rank(s), $shuffled bytes to their cells, $neighbours to neighbours" "$seconds" "$memory a rank" pairs.*.csv
 done
