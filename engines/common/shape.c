@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int fail(char* fault, const char* format, ...) {
+__attribute__((format(printf, 2, 3))) static int fail(char* fault, const char* format, ...) {
   va_list arguments;
   va_start(arguments, format);
   vsnprintf(fault, shape_fault_room, format, arguments);
