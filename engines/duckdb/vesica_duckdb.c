@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Vesica's questions as functions of SQL, for DuckDB, by its C interface for extensions. A shape is a BLOB; README.md
+/// lists all functions. A call answers a whole vector of rows.
+#define DUCKDB_EXTENSION_NAME vesica
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "duckdb_extension.h"
+#include "shape.h"
+
+enum { most_arguments = 6, words_room = 4096 };
+
+union value {
+  struct shape shape;
+  double number;
+  const char* text;
+};
+
+union result {
+  bool truth;
+  double number;
+  char text[shape_text_room];
+};
+
+enum outcome { failed, null, good };
+
+/// A function of SQL: what it takes and gives, and its answer for one row.
+struct function {
+  const char* name;
+  int arguments;
+  duckdb_type takes, gives;  // BLOB: shapes
+  enum outcome (*answer)(const struct function* self, const union value* arguments, union result* out, char* fault);
+  int32_t which;  // a kind or a side
+};
+
+static enum outcome checked(int32_t code, char* fault) {
+  if (code >= 0) return good;
+  snprintf(fault, shape_fault_room, "%s", vesica_strerror(code));
+  return failed;
+}
+
+// ---- Answers for one row. The shape of a result stands in its text, as bytes; the first tells how many. ----
+
+static enum outcome put_shape(int read, const struct shape* shape, union result* out) {
+  if (!read) return failed;
+  out->text[0] = (char)shape_to_blob(shape, (unsigned char*)out->text + 1);
+  return good;
+}
+
+static enum outcome from_words(const struct function* self, const union value* v, union result* out, char* fault) {
+  struct shape shape;
+  (void)self;
+  return put_shape(shape_from_text(v[0].text, &shape, fault), &shape, out);
+}
+
+static enum outcome from_numbers(const struct function* self, const union value* v, union result* out, char* fault) {
+  double numbers[6];
+  struct shape shape;
+  for (int i = 0; i < self->arguments; i++) numbers[i] = v[i].number;
+  return put_shape(shape_from_numbers(self->which, numbers, &shape, fault), &shape, out);
+}
+
+static enum outcome valid(const struct function* self, const union value* v, union result* out, char* fault) {
+  struct shape shape;
+  (void)self;
+  out->truth = shape_from_text(v[0].text, &shape, fault);
+  return good;
+}
+
+static enum outcome to_words(const struct function* self, const union value* v, union result* out, char* fault) {
+  (void)self, (void)fault;
+  shape_to_text(&v[0].shape, out->text);
+  return good;
+}
+
+#define A v[0].shape.kind, v[0].shape.numbers
+#define B v[1].shape.kind, v[1].shape.numbers
+
+static enum outcome overlap(const struct function* self, const union value* v, union result* out, char* fault) {
+  const int32_t answer = vesica_overlap_f64(A, B);
+  (void)self;
+  out->truth = answer > 0;
+  return checked(answer, fault);
+}
+
+static enum outcome contains(const struct function* self, const union value* v, union result* out, char* fault) {
+  const int32_t answer = vesica_contains_f64(A, B);
+  (void)self;
+  out->truth = answer > 0;
+  return checked(answer, fault);
+}
+
+static enum outcome relation(const struct function* self, const union value* v, union result* out, char* fault) {
+  const int32_t answer = vesica_relation_f64(A, B);
+  (void)self;
+  if (answer >= 0) strcpy(out->text, relation_name(answer));
+  return checked(answer, fault);
+}
+
+static enum outcome distance(const struct function* self, const union value* v, union result* out, char* fault) {
+  vesica_closest_points_f64 closest = {0, 0, 0, 0, 0};
+  const int32_t code = vesica_nearest_f64(A, B, &closest);
+  (void)self;
+  out->number = closest.distance;
+  return checked(code, fault);
+}
+
+static enum outcome shape_area(const struct function* self, const union value* v, union result* out, char* fault) {
+  (void)self;
+  return checked(vesica_shape_area_f64(A, &out->number), fault);
+}
+
+static enum outcome shared_area(const struct function* self, const union value* v, union result* out, char* fault) {
+  (void)self;
+  return checked(vesica_area_f64(A, B, &out->number), fault);
+}
+
+// Of two shapes without area there is no ratio.
+static enum outcome iou(const struct function* self, const union value* v, union result* out, char* fault) {
+  const int32_t code = vesica_iou_f64(A, B, &out->number);
+  (void)self;
+  return code == VESICA_E_ARGUMENT ? null : checked(code, fault);
+}
+
+static enum outcome bound(const struct function* self, const union value* v, union result* out, char* fault) {
+  vesica_aabb_f64 box;
+  double sides[4];
+  (void)fault;
+  shape_bounds(&v[0].shape, &box);
+  memcpy(sides, &box, sizeof sides);
+  out->number = sides[self->which];
+  return good;
+}
+
+// ---- Vectors ----
+
+DUCKDB_EXTENSION_EXTERN
+
+static int read_value(const struct function* f, duckdb_vector vector, idx_t row, union value* out, char* words,
+                      char* fault) {
+  void* data = duckdb_vector_get_data(vector);
+  duckdb_string_t* string = (duckdb_string_t*)data + row;
+  uint32_t length;
+  if (f->takes == DUCKDB_TYPE_DOUBLE) {
+    out->number = ((double*)data)[row];
+    return 1;
+  }
+  length = duckdb_string_t_length(*string);
+  if (f->takes == DUCKDB_TYPE_BLOB)
+    return shape_from_blob((const unsigned char*)duckdb_string_t_data(string), (int)length, &out->shape, fault);
+  // Words longer than any shape's, or with a byte 0, are none.
+  if (length >= words_room) length = 0;
+  memcpy(words, duckdb_string_t_data(string), length);
+  words[length] = '\0';
+  if (strlen(words) < length) words[0] = '\0';
+  out->text = words;
+  return 1;
+}
+
+static void write_result(const struct function* f, const union result* result, duckdb_vector out, idx_t row) {
+  void* data = duckdb_vector_get_data(out);
+  if (f->gives == DUCKDB_TYPE_DOUBLE) {
+    ((double*)data)[row] = result->number;
+  } else if (f->gives == DUCKDB_TYPE_BOOLEAN) {
+    ((bool*)data)[row] = result->truth;
+  } else if (f->gives == DUCKDB_TYPE_BLOB) {
+    duckdb_vector_assign_string_element_len(out, row, result->text + 1, (idx_t)result->text[0]);
+  } else {
+    duckdb_vector_assign_string_element(out, row, result->text);
+  }
+}
+
+static enum outcome answer_row(const struct function* f, duckdb_data_chunk input, idx_t row, union result* result,
+                               char* fault) {
+  union value values[most_arguments];
+  char words[words_room];
+  for (int i = 0; i < f->arguments; i++) {
+    duckdb_vector vector = duckdb_data_chunk_get_vector(input, (idx_t)i);
+    uint64_t* validity = duckdb_vector_get_validity(vector);
+    if (validity && !duckdb_validity_row_is_valid(validity, row)) return null;
+    if (!read_value(f, vector, row, &values[i], words, fault)) return failed;
+  }
+  return f->answer(f, values, result, fault);
+}
+
+static void answer_rows(duckdb_function_info info, duckdb_data_chunk input, duckdb_vector out) {
+  const struct function* f = duckdb_scalar_function_get_extra_info(info);
+  const idx_t rows = duckdb_data_chunk_get_size(input);
+  for (idx_t row = 0; row < rows; row++) {
+    union result result;
+    char fault[shape_fault_room] = "";
+    switch (answer_row(f, input, row, &result, fault)) {
+      case failed:
+        duckdb_scalar_function_set_error(info, fault);
+        return;
+      case null:
+        duckdb_vector_ensure_validity_writable(out);
+        duckdb_validity_set_row_invalid(duckdb_vector_get_validity(out), row);
+        break;
+      case good:
+        write_result(f, &result, out, row);
+    }
+  }
+}
+
+// ---- Registration ----
+
+static bool add(duckdb_connection connection, const struct function* f) {
+  duckdb_scalar_function function = duckdb_create_scalar_function();
+  duckdb_logical_type takes = duckdb_create_logical_type(f->takes), gives = duckdb_create_logical_type(f->gives);
+  bool added;
+  duckdb_scalar_function_set_name(function, f->name);
+  for (int i = 0; i < f->arguments; i++) duckdb_scalar_function_add_parameter(function, takes);
+  duckdb_scalar_function_set_return_type(function, gives);
+  duckdb_scalar_function_set_special_handling(function);  // NULL is looked at here
+  duckdb_scalar_function_set_extra_info(function, (void*)f, NULL);
+  duckdb_scalar_function_set_function(function, answer_rows);
+  added = duckdb_register_scalar_function(connection, function) == DuckDBSuccess;
+  duckdb_destroy_scalar_function(&function);
+  duckdb_destroy_logical_type(&takes);
+  duckdb_destroy_logical_type(&gives);
+  return added;
+}
+
+static const struct function functions[] = {
+    {"vs_shape", 1, DUCKDB_TYPE_VARCHAR, DUCKDB_TYPE_BLOB, from_words, 0},
+    {"vs_valid", 1, DUCKDB_TYPE_VARCHAR, DUCKDB_TYPE_BOOLEAN, valid, 0},
+    {"vs_text", 1, DUCKDB_TYPE_BLOB, DUCKDB_TYPE_VARCHAR, to_words, 0},
+    {"vs_point", 2, DUCKDB_TYPE_DOUBLE, DUCKDB_TYPE_BLOB, from_numbers, VESICA_POINT},
+    {"vs_segment", 4, DUCKDB_TYPE_DOUBLE, DUCKDB_TYPE_BLOB, from_numbers, VESICA_SEGMENT},
+    {"vs_circle", 3, DUCKDB_TYPE_DOUBLE, DUCKDB_TYPE_BLOB, from_numbers, VESICA_CIRCLE},
+    {"vs_aabb", 4, DUCKDB_TYPE_DOUBLE, DUCKDB_TYPE_BLOB, from_numbers, VESICA_AABB},
+    {"vs_rect", 6, DUCKDB_TYPE_DOUBLE, DUCKDB_TYPE_BLOB, from_numbers, VESICA_RECT},
+    {"vs_ellipse", 6, DUCKDB_TYPE_DOUBLE, DUCKDB_TYPE_BLOB, from_numbers, VESICA_ELLIPSE},
+    {"vs_overlap", 2, DUCKDB_TYPE_BLOB, DUCKDB_TYPE_BOOLEAN, overlap, 0},
+    {"vs_contains", 2, DUCKDB_TYPE_BLOB, DUCKDB_TYPE_BOOLEAN, contains, 0},
+    {"vs_relation", 2, DUCKDB_TYPE_BLOB, DUCKDB_TYPE_VARCHAR, relation, 0},
+    {"vs_distance", 2, DUCKDB_TYPE_BLOB, DUCKDB_TYPE_DOUBLE, distance, 0},
+    {"vs_area", 1, DUCKDB_TYPE_BLOB, DUCKDB_TYPE_DOUBLE, shape_area, 0},
+    {"vs_shared_area", 2, DUCKDB_TYPE_BLOB, DUCKDB_TYPE_DOUBLE, shared_area, 0},
+    {"vs_iou", 2, DUCKDB_TYPE_BLOB, DUCKDB_TYPE_DOUBLE, iou, 0},
+    {"vs_min_x", 1, DUCKDB_TYPE_BLOB, DUCKDB_TYPE_DOUBLE, bound, 0},
+    {"vs_min_y", 1, DUCKDB_TYPE_BLOB, DUCKDB_TYPE_DOUBLE, bound, 1},
+    {"vs_max_x", 1, DUCKDB_TYPE_BLOB, DUCKDB_TYPE_DOUBLE, bound, 2},
+    {"vs_max_y", 1, DUCKDB_TYPE_BLOB, DUCKDB_TYPE_DOUBLE, bound, 3},
+};
+
+DUCKDB_EXTENSION_ENTRYPOINT(duckdb_connection connection, duckdb_extension_info info,
+                            struct duckdb_extension_access* access) {
+  bool added = true;
+  if (vesica_version() < VESICA_VERSION) {
+    access->set_error(info, "libvesica is older than this extension");
+    return false;
+  }
+  for (size_t i = 0; added && i < sizeof functions / sizeof *functions; i++) added = add(connection, &functions[i]);
+  if (!added) access->set_error(info, "vesica: a function cannot be registered");
+  return added;
+}

@@ -1,0 +1,75 @@
+-- What users see: answers, plans, errors. expected/vesica.out is what psql prints.
+CREATE EXTENSION vesica;
+
+-- ---- Words that keep every bit ----
+SELECT 'rect 0 0 0.8 0.6 2 1'::vshape, vs_circle(2, 1, 0.5), vs_point(0.1, '-0');
+SELECT 'ellipse 0.1,1e-300 4.94065645841247e-324 1.7976931348623157e308 0.30000000000000004 0'::vshape;
+SELECT vshape_send('point 1 -0');
+
+-- ---- Questions ----
+SELECT vs_overlap('circle 0 0 1', 'circle 2 0 1') AS touching, 'circle 0 0 1' && 'circle 2.0000000000000004 0 1'::vshape AS apart,
+  'circle 0 0 1' @> 'point 1 0'::vshape AS holds, 'point 1 0' <@ 'circle 0 0 1'::vshape AS is_in,
+  vs_relation('circle 0 0 1', 'circle 0 0 2'), 'point 0 0' <-> 'point 3 4'::vshape AS distance;
+SELECT vs_area('aabb 0 0 2 2'), vs_area('aabb 0 0 2 2', 'aabb 1 1 3 3') AS shared, vs_iou('aabb 0 0 2 2', 'aabb 1 0 2 2'),
+  vs_iou('point 0 0', 'point 0 0') IS NULL AS no_area, vs_bounds('circle 0 0 1');
+
+-- ---- NULL ----
+SELECT vs_overlap(NULL, 'point 0 0') IS NULL AS a, (NULL::vshape <-> 'point 0 0') IS NULL AS b, vs_valid(NULL) IS NULL AS c;
+
+-- ---- Bad input ----
+\set VERBOSITY sqlstate
+SELECT 'circle nan 0 1'::vshape;
+SELECT vs_circle(0, 'NaN', 1);
+SELECT 'point -1e308 0' <-> 'point 1e308 0'::vshape;
+\set VERBOSITY default
+SELECT 'circle nan 0 1'::vshape;
+SELECT 'circle 0 0 -1'::vshape;
+SELECT 'rect 0 0 0 0 1 1'::vshape;
+SELECT 'aabb 1 0 0 0'::vshape;
+SELECT 'square 1 2'::vshape;
+SELECT ''::vshape;
+SELECT 'point 1'::vshape;
+SELECT 'point 1 2x'::vshape;
+SELECT 'point 1 2 3'::vshape;
+SELECT vs_circle(0, 'NaN', 1);
+SELECT vs_ellipse(0, 0, 0, 0, 1, 1);
+SELECT 'point -1e308 0' <-> 'point 1e308 0'::vshape;
+SELECT vs_area('circle 0 0 1e200');
+
+-- ---- Good rows among bad ones ----
+CREATE TABLE words (id int, line text);
+INSERT INTO words VALUES (0, 'point 1 2'), (1, 'point nan 2'), (2, NULL), (3, 'point 3 4'), (4, 'nothing');
+SELECT id, CASE WHEN vs_valid(line) THEN line::vshape END AS shape FROM words ORDER BY id;
+
+-- ---- Plans ----
+CREATE TABLE a (id int, shape vshape);
+INSERT INTO a SELECT i, vs_circle(i % 100, i / 100, 0.3) FROM generate_series(0, 9999) i;
+INSERT INTO a VALUES (-1, NULL);
+CREATE INDEX ON a USING gist (shape);
+ANALYZE a;
+EXPLAIN (COSTS OFF) SELECT * FROM a x JOIN a y ON x.shape && y.shape;
+EXPLAIN (COSTS OFF) SELECT id FROM a WHERE shape <@ 'aabb 0 0 2 1';
+EXPLAIN (COSTS OFF) SELECT id FROM a ORDER BY shape <-> 'point 5.2 7.1' LIMIT 3;
+SELECT id FROM a WHERE shape <@ 'aabb -0.3 -1 2.3 1' ORDER BY id;
+SELECT id FROM a WHERE shape @> 'segment 5 7 5.3 7';
+SELECT id, shape <-> 'point 5.5 7' AS distance FROM a WHERE shape IS NOT NULL ORDER BY shape <-> 'point 5.5 7', id LIMIT 3;
+
+-- ---- Join ----
+CREATE TABLE b (id int, "the shape" vshape);
+INSERT INTO b VALUES (0, 'segment 0 0 2 0'), (1, NULL), (2, 'point 3.3 4');
+SELECT a.id, b.id FROM vesica_join('a', 'b') j JOIN a ON a.ctid = j.a JOIN b ON b.ctid = j.b ORDER BY 1, 2;
+SELECT count(*) FROM vesica_join('a', 'a');
+SELECT * FROM vesica_join('a', NULL);
+SELECT * FROM vesica_join('a', 'words');
+CREATE TABLE two (x vshape, y vshape);
+SELECT * FROM vesica_join('two', 'a');
+CREATE VIEW seen AS SELECT * FROM a;
+SELECT * FROM vesica_join('seen', 'a');
+CREATE TABLE nothing (shape vshape);
+SELECT count(*) FROM vesica_join('nothing', 'a');
+CREATE MATERIALIZED VIEW kept AS SELECT * FROM b;
+SELECT count(*) FROM vesica_join('a', 'kept');
+BEGIN;
+INSERT INTO nothing VALUES ('circle 0 0 1');
+SELECT count(*) FROM vesica_join('nothing', 'a');
+ROLLBACK;

@@ -1,0 +1,108 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# test.sh MOVED WORK: the extension and pattern.sql in Debian's sqlite3: pairs, bad input, a killed writer.
+. "$(dirname "${BASH_SOURCE[0]}")/../../tests/install/prefix.sh"
+. "$here/../common/testing.sh"
+"$here/build.sh" "$work"
+
+# sql [FILE.db]: the statements on standard input, with the extension.
+sql() {
+  { echo ".load $work/vesica_sqlite.so"; cat; } | sqlite3 -batch -bail "$@" 2>&1
+}
+
+# ---- Pairs ----
+sql "$work/all.db" <<SQL
+.read $here/pattern.sql
+CREATE TABLE words (line TEXT);
+.mode tabs
+.import $data/a.csv words
+INSERT INTO a SELECT rowid - 1, vs_shape(line) FROM words;
+DELETE FROM words;
+.import $data/b.csv words
+INSERT INTO b SELECT rowid - 1, vs_shape(line) FROM words;
+.separator ,
+.once $work/pairs.csv
+SELECT a, b FROM overlaps;
+SQL
+same_pairs 'the R*Tree and exact recheck' "$work/pairs.csv"
+plan=$(sql "$work/all.db" <<<'EXPLAIN QUERY PLAN SELECT * FROM overlaps;')
+contains 'the plan' 'VIRTUAL TABLE INDEX' "$plan"
+
+# ---- Answers, words that keep every bit, NULL ----
+check 'answers' "touch|5.0|1|0|0.5|4.0" "$(sql <<'SQL'
+SELECT vs_relation('circle 0 0 1', 'circle 2 0 1'), vs_distance(vs_point(3, 4), 'point 0 0'),
+  vs_overlap(vs_rect(0, 0, 0.6, 0.8, 1, 2), vs_ellipse(0, 0, 1, 0, 1, 1)), vs_contains('point 0 0', 'circle 0 0 1'),
+  vs_iou('aabb 0 0 2 2', 'aabb 1 0 2 2'), vs_area(vs_aabb(0, 0, 2, 2));
+SQL
+)"
+check 'words' 'ellipse 0.1 -0 1e-300 4.94065645841247e-324 1.7976931348623157e+308 0.30000000000000004' \
+  "$(sql <<<"SELECT vs_text('ellipse 0.1,-0 1e-300 4.9406564584124654e-324	1.7976931348623157e308 0.30000000000000004');")"
+check 'every bit' '0' "$(sql "$work/all.db" <<<'SELECT count(*) FROM a WHERE vs_shape(vs_text(shape)) <> shape;')"
+check 'NULL' '1|1|1|1|1' "$(sql <<<"SELECT vs_overlap(NULL, 'point 0 0') IS NULL, vs_valid(NULL) IS NULL,
+  vs_point(NULL, 0) IS NULL, vs_area(NULL) IS NULL, vs_iou('point 0 0', 'point 0 0') IS NULL;")"
+
+# ---- Bad input: errors of SQL, and no other row lost ----
+bad() {
+  contains "$1" "$2" "$(sql <<<"SELECT $1;" || true)"
+}
+bad "vs_shape('circle nan 0 1')" 'invalid circle: a number is NaN or infinite'
+bad "vs_overlap('circle 0 0 -1', 'point 0 0')" 'invalid circle: a size is negative'
+bad "vs_shape('rect 0 0 0 0 1 1')" 'invalid rect: the axis is (0, 0)'
+bad "vs_shape('square 1 2')" "unknown kind 'square'"
+bad "vs_shape('')" "unknown kind ''"
+bad "vs_shape('point 1')" 'point: number 2 of 2 is missing'
+bad "vs_shape('point 1 2x')" "'2x' is not a number"
+bad "vs_shape('point 1 2 3')" "'3' after the shape"
+bad "vs_overlap(3, 'point 0 0')" 'not a shape: a BLOB of vs_shape'
+bad "vs_text(x'00')" 'not a shape: a BLOB of vs_shape'
+bad "vs_text(x'')" 'not a shape: a BLOB of vs_shape'
+bad "vs_text(x'00000000000000f87f0000000000000000')" 'invalid point: a number is NaN or infinite'
+bad "vs_point('one', 2)" 'not a number'
+bad "vs_distance('point 1e308 0', 'point -1e308 0')" 'the result is out of the range'
+check 'good rows among bad ones' '1|point 1 2
+2|
+3|
+4|point 3 4' "$(sql <<'SQL'
+CREATE TABLE words (line TEXT);
+INSERT INTO words VALUES ('point 1 2'), ('point nan 2'), (NULL), ('point 3 4');
+SELECT rowid, vs_text(CASE WHEN vs_valid(line) THEN vs_shape(line) END) FROM words;
+SQL
+)"
+contains 'a bad shape for the table' 'CHECK constraint failed' \
+  "$(sql "$work/all.db" <<<"INSERT INTO a VALUES (-1, x'00');" || true)"
+# Where bounds are beyond the floats, or between them, the R*Tree finds them as well.
+check 'extremes' '3' "$(sql <<SQL
+.read $here/pattern.sql
+INSERT INTO a VALUES (1, vs_point(1e300, 0)), (2, vs_point(0.1, 1e-310)), (3, vs_circle(-1e308, 0, 1.7e308)), (4, NULL);
+INSERT INTO b VALUES (1, vs_point(1e300, 0)), (2, vs_point(0.1, 1e-310)), (3, vs_point(-1e306, 1e307)), (4, NULL);
+SELECT count(*) FROM overlaps WHERE a = b;
+SQL
+)"
+check 'bounds are rounded outward' '1|1|1|1' "$(sql <<'SQL'
+SELECT vs_min_x(vs_point(0.3, 0)) < 0.3, vs_max_x(vs_point(0.7, 0)) > 0.7, vs_min_y(vs_point(0, -0.7)) < -0.7,
+  vs_max_y(vs_point(0, 1e-310)) > 1e-310;
+SQL
+)"
+
+# ---- A writer killed in the middle: the R*Tree is that of the table ----
+sql "$work/killed.db" <"$here/pattern.sql"
+{
+  echo ".load $work/vesica_sqlite.so"
+  for i in $(seq 0 19999); do echo "INSERT INTO a VALUES ($i, vs_circle($i, 0, 0.5)) RETURNING id;"; done
+} | sqlite3 "$work/killed.db" >"$work/written" &
+writer=$!
+trap 'kill -9 "$writer" 2>/dev/null || true' EXIT
+until [ -s "$work/written" ] || ! kill -0 "$writer"; do sleep 0.02; done
+sleep 0.3
+kill -9 "$writer"
+wait "$writer" 2>/dev/null || true
+check 'after a kill' 'ok|ok|1' "$(sql "$work/killed.db" <<'SQL'
+SELECT (SELECT * FROM pragma_integrity_check), rtreecheck('a_bounds'), count(*) BETWEEN 1 AND 19999 FROM a;
+SQL
+)"
+check 'rows without bounds, and bounds without rows' '0|0' "$(sql "$work/killed.db" <<'SQL'
+SELECT (SELECT count(*) FROM a WHERE id NOT IN (SELECT id FROM a_bounds)),
+  (SELECT count(*) FROM a_bounds WHERE id NOT IN (SELECT id FROM a));
+SQL
+)"
+finish

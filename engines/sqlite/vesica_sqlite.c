@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Vesica's questions as functions of SQL, for SQLite. A shape is a BLOB, or its words as text. README.md lists all.
+#include <sqlite3ext.h>
+#include <string.h>
+
+#include "shape.h"
+SQLITE_EXTENSION_INIT1
+
+// ---- Arguments: 1 for a shape, 0 for NULL, -1 with the reason in `fault` ----
+
+static int read_shape(sqlite3_value* value, struct shape* out, char fault[shape_fault_room]) {
+  switch (sqlite3_value_type(value)) {
+    case SQLITE_NULL:
+      return 0;
+    case SQLITE_BLOB:
+      return shape_from_blob(sqlite3_value_blob(value), sqlite3_value_bytes(value), out, fault) ? 1 : -1;
+    case SQLITE_TEXT: {
+      const char* text = (const char*)sqlite3_value_text(value);
+      if (!text) break;
+      return shape_from_text(text, out, fault) ? 1 : -1;
+    }
+    default:
+      break;
+  }
+  return shape_from_blob(NULL, 0, out, fault) - 1;
+}
+
+static void return_shape(sqlite3_context* context, const struct shape* shape) {
+  unsigned char blob[shape_blob_room];
+  sqlite3_result_blob(context, blob, shape_to_blob(shape, blob), SQLITE_TRANSIENT);
+}
+
+// All of them, or 0 where the answer is NULL or an error, which it then is.
+static int take_shapes(sqlite3_context* context, int count, sqlite3_value** values, struct shape* out) {
+  char fault[shape_fault_room];
+  int good = 1;
+  for (int i = 0; i < count; i++) {
+    const int read = read_shape(values[i], &out[i], fault);
+    if (read < 0) {
+      sqlite3_result_error(context, fault, -1);
+      return 0;
+    }
+    good &= read;
+  }
+  return good;
+}
+
+static int failed(sqlite3_context* context, int32_t code) {
+  if (code < 0) sqlite3_result_error(context, vesica_strerror(code), -1);
+  return code < 0;
+}
+
+// ---- Shapes in and out ----
+
+static void to_shape(sqlite3_context* context, int count, sqlite3_value** values) {
+  struct shape shape;
+  if (take_shapes(context, count, values, &shape)) return_shape(context, &shape);
+}
+
+static void to_text(sqlite3_context* context, int count, sqlite3_value** values) {
+  struct shape shape;
+  char text[shape_text_room];
+  if (!take_shapes(context, count, values, &shape)) return;
+  shape_to_text(&shape, text);
+  sqlite3_result_text(context, text, -1, SQLITE_TRANSIENT);
+}
+
+static void is_valid(sqlite3_context* context, int count, sqlite3_value** values) {
+  struct shape shape;
+  char fault[shape_fault_room];
+  const int read = read_shape(values[0], &shape, fault);
+  (void)count;
+  if (read) sqlite3_result_int(context, read > 0);
+}
+
+// vs_point, vs_segment ...: the kind is the function's own.
+static void from_numbers(sqlite3_context* context, int count, sqlite3_value** values) {
+  const int32_t* kind = sqlite3_user_data(context);
+  double numbers[6];
+  struct shape shape;
+  char fault[shape_fault_room];
+  for (int i = 0; i < count; i++) {
+    const int type = sqlite3_value_numeric_type(values[i]);
+    if (type == SQLITE_NULL) return;
+    if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) {
+      sqlite3_result_error(context, "not a number", -1);
+      return;
+    }
+    numbers[i] = sqlite3_value_double(values[i]);
+  }
+  if (shape_from_numbers(*kind, numbers, &shape, fault))
+    return_shape(context, &shape);
+  else
+    sqlite3_result_error(context, fault, -1);
+}
+
+// ---- Questions ----
+
+typedef int32_t decide(int32_t kind_a, const double* a, int32_t kind_b, const double* b);
+
+static int32_t ask(sqlite3_context* context, sqlite3_value** values, decide* question, int32_t* answer) {
+  struct shape s[2];
+  if (!take_shapes(context, 2, values, s)) return 0;
+  *answer = question(s[0].kind, s[0].numbers, s[1].kind, s[1].numbers);
+  return !failed(context, *answer);
+}
+
+static void overlap(sqlite3_context* context, int count, sqlite3_value** values) {
+  int32_t answer;
+  (void)count;
+  if (ask(context, values, vesica_overlap_f64, &answer)) sqlite3_result_int(context, answer);
+}
+
+static void contains(sqlite3_context* context, int count, sqlite3_value** values) {
+  int32_t answer;
+  (void)count;
+  if (ask(context, values, vesica_contains_f64, &answer)) sqlite3_result_int(context, answer);
+}
+
+static void relation(sqlite3_context* context, int count, sqlite3_value** values) {
+  int32_t answer;
+  (void)count;
+  if (ask(context, values, vesica_relation_f64, &answer))
+    sqlite3_result_text(context, relation_name(answer), -1, SQLITE_STATIC);
+}
+
+static void distance(sqlite3_context* context, int count, sqlite3_value** values) {
+  struct shape s[2];
+  vesica_closest_points_f64 closest;
+  if (!take_shapes(context, count, values, s)) return;
+  if (!failed(context, vesica_nearest_f64(s[0].kind, s[0].numbers, s[1].kind, s[1].numbers, &closest)))
+    sqlite3_result_double(context, closest.distance);
+}
+
+static void area(sqlite3_context* context, int count, sqlite3_value** values) {
+  struct shape s[2];
+  double out;
+  int32_t code;
+  if (!take_shapes(context, count, values, s)) return;
+  code = count == 1 ? vesica_shape_area_f64(s[0].kind, s[0].numbers, &out)
+                    : vesica_area_f64(s[0].kind, s[0].numbers, s[1].kind, s[1].numbers, &out);
+  if (!failed(context, code)) sqlite3_result_double(context, out);
+}
+
+// Of two shapes without area there is no ratio: NULL.
+static void iou(sqlite3_context* context, int count, sqlite3_value** values) {
+  struct shape s[2];
+  double out;
+  int32_t code;
+  if (!take_shapes(context, count, values, s)) return;
+  code = vesica_iou_f64(s[0].kind, s[0].numbers, s[1].kind, s[1].numbers, &out);
+  if (code != VESICA_E_ARGUMENT && !failed(context, code)) sqlite3_result_double(context, out);
+}
+
+// vs_min_x ... vs_max_y: the side is the function's own.
+static void bound(sqlite3_context* context, int count, sqlite3_value** values) {
+  const size_t* side = sqlite3_user_data(context);
+  struct shape shape;
+  vesica_aabb_f64 box;
+  double sides[4];
+  if (!take_shapes(context, count, values, &shape)) return;
+  shape_bounds(&shape, &box);
+  memcpy(sides, &box, sizeof sides);
+  sqlite3_result_double(context, sides[*side]);
+}
+
+typedef void function(sqlite3_context* context, int count, sqlite3_value** values);
+
+static int add(sqlite3* db, const char* name, int count, void* user, function* body) {
+  const int flags = SQLITE_UTF8 | SQLITE_DETERMINISTIC | SQLITE_INNOCUOUS;
+  return sqlite3_create_function_v2(db, name, count, flags, user, body, NULL, NULL, NULL);
+}
+
+static int add_constructors(sqlite3* db) {
+  static int32_t kinds[] = {VESICA_POINT, VESICA_SEGMENT, VESICA_CIRCLE, VESICA_AABB, VESICA_RECT, VESICA_ELLIPSE};
+  int code = SQLITE_OK;
+  for (size_t i = 0; code == SQLITE_OK && i < sizeof kinds / sizeof *kinds; i++) {
+    char name[32];
+    sqlite3_snprintf(sizeof name, name, "vs_%s", vesica_kind_name(kinds[i]));
+    code = add(db, name, vesica_field_count(kinds[i]), &kinds[i], from_numbers);
+  }
+  return code;
+}
+
+__attribute__((visibility("default"))) int sqlite3_vesicasqlite_init(sqlite3* db, char** error,
+                                                                     const sqlite3_api_routines* api);
+
+int sqlite3_vesicasqlite_init(sqlite3* db, char** error, const sqlite3_api_routines* api) {
+  static size_t sides[] = {0, 1, 2, 3};
+  static const struct {
+    const char* name;
+    int count;
+    void* user;
+    function* body;
+  } functions[] = {
+      {"vs_shape", 1, NULL, to_shape},    {"vs_text", 1, NULL, to_text},      {"vs_valid", 1, NULL, is_valid},
+      {"vs_overlap", 2, NULL, overlap},   {"vs_contains", 2, NULL, contains}, {"vs_relation", 2, NULL, relation},
+      {"vs_distance", 2, NULL, distance}, {"vs_area", 1, NULL, area},         {"vs_area", 2, NULL, area},
+      {"vs_iou", 2, NULL, iou},           {"vs_min_x", 1, &sides[0], bound},  {"vs_min_y", 1, &sides[1], bound},
+      {"vs_max_x", 1, &sides[2], bound},  {"vs_max_y", 1, &sides[3], bound},
+  };
+  int code;
+  SQLITE_EXTENSION_INIT2(api);
+  if (vesica_version() < VESICA_VERSION) {
+    *error =
+        sqlite3_mprintf("libvesica %d is older than this extension, which needs %d", vesica_version(), VESICA_VERSION);
+    return SQLITE_ERROR;
+  }
+  code = add_constructors(db);
+  for (size_t i = 0; code == SQLITE_OK && i < sizeof functions / sizeof *functions; i++)
+    code = add(db, functions[i].name, functions[i].count, functions[i].user, functions[i].body);
+  return code;
+}
