@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vesica/overlap.hpp>
 
+#include "compiled_once.hpp"
 #include "environment.hpp"
 #include "query.hpp"
 #include "vesica.h"

@@ -146,7 +146,7 @@ inline bool rounded_to(const Penetration<double>& p, Penetration<float>& out) no
 /// The checked form: writes the depth of two shapes of any kinds, in either order. Returns 0, error_shape when either
 /// is invalid, or error_range when the depth exceeds the largest finite number; on error `out` is untouched.
 template <template <class> class A, template <class> class B>
-std::int32_t depth_or_error(const A<double>& a, const B<double>& b, Penetration<double>& out) noexcept {
+VESICA_CALLED std::int32_t depth_or_error(const A<double>& a, const B<double>& b, Penetration<double>& out) noexcept {
   if constexpr (!detail::in_order<A<double>, B<double>>) {
     const std::int32_t error = depth_or_error(b, a, out);
     if (error == 0) out = detail::depth::turned_round(out);

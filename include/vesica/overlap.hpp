@@ -38,15 +38,15 @@ namespace vesica {
 
 namespace detail {
 
-/// For pairs that a filter left undecided. Invalid shapes get their error here, valid ones their exact answer.
+/// For pairs in double that a filter left undecided. Invalid shapes get their error here, valid ones their exact answer.
 template <class A, class B>
 VESICA_COLD std::int32_t decide_undecided(const A& a, const B& b) noexcept {
   if constexpr (filter::HasErrorFree<A, B>) {
-    const auto verdict = filter::error_free(widen(a), widen(b));
+    const auto verdict = filter::error_free(a, b);
     if (verdict.overlap || verdict.disjoint) return verdict.overlap ? 1 : 0;
   }
   if (check(a) != 0 || check(b) != 0) return error_shape;
-  return detail::overlap::exact(widen(a), widen(b)) ? 1 : 0;
+  return detail::overlap::exact(a, b) ? 1 : 0;
 }
 
 template <class A, class B>
@@ -66,7 +66,7 @@ VESICA_INLINE std::int32_t overlap_or_error(const A<T>& a, const B<T>& b) noexce
     const std::int32_t answer = 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
     if (answer >= 0) [[likely]]
       return answer;
-    return detail::decide_undecided(a, b);
+    return detail::decide_undecided(widen(a), widen(b));
   }
 }
 
