@@ -90,7 +90,8 @@ bool settled_outlines(const A&, const B&, Relation, ClosestPoints<double>&) noex
   return false;
 }
 template <class A>
-bool settled_outlines(const A& a, const Ellipse<double>& b, Relation relation, ClosestPoints<double>& out) noexcept {
+VESICA_CALLED bool settled_outlines(const A& a, const Ellipse<double>& b, Relation relation,
+                                    ClosestPoints<double>& out) noexcept {
   if constexpr (nearest::has_lanes<A, Ellipse<double>>) {
     const bool inside = relation == Relation::inside;
     if (!inside && relation != Relation::contains) return false;
@@ -99,6 +100,11 @@ bool settled_outlines(const A& a, const Ellipse<double>& b, Relation relation, C
     return lanes.settled;
   }
   return false;
+}
+
+inline bool settled_outlines(const Circle<double>& a, const Ellipse<double>& b, Relation relation,
+                             ClosestPoints<double>& out) noexcept {
+  return settled_outlines(as_ellipse(a), b, relation, out);
 }
 
 template <class A, class B>

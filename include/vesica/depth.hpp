@@ -118,13 +118,17 @@ bool settled_depth(const A&, const B&, Penetration<double>&) noexcept {
   return false;
 }
 template <class A>
-bool settled_depth(const A& a, const Ellipse<double>& b, Penetration<double>& out) noexcept {
+VESICA_CALLED bool settled_depth(const A& a, const Ellipse<double>& b, Penetration<double>& out) noexcept {
   if constexpr (nearest::has_lanes<A, Ellipse<double>>) {
     const auto lanes = lane_depth(a, b, false);
     if (lanes.settled) out = {lanes.depth, lanes.x, lanes.y};
     return lanes.settled;
   }
   return false;
+}
+
+inline bool settled_depth(const Circle<double>& a, const Ellipse<double>& b, Penetration<double>& out) noexcept {
+  return settled_depth(as_ellipse(a), b, out);
 }
 
 inline Penetration<double> turned_round(const Penetration<double>& p) noexcept {
@@ -146,7 +150,7 @@ inline bool rounded_to(const Penetration<double>& p, Penetration<float>& out) no
 /// The checked form: writes the depth of two shapes of any kinds, in either order. Returns 0, error_shape when either
 /// is invalid, or error_range when the depth exceeds the largest finite number; on error `out` is untouched.
 template <template <class> class A, template <class> class B>
-VESICA_CALLED std::int32_t depth_or_error(const A<double>& a, const B<double>& b, Penetration<double>& out) noexcept {
+std::int32_t depth_or_error(const A<double>& a, const B<double>& b, Penetration<double>& out) noexcept {
   if constexpr (!detail::in_order<A<double>, B<double>>) {
     const std::int32_t error = depth_or_error(b, a, out);
     if (error == 0) out = detail::depth::turned_round(out);
