@@ -31,6 +31,10 @@
 #define VESICA_NEAREST(keyword, A, B) \
   keyword std::int32_t nearest_or_error(const A<double>&, const B<double>&, ClosestPoints<double>&) noexcept;
 
+// queries/relation.cpp
+#define VESICA_RELATION(keyword, A, B) \
+  keyword std::int32_t detail::called_relation(const A<double>&, const B<double>&) noexcept;
+
 namespace vesica {
 
 #define VESICA_DECLARE(a, A, b, B) VESICA_EXACT_OVERLAP(extern template, A, B)
@@ -41,7 +45,8 @@ VESICA_EACH_PAIR(VESICA_DECLARE)
   VESICA_EXACT_STAGE(extern template, A, B) \
   VESICA_SHARES(extern template, A, B)      \
   VESICA_ONE_PLACE(extern template, A, B)   \
-  VESICA_NEAREST(extern template, A, B)
+  VESICA_NEAREST(extern template, A, B)     \
+  VESICA_RELATION(extern template, A, B)
 VESICA_EACH_PAIR_OF_FORMS(VESICA_DECLARE)
 #undef VESICA_DECLARE
 

@@ -134,7 +134,7 @@ VESICA_CALLED std::int32_t boundary_distance_or_error(const A<double>& a, const 
     if (error == 0) out = detail::boundary_distance::points_exchanged(found);
     return error;
   } else {
-    const std::int32_t relation = relation_or_error(a, b);
+    const std::int32_t relation = detail::called_relation(a, b);
     if (relation < 0) return relation;
     if (relation == static_cast<std::int32_t>(Relation::disjoint)) return nearest_or_error(a, b, out);
     ClosestPoints<double> found;

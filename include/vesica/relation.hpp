@@ -98,6 +98,16 @@ VESICA_INLINE std::int32_t relation_or_error(const A<T>& a, const B<T>& b) noexc
   }
 }
 
+namespace detail {
+
+/// The same as a call, for functions that do much more.
+template <class A, class B>
+VESICA_CALLED std::int32_t called_relation(const A& a, const B& b) noexcept {
+  return relation_or_error(a, b);
+}
+
+}  // namespace detail
+
 /// The relation of a to b, shapes of any kinds. For valid shapes: an invalid one is disjoint from everything.
 /// relation_or_error() is the checked form.
 template <template <class> class A, template <class> class B, class T>

@@ -14,6 +14,15 @@
 #include "lanes/two_vectors.hpp"
 
 namespace vesica {
+
+/// A column of one number.
+template <int number>
+inline constexpr auto column_of = [] {
+  std::array<double, query_block> column;
+  column.fill(number);
+  return column;
+}();
+
 namespace {
 
 template <template <class> class Shape, class V, std::size_t... Field>
@@ -86,15 +95,9 @@ bool answer_in_turn(const QueryColumns& columns, std::int32_t n, double* const* 
 /// The first shapes are circles, and the kernel is told that they are ellipses.
 template <QueryKernel kernel>
 bool answer_circles(const QueryColumns& columns, std::int32_t n, double* const* results) noexcept {
-  static constexpr auto column_of = [](double number) consteval {
-    std::array<double, query_block> column;
-    column.fill(number);
-    return column;
-  };
-  static constexpr auto ones = column_of(1), zeros = column_of(0);
   QueryColumns as_ellipses = columns;
   const double* const* const circle = columns.first.number;
-  const double* const ellipse[] = {circle[0], circle[1], ones.data(), zeros.data(), circle[2], circle[2]};
+  const double* const ellipse[] = {circle[0], circle[1], column_of<1>.data(), column_of<0>.data(), circle[2], circle[2]};
   std::copy(std::begin(ellipse), std::end(ellipse), as_ellipses.first.number);
   return kernel(as_ellipses, n, results);
 }
@@ -120,6 +123,13 @@ constexpr void fill(QueryKernels& kernels) noexcept {
   enter<A, B>(kernels, answer_vectors<Core, A, B, Doubles>);
 }
 
+/// Two vectors as one where time is the latency of divisions and roots in a row. The registers of SSE2 do not suffice.
+#if defined(__SSE2__) && !defined(__AVX__)
+using LongVector = Doubles;
+#else
+using LongVector = TwoVectors<Doubles>;
+#endif
+
 /// Distances of shapes and, by a kernel that goes on from those, of outlines.
 template <template <class> class A, template <class> class B, class V, QueryKernel nested>
 constexpr void fill_distances(QueryTable& table) noexcept {
@@ -142,9 +152,9 @@ consteval QueryTable make_query_table() noexcept {
   fill<RelationCore, Point, Ellipse>(table.relation);
   constexpr QueryKernel nested_ellipses = answer_vectors<NestedCore, Ellipse, Ellipse, Doubles>;
   fill_distances<Rect, Rect, Doubles, answer_vectors<NestedCore, Rect, Rect, Doubles>>(table);
-  fill_distances<Rect, Ellipse, TwoVectors<Doubles>, answer_vectors<NestedCore, Rect, Ellipse, Doubles>>(table);
-  fill_distances<Circle, Ellipse, TwoVectors<Doubles>, answer_circles<nested_ellipses>>(table);
-  fill_distances<Ellipse, Ellipse, TwoVectors<Doubles>, nested_ellipses>(table);
+  fill_distances<Rect, Ellipse, LongVector, answer_vectors<NestedCore, Rect, Ellipse, Doubles>>(table);
+  fill_distances<Circle, Ellipse, LongVector, answer_circles<nested_ellipses>>(table);
+  fill_distances<Ellipse, Ellipse, Doubles, nested_ellipses>(table);
   fill<DepthCore, Rect, Rect>(table.depth);
   fill<DepthCore, Rect, Ellipse>(table.depth);
   enter<Circle, Ellipse>(table.depth, answer_circles<answer_vectors<DepthCore, Ellipse, Ellipse, Doubles>>);
