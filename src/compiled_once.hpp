@@ -13,13 +13,13 @@
 // exact_stage.cpp
 #define VESICA_EXACT_OVERLAP(keyword, A, B) \
   keyword std::int32_t detail::decide_undecided(const A<double>&, const B<double>&) noexcept;
-#define VESICA_EXACT_STAGE(keyword, A, B)                                                              \
+#define VESICA_EXACT_STAGE(keyword, A, B)                                                             \
   keyword std::int32_t detail::decide_relation(const A<double>&, const B<double>&) noexcept;          \
   keyword std::int32_t detail::decide_containment(const A<double>&, const B<double>&, bool) noexcept; \
   keyword bool detail::depth::has_no_depth_exactly(const A<double>&, const B<double>&) noexcept;
 
 // queries/area.cpp
-#define VESICA_SHARES(keyword, A, B)                                                               \
+#define VESICA_SHARES(keyword, A, B)                                                        \
   keyword std::int32_t detail::area::shares_by_relation(const A<double>&, const B<double>&, \
                                                         detail::area::Shares&) noexcept;
 

@@ -127,7 +127,8 @@ ClosestPoints<double> closest_outline_points(Relation relation, const A& a, cons
 /// points. Returns 0, error_shape when either is invalid, or error_range when a number would exceed the largest finite
 /// one; on error `out` is untouched.
 template <template <class> class A, template <class> class B>
-VESICA_CALLED std::int32_t boundary_distance_or_error(const A<double>& a, const B<double>& b, ClosestPoints<double>& out) noexcept {
+VESICA_CALLED std::int32_t boundary_distance_or_error(const A<double>& a, const B<double>& b,
+                                                      ClosestPoints<double>& out) noexcept {
   if constexpr (!detail::in_order<A<double>, B<double>>) {
     ClosestPoints<double> found;
     const std::int32_t error = boundary_distance_or_error(b, a, found);

@@ -97,7 +97,8 @@ template <QueryKernel kernel>
 bool answer_circles(const QueryColumns& columns, std::int32_t n, double* const* results) noexcept {
   QueryColumns as_ellipses = columns;
   const double* const* const circle = columns.first.number;
-  const double* const ellipse[] = {circle[0], circle[1], column_of<1>.data(), column_of<0>.data(), circle[2], circle[2]};
+  const double* const ellipse[] = {circle[0],           circle[1], column_of<1>.data(),
+                                   column_of<0>.data(), circle[2], circle[2]};
   std::copy(std::begin(ellipse), std::end(ellipse), as_ellipses.first.number);
   return kernel(as_ellipses, n, results);
 }
