@@ -48,6 +48,11 @@ VESICA_COLD std::int32_t decide_undecided(const A& a, const B& b) noexcept {
   if (check(a) != 0 || check(b) != 0) return error_shape;
   return detail::overlap::exact(a, b) ? 1 : 0;
 }
+/// Here and not by the caller, who would widen floats to memory before it knew that it must.
+template <template <class> class A, template <class> class B>
+VESICA_COLD std::int32_t decide_undecided(const A<float>& a, const B<float>& b) noexcept {
+  return decide_undecided(widen(a), widen(b));
+}
 
 template <class A, class B>
 inline constexpr bool in_order = ShapeTraits<A>::kind <= ShapeTraits<B>::kind;
@@ -66,7 +71,7 @@ VESICA_INLINE std::int32_t overlap_or_error(const A<T>& a, const B<T>& b) noexce
     const std::int32_t answer = 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
     if (answer >= 0) [[likely]]
       return answer;
-    return detail::decide_undecided(widen(a), widen(b));
+    return detail::decide_undecided(a, b);
   }
 }
 

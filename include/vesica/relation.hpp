@@ -49,6 +49,11 @@ VESICA_COLD std::int32_t decide_relation(const A& a, const B& b) noexcept {
   }
 }
 
+template <template <class> class A, template <class> class B>
+VESICA_COLD std::int32_t decide_relation(const A<float>& a, const B<float>& b) noexcept {
+  return decide_relation(widen(a), widen(b));
+}
+
 /// Whether a contains all of b, or the other way round. For pairs as above.
 template <class A, class B>
 VESICA_COLD std::int32_t decide_containment(const A& a, const B& b, bool other_way) noexcept {
@@ -61,6 +66,10 @@ VESICA_COLD std::int32_t decide_containment(const A& a, const B& b, bool other_w
     const auto form_b = exact::relation_form(b);
     return (other_way ? exact::within(form_a, form_b) : exact::within(form_b, form_a)) ? 1 : 0;
   }
+}
+template <template <class> class A, template <class> class B>
+VESICA_COLD std::int32_t decide_containment(const A<float>& a, const B<float>& b, bool other_way) noexcept {
+  return decide_containment(widen(a), widen(b), other_way);
 }
 
 /// What the pair's filter knows for certain about a and b, of kinds in either order.
@@ -90,9 +99,9 @@ VESICA_INLINE std::int32_t relation_or_error(const A<T>& a, const B<T>& b) noexc
     if (answer >= 0) [[likely]]
       return answer;
     if constexpr (detail::in_order<A<T>, B<T>>) {
-      return detail::decide_relation(widen(a), widen(b));
+      return detail::decide_relation(a, b);
     } else {
-      const std::int32_t reversed = detail::decide_relation(widen(b), widen(a));
+      const std::int32_t reversed = detail::decide_relation(b, a);
       return reversed < 0 ? reversed : static_cast<std::int32_t>(converse(static_cast<Relation>(reversed)));
     }
   }
@@ -127,9 +136,9 @@ VESICA_INLINE std::int32_t contains_or_error(const A<T>& a, const B<T>& b) noexc
     if (answer >= 0) [[likely]]
       return answer;
     if constexpr (detail::in_order<A<T>, B<T>>) {
-      return detail::decide_containment(widen(a), widen(b), false);
+      return detail::decide_containment(a, b, false);
     } else {
-      return detail::decide_containment(widen(b), widen(a), true);
+      return detail::decide_containment(b, a, true);
     }
   }
 }
