@@ -167,7 +167,7 @@ std::int32_t depth_or_error(const A<double>& a, const B<double>& b, Penetration<
 
 template <template <class> class A, template <class> class B>
 std::int32_t depth_or_error(const A<float>& a, const B<float>& b, Penetration<float>& out) noexcept {
-  Penetration<double> wide;
+  Penetration<double> wide{0, 0, 0};
   const std::int32_t error = depth_or_error(widen(a), widen(b), wide);
   if (error != 0) return error;
   return detail::depth::rounded_to(wide, out) ? 0 : error_range;
