@@ -14,16 +14,15 @@
 #include "lanes/two_vectors.hpp"
 
 namespace vesica {
+namespace {
 
 /// A column of one number.
 template <int number>
-inline constexpr auto column_of = [] {
+constexpr auto column_of = [] {
   std::array<double, query_block> column;
   column.fill(number);
   return column;
 }();
-
-namespace {
 
 template <template <class> class Shape, class V, std::size_t... Field>
 VESICA_INLINE Shape<V> load_shape(const double* const* field, std::int32_t i, std::index_sequence<Field...>) noexcept {
