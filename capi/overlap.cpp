@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vesica/overlap.hpp>
+#include "queries/overlap.hpp"
 
 #include "environment.hpp"
 #include "query.hpp"
@@ -11,7 +11,7 @@ namespace {
 template <class A, class B>
 VESICA_INLINE int32_t overlap_typed(const void* a, const void* b) noexcept {
   if (a == nullptr || b == nullptr) return VESICA_E_NULL;
-  return vesica::overlap_or_error(*static_cast<const A*>(a), *static_cast<const B*>(b));
+  return vesica::answer_pair<vesica::queries::OverlapOfPair, A, B>(a, b, nullptr);
 }
 
 }  // namespace

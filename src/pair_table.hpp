@@ -78,16 +78,18 @@ template <class Query, class Scalar>
 inline constexpr bool can_be_reversed =
     Query::reversal != Reversal::unknown && !(Query::reversal == Reversal::direction && std::is_same_v<Scalar, float>);
 
-/// A pair in the other order. Where the answer is a code there is little to do, so the core is asked in that order; the
-/// longer ways to a result are there in one order only.
+/// A pair in the other order. Of a relation's code the converse would take longer than to ask in that order; the other
+/// queries that can be reversed are there in one order only.
 template <class Query, class A, class B>
 std::int32_t answer_reversed(const void* a, const void* b, void* out) noexcept {
   using T = typename ShapeTraits<A>::Scalar;
-  if constexpr (!HasResult<Query, T> || !can_be_reversed<Query, T>) {
+  if constexpr (!can_be_reversed<Query, T> || Query::reversal == Reversal::converse) {
     return answer_pair<Query, A, B>(a, b, out);
   } else {
     const std::int32_t code = answer_pair<Query, B, A>(b, a, out);
-    if (code >= 0) reverse(Query::reversal, static_cast<T*>(out));
+    if constexpr (Query::reversal != Reversal::none) {
+      if (code >= 0) reverse(Query::reversal, static_cast<T*>(out));
+    }
     return code;
   }
 }

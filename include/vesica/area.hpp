@@ -141,42 +141,46 @@ std::int32_t relation_of(const A& a, const B& b) noexcept {
     if (std::memcmp(&a, &b, sizeof a) == 0)  // NOLINT(bugprone-suspicious-memory-comparison)
       return check(a) == 0 ? static_cast<std::int32_t>(Relation::equal) : error_shape;
   }
-  return relation_or_error(a, b);
+  return vesica::detail::called_relation(a, b);
 }
 
 /// Returns 0 or error_shape.
 template <class A, class B>
 VESICA_COLD std::int32_t shares_by_relation(const A& a, const B& b, Shares& out) noexcept {
-  const std::int32_t code = relation_of(a, b);
-  if (code < 0) return code;
-  out = {{0, 0}, shape_measure(a), shape_measure(b), false};
-  if (out.a.value == 0 || out.b.value == 0) {
-    out.equal = static_cast<Relation>(code) == Relation::equal;
+  if constexpr (!has_area<A> || !has_area<B>) {  // nothing is shared, however they relate
+    if (check(a) != 0 || check(b) != 0) return error_shape;
+    out = {{0, 0}, shape_measure(a), shape_measure(b), false};
+    return 0;
+  } else {
+    const std::int32_t code = relation_of(a, b);
+    if (code < 0) return code;
+    out = {{0, 0}, shape_measure(a), shape_measure(b), false};
+    if (out.a.value == 0 || out.b.value == 0) {
+      out.equal = static_cast<Relation>(code) == Relation::equal;
+      return 0;
+    }
+    switch (static_cast<Relation>(code)) {
+      case Relation::disjoint:
+      case Relation::touch:
+        return 0;
+      case Relation::inside:
+      case Relation::inside_touch:
+        out.shared = out.a;
+        return 0;
+      case Relation::contains:
+      case Relation::contains_touch:
+        out.shared = out.b;
+        return 0;
+      case Relation::equal:
+        out.shared = out.a;
+        out.equal = true;
+        return 0;
+      case Relation::cross:
+        break;
+    }
+    out.shared = between_bounds(precise_area(a, b, out.a, out.b), least(out.a, out.b));
     return 0;
   }
-  switch (static_cast<Relation>(code)) {
-    case Relation::disjoint:
-    case Relation::touch:
-      return 0;
-    case Relation::inside:
-    case Relation::inside_touch:
-      out.shared = out.a;
-      return 0;
-    case Relation::contains:
-    case Relation::contains_touch:
-      out.shared = out.b;
-      return 0;
-    case Relation::equal:
-      out.shared = out.a;
-      out.equal = true;
-      return 0;
-    case Relation::cross:
-      break;
-  }
-  if constexpr (has_area<A> && has_area<B>) {
-    out.shared = between_bounds(precise_area(a, b, out.a, out.b), least(out.a, out.b));
-  }
-  return 0;
 }
 
 }  // namespace detail::area

@@ -90,7 +90,8 @@ bool settled_outlines(const A&, const B&, Relation, ClosestPoints<double>&) noex
   return false;
 }
 template <class A>
-bool settled_outlines(const A& a, const Ellipse<double>& b, Relation relation, ClosestPoints<double>& out) noexcept {
+VESICA_CALLED bool settled_outlines(const A& a, const Ellipse<double>& b, Relation relation,
+                                    ClosestPoints<double>& out) noexcept {
   if constexpr (nearest::has_lanes<A, Ellipse<double>>) {
     const bool inside = relation == Relation::inside;
     if (!inside && relation != Relation::contains) return false;
@@ -99,6 +100,11 @@ bool settled_outlines(const A& a, const Ellipse<double>& b, Relation relation, C
     return lanes.settled;
   }
   return false;
+}
+
+inline bool settled_outlines(const Circle<double>& a, const Ellipse<double>& b, Relation relation,
+                             ClosestPoints<double>& out) noexcept {
+  return settled_outlines(as_ellipse(a), b, relation, out);
 }
 
 template <class A, class B>
@@ -121,14 +127,15 @@ ClosestPoints<double> closest_outline_points(Relation relation, const A& a, cons
 /// points. Returns 0, error_shape when either is invalid, or error_range when a number would exceed the largest finite
 /// one; on error `out` is untouched.
 template <template <class> class A, template <class> class B>
-std::int32_t boundary_distance_or_error(const A<double>& a, const B<double>& b, ClosestPoints<double>& out) noexcept {
+VESICA_CALLED std::int32_t boundary_distance_or_error(const A<double>& a, const B<double>& b,
+                                                      ClosestPoints<double>& out) noexcept {
   if constexpr (!detail::in_order<A<double>, B<double>>) {
     ClosestPoints<double> found;
     const std::int32_t error = boundary_distance_or_error(b, a, found);
     if (error == 0) out = detail::boundary_distance::points_exchanged(found);
     return error;
   } else {
-    const std::int32_t relation = relation_or_error(a, b);
+    const std::int32_t relation = detail::called_relation(a, b);
     if (relation < 0) return relation;
     if (relation == static_cast<std::int32_t>(Relation::disjoint)) return nearest_or_error(a, b, out);
     ClosestPoints<double> found;

@@ -118,13 +118,17 @@ bool settled_depth(const A&, const B&, Penetration<double>&) noexcept {
   return false;
 }
 template <class A>
-bool settled_depth(const A& a, const Ellipse<double>& b, Penetration<double>& out) noexcept {
+VESICA_CALLED bool settled_depth(const A& a, const Ellipse<double>& b, Penetration<double>& out) noexcept {
   if constexpr (nearest::has_lanes<A, Ellipse<double>>) {
     const auto lanes = lane_depth(a, b, false);
     if (lanes.settled) out = {lanes.depth, lanes.x, lanes.y};
     return lanes.settled;
   }
   return false;
+}
+
+inline bool settled_depth(const Circle<double>& a, const Ellipse<double>& b, Penetration<double>& out) noexcept {
+  return settled_depth(as_ellipse(a), b, out);
 }
 
 inline Penetration<double> turned_round(const Penetration<double>& p) noexcept {
@@ -163,7 +167,7 @@ std::int32_t depth_or_error(const A<double>& a, const B<double>& b, Penetration<
 
 template <template <class> class A, template <class> class B>
 std::int32_t depth_or_error(const A<float>& a, const B<float>& b, Penetration<float>& out) noexcept {
-  Penetration<double> wide;
+  Penetration<double> wide{0, 0, 0};
   const std::int32_t error = depth_or_error(widen(a), widen(b), wide);
   if (error != 0) return error;
   return detail::depth::rounded_to(wide, out) ? 0 : error_range;

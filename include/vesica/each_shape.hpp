@@ -7,9 +7,9 @@
 #define VESICA_EACH_SHAPE(X) \
   X(point, Point) X(segment, Segment) X(circle, Circle) X(aabb, Aabb) X(rect, Rect) X(ellipse, Ellipse)
 
-/// X(first, First, second, Second): every pair once, the shape of the lower Kind first. A pair's function, file and
-/// test carry the two lower-case names in this order.
-#define VESICA_EACH_PAIR(X)             \
+/// X(first, First, second, Second): every pair of shapes with a form (form/form.hpp) once, the shape of the lower Kind
+/// first. A pair's function, file and test carry the two lower-case names in this order.
+#define VESICA_EACH_PAIR_OF_FORMS(X)    \
   X(point, Point, point, Point)         \
   X(point, Point, segment, Segment)     \
   X(point, Point, circle, Circle)       \
@@ -31,3 +31,6 @@
   X(rect, Rect, rect, Rect)             \
   X(rect, Rect, ellipse, Ellipse)       \
   X(ellipse, Ellipse, ellipse, Ellipse)
+
+/// The same for every pair: those, and the pairs of shapes without a form, of which there are none yet.
+#define VESICA_EACH_PAIR(X) VESICA_EACH_PAIR_OF_FORMS(X)

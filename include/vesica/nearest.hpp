@@ -109,29 +109,36 @@ VESICA_INLINE bool rounded_to(const ClosestPoints<double>& c, bool overlapping, 
 /// The checked form: writes the distance of two shapes of any kinds, in either order, and their closest points. Returns
 /// 0, error_shape when either is invalid, or error_range when a number would exceed the largest finite one; on error
 /// `out` is untouched.
-template <template <class> class A, template <class> class B, class T>
-VESICA_INLINE std::int32_t nearest_or_error(const A<T>& a, const B<T>& b, ClosestPoints<T>& out) noexcept {
-  if constexpr (!detail::in_order<A<T>, B<T>>) {
-    ClosestPoints<T> found;
+template <template <class> class A, template <class> class B>
+VESICA_CALLED std::int32_t nearest_or_error(const A<double>& a, const B<double>& b,
+                                            ClosestPoints<double>& out) noexcept {
+  if constexpr (!detail::in_order<A<double>, B<double>>) {
+    ClosestPoints<double> found;
     const std::int32_t error = nearest_or_error(b, a, found);
     if (error == 0) out = {found.distance, found.bx, found.by, found.ax, found.ay};
     return error;
   } else {
-    const auto wide_a = widen(a);
-    const auto wide_b = widen(b);
     // Often spares the exact predicate. A settled answer is only given for shapes of moderate numbers, which are valid;
     // otherwise the predicate is asked after all.
-    const bool apart = detail::nearest::apart_along_offset(wide_a, wide_b);
+    const bool apart = detail::nearest::apart_along_offset(a, b);
     std::int32_t overlapping = apart ? 0 : overlap_or_error(a, b);
     if (overlapping < 0) return overlapping;
     ClosestPoints<double> found;
-    if (!detail::nearest::settled_points(wide_a, wide_b, overlapping == 1, found)) [[unlikely]] {
+    if (!detail::nearest::settled_points(a, b, overlapping == 1, found)) [[unlikely]] {
       if (apart) overlapping = overlap_or_error(a, b);
       if (overlapping < 0) return overlapping;
-      found = detail::nearest::general_points(wide_a, wide_b, overlapping == 1);
+      found = detail::nearest::general_points(a, b, overlapping == 1);
     }
     return detail::nearest::rounded_to(found, overlapping == 1, out) ? 0 : error_range;
   }
+}
+
+template <template <class> class A, template <class> class B>
+std::int32_t nearest_or_error(const A<float>& a, const B<float>& b, ClosestPoints<float>& out) noexcept {
+  ClosestPoints<double> wide;
+  const std::int32_t error = nearest_or_error(widen(a), widen(b), wide);
+  if (error != 0) return error;
+  return detail::nearest::rounded_to(wide, wide.distance == 0, out) ? 0 : error_range;
 }
 
 /// The distance of two shapes and their closest points. For valid shapes: all numbers are NaN where nearest_or_error(),

@@ -38,15 +38,20 @@ namespace vesica {
 
 namespace detail {
 
-/// For pairs that a filter left undecided. Invalid shapes get their error here, valid ones their exact answer.
+/// For pairs in double that a filter left undecided. Invalid shapes get their error here, valid ones their exact answer.
 template <class A, class B>
 VESICA_COLD std::int32_t decide_undecided(const A& a, const B& b) noexcept {
   if constexpr (filter::HasErrorFree<A, B>) {
-    const auto verdict = filter::error_free(widen(a), widen(b));
+    const auto verdict = filter::error_free(a, b);
     if (verdict.overlap || verdict.disjoint) return verdict.overlap ? 1 : 0;
   }
   if (check(a) != 0 || check(b) != 0) return error_shape;
-  return detail::overlap::exact(widen(a), widen(b)) ? 1 : 0;
+  return detail::overlap::exact(a, b) ? 1 : 0;
+}
+/// Here and not by the caller, who would widen floats to memory before it knew that it must.
+template <template <class> class A, template <class> class B>
+VESICA_COLD std::int32_t decide_undecided(const A<float>& a, const B<float>& b) noexcept {
+  return decide_undecided(widen(a), widen(b));
 }
 
 template <class A, class B>

@@ -37,6 +37,7 @@ inline constexpr bool is_compared = ShapeTraits<Shape>::kind == Kind::point || S
 template <class A, class B>
 inline constexpr bool are_points = ShapeTraits<A>::kind == Kind::point&& ShapeTraits<B>::kind == Kind::point;
 
+/// For pairs in double, of kinds in order, that a filter left undecided.
 template <class A, class B>
 VESICA_COLD std::int32_t decide_relation(const A& a, const B& b) noexcept {
   if (check(a) != 0 || check(b) != 0) return error_shape;
@@ -44,18 +45,31 @@ VESICA_COLD std::int32_t decide_relation(const A& a, const B& b) noexcept {
     return static_cast<std::int32_t>(
         detail::relation::aabb_aabb(detail::relation::as_aabb(a), detail::relation::as_aabb(b)));
   } else {
-    return static_cast<std::int32_t>(exact::relate(exact::relation_form(widen(a)), exact::relation_form(widen(b))));
+    return static_cast<std::int32_t>(exact::relate(exact::relation_form(a), exact::relation_form(b)));
   }
 }
 
+template <template <class> class A, template <class> class B>
+VESICA_COLD std::int32_t decide_relation(const A<float>& a, const B<float>& b) noexcept {
+  return decide_relation(widen(a), widen(b));
+}
+
+/// Whether a contains all of b, or the other way round. For pairs as above.
 template <class A, class B>
-VESICA_COLD std::int32_t decide_containment(const A& a, const B& b) noexcept {
+VESICA_COLD std::int32_t decide_containment(const A& a, const B& b, bool other_way) noexcept {
   if (check(a) != 0 || check(b) != 0) return error_shape;
   if constexpr (is_compared<A> && is_compared<B>) {
-    return decide_relation(a, b) >= static_cast<std::int32_t>(Relation::contains) ? 1 : 0;
+    const auto relation = static_cast<Relation>(decide_relation(a, b));
+    return (other_way ? converse(relation) : relation) >= Relation::contains ? 1 : 0;
   } else {
-    return exact::within(exact::relation_form(widen(b)), exact::relation_form(widen(a))) ? 1 : 0;
+    const auto form_a = exact::relation_form(a);
+    const auto form_b = exact::relation_form(b);
+    return (other_way ? exact::within(form_a, form_b) : exact::within(form_b, form_a)) ? 1 : 0;
   }
+}
+template <template <class> class A, template <class> class B>
+VESICA_COLD std::int32_t decide_containment(const A<float>& a, const B<float>& b, bool other_way) noexcept {
+  return decide_containment(widen(a), widen(b), other_way);
 }
 
 /// What the pair's filter knows for certain about a and b, of kinds in either order.
@@ -84,9 +98,24 @@ VESICA_INLINE std::int32_t relation_or_error(const A<T>& a, const B<T>& b) noexc
                                 4 * std::int32_t{certain.inside} + 6 * std::int32_t{certain.contains} - 1;
     if (answer >= 0) [[likely]]
       return answer;
-    return detail::decide_relation(a, b);
+    if constexpr (detail::in_order<A<T>, B<T>>) {
+      return detail::decide_relation(a, b);
+    } else {
+      const std::int32_t reversed = detail::decide_relation(b, a);
+      return reversed < 0 ? reversed : static_cast<std::int32_t>(converse(static_cast<Relation>(reversed)));
+    }
   }
 }
+
+namespace detail {
+
+/// The same as a call, for functions that do much more.
+template <class A, class B>
+VESICA_CALLED std::int32_t called_relation(const A& a, const B& b) noexcept {
+  return relation_or_error(a, b);
+}
+
+}  // namespace detail
 
 /// The relation of a to b, shapes of any kinds. For valid shapes: an invalid one is disjoint from everything.
 /// relation_or_error() is the checked form.
@@ -106,7 +135,11 @@ VESICA_INLINE std::int32_t contains_or_error(const A<T>& a, const B<T>& b) noexc
     const std::int32_t answer = 2 * std::int32_t{certain.overlap} + std::int32_t{certain.disjoint} - 1;
     if (answer >= 0) [[likely]]
       return answer;
-    return detail::decide_containment(a, b);
+    if constexpr (detail::in_order<A<T>, B<T>>) {
+      return detail::decide_containment(a, b, false);
+    } else {
+      return detail::decide_containment(b, a, true);
+    }
   }
 }
 

@@ -26,13 +26,16 @@
 #endif
 
 /// A filter is one expression spread over several functions, which must be inlined: a call in the middle would cost as
-/// much as the whole filter. Code for what filters leave undecided is kept out of the way.
+/// much as the whole filter. Code for what filters leave undecided is kept out of the way. Long functions that several
+/// others ask are called: a call costs less than a copy.
 #if defined(__GNUC__)
 #define VESICA_INLINE [[gnu::always_inline]] inline
 #define VESICA_COLD [[gnu::noinline, gnu::cold]]
+#define VESICA_CALLED [[gnu::noinline]]
 #else
 #define VESICA_INLINE inline
 #define VESICA_COLD
+#define VESICA_CALLED
 #endif
 
 namespace vesica {

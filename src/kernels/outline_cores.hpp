@@ -38,18 +38,17 @@ VESICA_INLINE detail::nearest::LaneAnswer<Doubles> nested_outlines(const A& a, c
   return detail::boundary_distance::lane_nested(a, b, a_inside, idle);
 }
 
-/// Outlines of disjoint shapes are as far apart as the shapes. Nested ones are answered where the filter is certain
-/// that they are; those that cross or touch, with their common point, are for the scalar function.
-struct BoundaryDistanceCore {
+/// Outlines of disjoint shapes are as far apart as the shapes: what NearestCore answered stands in `out`. Nested ones are
+/// answered where the filter is certain that they are; those that cross or touch, with their common point, are for the
+/// scalar function.
+struct NestedCore {
   static constexpr int results = 5;
   template <class A, class B>
   VESICA_INLINE static PairMask evaluate(const A& a, const B& b, const KnownLanes<Doubles>& known,
                                          Doubles* out) noexcept {
     const Doubles zero(0.0);
     const PairMask overlapping = known.overlap > zero, every = zero == zero;
-    PairMask settled = and_not(every, every);
-    for (int k = 0; k < 5; ++k) out[k] = zero;
-    if (!all(overlapping)) settled = and_not(closest_points(a, b, overlapping, out), overlapping);
+    const PairMask settled = and_not(out[0] == out[0], overlapping);
     const auto certain = filter::certain_relation(detail::relation::certain_facts(a, b));
     const PairMask nested = both(overlapping, either(certain.inside, certain.contains)), idle = and_not(every, nested);
     if (all(idle)) return settled;

@@ -2,7 +2,10 @@
 // The one loop behind every query kernel. Included once by each src/isa/<set>_queries.cpp, after that set's lanes.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -12,6 +15,14 @@
 
 namespace vesica {
 namespace {
+
+/// A column of one number.
+template <int number>
+constexpr auto column_of = [] {
+  std::array<double, query_block> column;
+  column.fill(number);
+  return column;
+}();
 
 template <template <class> class Shape, class V, std::size_t... Field>
 VESICA_INLINE Shape<V> load_shape(const double* const* field, std::int32_t i, std::index_sequence<Field...>) noexcept {
@@ -41,6 +52,10 @@ VESICA_INLINE MaskOf<V> valid(const Ellipse<V>& s) noexcept {
   return valid(Rect<V>{s.cx, s.cy, s.ux, s.uy, s.a, s.b});
 }
 
+/// Whether the core goes on from results that are there.
+template <class Core>
+inline constexpr bool goes_on = std::is_same_v<Core, NestedCore>;
+
 /// The loop: loads a vector of pairs, asks Core, stores the results.
 template <class Core, template <class> class A, template <class> class B, class V>
 bool answer_vectors(const QueryColumns& columns, std::int32_t n, double* const* results) noexcept {
@@ -57,6 +72,9 @@ bool answer_vectors(const QueryColumns& columns, std::int32_t n, double* const* 
                               V::load(columns.second.area + at_b), V::load(columns.first.reach + at_a),
                               V::load(columns.second.reach + at_b)};
     V out[Core::results];
+    if constexpr (goes_on<Core>) {
+      for (int k = 0; k < Core::results; ++k) out[k] = V::load(results[k] + i);
+    }
     MaskOf<V> settled = Core::evaluate(a, b, known, out);
     if constexpr (!sees_validity) settled = both(settled, both(valid(a), valid(b)));
     all_settled = both(all_settled, settled);
@@ -64,6 +82,24 @@ bool answer_vectors(const QueryColumns& columns, std::int32_t n, double* const* 
     for (int k = 0; k < Core::results; ++k) out[k].store(results[k] + i);
   }
   return all(all_settled);
+}
+
+/// The first kernel's results are where the second one goes on from.
+template <QueryKernel first, QueryKernel second>
+bool answer_in_turn(const QueryColumns& columns, std::int32_t n, double* const* results) noexcept {
+  first(columns, n, results);
+  return second(columns, n, results);
+}
+
+/// The first shapes are circles, and the kernel is told that they are ellipses.
+template <QueryKernel kernel>
+bool answer_circles(const QueryColumns& columns, std::int32_t n, double* const* results) noexcept {
+  QueryColumns as_ellipses = columns;
+  const double* const* const circle = columns.first.number;
+  const double* const ellipse[] = {circle[0],           circle[1], column_of<1>.data(),
+                                   column_of<0>.data(), circle[2], circle[2]};
+  std::copy(std::begin(ellipse), std::end(ellipse), as_ellipses.first.number);
+  return kernel(as_ellipses, n, results);
 }
 
 /// The ApartKernel: one comparison a pair.
@@ -78,35 +114,51 @@ inline void find_apart(const QueryColumns& columns, std::int32_t n, std::uint8_t
   }
 }
 
-template <class Core, template <class> class A, template <class> class B, class V = Doubles>
+template <template <class> class A, template <class> class B>
+constexpr void enter(QueryKernels& kernels, QueryKernel kernel) noexcept {
+  kernels[static_cast<int>(kind_of<A>)][static_cast<int>(kind_of<B>)] = kernel;
+}
+template <class Core, template <class> class A, template <class> class B>
 constexpr void fill(QueryKernels& kernels) noexcept {
-  kernels[static_cast<int>(ShapeTraits<A<double>>::kind)][static_cast<int>(ShapeTraits<B<double>>::kind)] =
-      answer_vectors<Core, A, B, V>;
+  enter<A, B>(kernels, answer_vectors<Core, A, B, Doubles>);
 }
 
-template <class Core>
-constexpr void fill_lane_pairs(QueryKernels& kernels) noexcept {
-  fill<Core, Rect, Rect>(kernels);
-  fill<Core, Rect, Ellipse>(kernels);
-  fill<Core, Circle, Ellipse>(kernels);
-  fill<Core, Ellipse, Ellipse>(kernels);
+/// Two vectors as one where time is the latency of divisions and roots in a row. The registers of SSE2 do not suffice.
+#if defined(__SSE2__) && !defined(__AVX__)
+using LongVector = Doubles;
+#else
+using LongVector = TwoVectors<Doubles>;
+#endif
+
+/// Distances of shapes and, by a kernel that goes on from those, of outlines.
+template <template <class> class A, template <class> class B, class V, QueryKernel nested>
+constexpr void fill_distances(QueryTable& table) noexcept {
+  constexpr QueryKernel nearest = answer_vectors<NearestCore, A, B, V>;
+  enter<A, B>(table.nearest, nearest);
+  enter<A, B>(table.boundary_distance, answer_in_turn<nearest, nested>);
 }
 
 /// Everything this instruction set offers, laid down at compile time.
 consteval QueryTable make_query_table() noexcept {
   QueryTable table{};
-  fill_lane_pairs<RelationCore>(table.relation);
+  fill<RelationCore, Rect, Rect>(table.relation);
+  fill<RelationCore, Rect, Ellipse>(table.relation);
+  fill<RelationCore, Circle, Ellipse>(table.relation);
+  fill<RelationCore, Ellipse, Ellipse>(table.relation);
   fill<RelationCore, Circle, Circle>(table.relation);
   fill<RelationCore, Circle, Rect>(table.relation);
   fill<RelationCore, Aabb, Aabb>(table.relation);
   fill<RelationCore, Point, Rect>(table.relation);
   fill<RelationCore, Point, Ellipse>(table.relation);
-  fill<NearestCore, Rect, Rect>(table.nearest);
-  fill<NearestCore, Rect, Ellipse, TwoVectors<Doubles>>(table.nearest);
-  fill<NearestCore, Circle, Ellipse, TwoVectors<Doubles>>(table.nearest);
-  fill<NearestCore, Ellipse, Ellipse, TwoVectors<Doubles>>(table.nearest);
-  fill_lane_pairs<BoundaryDistanceCore>(table.boundary_distance);
-  fill_lane_pairs<DepthCore>(table.depth);
+  constexpr QueryKernel nested_ellipses = answer_vectors<NestedCore, Ellipse, Ellipse, Doubles>;
+  fill_distances<Rect, Rect, Doubles, answer_vectors<NestedCore, Rect, Rect, Doubles>>(table);
+  fill_distances<Rect, Ellipse, LongVector, answer_vectors<NestedCore, Rect, Ellipse, Doubles>>(table);
+  fill_distances<Circle, Ellipse, LongVector, answer_circles<nested_ellipses>>(table);
+  fill_distances<Ellipse, Ellipse, Doubles, nested_ellipses>(table);
+  fill<DepthCore, Rect, Rect>(table.depth);
+  fill<DepthCore, Rect, Ellipse>(table.depth);
+  enter<Circle, Ellipse>(table.depth, answer_circles<answer_vectors<DepthCore, Ellipse, Ellipse, Doubles>>);
+  fill<DepthCore, Ellipse, Ellipse>(table.depth);
   fill<AreaCore, Rect, Rect>(table.area);
   fill<IouCore, Rect, Rect>(table.iou);
   table.apart = find_apart;

@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vesica/crossings.hpp>
 
+#include "compiled_once.hpp"
 #include "query.hpp"
+
+namespace vesica {
+
+#define VESICA_DEFINE(a, A, b, B) VESICA_ONE_PLACE(template, A, B)
+VESICA_EACH_PAIR_OF_FORMS(VESICA_DEFINE)
+#undef VESICA_DEFINE
+
+}  // namespace vesica
 
 namespace vesica::queries {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vesica/depth.hpp>
 
+#include "compiled_once.hpp"
 #include "query.hpp"
 
 namespace vesica::queries {

@@ -3,6 +3,7 @@
 #include <vesica/iou.hpp>
 #include <vesica/shape_area.hpp>
 
+#include "compiled_once.hpp"
 #include "query.hpp"
 
 namespace vesica::queries {

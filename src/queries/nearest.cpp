@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vesica/nearest.hpp>
 
+#include "compiled_once.hpp"
 #include "query.hpp"
+
+namespace vesica {
+
+#define VESICA_DEFINE(a, A, b, B) VESICA_NEAREST(template, A, B)
+VESICA_EACH_PAIR_OF_FORMS(VESICA_DEFINE)
+#undef VESICA_DEFINE
+
+}  // namespace vesica
 
 namespace vesica::queries {
 
@@ -14,16 +23,6 @@ struct NearestOfPair {
   template <class A, class B, class Result>
   VESICA_INLINE static std::int32_t answer(const A& a, const B& b, Result& out) noexcept {
     return nearest_or_error(a, b, out);
-  }
-  /// By the function of doubles, which is long: a call costs less than a second one would.
-  template <template <class> class A, template <class> class B>
-  VESICA_INLINE static std::int32_t answer(const A<float>& a, const B<float>& b, ClosestPoints<float>& out) noexcept {
-    const A<double> wide_a = widen(a);
-    const B<double> wide_b = widen(b);
-    ClosestPoints<double> found;
-    const std::int32_t error = answer_pair<NearestOfPair, A<double>, B<double>>(&wide_a, &wide_b, &found);
-    if (error != 0) return error;
-    return detail::nearest::rounded_to(found, found.distance == 0, out) ? 0 : error_range;
   }
 };
 

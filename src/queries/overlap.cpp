@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <vesica/overlap.hpp>
+#include "queries/overlap.hpp"
 
 #include "query.hpp"
 
-namespace vesica::queries {
+namespace vesica {
 
-namespace {
+#define VESICA_DEFINE(a, A, b, B) VESICA_OVERLAP(template, A, B)
+VESICA_EACH_PAIR(VESICA_DEFINE)
+#undef VESICA_DEFINE
 
-struct OverlapOfPair {
-  static constexpr Reversal reversal = Reversal::none;
-  /// Every pair has its file in overlap/, whether its shapes have a form or not.
-  template <class A, class B>
-  static constexpr bool answers = true;
-  template <class A, class B>
-  VESICA_INLINE static std::int32_t answer(const A& a, const B& b) noexcept {
-    return overlap_or_error(a, b);
-  }
-};
-
-}  // namespace
+namespace queries {
 
 // Batches of overlap have an engine of their own.
 constinit const Query overlap{
@@ -27,4 +18,5 @@ constinit const Query overlap{
     .reversal = OverlapOfPair::reversal,
 };
 
-}  // namespace vesica::queries
+}  // namespace queries
+}  // namespace vesica

@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <vesica/relation.hpp>
 
+#include "compiled_once.hpp"
 #include "query.hpp"
+
+namespace vesica {
+
+#define VESICA_DEFINE(a, A, b, B) VESICA_RELATION(template, A, B)
+VESICA_EACH_PAIR_OF_FORMS(VESICA_DEFINE)
+#undef VESICA_DEFINE
+
+}  // namespace vesica
 
 namespace vesica::queries {
 
@@ -12,6 +21,10 @@ struct RelationOfPair {
   template <class A, class B>
   VESICA_INLINE static std::int32_t answer(const A& a, const B& b) noexcept {
     return relation_or_error(a, b);
+  }
+  template <template <class> class A, template <class> class B>
+  VESICA_INLINE static std::int32_t answer(const A<double>& a, const B<double>& b) noexcept {
+    return detail::called_relation(a, b);
   }
 };
 

@@ -55,6 +55,12 @@ struct Tally {
   }
 };
 
+template <class Shape>
+const Shape& in_lanes(const Shape& s) {
+  return s;
+}
+Ellipse<double> in_lanes(const Circle<double>& c) { return detail::support_minimum::as_ellipse(c); }
+
 template <class A, class B>
 void depths(const char* what, double aspect, double share) {
   Random random(properties::seed());
@@ -64,7 +70,7 @@ void depths(const char* what, double aspect, double share) {
     const B b = draw<B>(random, aspect, 1);
     if (!overlap(a, b)) continue;
     ++tally.pairs;
-    const auto found = detail::depth::lane_depth(a, b, false);
+    const auto found = detail::depth::lane_depth(in_lanes(a), b, false);
     if (!found.settled) continue;
     ++tally.settled;
     const auto d = detail::depth::searched_depth(detail::support_minimum::form(a), detail::support_minimum::form(b));
@@ -91,7 +97,7 @@ void nested(const char* what, double aspect, bool a_inside, double share) {
     }
     if (relation(a, b) != wanted) continue;
     ++tally.pairs;
-    const auto found = detail::boundary_distance::lane_nested(a, b, a_inside, false);
+    const auto found = detail::boundary_distance::lane_nested(in_lanes(a), b, a_inside, false);
     if (!found.settled) continue;
     ++tally.settled;
     const auto f = detail::support_minimum::form(a), g = detail::support_minimum::form(b);

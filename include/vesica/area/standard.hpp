@@ -52,7 +52,7 @@ inline Size size(const form::HalfWidth<double>& w, int lift) noexcept {
 }
 
 template <class Shape>
-Lengths lengths(const Shape& s, const Lift& lift) noexcept {
+VESICA_CALLED Lengths lengths(const Shape& s, const Lift& lift) noexcept {
   constexpr form::AsStored<double> number;
   const auto f = form::of(s);
   const Size x = size(f.hx, lift.x), y = size(f.hy, lift.y);
@@ -103,13 +103,9 @@ struct StandardPair {
   int exponent;
 };
 
-template <class V, class A, class B>
-StandardPair<V> standard_pair(const A& a, const B& b) noexcept {
-  const auto place_a = filter::place(a);
-  const auto place_b = filter::place(b);
-  const Lift lift{lift_for(std::fmax(reach_x(place_a), reach_x(place_b))),
-                  lift_for(std::fmax(reach_y(place_a), reach_y(place_b)))};
-  Lengths s = lengths(a, lift), t = lengths(b, lift);
+template <class V, class PlaceA, class PlaceB>
+VESICA_CALLED StandardPair<V> standard_pair(const PlaceA& place_a, Lengths s, const PlaceB& place_b, Lengths t,
+                                            const Lift& lift) noexcept {
   standardise_axis(s);
   standardise_axis(t);
   const int unit = top_exponent(s) > top_exponent(t) ? top_exponent(s) : top_exponent(t);
@@ -118,6 +114,15 @@ StandardPair<V> standard_pair(const A& a, const B& b) noexcept {
           in_units<V>(t, unit),
           {scaled_to(d.x, -lift.x - unit), scaled_to(d.y, -lift.y - unit)},
           unit};
+}
+
+template <class V, class A, class B>
+StandardPair<V> standard_pair(const A& a, const B& b) noexcept {
+  const auto place_a = filter::place(a);
+  const auto place_b = filter::place(b);
+  const Lift lift{lift_for(std::fmax(reach_x(place_a), reach_x(place_b))),
+                  lift_for(std::fmax(reach_y(place_a), reach_y(place_b)))};
+  return standard_pair<V>(place_a, lengths(a, lift), place_b, lengths(b, lift), lift);
 }
 
 template <class V>

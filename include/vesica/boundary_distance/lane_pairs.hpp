@@ -43,11 +43,10 @@ VESICA_INLINE LaneAnswer<V> points_exchanged(const LaneAnswer<V>& c) noexcept {
 }
 
 /// The outlines of a and b, of which one is strictly inside the other: which one a mask tells, for each lane.
-template <template <class> class A, class V>
-VESICA_INLINE LaneAnswer<V> lane_nested(const A<V>& a, const Ellipse<V>& b, MaskOf<V> a_inside,
+template <class V>
+VESICA_INLINE LaneAnswer<V> lane_nested(const Ellipse<V>& a, const Ellipse<V>& b, MaskOf<V> a_inside,
                                         MaskOf<V> idle) noexcept {
-  const Ellipse<V> e = as_ellipse(a);
-  const LaneAnswer<V> found = lane_inside(choose(a_inside, b, e), choose(a_inside, e, b), idle);
+  const LaneAnswer<V> found = lane_inside(choose(a_inside, b, a), choose(a_inside, a, b), idle);
   return choose(a_inside, points_exchanged(found), found);
 }
 template <class V>

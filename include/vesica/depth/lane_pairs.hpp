@@ -47,10 +47,6 @@ VESICA_INLINE LaneDepth<V> lane_depth(const Ellipse<V>& a, const Ellipse<V>& b, 
   return {depth, zero + sign * f.nx, zero + sign * f.ny, both(settled, moderate_pair(first, second, d))};
 }
 template <class V>
-VESICA_INLINE LaneDepth<V> lane_depth(const Circle<V>& a, const Ellipse<V>& b, MaskOf<V> idle) noexcept {
-  return lane_depth(as_ellipse(a), b, idle);
-}
-template <class V>
 VESICA_INLINE LaneDepth<V> lane_depth(const Rect<V>& a, const Ellipse<V>& b, MaskOf<V> idle) noexcept {
   const V zero(0.0);
   const Vector<V> d = without_signs_of_zero(offset(a.cx, a.cy, b.cx, b.cy));

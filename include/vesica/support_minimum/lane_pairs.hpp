@@ -9,14 +9,8 @@ namespace vesica::detail::support_minimum {
 /// Below this share of the sizes a depth or a distance may be 0, or its direction is of few digits.
 inline constexpr double least_settled = 0x1p-46;
 
-template <class V>
-VESICA_INLINE Ellipse<V> as_ellipse(const Circle<V>& c) noexcept {
-  return {c.cx, c.cy, V(1.0), V(0.0), c.r, c.r};
-}
-template <class V>
-VESICA_INLINE const Ellipse<V>& as_ellipse(const Ellipse<V>& e) noexcept {
-  return e;
-}
+/// A circle is answered as an ellipse, one by one and in lanes.
+VESICA_INLINE Ellipse<double> as_ellipse(const Circle<double>& c) noexcept { return {c.cx, c.cy, 1, 0, c.r, c.r}; }
 
 template <class A, class B, class V>
 VESICA_INLINE MaskOf<V> moderate_pair(const A& a, const B& b, const Vector<V>& d) noexcept {

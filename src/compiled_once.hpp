@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Long functions of the core that several objects call are compiled in one of them. The others include this file, which
+// declares them, and then compile neither these functions nor what these alone call. The core stays header-only.
+#pragma once
+
+#include <vesica/area.hpp>
+#include <vesica/boundary_distance.hpp>
+#include <vesica/depth.hpp>
+#include <vesica/each_shape.hpp>
+
+// `keyword` is `extern template` here, and `template` in the file that has the functions.
+
+// exact_stage.cpp
+#define VESICA_EXACT_OVERLAP(keyword, A, B) \
+  keyword std::int32_t detail::decide_undecided(const A<double>&, const B<double>&) noexcept;
+#define VESICA_EXACT_STAGE(keyword, A, B)                                                             \
+  keyword std::int32_t detail::decide_relation(const A<double>&, const B<double>&) noexcept;          \
+  keyword std::int32_t detail::decide_containment(const A<double>&, const B<double>&, bool) noexcept; \
+  keyword bool detail::depth::has_no_depth_exactly(const A<double>&, const B<double>&) noexcept;
+
+// queries/area.cpp
+#define VESICA_SHARES(keyword, A, B)                                                        \
+  keyword std::int32_t detail::area::shares_by_relation(const A<double>&, const B<double>&, \
+                                                        detail::area::Shares&) noexcept;
+
+// queries/crossings.cpp
+#define VESICA_ONE_PLACE(keyword, A, B) \
+  keyword bool detail::crossings::one_place(const A<double>&, const B<double>&, double&, double&) noexcept;
+
+// queries/nearest.cpp
+#define VESICA_NEAREST(keyword, A, B) \
+  keyword std::int32_t nearest_or_error(const A<double>&, const B<double>&, ClosestPoints<double>&) noexcept;
+
+// queries/relation.cpp
+#define VESICA_RELATION(keyword, A, B) \
+  keyword std::int32_t detail::called_relation(const A<double>&, const B<double>&) noexcept;
+
+namespace vesica {
+
+#define VESICA_DECLARE(a, A, b, B) VESICA_EXACT_OVERLAP(extern template, A, B)
+VESICA_EACH_PAIR(VESICA_DECLARE)
+#undef VESICA_DECLARE
+
+#define VESICA_DECLARE(a, A, b, B)          \
+  VESICA_EXACT_STAGE(extern template, A, B) \
+  VESICA_SHARES(extern template, A, B)      \
+  VESICA_ONE_PLACE(extern template, A, B)   \
+  VESICA_NEAREST(extern template, A, B)     \
+  VESICA_RELATION(extern template, A, B)
+VESICA_EACH_PAIR_OF_FORMS(VESICA_DECLARE)
+#undef VESICA_DECLARE
+
+}  // namespace vesica
