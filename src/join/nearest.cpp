@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "index/frame.hpp"
+#include "join/entries.hpp"
 #include "join/plain_distance.hpp"
 
 namespace vesica::index {
@@ -12,52 +13,6 @@ namespace {
 
 /// Items measured at once.
 inline constexpr int measured_at_once = 16;
-
-/// A place to look into, or an item, and how far it is at least: 28 bits of that above 36 that tell which. So one
-/// comparison of whole numbers puts the nearest first, and of equally near ones that of the lowest number.
-using Entry = std::uint64_t;
-inline constexpr int entry_bits = 36;
-inline constexpr Entry which_mask = (Entry{1} << entry_bits) - 1;
-
-inline Entry entry(double bound, std::uint64_t which) noexcept {
-  return (__builtin_bit_cast(Entry, bound) & ~which_mask) | which;
-}
-inline double bound_of(Entry e) noexcept { return __builtin_bit_cast(double, e & ~which_mask); }
-
-/// The least first.
-template <int Most>
-class Heap {
- public:
-  bool empty() const noexcept { return count_ == 0; }
-  bool full() const noexcept { return count_ == Most; }
-  Entry least() const noexcept { return entry_[0]; }
-
-  void push(Entry e) noexcept {
-    int hole = count_++;
-    for (int above = (hole - 1) / 2; hole > 0 && e < entry_[above]; above = (hole - 1) / 2) {
-      entry_[hole] = entry_[above];
-      hole = above;
-    }
-    entry_[hole] = e;
-  }
-
-  Entry pop() noexcept {
-    const Entry top = entry_[0], last = entry_[--count_];
-    int hole = 0;
-    for (int child = 1; child < count_; child = 2 * hole + 1) {
-      child += static_cast<int>(child + 1 < count_ && entry_[child + 1] < entry_[child]);
-      if (last < entry_[child]) break;
-      entry_[hole] = entry_[child];
-      hole = child;
-    }
-    entry_[hole] = last;
-    return top;
-  }
-
- private:
-  int count_ = 0;
-  Entry entry_[Most];
-};
 
 template <class T>
 class Search {
@@ -192,20 +147,21 @@ class Search {
   }
 
   /// Items that are no farther than `next` and the limit are asked for. They are measured when there are enough of them:
-  /// before, nothing follows from their distances.
+  /// before, nothing follows from their distances. Those beyond the limit are dropped.
   void make_ready(double next) noexcept {
     if (ready_count_ + count_ > most_items) measure_ready();
     const double limit = this->limit();
-    const Entry last = entry(next < limit ? next : limit, which_mask);
+    const Entry last = entry(next < limit ? next : limit, which_mask), farthest = entry(limit, which_mask);
     int n = ready_count_, rest = 0;
     least_ = nothing;
     for (int i = 0; i < count_; ++i) {
       const Entry e = item_[i];
       ready_[n] = e;
       n += e <= last;
+      const bool waits = e > last && e <= farthest;
       item_[rest] = e;
-      rest += e > last;
-      least_ = e > last && e < least_ ? e : least_;
+      rest += waits;
+      least_ = waits && e < least_ ? e : least_;
     }
     count_ = rest;
     for (int i = ready_count_; i < n; ++i) {
@@ -219,7 +175,7 @@ class Search {
   void measure_ready() noexcept {
     const int n = ready_count_;
     ready_count_ = 0;
-    if (n > query_.k - found_) std::sort(ready_, ready_ + n);
+    if (query_.k != 0 && n > query_.k - found_) std::sort(ready_, ready_ + n);
     for (int i = 0; i < n && !(bound_of(ready_[i]) > limit());) {
       const std::int64_t lacking = query_.k - found_;
       const int wanted = lacking > 0 && lacking < measured_at_once ? static_cast<int>(lacking) : measured_at_once;
