@@ -108,13 +108,17 @@ inline void bounds(std::int32_t kind, const Fields& fields, int n, Boxes& out) n
 /// A box's middle; NaN where it has none, which falls into some cell and does not fit there.
 inline double middle(double low, double high) noexcept { return low * 0.5 + high * 0.5; }
 
+/// Level by level, so that no item waits for its last step. By single loads, as compilers that make vectors of this take
+/// them apart again for each load; and without branches, which nobody could foresee.
 inline void descend(const Plan& plan, const double* x, const double* y, int n, std::uint32_t* cell) noexcept {
-  for (int i = 0; i < n; ++i) cell[i] = 0;
-  for (int level = 0; level < plan.levels; ++level) {
+  const double* const along[2] = {x, y};
+  for (int level = descend_first_levels(plan, x, y, n, cell); level < plan.levels; ++level) {
     for (int i = 0; i < n; ++i) {
-      const double cut = plan.node[cell[i]];
-      const bool vertical = (__builtin_bit_cast(std::uint64_t, cut) & 1) != 0;
-      cell[i] = 2 * cell[i] + 1 + ((vertical ? y[i] : x[i]) >= cut);
+      std::uint32_t node = cell[i];
+      asm("" : "+r"(node));
+      const double cut = plan.node[node];
+      const bool upper = along[__builtin_bit_cast(std::uint64_t, cut) & 1][i] >= cut;
+      cell[i] = 2 * node + 1 + upper;
     }
   }
   const std::uint32_t inner = plan.cells() - 1;
