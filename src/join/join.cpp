@@ -128,18 +128,9 @@ class Runner {
   const Scratch& scratch() const noexcept { return scratch_; }
 
  private:
-  static void box_of(const View& view, std::int64_t block, double (&box)[4]) noexcept {
-    const Node& node = view.node(0, block / node_children);
-    const std::int64_t child = block % node_children;
-    box[0] = node.min_x[child];
-    box[1] = node.min_y[child];
-    box[2] = node.max_x[child];
-    box[3] = node.max_y[child];
-  }
-
   std::int64_t weight_of(std::int64_t block) noexcept {
     double box[4];
-    box_of(a_, block, box);
+    a_.box_of(block, box);
     std::int64_t met = 1;
     for (std::int64_t from = self_ ? block : 0;;) {
       const std::int32_t n = join_.kernels.meeting_blocks(b_, box, from, block_list, scratch_.blocks);
@@ -160,7 +151,7 @@ class Runner {
         whole_list_ = false;
       }
       double box[4];
-      box_of(a_, block_a_, box);
+      a_.box_of(block_a_, box);
       const std::int64_t from = self_ && next_b_ < block_a_ ? block_a_ : next_b_;
       listed_ = 0;
       listed_end_ = join_.kernels.meeting_blocks(b_, box, from, block_list, scratch_.blocks);
