@@ -46,6 +46,13 @@ struct Meetings {
   alignas(64) std::uint32_t entry[block_items * block_leaves + 64];
 };
 
+/// A shape whose distances to others are bounded from below by boxes alone: its own box; and what computed distances are
+/// rounded by, a factor below 1 and a number.
+struct Bounding {
+  double box[4];
+  double factor, least;
+};
+
 struct Kernels {
   const char* name;
   /// Boxes of n shapes of one kind.
@@ -65,6 +72,11 @@ struct Kernels {
                              std::uint32_t* out_first, std::uint32_t* out_second) noexcept;
   /// Items of a block that meet a box in its columns, in order: room for all of them and 32 more.
   std::int32_t (*in_window)(const Block& block, const GridBox& box, std::uint32_t* out) noexcept;
+  /// No more than the distance, as the library computes it, to anything in each child of a node; NaN for no child.
+  void (*child_distances)(const Node& node, const Bounding& shape, double* out) noexcept;
+  /// The same for the leaves of a block, and for the items of a leaf; behind the last one anything.
+  void (*leaf_distances)(const Block& block, const Bounding& shape, double* out) noexcept;
+  void (*item_distances)(const Block& block, const Leaf& leaf, const Bounding& shape, double* out) noexcept;
 };
 
 extern const Kernels kernels_portable;

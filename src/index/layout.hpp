@@ -146,6 +146,14 @@ class View {
   VESICA_INLINE const Block& block(std::int64_t i) const noexcept {
     return *reinterpret_cast<const Block*>(base_ + static_cast<std::int64_t>(places_[i]) * alignment);
   }
+  VESICA_INLINE void box_of(std::int64_t block, double (&box)[4]) const noexcept {
+    const Node& above = node(0, block / node_children);
+    const std::int64_t child = block % node_children;
+    box[0] = above.min_x[child];
+    box[1] = above.min_y[child];
+    box[2] = above.max_x[child];
+    box[3] = above.max_y[child];
+  }
   VESICA_INLINE int levels() const noexcept { return levels_; }
   VESICA_INLINE const Node& node(int level, std::int64_t i) const noexcept { return nodes_[level_[level] + i]; }
 

@@ -19,27 +19,35 @@ int exponent_above(double x) noexcept {
   return e < least_p - 20 ? least_p - 20 : e;
 }
 
+/// Puts numbers that `first` holds for before the others; returns where those begin. Without branches, which nobody
+/// could foresee.
+template <class First>
+std::int64_t put_first(double* v, std::int64_t begin, std::int64_t end, First first) noexcept {
+  std::int64_t others = begin;
+  for (std::int64_t i = begin; i < end; ++i) {
+    const double x = v[i];
+    v[i] = v[others];
+    v[others] = x;
+    others += static_cast<std::int64_t>(first(x));
+  }
+  return others;
+}
+
 /// The k-th least of n numbers, which are put in another order. Its value does not depend on how ties are broken.
 double nth(double* v, std::int64_t n, std::int64_t k) noexcept {
-  std::int64_t low = 0, high = n - 1;
-  while (low < high) {
-    const double a = v[low], b = v[low + (high - low) / 2], c = v[high];
+  std::int64_t begin = 0, end = n;
+  while (end - begin > 1) {
+    const double a = v[begin], b = v[begin + (end - begin) / 2], c = v[end - 1];
     const double pivot = most(least(a, b), least(most(a, b), c));
-    std::int64_t i = low, j = high;
-    while (i <= j) {
-      while (v[i] < pivot) ++i;
-      while (v[j] > pivot) --j;
-      if (i > j) break;
-      const double t = v[i];
-      v[i++] = v[j];
-      v[j--] = t;
-    }
-    if (k <= j) {
-      high = j;
-    } else if (k >= i) {
-      low = i;
+    const std::int64_t middle = put_first(v, begin, end, [pivot](double x) { return x < pivot; });
+    if (k < middle) {
+      end = middle;
+    } else if (middle > begin) {
+      begin = middle;
     } else {
-      break;
+      // None is less: those that are equal are taken out.
+      begin = put_first(v, begin, end, [pivot](double x) { return x <= pivot; });
+      if (k < begin) return pivot;
     }
   }
   return v[k];
@@ -139,11 +147,12 @@ class Planner {
   std::int64_t part(std::int64_t begin, std::int64_t end, int axis, double cut) noexcept {
     std::int64_t lower = begin, upper = 0;
     for (std::int64_t i = begin; i < end; ++i) {
-      if (sample_[i].centre[axis] < cut) {
-        sample_[lower++] = sample_[i];
-      } else {
-        spare_[upper++] = sample_[i];
-      }
+      const Sample s = sample_[i];
+      const bool below = s.centre[axis] < cut;
+      sample_[lower] = s;
+      spare_[upper] = s;
+      lower += static_cast<std::int64_t>(below);
+      upper += static_cast<std::int64_t>(!below);
     }
     for (std::int64_t i = 0; i < upper; ++i) sample_[lower + i] = spare_[i];
     return lower;

@@ -33,9 +33,9 @@ struct Columns {
 inline constexpr int asked_before = 40;
 
 inline void ask_for(const Set& set, std::int64_t item) noexcept {
-  const unsigned char* at = set.field[0] + (item - set.first) * set.stride;
-  __builtin_prefetch(at);
-  __builtin_prefetch(at + 40);
+  const std::ptrdiff_t at = (item - set.first) * set.stride;
+  __builtin_prefetch(set.field[0] + at);
+  __builtin_prefetch(set.field[fields_of[set.kind] - 1] + at);
 }
 
 /// Two numbers of a record at a time.

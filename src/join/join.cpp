@@ -128,18 +128,9 @@ class Runner {
   const Scratch& scratch() const noexcept { return scratch_; }
 
  private:
-  static void box_of(const View& view, std::int64_t block, double (&box)[4]) noexcept {
-    const Node& node = view.node(0, block / node_children);
-    const std::int64_t child = block % node_children;
-    box[0] = node.min_x[child];
-    box[1] = node.min_y[child];
-    box[2] = node.max_x[child];
-    box[3] = node.max_y[child];
-  }
-
   std::int64_t weight_of(std::int64_t block) noexcept {
     double box[4];
-    box_of(a_, block, box);
+    a_.box_of(block, box);
     std::int64_t met = 1;
     for (std::int64_t from = self_ ? block : 0;;) {
       const std::int32_t n = join_.kernels.meeting_blocks(b_, box, from, block_list, scratch_.blocks);
@@ -160,7 +151,7 @@ class Runner {
         whole_list_ = false;
       }
       double box[4];
-      box_of(a_, block_a_, box);
+      a_.box_of(block_a_, box);
       const std::int64_t from = self_ && next_b_ < block_a_ ? block_a_ : next_b_;
       listed_ = 0;
       listed_end_ = join_.kernels.meeting_blocks(b_, box, from, block_list, scratch_.blocks);
@@ -265,6 +256,22 @@ bool state_is_sound(const Join& join, const std::int64_t* state) noexcept {
   return (state[3] & 0x7fff) == mark_of(join) && state[3] >> 15 > state[0] && state[3] >> 15 <= blocks_a;
 }
 
+namespace {
+
+/// Candidates that are pairs, where there is room for all of them. Without branches, which nobody could foresee.
+std::int64_t write_decided(const Scratch& s, std::int32_t begin, std::int32_t end, std::int64_t* out_a,
+                           std::int64_t* out_b) noexcept {
+  std::int64_t n = 0;
+  for (std::int32_t i = begin; i < end; ++i) {
+    out_a[n] = s.a[i];
+    out_b[n] = s.b[i];
+    n += s.verdict[i];
+  }
+  return n;
+}
+
+}  // namespace
+
 std::int64_t write_pairs(const Join& join, std::int64_t* out_a, std::int64_t* out_b, std::int64_t capacity,
                          std::int64_t* state) noexcept {
   if (state[0] == -1) return 0;
@@ -304,11 +311,16 @@ std::int64_t write_pairs(const Join& join, std::int64_t* out_a, std::int64_t* ou
         block_a = segment.block_a;
         block_b = segment.block_b;
       }
-      for (std::int32_t i = segment.begin; i < end; ++i, ++in_pair) {
-        if (skip > 0) {
-          --skip;
-          continue;
-        }
+      const std::int64_t length = end - segment.begin, skipped = skip < length ? skip : length;
+      const std::int32_t begin = segment.begin + static_cast<std::int32_t>(skipped);
+      skip -= skipped;
+      if (capacity - written >= end - begin) {
+        written += write_decided(s, begin, end, out_a + written, out_b + written);
+        in_pair += length;
+        continue;
+      }
+      in_pair += skipped;
+      for (std::int32_t i = begin; i < end; ++i, ++in_pair) {
         if (s.verdict[i] == 0) continue;
         if (written == capacity) {
           state[0] = block_a;

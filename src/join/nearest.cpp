@@ -1,73 +1,67 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "join/nearest.hpp"
 
+#include <algorithm>
+
 #include "index/frame.hpp"
+#include "join/entries.hpp"
+#include "join/plain_distance.hpp"
 
 namespace vesica::index {
 
 namespace {
 
-/// Items measured at once: few, as the first ones tell how far to look.
-inline constexpr int measured_at_once = 8;
-
-/// No more than the distance, as the library computes it, of any shape in one box to any in the other. The library's
-/// error is below 4 u of the largest offset or half length, so of the boxes' common extent; then it is rounded to T.
-template <class T>
-double distance_bound(const double (&a)[4], double min_x, double min_y, double max_x, double max_y) noexcept {
-  const auto gap = [](double low_a, double high_a, double low_b, double high_b) {
-    const double after = low_b - high_a, before = low_a - high_b, more = after > before ? after : before;
-    return more > 0 ? more : 0;
-  };
-  const auto extent = [](double low_a, double high_a, double low_b, double high_b) {
-    return (high_a > high_b ? high_a : high_b) - (low_a < low_b ? low_a : low_b);
-  };
-  const double x = gap(a[0], a[2], min_x, max_x), y = gap(a[1], a[3], min_y, max_y);
-  const double greater = x > y ? x : y;
-  const bool usable = greater >= 0x1p-480 && greater <= 0x1p480;
-  const double d = usable ? __builtin_sqrt(x * x + y * y) : greater;
-  const double e_x = extent(a[0], a[2], min_x, max_x), e_y = extent(a[1], a[3], min_y, max_y);
-  constexpr double rounding = sizeof(T) == sizeof(float) ? 0x1p-22 : 0x1p-48;
-  constexpr double least = sizeof(T) == sizeof(float) ? 0x1p-140 : 0x1p-1070;
-  return d * (1 - rounding) - ((e_x > e_y ? e_x : e_y) * 0x1p-48 + least);
-}
-
-/// Numbers in the order of their keys, equal ones as they are.
-template <int Most>
-struct Ordered {
-  double key[Most];
-  std::uint32_t value[Most];
-  int count = 0;
-
-  void insert(double k, std::uint32_t v) noexcept {
-    int i = count++;
-    for (; i > 0 && key[i - 1] > k; --i) {
-      key[i] = key[i - 1];
-      value[i] = value[i - 1];
-    }
-    key[i] = k;
-    value[i] = v;
-  }
-};
+/// Items measured at once.
+inline constexpr int measured_at_once = 16;
 
 template <class T>
 class Search {
  public:
   Search(const Nearest& query, const Sets& of, std::uint32_t item, const double (&box)[4], std::int64_t* out,
          T* distance) noexcept
-      : query_(query), view_(query.index), box_(box), out_(out), distance_(distance) {
+      : query_(query), view_(query.index), out_(out), distance_(distance) {
     one_.begin();
     many_.begin();
-    kind_ = of.set[of.of(item)].kind;
+    const Set& set = of.set[of.of(item)];
+    kind_ = set.kind;
     gather_columns(of, kind_, &item, 1, 0, one_);
+    if (has_core(kind_)) core_ = core_of<T>(set, item);
+    constexpr bool narrow = sizeof(T) == sizeof(float);
+    shape_ = {{box[0], box[1], box[2], box[3]}, 1 - (narrow ? 0x1p-22 : 0x1p-48), narrow ? 0x1p-140 : 0x1p-1070};
   }
 
   std::int64_t run() noexcept {
-    if (view_.levels() != 0) visit(view_.levels() - 1, 0);
+    if (view_.levels() != 0) places_.push(place(in_node + view_.levels() - 1, 0));
+    for (;;) {
+      const double next = places_.empty() ? infinity : bound_of(places_.least()), nearest = bound_of(least_);
+      if ((places_.empty() && count_ == 0) || (next < nearest ? next : nearest) > limit()) break;
+      if (count_ > 0 && nearest <= next) {
+        make_ready(next);
+        if (places_.empty() || found_ + ready_count_ >= query_.k) measure_ready();
+      } else {
+        const Entry e = places_.pop();
+        if (!places_.empty()) ask_for_leaf(places_.least() & which_mask);
+        look_into(e & which_mask);
+      }
+    }
+    measure_ready();
     sort();
     return found_;
   }
 
  private:
+  static constexpr double infinity = __builtin_inf();
+  /// Enough for a thousand items; where it is not, places are looked into and items measured before their turn.
+  static constexpr int most_places = 512, most_items = 2048;
+
+  /// A place: a leaf, a block, or a node by its level. Of equally near ones the lower comes first, so what lies on top
+  /// of each other is gone into one by one.
+  static constexpr int in_leaf = 0, in_block = 1, in_node = 2, number_bits = 32;
+  static_assert(in_node + max_levels <= 1 << (entry_bits - number_bits));
+  static std::uint64_t place(int level, std::int64_t number) noexcept {
+    return static_cast<std::uint64_t>(level) << number_bits | static_cast<std::uint64_t>(number);
+  }
+
   /// Nothing farther than this is looked at.
   double limit() const noexcept {
     if (query_.k == 0 || found_ < query_.k) return query_.within;
@@ -75,61 +69,133 @@ class Search {
     return worst < query_.within ? worst : query_.within;
   }
 
-  void visit(int level, std::int64_t number) noexcept {
-    const Node& node = view_.node(level, number);
-    Ordered<node_children> order;
-    for (int i = 0; i < node_children; ++i) {
-      if (!(node.min_x[i] <= node.max_x[i])) continue;
-      const double bound = distance_bound<T>(box_, node.min_x[i], node.min_y[i], node.max_x[i], node.max_y[i]);
-      if (!(bound > limit())) order.insert(bound, static_cast<std::uint32_t>(i));
-    }
-    for (int i = 0; i < order.count; ++i) {
-      if (order.key[i] > limit()) break;
-      const std::int64_t child = number * node_children + order.value[i];
-      if (level > 0) {
-        visit(level - 1, child);
-      } else if (child < view_.blocks()) {
-        visit_block(view_.block(child));
-      }
-    }
+  static std::int64_t number_of(std::uint64_t which) noexcept {
+    return static_cast<std::int64_t>(which & ((std::uint64_t{1} << number_bits) - 1));
   }
 
-  double column_bound(const Frame& f, std::uint16_t min_x, std::uint16_t min_y, std::uint16_t max_x,
-                      std::uint16_t max_y) const noexcept {
-    const double x = power_of_two(f.p[0]), y = power_of_two(f.p[1]);
-    return distance_bound<T>(box_, static_cast<double>(min_x + f.k[0]) * x, static_cast<double>(min_y + f.k[1]) * y,
-                             static_cast<double>(max_x + 1 + f.k[0]) * x, static_cast<double>(max_y + 1 + f.k[1]) * y);
+  static void ask_for_lines(const void* begin, std::size_t bytes) noexcept {
+    const auto* at = static_cast<const unsigned char*>(begin);
+    for (std::size_t i = 0; i < bytes; i += 64) __builtin_prefetch(at + i);
   }
 
-  void visit_block(const Block& block) noexcept {
-    Ordered<block_leaves> order;
-    for (int l = 0; l < block.leaves; ++l) {
-      const double bound = column_bound(block.frame, leaf_boxes(block, 0)[l], leaf_boxes(block, 1)[l],
-                                        leaf_boxes(block, 2)[l], leaf_boxes(block, 3)[l]);
-      if (!(bound > limit())) order.insert(bound, static_cast<std::uint32_t>(l));
-    }
-    for (int i = 0; i < order.count && !(order.key[i] > limit()); ++i) {
-      const auto l = static_cast<std::int32_t>(order.value[i]);
+  /// A leaf that will be looked into next.
+  void ask_for_leaf(std::uint64_t which) const noexcept {
+    if (which >> number_bits != in_leaf) return;
+    const Block& block = view_.block(number_of(which) / block_leaves);
+    ask_for_lines(leaves_of(block) + number_of(which) % block_leaves, sizeof(Leaf));
+  }
+
+  void look_into(std::uint64_t which) noexcept {
+    const int level = static_cast<int>(which >> number_bits);
+    const std::int64_t number = number_of(which);
+    double bound[leaf_items];
+    if (level >= in_node) {
+      query_.kernels.child_distances(view_.node(level - in_node, number), shape_, bound);
+      each_near(bound, node_children,
+                [&](int i) { note_place(bound[i], place(level - 1, number * node_children + i)); });
+    } else if (level == in_block) {
+      const Block& block = view_.block(number);
+      ask_for_lines(&block, 3 * 64);
+      query_.kernels.leaf_distances(block, shape_, bound);
+      each_near(bound, block.leaves, [&](int i) { note_place(bound[i], place(in_leaf, number * block_leaves + i)); });
+    } else {
+      const Block& block = view_.block(number / block_leaves);
+      const auto l = static_cast<std::int32_t>(number % block_leaves);
+      const Leaf& leaf = leaves_of(block)[l];
       const std::int32_t rest = block.count - l * leaf_items;
-      visit_leaf(block.frame, leaves_of(block)[l], rest < leaf_items ? rest : leaf_items);
+      query_.kernels.item_distances(block, leaf, shape_, bound);
+      note_items(bound, leaf.item, rest < leaf_items ? rest : leaf_items);
     }
   }
 
-  void visit_leaf(const Frame& frame, const Leaf& leaf, int n) noexcept {
-    Ordered<leaf_items> order;
+  template <class Note>
+  void each_near(const double* bound, int n, Note note) noexcept {
+    const double limit = this->limit();
+    std::int32_t near[leaf_items];
+    int count = 0;
     for (int i = 0; i < n; ++i) {
-      const double bound = column_bound(frame, leaf.min_x[i], leaf.min_y[i], leaf.max_x[i], leaf.max_y[i]);
-      if (!(bound > limit())) order.insert(bound, leaf.item[i]);
+      near[count] = i;
+      count += bound[i] <= limit;
     }
-    for (int i = 0; i < order.count && !(order.key[i] > limit()); i += measured_at_once) {
-      const int m = order.count - i < measured_at_once ? order.count - i : measured_at_once;
-      measure(order.value + i, m);
+    for (int i = 0; i < count; ++i) note(near[i]);
+  }
+
+  void note_place(double bound, std::uint64_t which) noexcept {
+    if (!places_.full()) return places_.push(entry(bound, which));
+    if (bound <= limit()) look_into(which);
+  }
+
+  void note_items(const double* bound, const std::uint32_t* item, int n) noexcept {
+    if (count_ > most_items - leaf_items) make_room();
+    const double limit = this->limit();
+    int count = count_;
+    for (int i = 0; i < n; ++i) {
+      const Entry e = entry(bound[i], item[i]);
+      const bool near = bound[i] <= limit;
+      item_[count] = e;
+      count += near;
+      least_ = near && e < least_ ? e : least_;
+    }
+    count_ = count;
+  }
+
+  /// Measures the nearer half of the items.
+  void make_room() noexcept {
+    std::nth_element(item_, item_ + count_ / 2, item_ + count_);
+    make_ready(bound_of(item_[count_ / 2]));
+    measure_ready();
+  }
+
+  /// Items that are no farther than `next` and the limit are asked for. They are measured when there are enough of them:
+  /// before, nothing follows from their distances. Those beyond the limit are dropped.
+  void make_ready(double next) noexcept {
+    if (ready_count_ + count_ > most_items) measure_ready();
+    const double limit = this->limit();
+    const Entry last = entry(next < limit ? next : limit, which_mask), farthest = entry(limit, which_mask);
+    int n = ready_count_, rest = 0;
+    least_ = nothing;
+    for (int i = 0; i < count_; ++i) {
+      const Entry e = item_[i];
+      ready_[n] = e;
+      n += e <= last;
+      const bool waits = e > last && e <= farthest;
+      item_[rest] = e;
+      rest += waits;
+      least_ = waits && e < least_ ? e : least_;
+    }
+    count_ = rest;
+    for (int i = ready_count_; i < n; ++i) {
+      const auto item = static_cast<std::uint32_t>(ready_[i]);
+      ask_for(query_.sets.set[query_.sets.of(item)], item);
+    }
+    ready_count_ = n;
+  }
+
+  /// Nearest first, while the limit tells that they matter.
+  void measure_ready() noexcept {
+    const int n = ready_count_;
+    ready_count_ = 0;
+    if (query_.k != 0 && n > query_.k - found_) std::sort(ready_, ready_ + n);
+    for (int i = 0; i < n && !(bound_of(ready_[i]) > limit());) {
+      const std::int64_t lacking = query_.k - found_;
+      const int wanted = lacking > 0 && lacking < measured_at_once ? static_cast<int>(lacking) : measured_at_once;
+      const int m = n - i < wanted ? n - i : wanted;
+      measure(ready_ + i, m);
+      i += m;
     }
   }
 
-  /// Measures items, those of each kind together.
-  void measure(const std::uint32_t* item, int n) noexcept {
+  /// Measures items: those whose distance is plain, and the others of each kind together.
+  void measure(const Entry* entries, int n) noexcept {
+    std::uint32_t item[measured_at_once];
     bool done[measured_at_once] = {};
+    for (int i = 0; i < n; ++i) item[i] = static_cast<std::uint32_t>(entries[i]);
+    for (int i = 0; i < n && has_core(kind_); ++i) {
+      const Set& set = query_.sets.set[query_.sets.of(item[i])];
+      T distance;
+      done[i] = has_core(set.kind) && plain_distance(core_, core_of<T>(set, item[i]), distance);
+      if (done[i]) take(distance, item[i]);
+    }
     for (int first = 0; first < n; ++first) {
       if (done[first]) continue;
       std::uint32_t same[measured_at_once];
@@ -202,12 +268,19 @@ class Search {
 
   const Nearest& query_;
   View view_;
-  const double (&box_)[4];
+  Bounding shape_;
   std::int64_t* out_;
   T* distance_;
   std::int64_t found_ = 0;
   std::int32_t kind_;
+  Core core_{};
   Columns one_, many_;
+  Heap<most_places> places_;
+  /// Items that are not ready to be measured, the nearest of them, and those that are.
+  static constexpr Entry nothing = __builtin_bit_cast(Entry, infinity);
+  Entry least_ = nothing;
+  int count_ = 0, ready_count_ = 0;
+  Entry item_[most_items], ready_[most_items];
 };
 
 }  // namespace

@@ -22,8 +22,8 @@ class Selector {
 
   void seek(std::int64_t block) noexcept { from_ = block; }
 
-  /// The next candidates with their verdicts; 0 at the end.
-  std::int32_t next() noexcept {
+  /// Whether there is more: the next items, though of some blocks none may be left.
+  bool next() noexcept {
     count_ = segments_ = 0;
     while (count_ < wanted && segments_ < most_segments) {
       if (listed_ == listed_end_) {
@@ -39,16 +39,21 @@ class Selector {
       segment_begin_[segments_++] = count_;
       count_ += n;
     }
-    decide();
-    return count_;
+    if (count_ == 0) return false;
+    if (selection_.decide != nullptr) {
+      decide();
+      keep();
+    }
+    return true;
   }
 
-  bool holds(std::int32_t i) const noexcept { return verdict_[i] != 0; }
-  std::uint32_t item(std::int32_t i) const noexcept { return item_[i]; }
+  std::int32_t count() const noexcept { return count_; }
   int segments() const noexcept { return segments_; }
   std::int64_t segment_block(int k) const noexcept { return segment_block_[k]; }
-  std::int32_t segment_begin(int k) const noexcept { return segment_begin_[k]; }
-  std::int32_t segment_end(int k) const noexcept { return k + 1 < segments_ ? segment_begin_[k + 1] : count_; }
+  const std::uint32_t* segment_items(int k) const noexcept { return item_ + segment_begin_[k]; }
+  std::int32_t segment_count(int k) const noexcept {
+    return (k + 1 < segments_ ? segment_begin_[k + 1] : count_) - segment_begin_[k];
+  }
 
  private:
   static constexpr std::int32_t block_list = 32;
@@ -70,10 +75,6 @@ class Selector {
 
   /// Runs of one kind as they come: items of a block are in no order of kinds, but sets of one kind are usual.
   void decide() noexcept {
-    if (selection_.decide == nullptr) {
-      std::memset(verdict_, 1, static_cast<std::size_t>(count_));
-      return;
-    }
     if (selection_.sets->count == 1) return decide_run(selection_.sets->set[0].kind, item_, count_, verdict_);
     std::uint32_t some[room];
     std::uint16_t place[room];
@@ -99,6 +100,20 @@ class Selector {
     }
   }
 
+  /// Leaves out the items that the query does not hold for.
+  void keep() noexcept {
+    std::int32_t n = 0;
+    for (int k = 0; k < segments_; ++k) {
+      const std::int32_t begin = segment_begin_[k], end = begin + segment_count(k);
+      segment_begin_[k] = n;
+      for (std::int32_t i = begin; i < end; ++i) {
+        item_[n] = item_[i];
+        n += verdict_[i];
+      }
+    }
+    count_ = n;
+  }
+
   static constexpr std::int32_t room = wanted + block_items + 64;
 
   const Selection& selection_;
@@ -118,9 +133,7 @@ class Selector {
 std::int64_t count_selected(const Selection& selection, const double (&box)[4]) noexcept {
   Selector selector(selection, box);
   std::int64_t found = 0;
-  while (const std::int32_t n = selector.next()) {
-    for (std::int32_t i = 0; i < n; ++i) found += selector.holds(i);
-  }
+  while (selector.next()) found += selector.count();
   return found;
 }
 
@@ -139,25 +152,21 @@ std::int64_t write_selected(const Selection& selection, const double (&box)[4], 
   Selector selector(selection, box);
   selector.seek(state[0]);
   std::int64_t written = 0;
-  while (selector.next() != 0) {
+  while (selector.next()) {
     for (int k = 0; k < selector.segments(); ++k) {
       // A block's items are in one segment.
-      const std::int64_t skip = selector.segment_block(k) == state[0] ? state[1] : 0;
-      std::int64_t in_block = 0;
-      for (std::int32_t i = selector.segment_begin(k); i < selector.segment_end(k); ++i) {
-        if (!selector.holds(i)) continue;
-        if (in_block >= skip) {
-          if (written == capacity) {
-            state[0] = selector.segment_block(k);
-            state[1] = in_block;
-            state[2] = 0;
-            state[3] = selection_mark;
-            return written;
-          }
-          out[written++] = selector.item(i);
-        }
-        ++in_block;
-      }
+      const std::int64_t n = selector.segment_count(k), before = selector.segment_block(k) == state[0] ? state[1] : 0;
+      const std::int64_t skip = before < n ? before : n, room = capacity - written;
+      const std::int64_t taken = n - skip < room ? n - skip : room;
+      const std::uint32_t* const item = selector.segment_items(k) + skip;
+      for (std::int64_t i = 0; i < taken; ++i) out[written + i] = item[i];
+      written += taken;
+      if (skip + taken == n) continue;
+      state[0] = selector.segment_block(k);
+      state[1] = skip + taken;
+      state[2] = 0;
+      state[3] = selection_mark;
+      return written;
     }
   }
   state[0] = -1;

@@ -164,7 +164,7 @@ class Suppressor {
 
   std::int64_t keep(std::int64_t* out) noexcept {
     const View view(scratch_);
-    for (std::int64_t i = 0; i < view.blocks(); ++i) settle_block(view, view.block(i));
+    for (std::int64_t i = 0; i < view.blocks(); ++i) settle_block(view, i);
     std::int64_t kept = 0;
     for (std::int64_t r = 0; r < count_ && kept < asked_.most; ++r) {
       if (rank_[ranked_[r].place] == is_kept) out[kept++] = item_[ranked_[r].place];
@@ -203,7 +203,11 @@ class Suppressor {
   }
 
   /// Settles a block's shapes, the best first: few then wait for one in another block.
-  void settle_block(const View& view, const Block& block) noexcept {
+  void settle_block(const View& view, std::int64_t number) noexcept {
+    const Block& block = view.block(number);
+    first_of_block_ = item_at(block, 0);
+    end_of_block_ = first_of_block_ + static_cast<std::uint32_t>(block.count);
+    list_neighbours(view, number);
     std::uint64_t open[block_items];
     std::int32_t n = 0;
     for (std::int32_t lane = 0; lane < block.count; ++lane) {
@@ -237,11 +241,33 @@ class Suppressor {
     }
   }
 
-  /// Calls visit(places, n) with those of each block that meet a shape's bounds.
+  /// The blocks that any shape of a block may meet, with their boxes.
+  void list_neighbours(const View& view, std::int64_t number) noexcept {
+    double box[4];
+    view.box_of(number, box);
+    neighbours_ = asked_.kernels.meeting_blocks(view, box, 0, block_list, neighbour_);
+    for (std::int32_t i = 0; i < neighbours_; ++i) view.box_of(neighbour_[i], neighbour_box_[i]);
+  }
+
+  static bool meets(const double (&a)[4], const double (&b)[4]) noexcept {
+    return (a[0] <= b[2]) & (a[1] <= b[3]) & (a[2] >= b[0]) & (a[3] >= b[1]);
+  }
+
+  /// Calls visit(places, n) with those of each block that meet the bounds of the shape at a place.
   template <class Visit>
-  void each_block_near(const View& view, const Extent& extent, const Visit& visit) const noexcept {
-    std::int64_t block[block_list];
+  void each_block_near(const View& view, std::uint32_t at, const Visit& visit) const noexcept {
+    const Extent& extent = extent_[at];
     std::uint32_t place[block_items + 64];
+    // Of this block's shapes; if the list is full, there may be more.
+    if (at >= first_of_block_ && at < end_of_block_ && neighbours_ < block_list) {
+      for (std::int32_t i = 0; i < neighbours_; ++i) {
+        if (!meets(neighbour_box_[i], extent.box)) continue;
+        const Block& b = view.block(neighbour_[i]);
+        visit(place, asked_.kernels.in_window(b, to_columns(b.frame, extent.box), place));
+      }
+      return;
+    }
+    std::int64_t block[block_list];
     std::int32_t n = block_list;
     for (std::int64_t from = 0; n == block_list; from = block[n - 1] + 1) {
       n = asked_.kernels.meeting_blocks(view, extent.box, from, block_list, block);
@@ -271,7 +297,7 @@ class Suppressor {
     const std::uint32_t own = std::exchange(rank_[place], closed);
     best_ = closed;
     open_count_ = 0;
-    each_block_near(view, extent_[place], [&](const std::uint32_t* near, std::int32_t n) {
+    each_block_near(view, place, [&](const std::uint32_t* near, std::int32_t n) {
       each_open(place, near, n, [&](std::uint32_t other) {
         best_ = std::min(best_, rank_[other]);
         if (open_count_ < most_listed) open_[open_count_] = other;
@@ -287,7 +313,7 @@ class Suppressor {
     const std::uint32_t item = item_[place];
     gather_columns(asked_.sets, kind_, &item, 1, 0, one_);
     if (open_count_ <= most_listed) return close_some(open_, open_count_);
-    each_block_near(view, extent_[place], [&](std::uint32_t* near, std::int32_t n) {
+    each_block_near(view, place, [&](std::uint32_t* near, std::int32_t n) {
       std::int32_t open = 0;
       each_open(place, near, n, [&](std::uint32_t other) { near[open++] = other; });
       close_some(near, open);
@@ -320,6 +346,10 @@ class Suppressor {
   std::uint32_t* waiting_ = nullptr;
   std::uint32_t best_ = closed, open_[most_listed];  // near the shape looked at
   std::int32_t open_count_ = 0;
+  std::uint32_t first_of_block_ = 0, end_of_block_ = 0;  // places of the block looked at
+  std::int32_t neighbours_ = 0;
+  std::int64_t neighbour_[block_list];
+  double neighbour_box_[block_list][4];
   Columns one_, others_;
   Fields fields_;
   Boxes boxes_;

@@ -30,7 +30,8 @@ TYPED_TEST_SUITE(NearestTest, Scalars);
 TYPED_TEST(NearestTest, AllSorted) {
   using T = TypeParam;
   constexpr T infinity = std::numeric_limits<T>::infinity();
-  for (const char* name : {"uniform", "two_scales", "lattice", "points", "needles"}) {
+  for (const char* name : {"uniform", "two_scales", "lattice", "points", "needles", "pareto_needles", "line",
+                           "near_ties", "whole_range"}) {
     const Indexed<T> many(mixed<T>(name, 900, 1, 113));
     const std::vector<Item<T>> items = items_of(many.laid);
     const Laid<T> ones = mixed<T>(name, 30, 2);
@@ -55,6 +56,93 @@ TYPED_TEST(NearestTest, AllSorted) {
         }
       }
     }
+  }
+}
+
+/// Numbers between -1 and 1 from a seed.
+struct Random {
+  std::uint64_t state;
+  double next() {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return std::ldexp(static_cast<double>(state >> 11), -52) - 1;
+  }
+};
+
+/// The `k` nearest of one shape, and nothing else, as the scalar function has them.
+template <class T>
+void expect_nearest(const Indexed<T>& many, const std::vector<Item<T>>& items, std::int32_t kind, const T* numbers,
+                    std::size_t k) {
+  typename Face<T>::Shapes shape;
+  Face<T>::from_records(kind, 1, numbers, 0, &shape);
+  std::vector<std::int64_t> out(k);
+  std::vector<T> distance(k);
+  constexpr T infinity = std::numeric_limits<T>::infinity();
+  const Item<T> one{kind, numbers, 0, 0, 0, 0, 0};
+  const auto expected = all_distances<T>(one, items, infinity);
+  const std::int64_t n = Face<T>::index_nearest(many.index.get(), many.sets.data(), many.sets.count(), &shape,
+                                                static_cast<std::int64_t>(k), infinity, out.data(), distance.data());
+  ASSERT_EQ(n, static_cast<std::int64_t>(std::min(k, expected.size())));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+    ASSERT_EQ(distance[i], expected[i].first) << "kind " << kind << ", number " << i;
+    ASSERT_EQ(out[i], expected[i].second) << "kind " << kind << ", number " << i;
+  }
+}
+
+/// Many blocks, of which few are looked into, and more items at hand than the search has room for.
+TYPED_TEST(NearestTest, OfMany) {
+  using T = TypeParam;
+  for (const char* name : {"uniform", "clustered", "decades_6", "pareto_needles", "line", "points", "whole_range"}) {
+    const Indexed<T> many(mixed<T>(name, 6000, 1, 113));
+    const std::vector<Item<T>> items = items_of(many.laid);
+    const Laid<T> ones = mixed<T>(name, 6, 2);
+    for (const Item<T>& one : items_of(ones)) {
+      for (const std::size_t k : {1, 10, 3000}) expect_nearest<T>(many, items, one.kind, one.numbers, k);
+    }
+  }
+}
+
+/// All equally far from the middle, but for rounding: neither places nor items come in an order.
+TYPED_TEST(NearestTest, OfACircle) {
+  using T = TypeParam;
+  Records<T> points{VESICA_POINT, {}};
+  Random random{5};
+  for (int i = 0; i < 30000; ++i) {
+    const double x = random.next(), y = random.next(), length = std::sqrt(x * x + y * y);
+    points.numbers.insert(points.numbers.end(), {static_cast<T>(x / length), static_cast<T>(y / length)});
+  }
+  const Indexed<T> many(points);
+  const std::vector<Item<T>> items = items_of(many.laid);
+  const T middle[2] = {0, 0};
+  for (const std::size_t k : {1, 10, 7000}) expect_nearest<T>(many, items, VESICA_POINT, middle, k);
+}
+
+/// Points, circles and boxes at all distances from each other: of exact halves between numbers, a unit in the last place
+/// apart, far smaller and far larger than the shapes.
+TYPED_TEST(NearestTest, PlainShapes) {
+  using T = TypeParam;
+  constexpr int digits = std::numeric_limits<T>::digits;
+  Random random{11};
+  for (const int exponent : {0, -60, 60, 99, 102, -99, -103}) {
+    const auto number = [&](int smaller) {
+      return static_cast<T>(
+          std::ldexp(1 + std::fabs(random.next()), exponent - static_cast<int>(std::fabs(random.next()) * smaller)));
+    };
+    Records<T> points{VESICA_POINT, {}}, circles{VESICA_CIRCLE, {}}, boxes{VESICA_AABB, {}};
+    for (int i = 0; i < 400; ++i) {
+      const T x = number(2 * digits), y = i % 3 == 0 ? T(0) : number(2 * digits),
+              size = number(i % 2 == 0 ? 4 : digits);
+      points.numbers.insert(points.numbers.end(), {x, y});
+      circles.numbers.insert(circles.numbers.end(), {x + size, y, i % 5 == 0 ? std::nextafter(size, T(0)) : size / 2});
+      boxes.numbers.insert(boxes.numbers.end(), {x, y, x + size, y + size / 4});
+      // From an end below 0 this is a number and half of its last place.
+      boxes.numbers.insert(boxes.numbers.end(), {std::nextafter(x, x + size), -size, x + size, size});
+    }
+    const Indexed<T> many(Laid<T>{points, circles, boxes});
+    const std::vector<Item<T>> items = items_of(many.laid);
+    const auto half = static_cast<T>(std::ldexp(1.0, exponent - digits));
+    const T numbers[][4] = {{0, 0}, {-half, 0}, {-half, -half}, {-half, 0, half / 2}, {-2 * half, -half, -half, half}};
+    const std::int32_t kinds[] = {VESICA_POINT, VESICA_POINT, VESICA_POINT, VESICA_CIRCLE, VESICA_AABB};
+    for (int q = 0; q < 5; ++q) expect_nearest<T>(many, items, kinds[q], numbers[q], items.size());
   }
 }
 

@@ -4,10 +4,17 @@
 
 #include <cstdint>
 
+#include "index/kernels.hpp"
 #include "index/layout.hpp"
 
 namespace vesica::index {
 namespace {  // a type of its own in each object
+
+/// The nodes of a plan that items have come to after some levels; returns how many. Here the root, after none.
+inline int descend_first_levels(const Plan&, const double*, const double*, int n, std::uint32_t* node) noexcept {
+  for (int i = 0; i < n; ++i) node[i] = 0;
+  return 0;
+}
 
 /// Writes base + i for each bit i; may write up to 32 numbers. Returns how many bits there are.
 inline std::int32_t write_lanes(std::uint32_t mask, std::uint32_t base, std::uint32_t* out) noexcept {
