@@ -85,6 +85,11 @@ def bad_input(client):
         check("numbers alone", "an error", "none")
     except TypeError as error:
         check("numbers alone", "a partition's records are [('kind', '<i8'), ('numbers', '<f8', (6,))], not float64", str(error))
+    try:
+        vesica_dask.overlap_join(left, left, work / "numbers")
+        check("a folder that was used", "an error", "none")
+    except FileExistsError:
+        pass
     # Infinite bounds, and one shape over everything.
     few = numpy.zeros(3, a.dtype)
     few["kind"] = (0, 2, 2)

@@ -58,13 +58,14 @@ def overlap_join(left, right, folder, cells=None):
     """Writes all pairs (number in left, number in right) into a folder that all workers see, and tells the files.
 
     cells: into how many cells of the map shapes are laid first, by a plan from a sample; None where partitions are
-    spatial already. A piece, of a partition or a cell, must fit into a worker. The folder is a new one. A worker that dies
-    changes nothing: its tasks are run again, and a file gets its name when it is whole.
+    spatial already. A piece, of a partition or a cell, must fit into a worker. The folder must not be there yet. A worker
+    that dies changes nothing: its tasks are run again, and a file gets its name when it is whole.
     """
     client = distributed.get_client()
     folder = pathlib.Path(folder)
+    folder.mkdir(parents=True)
     work = folder / _WORK
-    work.mkdir(parents=True)
+    work.mkdir()
     sides = [_numbered(client, partitions) for partitions in (left, right)]
     if cells:
         plan = _plan(_all(client, _sample, *sides), cells)
@@ -75,9 +76,9 @@ def overlap_join(left, right, folder, cells=None):
     ]
     abouts = [client.gather([_submit(client, _about, index) for index in side]) for side in indexes]
     tasks = [
-        _submit(client, _join, left, right, folder / f"pairs.{i}.{j}")
-        for i, left in enumerate(indexes[0])
-        for j, right in enumerate(indexes[1])
+        _submit(client, _join, a, b, folder / f"pairs.{i}.{j}")
+        for i, a in enumerate(indexes[0])
+        for j, b in enumerate(indexes[1])
         if _meet(abouts[0][i]["bounds"], abouts[1][j]["bounds"])
     ]
     found = client.gather(tasks)
