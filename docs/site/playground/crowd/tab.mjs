@@ -25,6 +25,7 @@ export class CrowdTab {
   #running = !still.matches;
   #frame = 0;
   #last = 0;
+  #steps = 0;
   #queries = [];
   #frames = [];
   #canvas = html('canvas', { width: 1280, height: 1280 * (box.height / box.width), role: 'img', 'aria-label': 'Moving shapes; those that touch another are red' });
@@ -83,10 +84,9 @@ export class CrowdTab {
     this.#crowd.move(seconds);
     const start = performance.now(), pairs = this.#crowd.collide();
     this.#queries.push(performance.now() - start);
-    this.#queries.splice(0, this.#queries.length - 60);
-    this.#frames.splice(0, this.#frames.length - 60);
     this.#paint();
-    if (this.#queries.length % 15 === 1) this.#tell(pairs);
+    this.#steps += 1;
+    if (!this.#running || this.#steps % 15 === 0) this.#tell(pairs);
   }
 
   #paint() {
@@ -96,11 +96,13 @@ export class CrowdTab {
   }
 
   #tell(pairs) {
+    this.#queries.splice(0, this.#queries.length - 60);
+    this.#frames.splice(0, this.#frames.length - 60);
     const fps = this.#frames.length > 0 ? 1000 / median(this.#frames) : 0;
     this.#values.query.textContent = median(this.#queries).toFixed(2);
     this.#values.pairs.textContent = pairs.toLocaleString('en');
     this.#values.exact.textContent = fps > 0 ? Math.round(this.#crowd.candidates() * fps).toLocaleString('en', { notation: 'compact' }) : '–';
     this.#values.fps.textContent = fps > 0 ? fps.toFixed(0) : '–';
-    this.element.dataset.frames = Number(this.element.dataset.frames ?? 0) + 1;
+    this.element.dataset.frames = this.#steps;
   }
 }

@@ -73,7 +73,7 @@ export class EdgeTab {
     const { a, b } = defaultScene();
     this.#field = 'cx';
     this.#type = 'double';
-    this.#scene.change({ a: moved(a, -2.6, 0), b: moved(b, -2.6, 0) });
+    this.#scene.change({ a: moved(a, -2.57, 0), b: moved(b, -2.57, 0) });
     this.#bring();
   }
 
@@ -92,7 +92,7 @@ export class EdgeTab {
     const textbook = (arithmetic) => found.cells.map(({ value }) => overlap(arithmetic, found.a, { ...found.b, [field]: value }));
     const first = toHex(found.cells[0].value), last = toHex(found.cells.at(-1).value);
     this.#result.replaceChildren(
-      html('p', { role: 'status' }, `At ${field} = `, html('code', { id: 'edge-value' }, toHex(found.value)), ` a ${nameOf[found.a.kind]} and a ${nameOf[found.b.kind]} still touch; one last-place unit on, they do not.`),
+      html('p', { role: 'status' }, `At ${field} = `, html('code', { id: 'edge-value' }, toHex(found.value)), ` the ${nameOf[found.a.kind]} and the ${nameOf[found.b.kind]} still touch; one last-place unit on, they do not.`),
       html('div', { class: 'strips', 'data-type': this.#type, 'data-field': field, 'data-first': first, 'data-last': last },
         strip('exact', 'Vesica', 'exact: every answer right', exact, exact),
         strip('double', 'Textbook, in double', recipe(found.a.kind, found.b.kind), textbook(double), exact),

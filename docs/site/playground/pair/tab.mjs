@@ -3,18 +3,15 @@
 import { fields, kinds } from '../../vesica/vesica.mjs';
 import { choice, copyButton, html } from '../element.mjs';
 import { beside, fromText, toHex } from '../number.mjs';
-import { board, height, View, width } from '../plane.mjs';
 import { asKind, nameOf } from '../shape.mjs';
+import { Stage } from '../stage.mjs';
 import { answersTo, brief, callOf, found } from './answers.mjs';
-import { afterKey, handlesOf } from './handles.mjs';
 import { picture } from './picture.mjs';
 
 export class PairTab {
   #vesica;
   #scene;
-  #view = new View();
-  #board = board('Two shapes and the answers about them');
-  #handles = html('div', { class: 'handles' });
+  #stage;
   #answers = html('ul', { class: 'answers' });
   #verdict = html('p', { class: 'verdict', role: 'status' });
   #numbers = { a: html('div'), b: html('div') };
@@ -23,10 +20,11 @@ export class PairTab {
   constructor(vesica, scene) {
     this.#vesica = vesica;
     this.#scene = scene;
+    this.#stage = new Stage('two', 'Two shapes and the answers about them', () => ({ a: scene.a, b: scene.b }), (what) => this.#change(what));
     this.element = html('div', { class: 'columns' },
       html('div', { class: 'stage' },
         this.#verdict,
-        html('div', { class: 'picture' }, this.#board, this.#handles),
+        this.#stage.element,
         html('p', { class: 'hint' }, 'Drag a shape or a handle. By keyboard: Tab to a handle, then arrow keys; with Shift the number changes by one last-place unit.'),
         html('div', { class: 'row' },
           html('button', { type: 'button', click: () => this.#fit() }, 'Show all'),
@@ -35,13 +33,12 @@ export class PairTab {
         this.#error,
         html('div', { class: 'shapes' }, this.#editor('a'), this.#editor('b'))),
       html('div', { class: 'told' }, this.#answers));
-    this.#board.addEventListener('pointerdown', (event) => this.#grab(event, event.target.dataset.shape, 'move'));
     scene.onChange(() => this.show());
     this.#fit();
   }
 
   #fit() {
-    this.#view.fit([this.#scene.a, this.#scene.b]);
+    this.#stage.fit();
     this.show();
   }
 
@@ -52,71 +49,12 @@ export class PairTab {
 
   show() {
     const { a, b } = this.#scene, answers = answersTo(this.#vesica, a, b);
-    this.#board.replaceChildren(...picture(this.#view, a, b, answers));
+    this.#stage.show(picture(this.#stage.view, a, b, answers));
     this.#verdict.textContent = `${found(answers, 'overlap') ? 'They overlap' : 'They do not overlap'}: ${answers[1].value}.`;
     this.#verdict.classList.toggle('hit', found(answers, 'overlap'));
-    this.#showHandles();
     this.#showAnswers(answers);
     this.#showNumbers('a');
     this.#showNumbers('b');
-  }
-
-  // ---- The picture ----
-
-  #showHandles() {
-    const wanted = ['a', 'b'].flatMap((name) => handlesOf(this.#scene[name].kind).map((handle) => [name, handle]));
-    const key = wanted.map(([name, { id }]) => `${name}-${id}`).join();
-    if (this.#handles.dataset.key !== key) {
-      this.#handles.dataset.key = key;
-      this.#handles.replaceChildren(...wanted.map(([name, handle]) => this.#handle(name, handle)));
-    }
-    wanted.forEach(([name, handle], i) => {
-      const [x, y] = this.#view.to(handle.at(this.#scene[name]));
-      const button = this.#handles.children[i];
-      button.style.left = `${Math.max(0, Math.min(100, (100 * x) / width))}%`;
-      button.style.top = `${Math.max(0, Math.min(100, (100 * y) / height))}%`;
-    });
-  }
-
-  #handle(name, handle) {
-    const label = `${name.toUpperCase()}: ${handle.label}`;
-    return html('button', {
-      type: 'button',
-      class: `handle ${name} ${handle.id}`,
-      id: `handle-${name}-${handle.id}`,
-      'aria-label': label,
-      title: label,
-      pointerdown: (event) => this.#grab(event, name, handle.id),
-      keydown: (event) => this.#press(event, name, handle),
-    }, handle.id === 'move' ? name.toUpperCase() : '');
-  }
-
-  #press(event, name, handle) {
-    const shape = afterKey(this.#scene[name], handle, event, 100 / this.#view.scale);
-    if (shape === null) return;
-    event.preventDefault();
-    this.#change({ [name]: shape });
-  }
-
-  #grab(event, name, id) {
-    if (name === undefined || event.button > 0) return;
-    const board = this.#board, handle = handlesOf(this.#scene[name].kind).find((one) => one.id === id);
-    let before = this.#view.under(event, board);
-    const follow = (move) => {
-      const to = this.#view.under(move, board);
-      this.#change({ [name]: handle.drag(this.#scene[name], to, before) });
-      before = to;
-    };
-    const end = () => {
-      removeEventListener('pointermove', follow);
-      removeEventListener('pointerup', end);
-      removeEventListener('pointercancel', end);
-    };
-    addEventListener('pointermove', follow);
-    addEventListener('pointerup', end);
-    addEventListener('pointercancel', end);
-    event.preventDefault();
-    this.#handles.querySelector(`#handle-${name}-${id}`).focus({ preventScroll: true });
   }
 
   #change(what) {
@@ -172,7 +110,7 @@ export class PairTab {
         if (way === undefined) return;
         event.preventDefault();
         const value = this.#scene[name][field];
-        set(event.shiftKey ? beside(value, way) : value + (way * 4) / this.#view.scale);
+        set(event.shiftKey ? beside(value, way) : value + (way * 4) / this.#stage.view.scale);
         input.value = String(this.#scene[name][field]);
       },
     });
