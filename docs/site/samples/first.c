@@ -4,7 +4,7 @@
 int main(void) {
     /* centre, axis (cosine and sine of the angle), half sizes */
     vesica_rect_f64 car = {0.0, 0.0, 0.8, 0.6, 2.0, 1.0};
-    vesica_ellipse_f64 person = {2.4, 1.5, 1.0, 0.0, 1.0, 0.5};
+    vesica_ellipse_f64 person = {1.5, 1.0, 1.0, 0.0, 1.0, 0.5};
     vesica_circle_f64 post = {5.0, 0.0, 0.5};
     vesica_closest_points_f64 gap;
     double iou;

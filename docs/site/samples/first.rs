@@ -9,7 +9,7 @@ const ELLIPSE: i32 = 5;
 
 fn main() {
     let car = [0.0, 0.0, 0.8, 0.6, 2.0, 1.0];
-    let person = [2.4, 1.5, 1.0, 0.0, 1.0, 0.5];
+    let person = [1.5, 1.0, 1.0, 0.0, 1.0, 0.5];
     let post = [5.0, 0.0, 0.5];
     let (mut gap, mut iou) = ([0.0; 5], 0.0); // the distance, and a point of each
 

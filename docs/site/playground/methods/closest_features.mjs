@@ -40,7 +40,7 @@ export const closestFeatures = {
   title: 'Closest features',
   seed: 'David Eberly, Intersection of Rectangle and Ellipse (2015), section 3.',
   idea: 'Which of nine regions about the rectangle holds the ellipse’s centre? It names the few edges and vertices that are worth a test: two edges and three vertices at most.',
-  shapes: { a: rect(-0.4, 0, 3, 1.8, 16, { degrees: true }), b: ellipse(2.2, 1.6, 1.9, 0.5, 40, { degrees: true }) },
+  shapes: { a: rect(-0.4, 0, 3, 1.8, 16, { degrees: true }), b: ellipse(1.35, 1.85, 1.2, 0.5, -35, { degrees: true }) },
   draw(demo) {
     const { a, b } = demo.shapes, { view } = demo.stage, [i, j] = here(demo), all = corners(a), { edges, vertices } = features(i, j);
     const regions = [-1, 0, 1].flatMap((m) => [-1, 0, 1].map((n) =>

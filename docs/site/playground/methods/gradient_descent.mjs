@@ -60,7 +60,7 @@ export const gradientDescent = {
   title: 'Gradient descent',
   seed: 'Minimum Distance Between Ellipses (2021).',
   idea: 'The distance of two points, one on each outline, is a landscape over two angles. Walk down it from the line of centres. Printed steps are a rate times the gradient, which fits shapes of one size only; here they are scaled to the pair.',
-  shapes: { a: ellipse(-1.6, -0.3, 1.8, 0.7, 25, { degrees: true }), b: ellipse(1.8, 0.5, 1.5, 0.6, -50, { degrees: true }) },
+  shapes: { a: ellipse(-1.4, -0.5, 2, 0.5, 60, { degrees: true }), b: ellipse(1.2, 0.6, 2, 0.4, 75, { degrees: true }) },
   controls(demo) {
     demo.settings = { schedule: 'scale-aware', rate: 1, decay: 0 };
     return [

@@ -30,9 +30,9 @@ export class PairTab {
           html('button', { type: 'button', click: () => this.#fit() }, 'Show all'),
           copyButton('Copy the link to this scene', () => (scene.writeAddress(), location.href)),
           html('span', { class: 'hint' }, 'the link: every bit is in it')),
-        this.#error,
-        html('div', { class: 'shapes' }, this.#editor('a'), this.#editor('b'))),
-      html('div', { class: 'told' }, this.#answers));
+        this.#error),
+      html('div', { class: 'told' }, this.#answers),
+      html('div', { class: 'shapes' }, this.#editor('a'), this.#editor('b')));
     scene.onChange(() => this.show());
     this.#fit();
   }
