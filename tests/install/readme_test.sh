@@ -45,7 +45,7 @@ printf 'int main() { return hit ? 0 : 1; }\n' >>"$work/core.cpp"
 
 [ "$(wc -l <"$readme")" -le 120 ]
 for page in "$readme" "$root"/docs/*.md; do
-  grep -o '](\([^)]*\))' "$page" | sed 's/^](\(.*\))$/\1/; s/#.*//' | while read -r target; do
+  { grep -o ']([^)]*)' "$page" || true; } | sed 's/^](\(.*\))$/\1/; s/#.*//' | while read -r target; do
     [[ -z $target || $target == http* ]] || [ -e "$(dirname "$page")/$target" ] ||
       { echo "$page: a link to $target, which is not there"; exit 1; }
   done
