@@ -3,6 +3,7 @@
 """build.py OUT MODULES: writes the site into the folder OUT. MODULES is where tests/ffi/wasm/build.sh has built. Needs
 doxygen and python3-markdown. A link that leads nowhere is an error."""
 import html
+import itertools
 import pathlib
 import re
 import shutil
@@ -69,7 +70,8 @@ def from_markdown(source):
         return f'<a href="{page}{"#" + part if part else ""}">{match[2]}</a>'
 
     body = re.sub(r'<a href="([^"]*)">(.*?)</a>', link, body, flags=re.S)
-    body = body.replace("<table>", '<div class="scroll" tabindex="0" role="region" aria-label="Table"><table>')
+    tables = itertools.count(1)
+    body = re.sub("<table>", lambda _: f'<div class="scroll" tabindex="0" role="region" aria-label="Table {next(tables)}"><table>', body)
     body = body.replace("</table>", "</table></div>").replace("<pre>", '<pre tabindex="0">')
     return re.sub(r"<th(?=[ >])", '<th scope="col"', body).replace('<th scope="col"ead', "<thead")
 

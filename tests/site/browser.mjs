@@ -30,7 +30,7 @@ await new Promise((listening) => server.listen(0, '127.0.0.1', listening));
 export const address = `http://127.0.0.1:${server.address().port}/`;
 
 const browser = await puppeteer.launch({
-  executablePath: 'chromium',
+  executablePath: process.env.VESICA_CHROMIUM,
   // No sandbox in a container; WebGL by the processor.
   args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--force-device-scale-factor=1', '--hide-scrollbars'],
 });

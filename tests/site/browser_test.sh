@@ -10,5 +10,6 @@ cp "$here"/*.mjs "$here/package.json" "$work"
 mkdir "$work/pictures"
 cd "$work"
 npm install --silent --no-audit --no-fund
-export VESICA_SITE=$3 VESICA_ORACLE=$4 VESICA_PICTURES=$here/../../docs/pictures VESICA_FLAGS="${flags[*]}"
+VESICA_CHROMIUM=$(command -v chromium)
+export VESICA_CHROMIUM VESICA_SITE=$3 VESICA_ORACLE=$4 VESICA_PICTURES=$here/../../docs/pictures VESICA_FLAGS="${flags[*]}"
 node --test --test-concurrency=1

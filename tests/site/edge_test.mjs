@@ -32,7 +32,8 @@ function asOracle({ a, b, answers: [exact] }) {
 }
 
 test('exact answers are the oracle\'s', async () => {
-  const page = await openPlayground('#tab=edge');
+  const page = await openPlayground();
+  await page.click('#tab-edge');
   await page.waitForSelector('.strips');
   let asked = 0;
   for (const kindA of ['segment', 'circle', 'aabb', 'rect', 'ellipse']) {

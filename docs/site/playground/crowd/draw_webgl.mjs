@@ -51,7 +51,7 @@ function program(gl) {
 
 /** draw(instances, count, colours), or null where there is no WebGL 2. Colours are three numbers from 0 to 1 each. */
 export function webgl(canvas) {
-  const gl = canvas.getContext('webgl2', { alpha: false });
+  const gl = canvas.getContext('webgl2', { alpha: false, antialias: false });
   if (gl === null) return null;
   const shaders = program(gl), instances = gl.createBuffer(), place = (name) => gl.getUniformLocation(shaders, name);
   gl.useProgram(shaders);

@@ -22,7 +22,7 @@ function strip(id, title, note, answers, exact) {
   });
   const label = `${title}: ${answers.filter(Boolean).length} of ${answers.length} yes, ${wrong} wrong`;
   return html('section', { class: 'strip', id },
-    html('h3', {}, title, html('span', {}, `${note}${id === 'exact' ? '' : ` — ${wrong} of ${answers.length} wrong`}`)),
+    html('h2', {}, title, html('span', {}, `${note}${id === 'exact' ? '' : ` — ${wrong} of ${answers.length} wrong`}`)),
     svg('svg', { viewBox: `0 0 ${answers.length * cellWidth} ${cellHeight}`, preserveAspectRatio: 'none', role: 'img', 'aria-label': label }, ...cells));
 }
 
@@ -40,7 +40,7 @@ export class EdgeTab {
     this.#vesica = vesica;
     this.#scene = scene;
     this.element = html('div', {},
-      html('p', { class: 'lead' }, 'Where shapes just touch, formulas that are right on paper give wrong answers in floating point. Bring A and B to contact by one number of B, and see the answers for the 65 neighbouring numbers on each side.'),
+      html('p', { class: 'lead' }, 'Where shapes just touch, formulas that are right on paper give wrong answers in floating point. Bring A and B to contact by one number of B, and see the answers for the 65 neighbouring numbers on each side. A and B are those of the first tab.'),
       this.#controls,
       html('div', { class: 'row' }, html('button', { type: 'button', id: 'to-contact', click: () => this.#bring() }, 'Bring B to contact, to the last place'),
         html('button', { type: 'button', id: 'edge-example', click: () => this.#example() }, 'An example where textbooks fail')),

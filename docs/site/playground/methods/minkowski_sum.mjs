@@ -41,7 +41,7 @@ function asPrinted(a, b, typo) {
 
 const examples = {
   sign: { a: rect(0, 0, 0.5, 1.75), b: { kind: 'ellipse', cx: -1.25, cy: -0.375, ux: 8 / 17, uy: 15 / 17, a: 3, b: 0.125 } },
-  typo: { a: rect(0, 0, 4, 1), b: ellipse(1.7, 1.35, 0.9, 0.5, 40, { degrees: true }) },
+  typo: { a: rect(0, 0, 2, 1), b: ellipse(1.5, 1, 1, 0.5, -30, { degrees: true }) },
 };
 
 export const minkowskiSum = {
