@@ -7,7 +7,7 @@ import { closeQuietly, openPlayground, text } from './browser.mjs';
 const asNumber = (words) => Number(words.replaceAll(',', ''));
 
 test('200 frames of ten thousand shapes', async (t) => {
-  const page = await openPlayground('#tab=crowd', { still: false });
+  const page = await openPlayground('#tab=crowd', { still: false, width: 500 });
   await page.waitForFunction(() => Number(document.querySelector('#panel-crowd > div').dataset.frames) >= 200, { timeout: 120000 });
   assert.ok(asNumber(await text(page, '#crowd-pairs')) > 1000);
   assert.ok(Number(await text(page, '#crowd-query')) > 0);

@@ -44,10 +44,21 @@ export class CrowdTab {
       html('dl', { class: 'figures' }, value('query', 'query, ms a frame'), value('pairs', 'pairs that touch'), value('exact', 'exact tests a second'), value('fps', 'frames a second')),
       html('div', { class: 'picture' }, this.#canvas),
       html('p', { class: 'hint' }, 'The query is the build of the index and the join, in the median of the last 60 frames; moving and drawing are not in it.'));
-    dark.addEventListener('change', () => this.#paint());
+    this.#takeColours();
+    dark.addEventListener('change', () => this.#takeColours());
+    addEventListener('resize', () => this.shown());
     still.addEventListener('change', () => this.#run(!still.matches));
     this.#start(10000);
     this.#run(this.#running);
+  }
+
+  /** When the canvas has its place on the page: as many pixels as are seen. */
+  shown() {
+    const width = Math.round(Math.min(2560, this.#canvas.clientWidth * devicePixelRatio));
+    if (width === 0) return;
+    this.#canvas.width = width;
+    this.#canvas.height = Math.round(width * (box.height / box.width));
+    this.#paint();
   }
 
   /** The last frames' query times in ms: for tests. */
@@ -89,8 +100,12 @@ export class CrowdTab {
     if (!this.#running || this.#steps % 15 === 0) this.#tell(pairs);
   }
 
-  #paint() {
+  #takeColours() {
     this.#colours = { paper: colour('--panel'), calm: colour('--a'), hit: colour('--hit') };
+    if (this.#crowd !== null) this.#paint();
+  }
+
+  #paint() {
     this.#crowd.paint();
     this.#draw(this.#crowd.instances, this.#crowd.count, this.#colours);
   }
