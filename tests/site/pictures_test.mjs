@@ -59,7 +59,11 @@ test('pictures', async (t) => {
 
 test('the first picture of the README', async () => {
   const page = await openPlayground('#tab=two', { width: 1120, height: 900 });
-  await page.screenshot({ path: 'pictures/playground.png', clip: { x: 0, y: 150, width: 1120, height: 690 } });
+  const [top, height] = await page.evaluate(() => {
+    const box = document.querySelector('#panel-two .told').getBoundingClientRect();
+    return [box.top, box.height];
+  });
+  await page.screenshot({ path: 'pictures/playground.png', clip: { x: 0, y: top - 8, width: 1120, height: height + 16 } });
   if (process.env.VESICA_DRAW) copyFileSync('pictures/playground.png', `${folder}/playground.png`);
   await closeQuietly(page);
 });

@@ -16,7 +16,8 @@ const relationWords = {
   equal: 'equal',
 };
 
-const place = (x, y) => `(${short(x, 4)}, ${short(y, 4)})`;
+/** A place to look for on the picture. */
+const place = (x, y) => `(${short(x, 4)}, ${short(y, 4)})`.replaceAll('≈ ', '');
 const closest = (found) => ({
   value: short(found.distance),
   exact: `${toHex(found.distance)} between ${place(found.ax, found.ay)} and ${place(found.bx, found.by)}`,
