@@ -60,7 +60,8 @@ test('pictures', async (t) => {
 test('the first picture of the README', async () => {
   const page = await openPlayground('#tab=two', { width: 1120, height: 900 });
   const [top, height] = await page.evaluate(() => {
-    const box = document.querySelector('#panel-two .told').getBoundingClientRect();
+    document.querySelector('#panel-two .shapes').remove();
+    const box = document.querySelector('#panel-two .answers').getBoundingClientRect();
     return [box.top, box.height];
   });
   await page.screenshot({ path: 'pictures/playground.png', clip: { x: 0, y: top - 8, width: 1120, height: height + 16 } });
