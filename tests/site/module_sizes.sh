@@ -16,5 +16,5 @@ limit() {
 modules=$1
 limit "$modules/vesica.wasm" 1700 520
 limit "$modules/simd/vesica.wasm" 1800 540
-limit "$modules/vesica-methods.wasm" 230 90
+limit "$modules/vesica-methods.wasm" 230 70
 [ $failures = 0 ]
