@@ -19,6 +19,7 @@ ROOT = HERE.parent.parent
 PAGES = [
     ("index", HERE / "index.html", "exact overlap queries between plain 2D shapes"),
     ("functions", HERE / "functions.html", "which function do I want?"),
+    ("guide", ROOT / "docs/guide.md", "guide"),
     ("methods", ROOT / "docs/methods.md", "the named methods"),
     ("benchmarks", ROOT / "docs/benchmarks.md", "accuracy and speed"),
     ("join", ROOT / "docs/join.md", "index and join"),
@@ -27,7 +28,7 @@ PAGES = [
     ("abi", ROOT / "capi/ABI.md", "what may change, and when"),
 ]
 NAVIGATION = [
-    ("playground/", "Playground"), ("functions.html", "Functions"), ("reference/index.html", "Reference"),
+    ("playground/", "Playground"), ("functions.html", "Functions"), ("guide.html", "Guide"), ("reference/index.html", "Reference"),
     ("methods.html", "Methods"), ("benchmarks.html", "Speed"), ("join.html", "Join"), ("hosts.html", "Languages"),
     ("platforms.html", "Platforms"), ("abi.html", "ABI"),
 ]
