@@ -29,6 +29,17 @@ cp "$modules/simd/vesica.wasm" "$work/node_modules/vesica/vesica-simd.wasm"
 cp "$samples/first.mjs" "$work"
 says first.mjs node "$work/first.mjs"
 
+# Lines of docs/hosts.md, which take names for granted.
+block() {
+  awk -v open="\`\`\`$1" '$0 == open { inside = 1; next } $0 == "```" { inside = 0 } inside' "$root/docs/hosts.md"
+}
+printf 'import vesica\narray = [[0, 0, 4, 2, 30], [9, 1, 4, 2, 0]]\n%s\nassert vesica.iou_matrix(boxes, boxes)[0, 0] == 1\n' \
+  "$(block python)" >"$work/lines.py"
+PYTHONPATH="$root/python" PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$work/lines.py" || failures=1
+printf 'import { circle, load, rect } from "vesica";\nconst vesica = await load();\nconst hit = %s\nif (hit !== true) process.exit(1);\n' \
+  "$(block js)" >"$work/lines.mjs"
+node "$work/lines.mjs" || failures=1
+
 # What is on the page is what was run here.
 [ "$(find "$samples" -type f | wc -l)" = 5 ]
 for sample in "$samples"/*; do
