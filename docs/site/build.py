@@ -28,9 +28,9 @@ PAGES = [
     ("abi", ROOT / "capi/ABI.md", "what may change, and when"),
 ]
 NAVIGATION = [
-    ("playground/", "Playground"), ("functions.html", "Functions"), ("guide.html", "Guide"), ("reference/index.html", "Reference"),
-    ("methods.html", "Methods"), ("benchmarks.html", "Speed"), ("join.html", "Join"), ("hosts.html", "Languages"),
-    ("platforms.html", "Platforms"), ("abi.html", "ABI"),
+    ("playground/", "Playground"), ("functions.html", "Functions"), ("guide.html", "Guide"),
+    ("reference/index.html", "Reference"), ("methods.html", "Methods"), ("benchmarks.html", "Speed"), ("join.html", "Join"),
+    ("hosts.html", "Languages"), ("platforms.html", "Platforms"), ("abi.html", "ABI"),
 ]
 TO_PAGE = {source: f"{name}.html" for name, source, _ in PAGES}
 
@@ -40,7 +40,8 @@ def navigation(here, up=""):
         current = ' aria-current="page"' if target == here else ""
         return f'<a href="{up}{target}"{current}>{text}</a>'
     home = f'<a class="home" href="{up}index.html">Vesica</a>'
-    return f'<header class="site"><nav aria-label="Site">{home}{"".join(link(*item) for item in NAVIGATION)}</nav></header>'
+    links = "".join(link(*item) for item in NAVIGATION)
+    return f'<header class="site"><nav aria-label="Site">{home}{links}</nav></header>'
 
 
 def sample(match):
@@ -48,11 +49,14 @@ def sample(match):
     return f'<pre tabindex="0"><code>{text}</code></pre>'
 
 
+FUNCTION = re.compile(r'<a id="(\w+)" name="\w+"></a>\s*<h2 class="memtitle">.*?</span>(\w+)\(\)')
+
+
 def reference_of(out):
     """Where doxygen has put each C function."""
     places = {}
     for page in sorted((out / "reference").glob("*_8h.html")):
-        for anchor, name in re.findall(r'<a id="(\w+)" name="\w+"></a>\s*<h2 class="memtitle">.*?</span>(\w+)\(\)', page.read_text()):
+        for anchor, name in FUNCTION.findall(page.read_text()):
             places[name] = f"reference/{page.name}#{anchor}"
     return places
 
@@ -72,7 +76,8 @@ def from_markdown(source):
 
     body = re.sub(r'<a href="([^"]*)">(.*?)</a>', link, body, flags=re.S)
     tables = itertools.count(1)
-    body = re.sub("<table>", lambda _: f'<div class="scroll" tabindex="0" role="region" aria-label="Table {next(tables)}"><table>', body)
+    scroll = '<div class="scroll" tabindex="0" role="region" aria-label="Table {}"><table>'
+    body = re.sub("<table>", lambda _: scroll.format(next(tables)), body)
     body = body.replace("</table>", "</table></div>").replace("<pre>", '<pre tabindex="0">')
     # A head without words is no head.
     return re.sub(r"<th(?: style=\"[^\"]*\")?></th>", "<td></td>", body).replace("<th>", '<th scope="col">')
@@ -83,10 +88,10 @@ def write_page(out, name, source, title, version, places):
         body = from_markdown(source)
     else:
         body = re.sub(r"<!-- sample (\S+) -->", sample, source.read_text())
-        body = re.sub(r"\{(vesica_\w+)\}", lambda match: f'<a href="{places[match[1]]}"><code>{match[1]}</code></a>', body)
-    page = (HERE / "template.html").read_text()
-    for key, value in (("{title}", title), ("{version}", version), ("<!-- navigation -->", navigation(f"{name}.html")), ("{body}", body)):
-        page = page.replace(key, value)
+        linked = '<a href="{}"><code>{}</code></a>'
+        body = re.sub(r"\{(vesica_\w+)\}", lambda match: linked.format(places[match[1]], match[1]), body)
+    page = (HERE / "template.html").read_text().replace("{title}", title).replace("{version}", version)
+    page = page.replace("<!-- navigation -->", navigation(f"{name}.html")).replace("{body}", body)
     (out / f"{name}.html").write_text(page)
 
 
@@ -103,8 +108,9 @@ def write_playground(out, modules):
     (out / "vesica").mkdir()
     for module in (ROOT / "javascript").glob("*.mjs"):
         shutil.copy(module, out / "vesica")
-    for built, name in (("vesica.wasm", "vesica.wasm"), ("simd/vesica.wasm", "vesica-simd.wasm"), ("vesica-methods.wasm", "vesica-methods.wasm")):
-        shutil.copy(modules / built, out / "vesica" / name)
+    for name in ("vesica.wasm", "vesica-methods.wasm"):
+        shutil.copy(modules / name, out / "vesica")
+    shutil.copy(modules / "simd/vesica.wasm", out / "vesica/vesica-simd.wasm")
 
 
 def dead_links(out):

@@ -4,10 +4,12 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { closeQuietly, openPlayground, served, text } from './browser.mjs';
 
-const scene = (page) => page.evaluate(() => [...document.querySelectorAll('.number input')].map((input) => input.value).join());
+const scene = (page) =>
+  page.evaluate(() => [...document.querySelectorAll('.number input')].map((input) => input.value).join());
 
 test('a spoilt link shows what is wrong, and the default scene', async () => {
-  const plain = await openPlayground(), usual = await scene(plain);
+  const plain = await openPlayground(),
+    usual = await scene(plain);
   await closeQuietly(plain);
   const b = '&b=circle,0x0p+0,0x0p+0,0x1p+0';
   for (const [link, why] of [
@@ -44,13 +46,21 @@ test('vectors where the engine has them, and the plain module elsewhere', async 
   served.paths.length = 0;
   const page = await openPlayground();
   assert.match(await text(page, '#module'), /with vectors/);
-  assert.deepEqual(served.paths.filter((path) => path.endsWith('.wasm')), ['/vesica/vesica-simd.wasm']);
+  assert.deepEqual(
+    served.paths.filter((path) => path.endsWith('.wasm')),
+    ['/vesica/vesica-simd.wasm'],
+  );
   const answers = await text(page, '.answers');
   await closeQuietly(page);
   served.paths.length = 0;
-  const without = await openPlayground('', { before: (page) => page.evaluateOnNewDocument(() => (WebAssembly.validate = () => false)) });
+  const without = await openPlayground('', {
+    before: (page) => page.evaluateOnNewDocument(() => (WebAssembly.validate = () => false)),
+  });
   assert.match(await text(without, '#module'), /without vectors/);
-  assert.deepEqual(served.paths.filter((path) => path.endsWith('.wasm')), ['/vesica/vesica.wasm']);
+  assert.deepEqual(
+    served.paths.filter((path) => path.endsWith('.wasm')),
+    ['/vesica/vesica.wasm'],
+  );
   assert.equal(await text(without, '.answers'), answers);
   await closeQuietly(without);
 });

@@ -8,7 +8,15 @@ import { after } from 'node:test';
 import puppeteer from 'puppeteer-core';
 
 const site = process.env.VESICA_SITE;
-const types = { '.html': 'text/html', '.mjs': 'text/javascript', '.css': 'text/css', '.js': 'text/javascript', '.svg': 'image/svg+xml', '.png': 'image/png', '.wasm': 'application/wasm' };
+const types = {
+  '.html': 'text/html',
+  '.mjs': 'text/javascript',
+  '.css': 'text/css',
+  '.js': 'text/javascript',
+  '.svg': 'image/svg+xml',
+  '.png': 'image/png',
+  '.wasm': 'application/wasm',
+};
 
 /** What was asked for, and the type that .wasm files are sent with. */
 export const served = { paths: [], wasm: 'application/wasm' };
@@ -19,7 +27,9 @@ const server = createServer(async (request, response) => {
   served.paths.push(path);
   try {
     const body = await readFile(join(site, path));
-    response.writeHead(200, { 'content-type': extname(path) === '.wasm' ? served.wasm : types[extname(path)] ?? 'application/octet-stream' });
+    response.writeHead(200, {
+      'content-type': extname(path) === '.wasm' ? served.wasm : (types[extname(path)] ?? 'application/octet-stream'),
+    });
     response.end(body);
   } catch {
     response.writeHead(404);
@@ -32,7 +42,14 @@ export const address = `http://127.0.0.1:${server.address().port}/`;
 const browser = await puppeteer.launch({
   executablePath: process.env.VESICA_CHROMIUM,
   // No sandbox in a container; WebGL by the processor.
-  args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--force-device-scale-factor=1', '--hide-scrollbars'],
+  args: [
+    '--no-sandbox',
+    '--use-gl=angle',
+    '--use-angle=swiftshader',
+    '--enable-unsafe-swiftshader',
+    '--force-device-scale-factor=1',
+    '--hide-scrollbars',
+  ],
 });
 after(async () => {
   await browser.close();
@@ -40,7 +57,10 @@ after(async () => {
 });
 
 /** A page of the site. { width, height, dark, still, before }: before(page) is called ahead of loading it. */
-export async function open(path, { width = 1200, height = 900, dark = false, still = true, before = async () => {} } = {}) {
+export async function open(
+  path,
+  { width = 1200, height = 900, dark = false, still = true, before = async () => {} } = {},
+) {
   const page = await browser.newPage();
   page.messages = [];
   page.on('console', (message) => page.messages.push(message.text()));

@@ -4,25 +4,42 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { closeQuietly, middle, openPlayground } from './browser.mjs';
 
-const told = (page, id) => page.$$eval(`#method-${id} .answers li`, (rows) =>
-  Object.fromEntries(rows.map((row) => [row.querySelector('.question').textContent, row.querySelector('strong').textContent])));
-const slide = (page, id, value) => page.$eval(`#${id}`, (input, to) => {
-  input.value = to;
-  input.dispatchEvent(new Event('input'));
-}, value);
+const told = (page, id) =>
+  page.$$eval(`#method-${id} .answers li`, (rows) =>
+    Object.fromEntries(
+      rows.map((row) => [row.querySelector('.question').textContent, row.querySelector('strong').textContent]),
+    ),
+  );
+const slide = (page, id, value) =>
+  page.$eval(
+    `#${id}`,
+    (input, to) => {
+      input.value = to;
+      input.dispatchEvent(new Event('input'));
+    },
+    value,
+  );
 
 test('each method beside the exact answer', async () => {
   const page = await openPlayground('#tab=methods');
   await page.waitForSelector('#method-descent');
   assert.deepEqual(await page.$$eval('#panel-methods h2', (all) => all.length), 5);
   for (const id of ['features', 'minkowski', 'sandwich', 'lines', 'descent']) {
-    assert.match(await page.$eval(`#method-${id}`, (section) => section.textContent), /From: .*\(20|From: Rectangle intersection/);
+    assert.match(
+      await page.$eval(`#method-${id}`, (section) => section.textContent),
+      /From: .*\(20|From: Rectangle intersection/,
+    );
   }
   const features = await told(page, 'features');
   assert.equal(features['Closest features'], features['Vesica, exact']);
   assert.equal(features['All features'], features['Vesica, exact']);
 
-  assert.deepEqual(await told(page, 'minkowski'), { 'As printed': 'yes', 'Typing error mended': 'yes', Corrected: 'no', 'Vesica, exact': 'no' });
+  assert.deepEqual(await told(page, 'minkowski'), {
+    'As printed': 'yes',
+    'Typing error mended': 'yes',
+    Corrected: 'no',
+    'Vesica, exact': 'no',
+  });
   await page.select('#minkowski-example', 'typo');
   const typo = await told(page, 'minkowski');
   assert.notEqual(typo['As printed'], typo['Vesica, exact']);
@@ -51,14 +68,18 @@ test('each method beside the exact answer', async () => {
 test('shapes are dragged: the separating line goes away', async () => {
   const page = await openPlayground('#tab=methods');
   await page.waitForSelector('#method-lines');
-  const [x, y] = await middle(page, '#lines-b-move'), [toX, toY] = await page.$eval('#lines-a-move', (node) => {
-    const { x, y, width, height } = node.getBoundingClientRect();
-    return [x + width / 2, y + height / 2];
-  });
+  const [x, y] = await middle(page, '#lines-b-move'),
+    [toX, toY] = await page.$eval('#lines-a-move', (node) => {
+      const { x, y, width, height } = node.getBoundingClientRect();
+      return [x + width / 2, y + height / 2];
+    });
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(toX + 30, toY, { steps: 5 });
   await page.mouse.up();
-  assert.deepEqual((({ 'Separating lines': lines, 'Vesica, exact': exact }) => [lines, exact])(await told(page, 'lines')), ['yes', 'yes']);
+  assert.deepEqual(
+    (({ 'Separating lines': lines, 'Vesica, exact': exact }) => [lines, exact])(await told(page, 'lines')),
+    ['yes', 'yes'],
+  );
   await closeQuietly(page);
 });

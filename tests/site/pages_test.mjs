@@ -18,7 +18,10 @@ async function look(page, where) {
   await closeQuietly(page);
 }
 
-const looks = [{ dark: false, width: 1200 }, { dark: true, width: 360 }];
+const looks = [
+  { dark: false, width: 1200 },
+  { dark: true, width: 360 },
+];
 
 test('pages', async () => {
   assert.ok(pages.length >= 8);
@@ -35,7 +38,9 @@ test('tabs of the playground', async () => {
 
 test('the reference has every function, each once', async () => {
   const description = JSON.parse(readFileSync(`${process.env.VESICA_PICTURES}/../../capi/vesica.json`, 'utf8'));
-  const text = ['vesica_8h', 'vesica__index_8h', 'vesica__methods_8h'].map((page) => readFileSync(`${process.env.VESICA_SITE}/reference/${page}.html`, 'utf8')).join();
+  const text = ['vesica_8h', 'vesica__index_8h', 'vesica__methods_8h']
+    .map((page) => readFileSync(`${process.env.VESICA_SITE}/reference/${page}.html`, 'utf8'))
+    .join();
   for (const { name } of description.functions) assert.equal(text.split(`</span>${name}()</h2>`).length, 2, name);
   assert.equal(text.split('These rules hold for every function').length, 2);
   await closeQuietly(await open('reference/index.html'));

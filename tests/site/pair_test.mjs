@@ -36,7 +36,9 @@ test('dragging moves a shape, and the answers follow', async () => {
 });
 
 test('a finger turns a rectangle by its handle', async () => {
-  const page = await openPlayground('', { before: (page) => page.emulateMediaFeatures([{ name: 'prefers-reduced-motion', value: 'reduce' }]) });
+  const page = await openPlayground('', {
+    before: (page) => page.emulateMediaFeatures([{ name: 'prefers-reduced-motion', value: 'reduce' }]),
+  });
   const [ux, hx] = [await number(page, 'a', 'ux'), await number(page, 'a', 'hx')];
   const [x, y] = await middle(page, '#two-a-along');
   await page.touchscreen.touchStart(x, y);
@@ -51,7 +53,8 @@ test('a finger turns a rectangle by its handle', async () => {
 test('keys alone: from the first tab to one last-place unit', async () => {
   const page = await openPlayground();
   await page.focus('#tab-two');
-  for (let i = 0; i < 50 && (await page.evaluate(() => document.activeElement.id)) !== 'two-b-move'; ++i) await page.keyboard.press('Tab');
+  for (let i = 0; i < 50 && (await page.evaluate(() => document.activeElement.id)) !== 'two-b-move'; ++i)
+    await page.keyboard.press('Tab');
   assert.equal(await page.evaluate(() => document.activeElement.id), 'two-b-move');
   const before = await number(page, 'b', 'cx');
   await page.keyboard.press('ArrowRight');
@@ -74,7 +77,11 @@ test('keys alone: from the first tab to one last-place unit', async () => {
 
 test('numbers that are none, or make no shape, are not taken', async () => {
   const page = await openPlayground();
-  for (const [wrong, why] of [['four', 'no number'], ['-1', 'negative'], ['1e999', 'infinite']]) {
+  for (const [wrong, why] of [
+    ['four', 'no number'],
+    ['-1', 'negative'],
+    ['1e999', 'infinite'],
+  ]) {
     await page.$eval('#number-a-hx', (input) => (input.value = ''));
     await page.type('#number-a-hx', wrong);
     await page.keyboard.press('Enter');
@@ -94,12 +101,15 @@ test('a link holds every bit', async () => {
   await page.$eval('#number-a-r', (input) => (input.value = ''));
   await page.type('#number-a-r', '0.1\n');
   await page.waitForFunction(() => location.hash.includes('0x1.999999999999ap-4'));
-  const link = await page.evaluate(() => location.hash), answers = await page.$$eval('.answers .exact', (all) => all.map((one) => one.textContent));
+  const link = await page.evaluate(() => location.hash),
+    answers = await page.$$eval('.answers .exact', (all) => all.map((one) => one.textContent));
   const again = await openPlayground(link);
   assert.deepEqual(await again.$$eval('.answers .exact', (all) => all.map((one) => one.textContent)), answers);
   // And a link followed on the open page.
   await again.evaluate(() => (location.hash = '#tab=two&a=point,0x1p+0,0x0p+0&b=circle,0x0p+0,0x0p+0,0x1p+0'));
-  await again.waitForFunction(() => document.querySelector('#answer-relation strong').textContent === 'A inside B, touching');
+  await again.waitForFunction(
+    () => document.querySelector('#answer-relation strong').textContent === 'A inside B, touching',
+  );
   await closeQuietly(page);
   await closeQuietly(again);
 });
@@ -108,19 +118,27 @@ test('huge and tiny scenes are shown', async () => {
   for (const e of [1000, -1000]) {
     const page = await openPlayground(`#a=circle,0x0p+0,0x0p+0,0x1p${e}&b=circle,0x1p${e},0x0p+0,0x1p${e}`);
     assert.equal(await value(page, 'overlap'), 'yes');
-    assert.equal(await page.$eval('#two-b-move', ({ style }) => Number.parseFloat(style.left) > 0 && Number.parseFloat(style.left) < 100), true);
+    assert.equal(
+      await page.$eval(
+        '#two-b-move',
+        ({ style }) => Number.parseFloat(style.left) > 0 && Number.parseFloat(style.left) < 100,
+      ),
+      true,
+    );
     await closeQuietly(page);
   }
 });
 
 /** A function of C for each call that the page offers, and what the page says of it. */
 async function calls(page) {
-  return page.$$eval('.answers li', (rows) => rows.map((row) => ({
-    id: row.id.replace('answer-', ''),
-    call: row.querySelector('.copy').dataset.call,
-    value: row.querySelector('strong').textContent,
-    exact: row.querySelector('.exact').textContent,
-  })));
+  return page.$$eval('.answers li', (rows) =>
+    rows.map((row) => ({
+      id: row.id.replace('answer-', ''),
+      call: row.querySelector('.copy').dataset.call,
+      value: row.querySelector('strong').textContent,
+      exact: row.querySelector('.exact').textContent,
+    })),
+  );
 }
 
 const printed = {
@@ -144,7 +162,8 @@ function said({ id, value, exact }) {
 }
 
 test('all pairs of kinds: the calls to copy compile, and answer what the page says', async () => {
-  const page = await openPlayground(), all = [];
+  const page = await openPlayground(),
+    all = [];
   for (const a of kinds) {
     await choose(page, 'a', a);
     for (const b of kinds) {
@@ -153,9 +172,16 @@ test('all pairs of kinds: the calls to copy compile, and answer what the page sa
     }
   }
   assert.equal(all.length, 36 * 8);
-  const functions = all.map(({ id, call }, i) => `static void f${i}(void) {\n${call}\n(void)answer;\n${printed[id]}\n}`);
-  writeFileSync('calls.c', `#include <stdio.h>\n#include <vesica.h>\n${functions.join('\n')}\nint main(void) {\n${all.map((_, i) => `f${i}();`).join('\n')}\nreturn 0;\n}\n`);
-  execFileSync('bash', ['-c', `"$CC" -std=c99 -Wall -Wextra -Werror -o calls calls.c ${process.env.VESICA_FLAGS}`], { stdio: 'inherit' });
+  const functions = all.map(
+    ({ id, call }, i) => `static void f${i}(void) {\n${call}\n(void)answer;\n${printed[id]}\n}`,
+  );
+  writeFileSync(
+    'calls.c',
+    `#include <stdio.h>\n#include <vesica.h>\n${functions.join('\n')}\nint main(void) {\n${all.map((_, i) => `f${i}();`).join('\n')}\nreturn 0;\n}\n`,
+  );
+  execFileSync('bash', ['-c', `"$CC" -std=c99 -Wall -Wextra -Werror -o calls calls.c ${process.env.VESICA_FLAGS}`], {
+    stdio: 'inherit',
+  });
   const lines = execFileSync('./calls', { encoding: 'utf8' }).trim().split('\n');
   all.forEach((one, i) => assert.equal(lines[i], said(one), one.call));
   await closeQuietly(page);
@@ -164,7 +190,9 @@ test('all pairs of kinds: the calls to copy compile, and answer what the page sa
 test('copying puts the call on the clipboard, or says that there is none', async () => {
   const page = await openPlayground();
   await page.click('#answer-nearest .copy');
-  await page.waitForFunction(() => /copied|no clipboard/.test(document.querySelector('#answer-nearest .copy').textContent));
+  await page.waitForFunction(() =>
+    /copied|no clipboard/.test(document.querySelector('#answer-nearest .copy').textContent),
+  );
   await closeQuietly(page);
 });
 

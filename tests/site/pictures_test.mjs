@@ -15,20 +15,31 @@ const pictures = {
 };
 
 /** How many in a thousand pixels differ by more than a little. */
-const difference = (page, one, other) => page.evaluate(async (...urls) => {
-  const [first, second] = await Promise.all(urls.map(async (url) => {
-    const image = await createImageBitmap(await (await fetch(url)).blob()), canvas = new OffscreenCanvas(image.width, image.height);
-    const context = canvas.getContext('2d');
-    context.drawImage(image, 0, 0);
-    return { size: [image.width, image.height], data: context.getImageData(0, 0, image.width, image.height).data };
-  }));
-  if (first.size.join() !== second.size.join()) return 1000;
-  let count = 0;
-  for (let i = 0; i < first.data.length; i += 4) {
-    if ([0, 1, 2].some((k) => Math.abs(first.data[i + k] - second.data[i + k]) > 48)) ++count;
-  }
-  return (4000 * count) / first.data.length;
-}, one, other);
+const difference = (page, one, other) =>
+  page.evaluate(
+    async (...urls) => {
+      const [first, second] = await Promise.all(
+        urls.map(async (url) => {
+          const image = await createImageBitmap(await (await fetch(url)).blob()),
+            canvas = new OffscreenCanvas(image.width, image.height);
+          const context = canvas.getContext('2d');
+          context.drawImage(image, 0, 0);
+          return {
+            size: [image.width, image.height],
+            data: context.getImageData(0, 0, image.width, image.height).data,
+          };
+        }),
+      );
+      if (first.size.join() !== second.size.join()) return 1000;
+      let count = 0;
+      for (let i = 0; i < first.data.length; i += 4) {
+        if ([0, 1, 2].some((k) => Math.abs(first.data[i + k] - second.data[i + k]) > 48)) ++count;
+      }
+      return (4000 * count) / first.data.length;
+    },
+    one,
+    other,
+  );
 
 /** Three hundred shapes: few enough to see, and a small file. */
 function fewer(input) {
@@ -41,7 +52,8 @@ const asUrl = (path) => `data:image/png;base64,${readFileSync(path).toString('ba
 test('pictures', async (t) => {
   const judge = await open('index.html');
   for (const [name, [state, selector]] of Object.entries(pictures)) {
-    const page = await openPlayground(state, { width: 800, height: 700 }), drawn = `pictures/${name}`;
+    const page = await openPlayground(state, { width: 800, height: 700 }),
+      drawn = `pictures/${name}`;
     if (name === 'edge.png') await page.click('#edge-example');
     if (name === 'crowd.png') await page.$eval('#crowd-count', fewer);
     const element = await page.waitForSelector(selector);
@@ -64,7 +76,10 @@ test('the first picture of the README', async () => {
     const box = document.querySelector('#panel-two .answers').getBoundingClientRect();
     return [box.top, box.height];
   });
-  await page.screenshot({ path: 'pictures/playground.png', clip: { x: 0, y: top - 8, width: 1120, height: height + 16 } });
+  await page.screenshot({
+    path: 'pictures/playground.png',
+    clip: { x: 0, y: top - 8, width: 1120, height: height + 16 },
+  });
   if (process.env.VESICA_DRAW) copyFileSync('pictures/playground.png', `${folder}/playground.png`);
   await closeQuietly(page);
 });

@@ -11,8 +11,10 @@ const write = (shape) => [shape.kind, ...numbers(shape).map(toHex)].join(',');
 function readShape(name, text) {
   const [kind, ...words] = text.split(',');
   if (!kinds.includes(kind)) throw new Error(`${name} is of no known kind: “${kind}”`);
-  const values = words.map(fromHex), wanted = fields[kind];
-  if (values.length !== wanted.length) throw new Error(`${name} has ${values.length} numbers; a ${kind} has ${wanted.length}`);
+  const values = words.map(fromHex),
+    wanted = fields[kind];
+  if (values.length !== wanted.length)
+    throw new Error(`${name} has ${values.length} numbers; a ${kind} has ${wanted.length}`);
   const bad = values.findIndex(Number.isNaN);
   if (bad >= 0) throw new Error(`${name}'s ${wanted[bad]} is no hexadecimal number: “${words[bad]}”`);
   return withNumbers(kind, values);

@@ -19,32 +19,52 @@ export const svg = (tag, attributes = {}, ...children) =>
 /** A slider with its label and its value in words; changed(value) at each move. */
 export function slider(id, label, { min, max, step = 1, value }, words, changed) {
   const output = html('output', { for: id }, words(value));
-  const input = html('input', { id, type: 'range', min, max, step, value, input: () => {
-    output.textContent = words(+input.value);
-    input.setAttribute('aria-valuetext', output.textContent);
-    changed(+input.value);
-  } });
+  const input = html('input', {
+    id,
+    type: 'range',
+    min,
+    max,
+    step,
+    value,
+    input: () => {
+      output.textContent = words(+input.value);
+      input.setAttribute('aria-valuetext', output.textContent);
+      changed(+input.value);
+    },
+  });
   input.setAttribute('aria-valuetext', words(value));
   return html('div', { class: 'control' }, html('label', { for: id }, label), input, output);
 }
 
 /** A choice among some, [value, text] each. */
 export function choice(id, label, options, value, changed) {
-  const select = html('select', { id, change: () => changed(select.value) },
-    ...options.map(([name, text]) => html('option', { value: name, selected: name === value }, text)));
+  const select = html(
+    'select',
+    { id, change: () => changed(select.value) },
+    ...options.map(([name, text]) => html('option', { value: name, selected: name === value }, text)),
+  );
   return html('div', { class: 'control' }, html('label', { for: id }, label), select);
 }
 
 /** Text to the clipboard; the button says that it was done. */
 export function copyButton(label, text) {
-  const button = html('button', { type: 'button', class: 'copy', 'aria-label': label, click: async () => {
-    try {
-      await navigator.clipboard.writeText(text());
-      button.textContent = 'copied';
-    } catch {
-      button.textContent = 'no clipboard here';
-    }
-    setTimeout(() => (button.textContent = 'copy'), 1500);
-  } }, 'copy');
+  const button = html(
+    'button',
+    {
+      type: 'button',
+      class: 'copy',
+      'aria-label': label,
+      click: async () => {
+        try {
+          await navigator.clipboard.writeText(text());
+          button.textContent = 'copied';
+        } catch {
+          button.textContent = 'no clipboard here';
+        }
+        setTimeout(() => (button.textContent = 'copy'), 1500);
+      },
+    },
+    'copy',
+  );
   return button;
 }

@@ -7,9 +7,15 @@ import { Scene } from './scene.mjs';
 
 const tabs = {
   two: { title: 'Two shapes', open: (vesica, scene) => new PairTab(vesica, scene) },
-  edge: { title: 'The knife’s edge', open: async (vesica, scene) => new (await import('./edge/tab.mjs')).EdgeTab(vesica, scene) },
+  edge: {
+    title: 'The knife’s edge',
+    open: async (vesica, scene) => new (await import('./edge/tab.mjs')).EdgeTab(vesica, scene),
+  },
   crowd: { title: 'A crowd', open: async (vesica) => new (await import('./crowd/tab.mjs')).CrowdTab(vesica) },
-  methods: { title: 'The named methods', open: async (vesica) => (await import('./methods/tab.mjs')).openMethods(vesica) },
+  methods: {
+    title: 'The named methods',
+    open: async (vesica) => (await import('./methods/tab.mjs')).openMethods(vesica),
+  },
 };
 
 const notice = document.getElementById('notice');
@@ -25,23 +31,33 @@ class Tabs {
   #panels = {};
 
   constructor(vesica, scene) {
-    const list = document.querySelector('[role=tablist]'), names = Object.keys(tabs);
+    const list = document.querySelector('[role=tablist]'),
+      names = Object.keys(tabs);
     for (const name of names) {
-      this.#buttons[name] = html('button', {
-        type: 'button',
-        role: 'tab',
-        id: `tab-${name}`,
-        'aria-controls': `panel-${name}`,
-        click: () => scene.change({ tab: name }),
-        keydown: (event) => {
-          const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
-          if (step === undefined) return;
-          const next = names[(names.indexOf(name) + step + names.length) % names.length];
-          scene.change({ tab: next });
-          this.#buttons[next].focus();
+      this.#buttons[name] = html(
+        'button',
+        {
+          type: 'button',
+          role: 'tab',
+          id: `tab-${name}`,
+          'aria-controls': `panel-${name}`,
+          click: () => scene.change({ tab: name }),
+          keydown: (event) => {
+            const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+            if (step === undefined) return;
+            const next = names[(names.indexOf(name) + step + names.length) % names.length];
+            scene.change({ tab: next });
+            this.#buttons[next].focus();
+          },
         },
-      }, tabs[name].title);
-      this.#panels[name] = html('div', { role: 'tabpanel', id: `panel-${name}`, 'aria-labelledby': `tab-${name}`, hidden: true });
+        tabs[name].title,
+      );
+      this.#panels[name] = html('div', {
+        role: 'tabpanel',
+        id: `panel-${name}`,
+        'aria-labelledby': `tab-${name}`,
+        hidden: true,
+      });
     }
     list.append(...Object.values(this.#buttons));
     list.after(...Object.values(this.#panels));

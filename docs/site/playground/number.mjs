@@ -40,8 +40,10 @@ export const betweenFloats = (x, y) => fromRankOfFloat(Math.floor((rankOfFloat(x
 export function toHex(x) {
   if (!Number.isFinite(x)) return String(x);
   view.setFloat64(0, x);
-  const bits = view.getBigUint64(0), sign = bits & signBit ? '-' : '';
-  const exponent = Number((bits >> 52n) & 0x7ffn), fraction = bits & ((1n << 52n) - 1n);
+  const bits = view.getBigUint64(0),
+    sign = bits & signBit ? '-' : '';
+  const exponent = Number((bits >> 52n) & 0x7ffn),
+    fraction = bits & ((1n << 52n) - 1n);
   if (exponent === 0 && fraction === 0n) return `${sign}0x0p+0`;
   const digits = fraction.toString(16).padStart(13, '0').replace(/0+$/, '');
   const power = exponent === 0 ? -1022 : exponent - 1023;
@@ -54,9 +56,11 @@ const hexPattern = /^([+-]?)0x([01])(?:\.([0-9a-f]{1,13}))?p([+-]?\d{1,4})$/i;
 export function fromHex(text) {
   const [, sign, whole, fraction = '', power] = hexPattern.exec(text) ?? [];
   if (whole === undefined) return NaN;
-  const digits = Number.parseInt(whole + fraction, 16), exponent = Number(power) - 4 * fraction.length;
+  const digits = Number.parseInt(whole + fraction, 16),
+    exponent = Number(power) - 4 * fraction.length;
   // In two steps, as 2^-1074 cannot be the quotient of a number and a power that is finite.
-  const half = Math.trunc(exponent / 2), value = digits * 2 ** half * 2 ** (exponent - half);
+  const half = Math.trunc(exponent / 2),
+    value = digits * 2 ** half * 2 ** (exponent - half);
   return Number.isFinite(value) ? (sign === '-' ? -value : value) : NaN;
 }
 

@@ -3,9 +3,11 @@
 import { svg } from './element.mjs';
 import { form, outline, reach } from './shape.mjs';
 
-export const width = 800, height = 520;
+export const width = 800,
+  height = 520;
 
-const path = (points, closed = true) => `M${points.map(([x, y]) => `${x.toFixed(2)},${y.toFixed(2)}`).join(' ')}${closed ? 'Z' : ''}`;
+const path = (points, closed = true) =>
+  `M${points.map(([x, y]) => `${x.toFixed(2)},${y.toFixed(2)}`).join(' ')}${closed ? 'Z' : ''}`;
 
 /** Which part of the plane is seen. */
 export class View {
@@ -16,10 +18,13 @@ export class View {
   /** All of some shapes, with room around them. */
   fit(shapes) {
     const boxes = shapes.map((shape) => {
-      const { x, y } = form(shape), [w, h] = reach(shape);
+      const { x, y } = form(shape),
+        [w, h] = reach(shape);
       return [x - w, x + w, y - h, y + h];
     });
-    const [left, right, low, high] = [Math.min, Math.max, Math.min, Math.max].map((of, i) => of(...boxes.map((box) => box[i])));
+    const [left, right, low, high] = [Math.min, Math.max, Math.min, Math.max].map((of, i) =>
+      of(...boxes.map((box) => box[i])),
+    );
     const scale = 0.62 * Math.min(width / (right - left), height / (high - low));
     this.x = left / 2 + right / 2;
     this.y = low / 2 + high / 2;
@@ -38,7 +43,10 @@ export class View {
   /** The point of the plane under a pointer. */
   under(event, board) {
     const box = board.getBoundingClientRect();
-    return this.from([((event.clientX - box.left) / box.width) * width, ((event.clientY - box.top) / box.height) * height]);
+    return this.from([
+      ((event.clientX - box.left) / box.width) * width,
+      ((event.clientY - box.top) / box.height) * height,
+    ]);
   }
 }
 
@@ -47,11 +55,15 @@ export const board = (label) => svg('svg', { viewBox: `0 0 ${width} ${height}`, 
 
 /** Lines of a grid, ten units of a power of ten or more apart, about as many as fit. */
 export function grid(view) {
-  const unit = 10 ** Math.ceil(Math.log10(40 / view.scale)), lines = [];
-  const [left, high] = view.from([0, 0]), [right, low] = view.from([width, height]);
+  const unit = 10 ** Math.ceil(Math.log10(40 / view.scale)),
+    lines = [];
+  const [left, high] = view.from([0, 0]),
+    [right, low] = view.from([width, height]);
   if (!(unit > 0) || !Number.isFinite(right - left) || (right - left) / unit > 100) return svg('g');
-  for (let i = Math.ceil(left / unit); i * unit <= right; ++i) lines.push([view.to([i * unit, high]), view.to([i * unit, low])]);
-  for (let i = Math.ceil(low / unit); i * unit <= high; ++i) lines.push([view.to([left, i * unit]), view.to([right, i * unit])]);
+  for (let i = Math.ceil(left / unit); i * unit <= right; ++i)
+    lines.push([view.to([i * unit, high]), view.to([i * unit, low])]);
+  for (let i = Math.ceil(low / unit); i * unit <= high; ++i)
+    lines.push([view.to([left, i * unit]), view.to([right, i * unit])]);
   return svg('path', { class: 'grid', d: lines.map((line) => path(line, false)).join('') });
 }
 
@@ -67,7 +79,13 @@ export function dot(view, at, attributes) {
 }
 
 export const polygon = (view, points, attributes, closed = true) =>
-  svg('path', { d: path(points.map((point) => view.to(point)), closed), ...attributes });
+  svg('path', {
+    d: path(
+      points.map((point) => view.to(point)),
+      closed,
+    ),
+    ...attributes,
+  });
 
 export function text(view, at, words, attributes = {}) {
   const [x, y] = view.to(at);

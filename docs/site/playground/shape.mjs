@@ -12,7 +12,10 @@ export const nameOf = {
 };
 
 export const numbers = (shape) => fields[shape.kind].map((name) => shape[name]);
-export const withNumbers = (kind, values) => ({ kind, ...Object.fromEntries(fields[kind].map((name, i) => [name, values[i]])) });
+export const withNumbers = (kind, values) => ({
+  kind,
+  ...Object.fromEntries(fields[kind].map((name, i) => [name, values[i]])),
+});
 export const isRound = (shape) => shape.kind === 'circle' || shape.kind === 'ellipse';
 
 /** The centre, and two half axes as vectors: a box is all C + s P + t Q with |s|, |t| <= 1. */
@@ -28,10 +31,16 @@ export function form(shape) {
       return { x: shape.cx, y: shape.cy, p: [shape.r, 0], q: [0, shape.r] };
     case 'aabb': {
       const { min_x, min_y, max_x, max_y } = shape;
-      return { x: (min_x + max_x) / 2, y: (min_y + max_y) / 2, p: [(max_x - min_x) / 2, 0], q: [0, (max_y - min_y) / 2] };
+      return {
+        x: (min_x + max_x) / 2,
+        y: (min_y + max_y) / 2,
+        p: [(max_x - min_x) / 2, 0],
+        q: [0, (max_y - min_y) / 2],
+      };
     }
     default: {
-      const { cx, cy, ux, uy } = shape, [a, b] = shape.kind === 'rect' ? [shape.hx, shape.hy] : [shape.a, shape.b];
+      const { cx, cy, ux, uy } = shape,
+        [a, b] = shape.kind === 'rect' ? [shape.hx, shape.hy] : [shape.a, shape.b];
       return { x: cx, y: cy, p: [a * ux, a * uy], q: [-b * uy, b * ux] };
     }
   }
@@ -56,14 +65,17 @@ export function outline(shape, count = 96) {
 
 /** Half the width and half the height of the box around a shape. */
 export function reach(shape) {
-  const { p, q } = form(shape), join = isRound(shape) ? Math.hypot : (a, b) => Math.abs(a) + Math.abs(b);
+  const { p, q } = form(shape),
+    join = isRound(shape) ? Math.hypot : (a, b) => Math.abs(a) + Math.abs(b);
   return [join(p[0], q[0]), join(p[1], q[1])];
 }
 
 /** Shapes that mean about the same in another kind: centre, size and turn stay where the kind has them. */
 export function asKind(shape, kind) {
   const { x, y, p, q } = form(shape);
-  const a = Math.hypot(...p) || 1, b = Math.hypot(...q) || a / 2, u = Math.hypot(...p) > 0 ? [p[0] / a, p[1] / a] : [1, 0];
+  const a = Math.hypot(...p) || 1,
+    b = Math.hypot(...q) || a / 2,
+    u = Math.hypot(...p) > 0 ? [p[0] / a, p[1] / a] : [1, 0];
   return {
     point: () => withNumbers('point', [x, y]),
     segment: () => withNumbers('segment', [x - a * u[0], y - a * u[1], x + a * u[0], y + a * u[1]]),
@@ -76,6 +88,22 @@ export function asKind(shape, kind) {
 
 /** The shape with every point moved. */
 export function moved(shape, dx, dy) {
-  const shift = { x: dx, cx: dx, x0: dx, x1: dx, min_x: dx, max_x: dx, y: dy, cy: dy, y0: dy, y1: dy, min_y: dy, max_y: dy };
-  return withNumbers(shape.kind, fields[shape.kind].map((name) => shape[name] + (shift[name] ?? 0)));
+  const shift = {
+    x: dx,
+    cx: dx,
+    x0: dx,
+    x1: dx,
+    min_x: dx,
+    max_x: dx,
+    y: dy,
+    cy: dy,
+    y0: dy,
+    y1: dy,
+    min_y: dy,
+    max_y: dy,
+  };
+  return withNumbers(
+    shape.kind,
+    fields[shape.kind].map((name) => shape[name] + (shift[name] ?? 0)),
+  );
 }

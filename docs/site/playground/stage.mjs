@@ -31,14 +31,17 @@ export class Stage {
   show(nodes) {
     this.#board.replaceChildren(...nodes);
     const shapes = this.#shapes();
-    const wanted = Object.entries(shapes).flatMap(([name, { kind }]) => handlesOf(kind).map((handle) => [name, handle]));
+    const wanted = Object.entries(shapes).flatMap(([name, { kind }]) =>
+      handlesOf(kind).map((handle) => [name, handle]),
+    );
     const key = wanted.map(([name, { id }]) => `${name}-${id}`).join();
     if (this.#handles.dataset.key !== key) {
       this.#handles.dataset.key = key;
       this.#handles.replaceChildren(...wanted.map(([name, handle]) => this.#handle(name, handle)));
     }
     wanted.forEach(([name, handle], i) => {
-      const [x, y] = this.view.to(handle.at(shapes[name])), { style } = this.#handles.children[i];
+      const [x, y] = this.view.to(handle.at(shapes[name])),
+        { style } = this.#handles.children[i];
       style.left = percent(x, width);
       style.top = percent(y, height);
     });
@@ -46,20 +49,24 @@ export class Stage {
 
   #handle(name, handle) {
     const label = `${name.toUpperCase()}: ${handle.label}`;
-    return html('button', {
-      type: 'button',
-      class: `handle ${name} ${handle.id}`,
-      id: `${this.id}-${name}-${handle.id}`,
-      'aria-label': label,
-      title: label,
-      pointerdown: (event) => this.#grab(event, name, handle.id),
-      keydown: (event) => {
-        const shape = afterKey(this.#shapes()[name], handle, event, 100 / this.view.scale);
-        if (shape === null) return;
-        event.preventDefault();
-        this.#change({ [name]: shape });
+    return html(
+      'button',
+      {
+        type: 'button',
+        class: `handle ${name} ${handle.id}`,
+        id: `${this.id}-${name}-${handle.id}`,
+        'aria-label': label,
+        title: label,
+        pointerdown: (event) => this.#grab(event, name, handle.id),
+        keydown: (event) => {
+          const shape = afterKey(this.#shapes()[name], handle, event, 100 / this.view.scale);
+          if (shape === null) return;
+          event.preventDefault();
+          this.#change({ [name]: shape });
+        },
       },
-    }, handle.id === 'move' ? name.toUpperCase() : '');
+      handle.id === 'move' ? name.toUpperCase() : '',
+    );
   }
 
   #grab(event, name, id) {
@@ -71,10 +78,11 @@ export class Stage {
       this.#change({ [name]: handle.drag(this.#shapes()[name], to, before) });
       before = to;
     };
-    const ends = ['pointerup', 'pointercancel'], end = () => {
-      removeEventListener('pointermove', follow);
-      for (const type of ends) removeEventListener(type, end);
-    };
+    const ends = ['pointerup', 'pointercancel'],
+      end = () => {
+        removeEventListener('pointermove', follow);
+        for (const type of ends) removeEventListener(type, end);
+      };
     addEventListener('pointermove', follow);
     for (const type of ends) addEventListener(type, end);
     event.preventDefault();

@@ -38,7 +38,10 @@ void main() {
 
 function program(gl) {
   const made = gl.createProgram();
-  for (const [type, source] of [[gl.VERTEX_SHADER, vertexShader], [gl.FRAGMENT_SHADER, fragmentShader]]) {
+  for (const [type, source] of [
+    [gl.VERTEX_SHADER, vertexShader],
+    [gl.FRAGMENT_SHADER, fragmentShader],
+  ]) {
     const shader = gl.createShader(type);
     gl.shaderSource(shader, source);
     gl.compileShader(shader);
@@ -53,14 +56,21 @@ function program(gl) {
 export function webgl(canvas) {
   const gl = canvas.getContext('webgl2', { alpha: false, antialias: false });
   if (gl === null) return null;
-  const shaders = program(gl), instances = gl.createBuffer(), place = (name) => gl.getUniformLocation(shaders, name);
+  const shaders = program(gl),
+    instances = gl.createBuffer(),
+    place = (name) => gl.getUniformLocation(shaders, name);
   gl.useProgram(shaders);
   gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
   gl.bufferData(gl.ARRAY_BUFFER, new Float32Array([-1, -1, 1, -1, -1, 1, 1, 1]), gl.STATIC_DRAW);
   gl.enableVertexAttribArray(0);
   gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 0, 0);
   gl.bindBuffer(gl.ARRAY_BUFFER, instances);
-  [[1, 2, 0], [2, 2, 2], [3, 1, 4], [4, 2, 5]].forEach(([location, size, offset]) => {
+  [
+    [1, 2, 0],
+    [2, 2, 2],
+    [3, 1, 4],
+    [4, 2, 5],
+  ].forEach(([location, size, offset]) => {
     gl.enableVertexAttribArray(location);
     gl.vertexAttribPointer(location, size, gl.FLOAT, false, 4 * perInstance, 4 * offset);
     gl.vertexAttribDivisor(location, 1);

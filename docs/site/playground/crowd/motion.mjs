@@ -13,10 +13,22 @@ export function random(seed) {
 
 const writers = {
   point: (n, i, x, y) => ((n[i] = x), (n[i + 1] = y)),
-  segment: (n, i, x, y, c, s, a) => ((n[i] = x - a * c), (n[i + 1] = y - a * s), (n[i + 2] = x + a * c), (n[i + 3] = y + a * s)),
+  segment: (n, i, x, y, c, s, a) => (
+    (n[i] = x - a * c),
+    (n[i + 1] = y - a * s),
+    (n[i + 2] = x + a * c),
+    (n[i + 3] = y + a * s)
+  ),
   circle: (n, i, x, y, c, s, a) => ((n[i] = x), (n[i + 1] = y), (n[i + 2] = a)),
   aabb: (n, i, x, y, c, s, a, b) => ((n[i] = x - a), (n[i + 1] = y - b), (n[i + 2] = x + a), (n[i + 3] = y + b)),
-  rect: (n, i, x, y, c, s, a, b) => ((n[i] = x), (n[i + 1] = y), (n[i + 2] = c), (n[i + 3] = s), (n[i + 4] = a), (n[i + 5] = b)),
+  rect: (n, i, x, y, c, s, a, b) => (
+    (n[i] = x),
+    (n[i + 1] = y),
+    (n[i + 2] = c),
+    (n[i + 3] = s),
+    (n[i + 4] = a),
+    (n[i + 5] = b)
+  ),
 };
 writers.ellipse = writers.rect;
 
@@ -33,15 +45,24 @@ export class Crowd {
     this.instances = new Float32Array(count * perInstance);
     this.touched = new Uint8Array(count);
     this.#state = new Float32Array(count * 8);
-    const next = random(seed), size = 0.42 * Math.sqrt((box.width * box.height) / count);
+    const next = random(seed),
+      size = 0.42 * Math.sqrt((box.width * box.height) / count);
     for (let i = 0; i < count; ++i) {
-      const speed = 0.04 + 0.08 * next(), way = 2 * Math.PI * next();
-      this.#state.set([
-        (next() - 0.5) * box.width, (next() - 0.5) * box.height,
-        speed * Math.cos(way), speed * Math.sin(way),
-        2 * Math.PI * next(), (next() - 0.5) * 3,
-        size * (0.5 + next()), size * (0.3 + 0.5 * next()),
-      ], 8 * i);
+      const speed = 0.04 + 0.08 * next(),
+        way = 2 * Math.PI * next();
+      this.#state.set(
+        [
+          (next() - 0.5) * box.width,
+          (next() - 0.5) * box.height,
+          speed * Math.cos(way),
+          speed * Math.sin(way),
+          2 * Math.PI * next(),
+          (next() - 0.5) * 3,
+          size * (0.5 + next()),
+          size * (0.3 + 0.5 * next()),
+        ],
+        8 * i,
+      );
     }
     const bounds = kinds.map((_, k) => Math.floor((k * count) / kinds.length));
     this.#first = [...bounds, count];
@@ -52,10 +73,14 @@ export class Crowd {
 
   /** All shapes so many seconds on; at the box's sides they turn back. */
   move(seconds) {
-    const state = this.#state, out = this.instances;
+    const state = this.#state,
+      out = this.instances;
     kinds.forEach((kind, k) => {
-      const numbers = this.#sets[k].numbers, write = writers[kind], width = numbers.length / (this.#first[k + 1] - this.#first[k]) || 0;
-      const flat = kind === 'point' || kind === 'segment', round = kind === 'circle' || kind === 'ellipse' || kind === 'point' ? 1 : 0;
+      const numbers = this.#sets[k].numbers,
+        write = writers[kind],
+        width = numbers.length / (this.#first[k + 1] - this.#first[k]) || 0;
+      const flat = kind === 'point' || kind === 'segment',
+        round = kind === 'circle' || kind === 'ellipse' || kind === 'point' ? 1 : 0;
       for (let i = this.#first[k], at = 0; i < this.#first[k + 1]; ++i, at += width) {
         const s = 8 * i;
         state[s] += seconds * state[s + 2];
@@ -63,8 +88,11 @@ export class Crowd {
         if (Math.abs(state[s]) > box.width / 2) state[s + 2] = -Math.sign(state[s]) * Math.abs(state[s + 2]);
         if (Math.abs(state[s + 1]) > box.height / 2) state[s + 3] = -Math.sign(state[s + 1]) * Math.abs(state[s + 3]);
         state[s + 4] += seconds * state[s + 5];
-        const angle = kind === 'aabb' ? 0 : state[s + 4], c = Math.cos(angle), sine = Math.sin(angle);
-        const a = kind === 'point' ? 0 : state[s + 6], b = flat ? 0 : kind === 'circle' ? a : state[s + 7];
+        const angle = kind === 'aabb' ? 0 : state[s + 4],
+          c = Math.cos(angle),
+          sine = Math.sin(angle);
+        const a = kind === 'point' ? 0 : state[s + 6],
+          b = flat ? 0 : kind === 'circle' ? a : state[s + 7];
         write(numbers, at, state[s], state[s + 1], c, sine, a, b);
         const o = perInstance * i;
         out[o] = state[s];

@@ -28,22 +28,55 @@ export class CrowdTab {
   #steps = 0;
   #queries = [];
   #frames = [];
-  #canvas = html('canvas', { width: 1280, height: 1280 * (box.height / box.width), role: 'img', 'aria-label': 'Moving shapes; those that touch another are red' });
+  #canvas = html('canvas', {
+    width: 1280,
+    height: 1280 * (box.height / box.width),
+    role: 'img',
+    'aria-label': 'Moving shapes; those that touch another are red',
+  });
   #values = {};
   #toggle = html('button', { type: 'button', id: 'crowd-run', click: () => this.#run(!this.#running) });
 
   constructor(vesica) {
     this.#vesica = vesica;
     this.#draw = webgl(this.#canvas) ?? flatCanvas(this.#canvas);
-    const value = (name, label) => html('div', {}, html('dt', {}, label), (this.#values[name] = html('dd', { id: `crowd-${name}` }, '–')));
-    this.element = html('div', {},
-      html('p', { class: 'lead' }, 'Points, segments, circles, boxes, rectangles and ellipses, all moving. Every frame builds an index of all of them and asks for every pair that meets, exactly. Red shapes touch another.'),
-      html('div', { class: 'controls' },
-        slider('crowd-count', 'How many', { min: 0, max: counts.length - 1, value: counts.indexOf(10000) }, (i) => `${counts[i].toLocaleString('en')} shapes`, (i) => this.#start(counts[i])),
-        this.#toggle),
-      html('dl', { class: 'figures' }, value('query', 'query, ms a frame'), value('pairs', 'pairs that touch'), value('exact', 'exact tests a second'), value('fps', 'frames a second')),
+    const value = (name, label) =>
+      html('div', {}, html('dt', {}, label), (this.#values[name] = html('dd', { id: `crowd-${name}` }, '–')));
+    this.element = html(
+      'div',
+      {},
+      html(
+        'p',
+        { class: 'lead' },
+        'Points, segments, circles, boxes, rectangles and ellipses, all moving. Every frame builds an index of all of them and asks for every pair that meets, exactly. Red shapes touch another.',
+      ),
+      html(
+        'div',
+        { class: 'controls' },
+        slider(
+          'crowd-count',
+          'How many',
+          { min: 0, max: counts.length - 1, value: counts.indexOf(10000) },
+          (i) => `${counts[i].toLocaleString('en')} shapes`,
+          (i) => this.#start(counts[i]),
+        ),
+        this.#toggle,
+      ),
+      html(
+        'dl',
+        { class: 'figures' },
+        value('query', 'query, ms a frame'),
+        value('pairs', 'pairs that touch'),
+        value('exact', 'exact tests a second'),
+        value('fps', 'frames a second'),
+      ),
       html('div', { class: 'picture' }, this.#canvas),
-      html('p', { class: 'hint' }, 'The query is the build of the index and the join, in the median of the last 60 frames; moving and drawing are not in it.'));
+      html(
+        'p',
+        { class: 'hint' },
+        'The query is the build of the index and the join, in the median of the last 60 frames; moving and drawing are not in it.',
+      ),
+    );
     this.#takeColours();
     dark.addEventListener('change', () => this.#takeColours());
     addEventListener('resize', () => this.shown());
@@ -93,7 +126,8 @@ export class CrowdTab {
   /** One frame, so many seconds after the last. */
   step(seconds) {
     this.#crowd.move(seconds);
-    const start = performance.now(), pairs = this.#crowd.collide();
+    const start = performance.now(),
+      pairs = this.#crowd.collide();
     this.#queries.push(performance.now() - start);
     this.#paint();
     this.#steps += 1;
@@ -116,7 +150,8 @@ export class CrowdTab {
     const fps = this.#frames.length > 0 ? 1000 / median(this.#frames) : 0;
     this.#values.query.textContent = median(this.#queries).toFixed(2);
     this.#values.pairs.textContent = pairs.toLocaleString('en');
-    this.#values.exact.textContent = fps > 0 ? Math.round(this.#crowd.candidates() * fps).toLocaleString('en', { notation: 'compact' }) : '–';
+    this.#values.exact.textContent =
+      fps > 0 ? Math.round(this.#crowd.candidates() * fps).toLocaleString('en', { notation: 'compact' }) : '–';
     this.#values.fps.textContent = fps > 0 ? fps.toFixed(0) : '–';
     this.element.dataset.frames = this.#steps;
   }

@@ -4,7 +4,10 @@ import { beside, besideFloat, between, betweenFloats } from '../number.mjs';
 
 export const neighbours = 65; // each side
 
-export const steppings = { double: { beside, between, round: (x) => x }, float: { beside: besideFloat, between: betweenFloats, round: Math.fround } };
+export const steppings = {
+  double: { beside, between, round: (x) => x },
+  float: { beside: besideFloat, between: betweenFloats, round: Math.fround },
+};
 
 const withNumber = (shape, field, value) => ({ ...shape, [field]: value });
 
@@ -40,15 +43,25 @@ function lastTouching(ask, stepping, inside, outside) {
  * that number changes the answer. With float all numbers of both shapes are rounded to float first.
  */
 export function contact(vesica, a, b, field, type) {
-  const stepping = steppings[type], rounded = ([name, x]) => [name, typeof x === 'number' ? stepping.round(x) : x];
+  const stepping = steppings[type],
+    rounded = ([name, x]) => [name, typeof x === 'number' ? stepping.round(x) : x];
   const [first, second] = [a, b].map((shape) => Object.fromEntries(Object.entries(shape).map(rounded)));
-  const ask = asked(vesica, first, second, field), start = second[field];
-  const size = Math.max(...[first, second].flatMap((shape) => Object.values(shape).filter((x) => typeof x === 'number').map(Math.abs)));
+  const ask = asked(vesica, first, second, field),
+    start = second[field];
+  const size = Math.max(
+    ...[first, second].flatMap((shape) =>
+      Object.values(shape)
+        .filter((x) => typeof x === 'number')
+        .map(Math.abs),
+    ),
+  );
   const far = ask(start) === null ? null : other(ask, start, size);
   if (far === null) return null;
-  const ends = [start, stepping.round(far)], [inside, outside] = ask(start) ? ends : ends.reverse();
+  const ends = [start, stepping.round(far)],
+    [inside, outside] = ask(start) ? ends : ends.reverse();
   if (ask(inside) !== true || ask(outside) !== false) return null;
-  const value = lastTouching(ask, stepping, inside, outside), cells = [];
+  const value = lastTouching(ask, stepping, inside, outside),
+    cells = [];
   for (let i = -neighbours; i <= neighbours; ++i) {
     const here = stepping.beside(value, i);
     cells.push({ value: here, exact: ask(here) });

@@ -19,14 +19,27 @@ export class Demo {
     this.shapes = description.shapes;
     this.description = description;
     const label = `${description.title}: a picture of the method at work`;
-    this.stage = new Stage(description.id, label, () => this.shapes, (what) => this.change(what));
+    this.stage = new Stage(
+      description.id,
+      label,
+      () => this.shapes,
+      (what) => this.change(what),
+    );
     this.#controls.append(...(description.controls?.(this) ?? []));
-    this.element = html('section', { id: `method-${description.id}` },
+    this.element = html(
+      'section',
+      { id: `method-${description.id}` },
       html('h2', {}, description.title),
       html('p', {}, description.idea),
       html('p', { class: 'hint' }, `From: ${description.seed} `, html('a', { href: reference }, 'More about it')),
       this.#controls,
-      html('div', { class: 'method-grid' }, html('div', {}, this.stage.element, ...(description.below?.(this) ?? [])), html('div', { role: 'status' }, this.#told)));
+      html(
+        'div',
+        { class: 'method-grid' },
+        html('div', {}, this.stage.element, ...(description.below?.(this) ?? [])),
+        html('div', { role: 'status' }, this.#told),
+      ),
+    );
     this.stage.fit();
     this.show();
   }
@@ -40,8 +53,20 @@ export class Demo {
 
   show() {
     this.stage.show(this.description.draw(this));
-    this.#told.replaceChildren(...this.description.tell(this).map(([who, answer, note = '']) =>
-      html('li', {}, html('span', { class: 'swatch overlap' }), html('span', { class: 'question' }, who), html('strong', {}, answer), html('span', { class: 'hint exact' }, note))));
+    this.#told.replaceChildren(
+      ...this.description
+        .tell(this)
+        .map(([who, answer, note = '']) =>
+          html(
+            'li',
+            {},
+            html('span', { class: 'swatch overlap' }),
+            html('span', { class: 'question' }, who),
+            html('strong', {}, answer),
+            html('span', { class: 'hint exact' }, note),
+          ),
+        ),
+    );
   }
 
   /** The exact answer, as the last line of tell(). */

@@ -14,10 +14,18 @@ const names = {
 
 /** Corners on the outline, and where the tangents there meet. */
 function polygons(shape, n) {
-  const sides = 4 * 2 ** n, step = (2 * Math.PI) / sides, f = form(shape);
-  const at = (t, grow) => [f.x + grow * (Math.cos(t) * f.p[0] + Math.sin(t) * f.q[0]), f.y + grow * (Math.cos(t) * f.p[1] + Math.sin(t) * f.q[1])];
+  const sides = 4 * 2 ** n,
+    step = (2 * Math.PI) / sides,
+    f = form(shape);
+  const at = (t, grow) => [
+    f.x + grow * (Math.cos(t) * f.p[0] + Math.sin(t) * f.q[0]),
+    f.y + grow * (Math.cos(t) * f.p[1] + Math.sin(t) * f.q[1]),
+  ];
   const all = Array.from({ length: sides }, (_, i) => i);
-  return { inner: all.map((i) => at(i * step, 1)), outer: all.map((i) => at((i + 0.5) * step, 1 / Math.cos(step / 2))) };
+  return {
+    inner: all.map((i) => at(i * step, 1)),
+    outer: all.map((i) => at((i + 0.5) * step, 1 / Math.cos(step / 2))),
+  };
 }
 
 export const polygonalSandwich = {
@@ -33,14 +41,22 @@ export const polygonalSandwich = {
         demo.method = method;
         demo.show();
       }),
-      slider('sandwich-n', 'Iterations n', { min: 0, max: most, value: demo.n }, (n) => `${n}: ${4 * 2 ** n} sides`, (n) => {
-        demo.n = n;
-        demo.show();
-      }),
+      slider(
+        'sandwich-n',
+        'Iterations n',
+        { min: 0, max: most, value: demo.n },
+        (n) => `${n}: ${4 * 2 ** n} sides`,
+        (n) => {
+          demo.n = n;
+          demo.show();
+        },
+      ),
     ];
   },
   draw(demo) {
-    const { a, b } = demo.shapes, { view } = demo.stage, { inner, outer } = polygons(a, Math.min(demo.n, 7));
+    const { a, b } = demo.shapes,
+      { view } = demo.stage,
+      { inner, outer } = polygons(a, Math.min(demo.n, 7));
     return [
       grid(view),
       polygon(view, outer, { class: 'outer' }),
@@ -50,10 +66,19 @@ export const polygonalSandwich = {
     ];
   },
   tell(demo) {
-    const { a, b } = demo.shapes, found = demo.methods[demo.method](b, a, demo.n);
+    const { a, b } = demo.shapes,
+      found = demo.methods[demo.method](b, a, demo.n);
     return [
-      [`${names[demo.method]}, n = ${demo.n}`, found.answer, `${found.iterations} iterations done; the outline's error is below ${short(found.outlineError, 4)}`],
-      ['As printed, out of iterations', found.answer === 'uncertain' ? 'no' : found.answer, 'print has no third answer'],
+      [
+        `${names[demo.method]}, n = ${demo.n}`,
+        found.answer,
+        `${found.iterations} iterations done; the outline's error is below ${short(found.outlineError, 4)}`,
+      ],
+      [
+        'As printed, out of iterations',
+        found.answer === 'uncertain' ? 'no' : found.answer,
+        'print has no third answer',
+      ],
       ['Closed form', demo.methods.circleEllipseClosedForm(b, a), 'the root of a quartic, in rounded arithmetic'],
       demo.exact(a, b),
     ];

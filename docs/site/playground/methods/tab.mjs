@@ -12,10 +12,18 @@ import { separatingLines } from './separating_lines.mjs';
 const all = [closestFeatures, minkowskiSum, polygonalSandwich, separatingLines, gradientDescent];
 
 export async function openMethods(vesica) {
-  const methods = await loadMethods(), demos = all.map((description) => new Demo(vesica, methods, description));
+  const methods = await loadMethods(),
+    demos = all.map((description) => new Demo(vesica, methods, description));
   return {
-    element: html('div', {},
-      html('p', { class: 'lead' }, 'The algorithms that people know by name, corrected, beside the exact answer: drag the shapes and see where each stands.'),
-      ...demos.map((demo) => demo.element)),
+    element: html(
+      'div',
+      {},
+      html(
+        'p',
+        { class: 'lead' },
+        'The algorithms that people know by name, corrected, beside the exact answer: drag the shapes and see where each stands.',
+      ),
+      ...demos.map((demo) => demo.element),
+    ),
   };
 }

@@ -26,37 +26,84 @@ const closest = (found) => ({
 
 /** id, question, C function, the type of its out, and ask(vesica, a, b) -> { value, exact, found }. */
 const questions = [
-  { id: 'overlap', question: 'Do they share a point?', name: 'overlap', ask: (v, a, b) => {
-    const found = v.overlap(a, b);
-    return { value: found ? 'yes' : 'no', exact: 'exact', found };
-  } },
-  { id: 'relation', question: 'How does A relate to B?', name: 'relation', ask: (v, a, b) => {
-    const found = v.relation(a, b);
-    return { value: relationWords[found], exact: `exact: VESICA_${found.toUpperCase()}`, found };
-  } },
-  { id: 'nearest', question: 'How far apart?', name: 'nearest', out: 'vesica_closest_points_f64', ask: (v, a, b) => closest(v.nearest(a, b)) },
-  { id: 'outlines', question: 'How far apart are the outlines?', name: 'boundary_distance', out: 'vesica_closest_points_f64', ask: (v, a, b) => closest(v.boundaryDistance(a, b)) },
-  { id: 'depth', question: 'How far must B move to part?', name: 'depth', out: 'vesica_penetration_f64', ask: (v, a, b) => {
-    const found = v.depth(a, b);
-    return { value: short(found.depth), exact: `${toHex(found.depth)} along ${place(found.x, found.y)}`, found };
-  } },
-  { id: 'crossings', question: 'Where do the outlines meet?', name: 'crossings', out: 'vesica_crossing_points_f64', ask: (v, a, b) => {
-    const found = v.crossings(a, b), count = found.places.length;
-    const also = found.shared ? ' and a shared stretch' : '';
-    return {
-      value: `${count} place${count === 1 ? '' : 's'}${also}`,
-      exact: found.places.map(({ x, y }) => place(x, y)).join(' ') || 'nowhere',
-      found,
-    };
-  } },
-  { id: 'area', question: 'What area do they share?', name: 'area', out: 'double', ask: (v, a, b) => {
-    const found = v.area(a, b);
-    return { value: short(found), exact: toHex(found), found };
-  } },
-  { id: 'iou', question: 'Intersection over union?', name: 'iou', out: 'double', ask: (v, a, b) => {
-    const found = v.iou(a, b);
-    return { value: short(found), exact: toHex(found), found };
-  } },
+  {
+    id: 'overlap',
+    question: 'Do they share a point?',
+    name: 'overlap',
+    ask: (v, a, b) => {
+      const found = v.overlap(a, b);
+      return { value: found ? 'yes' : 'no', exact: 'exact', found };
+    },
+  },
+  {
+    id: 'relation',
+    question: 'How does A relate to B?',
+    name: 'relation',
+    ask: (v, a, b) => {
+      const found = v.relation(a, b);
+      return { value: relationWords[found], exact: `exact: VESICA_${found.toUpperCase()}`, found };
+    },
+  },
+  {
+    id: 'nearest',
+    question: 'How far apart?',
+    name: 'nearest',
+    out: 'vesica_closest_points_f64',
+    ask: (v, a, b) => closest(v.nearest(a, b)),
+  },
+  {
+    id: 'outlines',
+    question: 'How far apart are the outlines?',
+    name: 'boundary_distance',
+    out: 'vesica_closest_points_f64',
+    ask: (v, a, b) => closest(v.boundaryDistance(a, b)),
+  },
+  {
+    id: 'depth',
+    question: 'How far must B move to part?',
+    name: 'depth',
+    out: 'vesica_penetration_f64',
+    ask: (v, a, b) => {
+      const found = v.depth(a, b);
+      return { value: short(found.depth), exact: `${toHex(found.depth)} along ${place(found.x, found.y)}`, found };
+    },
+  },
+  {
+    id: 'crossings',
+    question: 'Where do the outlines meet?',
+    name: 'crossings',
+    out: 'vesica_crossing_points_f64',
+    ask: (v, a, b) => {
+      const found = v.crossings(a, b),
+        count = found.places.length;
+      const also = found.shared ? ' and a shared stretch' : '';
+      return {
+        value: `${count} place${count === 1 ? '' : 's'}${also}`,
+        exact: found.places.map(({ x, y }) => place(x, y)).join(' ') || 'nowhere',
+        found,
+      };
+    },
+  },
+  {
+    id: 'area',
+    question: 'What area do they share?',
+    name: 'area',
+    out: 'double',
+    ask: (v, a, b) => {
+      const found = v.area(a, b);
+      return { value: short(found), exact: toHex(found), found };
+    },
+  },
+  {
+    id: 'iou',
+    question: 'Intersection over union?',
+    name: 'iou',
+    out: 'double',
+    ask: (v, a, b) => {
+      const found = v.iou(a, b);
+      return { value: short(found), exact: toHex(found), found };
+    },
+  },
 ];
 
 /** The C that gives an answer; as it stands it compiles inside a function, after #include <vesica.h>. */

@@ -8,24 +8,36 @@ const turnStep = Math.PI / 180;
 
 /** Of a rectangle or an ellipse: the first axis ends at a point. The axis becomes a unit vector. */
 function axisTo(shape, [x, y], along, across) {
-  const dx = x - shape.cx, dy = y - shape.cy, length = Math.hypot(dx, dy), unit = Math.hypot(shape.ux, shape.uy);
+  const dx = x - shape.cx,
+    dy = y - shape.cy,
+    length = Math.hypot(dx, dy),
+    unit = Math.hypot(shape.ux, shape.uy);
   if (!(length > 0)) return shape;
   return { ...shape, ux: dx / length, uy: dy / length, [along]: length, [across]: shape[across] * unit };
 }
 
 function turned(shape, angle) {
-  const c = Math.cos(angle), s = Math.sin(angle);
+  const c = Math.cos(angle),
+    s = Math.sin(angle);
   return { ...shape, ux: c * shape.ux - s * shape.uy, uy: s * shape.ux + c * shape.uy };
 }
 
 /** The half size across the axis, so that its side goes through a point. */
 function across(shape, [x, y], field) {
-  const { ux, uy } = shape, level = ((y - shape.cy) * ux - (x - shape.cx) * uy) / (ux * ux + uy * uy);
+  const { ux, uy } = shape,
+    level = ((y - shape.cy) * ux - (x - shape.cx) * uy) / (ux * ux + uy * uy);
   return { ...shape, [field]: Math.abs(level) };
 }
 
 const move = (x, y) => ({ id: 'move', label: 'move', horizontal: x, vertical: y });
-const place = (id, label, x, y) => ({ id, label, horizontal: [x], vertical: [y], at: (s) => [s[x], s[y]], drag: (s, [px, py]) => ({ ...s, [x]: px, [y]: py }) });
+const place = (id, label, x, y) => ({
+  id,
+  label,
+  horizontal: [x],
+  vertical: [y],
+  at: (s) => [s[x], s[y]],
+  drag: (s, [px, py]) => ({ ...s, [x]: px, [y]: py }),
+});
 
 function turning(along, over) {
   return [
@@ -52,12 +64,20 @@ function turning(along, over) {
 
 const corner = (id, label, x, y, bound) => ({
   ...place(id, label, x, y),
-  drag: (s, [px, py]) => ({ ...s, [x]: bound(px, s[x.replace(/m../, id === 'low' ? 'max' : 'min')]), [y]: bound(py, s[y.replace(/m../, id === 'low' ? 'max' : 'min')]) }),
+  drag: (s, [px, py]) => ({
+    ...s,
+    [x]: bound(px, s[x.replace(/m../, id === 'low' ? 'max' : 'min')]),
+    [y]: bound(py, s[y.replace(/m../, id === 'low' ? 'max' : 'min')]),
+  }),
 });
 
 const handles = {
   point: [move(['x'], ['y'])],
-  segment: [move(['x0', 'x1'], ['y0', 'y1']), place('start', 'first end', 'x0', 'y0'), place('end', 'second end', 'x1', 'y1')],
+  segment: [
+    move(['x0', 'x1'], ['y0', 'y1']),
+    place('start', 'first end', 'x0', 'y0'),
+    place('end', 'second end', 'x1', 'y1'),
+  ],
   circle: [
     move(['cx'], ['cy']),
     {
@@ -86,7 +106,12 @@ export const handlesOf = (kind) =>
     ...handle,
   }));
 
-const arrows = { ArrowLeft: ['horizontal', -1], ArrowRight: ['horizontal', 1], ArrowUp: ['vertical', 1], ArrowDown: ['vertical', -1] };
+const arrows = {
+  ArrowLeft: ['horizontal', -1],
+  ArrowRight: ['horizontal', 1],
+  ArrowUp: ['vertical', 1],
+  ArrowDown: ['vertical', -1],
+};
 
 /** The shape after a key, or null if the key means nothing. With Shift, numbers change by one last-place unit. */
 export function afterKey(shape, handle, event, unit) {

@@ -20,19 +20,37 @@ export class PairTab {
   constructor(vesica, scene) {
     this.#vesica = vesica;
     this.#scene = scene;
-    this.#stage = new Stage('two', 'Two shapes and the answers about them', () => ({ a: scene.a, b: scene.b }), (what) => this.#change(what));
-    this.element = html('div', { class: 'columns' },
-      html('div', { class: 'stage' },
+    this.#stage = new Stage(
+      'two',
+      'Two shapes and the answers about them',
+      () => ({ a: scene.a, b: scene.b }),
+      (what) => this.#change(what),
+    );
+    this.element = html(
+      'div',
+      { class: 'columns' },
+      html(
+        'div',
+        { class: 'stage' },
         this.#verdict,
         this.#stage.element,
-        html('p', { class: 'hint' }, 'Drag a shape or a handle. By keyboard: Tab to a handle, then arrow keys; with Shift the number changes by one last-place unit.'),
-        html('div', { class: 'row' },
+        html(
+          'p',
+          { class: 'hint' },
+          'Drag a shape or a handle. By keyboard: Tab to a handle, then arrow keys; with Shift the number changes by one last-place unit.',
+        ),
+        html(
+          'div',
+          { class: 'row' },
           html('button', { type: 'button', click: () => this.#fit() }, 'Show all'),
           copyButton('Copy the link to this scene', () => (scene.writeAddress(), location.href)),
-          html('span', { class: 'hint' }, 'the link: every bit is in it')),
-        this.#error),
+          html('span', { class: 'hint' }, 'the link: every bit is in it'),
+        ),
+        this.#error,
+      ),
       html('div', { class: 'told' }, this.#answers),
-      html('div', { class: 'shapes' }, this.#editor('a'), this.#editor('b')));
+      html('div', { class: 'shapes' }, this.#editor('a'), this.#editor('b')),
+    );
     scene.onChange(() => this.show());
     this.#fit();
   }
@@ -48,7 +66,8 @@ export class PairTab {
   }
 
   show() {
-    const { a, b } = this.#scene, answers = answersTo(this.#vesica, a, b);
+    const { a, b } = this.#scene,
+      answers = answersTo(this.#vesica, a, b);
     this.#stage.show(picture(this.#stage.view, a, b, answers));
     this.#verdict.textContent = `${found(answers, 'overlap') ? 'They overlap' : 'They do not overlap'}: ${answers[1].value}.`;
     this.#verdict.classList.toggle('hit', found(answers, 'overlap'));
@@ -68,14 +87,23 @@ export class PairTab {
 
   #editor(name) {
     const title = `Shape ${name.toUpperCase()}`;
-    const kind = choice(`kind-${name}`, title, kinds.map((one) => [one, nameOf[one]]), this.#scene[name].kind,
-      (chosen) => this.#change({ [name]: asKind(this.#scene[name], chosen) }));
+    const kind = choice(
+      `kind-${name}`,
+      title,
+      kinds.map((one) => [one, nameOf[one]]),
+      this.#scene[name].kind,
+      (chosen) => this.#change({ [name]: asKind(this.#scene[name], chosen) }),
+    );
     return html('fieldset', { class: `editor ${name}` }, html('legend', {}, title), kind, this.#numbers[name]);
   }
 
   #showNumbers(name) {
-    const shape = this.#scene[name], box = this.#numbers[name];
-    document.getElementById(`kind-${name}`)?.querySelectorAll('option').forEach((option) => (option.selected = option.value === shape.kind));
+    const shape = this.#scene[name],
+      box = this.#numbers[name];
+    document
+      .getElementById(`kind-${name}`)
+      ?.querySelectorAll('option')
+      .forEach((option) => (option.selected = option.value === shape.kind));
     if (box.dataset.kind !== shape.kind) {
       box.dataset.kind = shape.kind;
       box.replaceChildren(...fields[shape.kind].map((field) => this.#number(name, field)));
@@ -122,12 +150,23 @@ export class PairTab {
   #showAnswers(answers) {
     const { a, b } = this.#scene;
     if (this.#answers.childElementCount === 0) {
-      this.#answers.append(...answers.map((answer) => {
-        const copy = copyButton(`Copy the C call of: ${answer.question}`, () => callOf(answer, this.#scene.a, this.#scene.b));
-        return html('li', { id: `answer-${answer.id}` },
-          html('span', { class: `swatch ${answer.id}` }), html('span', { class: 'question' }, answer.question),
-          html('strong'), html('code', { class: 'exact' }), html('code', { class: 'call', tabindex: 0 }), copy);
-      }));
+      this.#answers.append(
+        ...answers.map((answer) => {
+          const copy = copyButton(`Copy the C call of: ${answer.question}`, () =>
+            callOf(answer, this.#scene.a, this.#scene.b),
+          );
+          return html(
+            'li',
+            { id: `answer-${answer.id}` },
+            html('span', { class: `swatch ${answer.id}` }),
+            html('span', { class: 'question' }, answer.question),
+            html('strong'),
+            html('code', { class: 'exact' }),
+            html('code', { class: 'call', tabindex: 0 }),
+            copy,
+          );
+        }),
+      );
     }
     for (const answer of answers) {
       const row = this.#answers.querySelector(`#answer-${answer.id}`);
