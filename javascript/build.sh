@@ -17,7 +17,8 @@ if [ -z "$modules" ]; then
 fi
 
 mkdir "$work/package" "$work/program"
-cp "$here"/*.mjs "$here"/*.d.ts "$here/package.json" "$here/README.md" "$modules/vesica.wasm" "$work/package"
+cp "$here"/*.mjs "$here"/*.d.ts "$here/package.json" "$here/README.md" "$work/package"
+cp "$modules/vesica.wasm" "$modules/vesica-methods.wasm" "$work/package"
 cp "$modules/simd/vesica.wasm" "$work/package/vesica-simd.wasm"
 rm -f "$directory"/vesica-*.tgz
 (cd "$work/package" && npm pack --silent --pack-destination "$directory")

@@ -51,18 +51,41 @@ export class Index {
   }
 
   #build() {
-    const vesica = this.#vesica, { c } = vesica, count = BigInt(this.length);
-    this.#size = vesica.check(c.vesica_index_size(count));
+    this.#size = this.#vesica.check(this.#vesica.c.vesica_index_size(BigInt(this.length)));
     this.#index = this.#take(this.#size);
-    const scratchSize = vesica.check(c.vesica_index_scratch(count));
-    const code = vesica.within((room) =>
-      Number(c[`vesica_index_build_${this.scalar}`](this.#struct, this.#sets.length, this.#index, BigInt(this.#size), room.take(scratchSize), BigInt(scratchSize))));
+    this.#write(this.#size);
+    this.#shrink();
+  }
+
+  /** Builds into `room` bytes at the index's place. */
+  #write(room) {
+    const vesica = this.#vesica, { c } = vesica, scratchSize = vesica.check(c.vesica_index_scratch(BigInt(this.length)));
+    const code = vesica.within((scratch) =>
+      Number(c[`vesica_index_build_${this.scalar}`](this.#struct, this.#sets.length, this.#index, BigInt(room), scratch.take(scratchSize), BigInt(scratchSize))));
     /** Whether invalid shapes were left out. */
     this.incomplete = code === constants.E_SHAPE;
     if (!this.incomplete) vesica.check(code);
-    const used = vesica.check(c.vesica_index_bytes(this.#index));
+  }
+
+  /** Gives back what the index does not use. */
+  #shrink() {
+    const vesica = this.#vesica, used = vesica.check(vesica.c.vesica_index_bytes(this.#index));
     if (used < this.#size) vesica.memory.give(this.#index + used, this.#size - used);
     this.#blocks[1][1] = this.#size = used;
+  }
+
+  /** The index of the arrays as they are now, in the place of this one: from the second time on no memory is taken. */
+  rebuild() {
+    const vesica = this.#vesica, size = vesica.check(vesica.c.vesica_index_size(BigInt(this.length)));
+    if (this.#blocks.length === 0) throw new TypeError('this index was freed');
+    if (this.#size < size) {
+      const [, block] = this.#blocks, place = vesica.memory.take(size);
+      vesica.memory.give(...block);
+      block.splice(0, 2, place, size);
+      this.#index = place;
+      this.#size = size;
+    }
+    this.#write(size);
   }
 
   #read(bytes) {
@@ -77,28 +100,40 @@ export class Index {
 
   /** A copy of the bytes, to be saved or sent. */
   get bytes() {
-    return new Uint8Array(this.#vesica.memory.buffer, this.#index, this.#size).slice();
+    const size = this.#vesica.check(this.#vesica.c.vesica_index_bytes(this.#index));
+    return new Uint8Array(this.#vesica.memory.buffer, this.#index, size).slice();
   }
 
   /** Gives the memory back now, not when it is collected. It must not be used again. */
   free() {
     this.#vesica.release(this, this.#blocks);
+    this.#blocks = [];
     this.#index = 0;
   }
 
-  join({ with: other = this, query = 'overlap', part = 0, parts = 1 } = {}) {
-    return this.#vesica.within((room) => {
+  join(options) {
+    const pairs = { a: [], b: [] };
+    this.forEachPair((a, b) => {
+      pairs.a.push(a);
+      pairs.b.push(b);
+    }, options);
+    return pairs;
+  }
+
+  forEachPair(found, { with: other = this, query = 'overlap', part = 0, parts = 1 } = {}) {
+    if (typeof found !== 'function') throw new TypeError('what is to be called for each pair is a function');
+    this.#vesica.within((room) => {
       const { buffers, call } = this.#joining(other, query, part, parts, room);
       const [a, b, state] = [8 * pairsACall, 8 * pairsACall, 32].map((size) => room.take(size));
-      const view = (address, length) => new BigInt64Array(buffers.buffer, address, length);
-      view(state, 4).fill(0n);
-      const pairs = { a: [], b: [] };
-      while (view(state, 4)[0] !== -1n) {
-        const found = this.#vesica.check(call(a, b, BigInt(pairsACall), state));
-        for (const item of view(a, found)) pairs.a.push(Number(item));
-        for (const item of view(b, found)) pairs.b.push(Number(item));
+      new BigInt64Array(buffers.buffer, state, 4).fill(0n);
+      while (new BigInt64Array(buffers.buffer, state, 1)[0] !== -1n) {
+        const count = this.#vesica.check(call(a, b, BigInt(pairsACall), state));
+        // Items are below 2^31, and WebAssembly is little-endian: the lower halves are the items. A copy, as `found` may
+        // make the memory grow.
+        const lower = (address) => new Int32Array(buffers.buffer, address, 2 * count).slice();
+        const first = lower(a), second = lower(b);
+        for (let i = 0; i < 2 * count; i += 2) found(first[i], second[i]);
       }
-      return pairs;
     });
   }
 

@@ -94,11 +94,15 @@ export class Index {
   readonly bytes: Uint8Array;
   /** All pairs for which the query holds, each once. */
   join(options?: Joining): { a: number[]; b: number[] };
+  /** The same, pair by pair, without arrays of them. */
+  forEachPair(found: (a: number, b: number) => void, options?: Joining): void;
   joinCount(options?: Joining): number;
   /** The items that a shape overlaps. */
   select(shape: Shape): number[];
   /** The k nearest items within a distance, nearest first; at equal distances by number. */
   nearest(shape: Shape, options?: { k?: number; within?: number }): { items: number[]; distances: number[] };
+  /** Builds the index anew from its arrays, whose shapes may have moved. From the second time on it takes no memory. */
+  rebuild(): void;
   free(): void;
 }
 

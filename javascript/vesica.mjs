@@ -20,7 +20,8 @@ export class VesicaError extends Error {
   }
 }
 
-async function bytesBeside(url) {
+/** Not for users: the bytes of a module beside this one. */
+export async function bytesBeside(url) {
   if (url.protocol !== 'file:') return fetch(url).then((answer) => {
     if (!answer.ok) throw new Error(`${url}: ${answer.status} ${answer.statusText}`);
     return answer.arrayBuffer();

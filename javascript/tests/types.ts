@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a program in TypeScript may write, and what it may not: read by tsc, never run.
-import { circle, load, rect, type Crossings, type Relation, type ShapeArray } from 'vesica';
+import { circle, ellipse, load, rect, type Crossings, type Relation, type ShapeArray } from 'vesica';
+import { loadMethods } from 'vesica/methods';
 
 const vesica = await load();
 const car = rect(0, 0, 4, 2, 30, { degrees: true });
@@ -14,6 +15,8 @@ const distances: Float64Array | Float32Array = vesica.nearest(cars, cars).distan
 const { a, b }: { a: number[]; b: number[] } = vesica.index(cars).join({ query: 'contains' });
 const raw: number = vesica.c.vesica_version();
 const count: bigint = vesica.c.vesica_index_size(1n);
+vesica.index(cars).forEachPair((first: number, second: number) => first + second, { query: 'bounds' });
+const bound: number = (await loadMethods()).ellipseEllipseAnyAxes(ellipse(0, 0, 2, 1), ellipse(1, 0, 2, 1), 3).outlineError;
 
 // @ts-expect-error: no such kind
 vesica.shapes('square', 1);
@@ -24,4 +27,4 @@ vesica.index(cars).join({ query: 'near' });
 // @ts-expect-error: arrays of answers are not one answer
 const wrong: boolean = vesica.overlap(cars, car);
 
-export { a, b, count, distance, distances, hit, hits, places, raw, relation, wrong };
+export { a, b, bound, count, distance, distances, hit, hits, places, raw, relation, wrong };

@@ -160,6 +160,41 @@ test('index and join', () => {
   assert.equal(vesica.index(more).join().a.length, (300 * 299) / 2);
 });
 
+test('an index of shapes that move', () => {
+  const shapes = Array.from({ length: 300 }, () => randomShape('ellipse')), many = vesica.shapes('ellipse', shapes);
+  const index = vesica.index(many), pairs = (of) => {
+    const list = [];
+    of.forEachPair((a, b) => list.push(`${a} ${b}`));
+    return list;
+  };
+  let pages;
+  for (let frame = 0; frame < 5; ++frame) {
+    const { numbers } = many;
+    for (let i = 0; i < numbers.length; i += 6) numbers[i] += random() - 0.5;
+    index.rebuild();
+    const fresh = vesica.index(many);
+    assert.deepEqual(index.bytes, fresh.bytes);
+    assert.deepEqual(pairs(index), pairs(fresh));
+    assert.equal(pairs(index).length, index.joinCount());
+    fresh.free();
+    pages ??= vesica.c.memory.buffer.byteLength;
+  }
+  assert.equal(vesica.c.memory.buffer.byteLength, pages);
+  assert.throws(() => index.forEachPair(), TypeError);
+  const before = pairs(index), during = [];
+  index.forEachPair((a, b) => {
+    if (during.length === 0) vesica.shapes('rect', 100000).free(); // the memory grows while pairs are handed out
+    during.push(`${a} ${b}`);
+  });
+  assert.deepEqual(during, before);
+  many.numbers[0] = NaN;
+  index.rebuild();
+  assert.equal(index.incomplete, true);
+  assert.ok(!pairs(index).some((pair) => pair.startsWith('0 ')));
+  index.free();
+  assert.throws(() => index.rebuild(), TypeError);
+});
+
 test('memory is given back', () => {
   const pages = () => vesica.c.memory.buffer.byteLength;
   const work = () => {

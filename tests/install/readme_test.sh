@@ -1,40 +1,52 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# readme_test.sh MOVED WORK: the programs that README.md prints compile, and answer as they say.
+# readme_test.sh MOVED WORK: the programs that README.md and docs/guide.md print compile, and answer as they say. README.md
+# is a first page: at most 120 lines, and no link leads nowhere.
 . "$(dirname "${BASH_SOURCE[0]}")/prefix.sh"
-readme=$here/../../README.md
+root=$here/../..
+readme=$root/README.md guide=$root/docs/guide.md
 
-# block LANGUAGE N: the N-th fenced block of a language.
+# block PAGE LANGUAGE: the first fenced block of a language.
 block() {
-  awk -v open="\`\`\`$1" -v wanted="$2" '
-    $0 == open { inside = ++n == wanted; next }
+  awk -v open="\`\`\`$2" '
+    $0 == open { inside = ++n == 1; next }
     $0 == "```" { inside = 0 }
-    inside' "$readme"
+    inside' "$1"
 }
 
-block c 1 >"$work/demo.c"
+block "$readme" c >"$work/demo.c"
 [ "$(wc -l <"$work/demo.c")" -gt 10 ]
 "$CC" -std=c99 -Wall -Wextra -Wpedantic -Werror -o "$work/demo" "$work/demo.c" "${flags[@]}"
-[ "$("$work/demo")" = overlap ]
+says=$(sed -n 's/^It prints `\([^`]*\)`.*/\1/p' "$readme")
+[ -n "$says" ]
+[ "$("$work/demo")" = "$says" ]
 
 # The line that compiles it, word for word, where ./run has installed the library: here, that is the moved install.
 rm "$work/demo"
 mkdir "$work/build"
 ln -s "$moved" "$work/build/install"
 line=$(sed -n 's/^    \(cc demo\.c .*\)/\1/p' "$readme")
-(cd "$work" && env -u PKG_CONFIG_PATH -u LD_LIBRARY_PATH bash -euc "$line && ./demo") | grep -qx overlap
+(cd "$work" && env -u PKG_CONFIG_PATH -u LD_LIBRARY_PATH bash -euc "$line && ./demo") | grep -qxF "$says"
 
 {
   printf '#include <stdio.h>\n#include <vesica.h>\nint main(void) {\n'
   printf 'struct record { int id; vesica_rect_f32 box; } records[2] = {{1, {0, 0, 1, 0, 1, 1}}, {2, {9, 9, 1, 0, 1, 1}}};\n'
   printf 'vesica_ellipse_f32 ellipse = {1, 1, 1, 0, 2, 1};\nenum { n = 2 };\nuint8_t out[n];\n'
-  block c 2
+  block "$guide" c
   printf 'printf("%%d %%d %%d\\n", (int)hits, out[0], out[1]);\nreturn 0;\n}\n'
 } >"$work/many.c"
 "$CC" -std=c99 -Wall -Wextra -Werror -o "$work/many" "$work/many.c" "${flags[@]}"
 [ "$("$work/many")" = '1 1 0' ]
 
-block cpp 1 >"$work/core.cpp"
+block "$guide" cpp >"$work/core.cpp"
 printf 'int main() { return hit ? 0 : 1; }\n' >>"$work/core.cpp"
 "$CXX" -std=c++20 -Wall -Wextra -Werror -o "$work/core" "$work/core.cpp" "${flags[@]}"
 "$work/core"
+
+[ "$(wc -l <"$readme")" -le 120 ]
+for page in "$readme" "$root"/docs/*.md; do
+  { grep -o ']([^)]*)' "$page" || true; } | sed 's/^](\(.*\))$/\1/; s/#.*//' | while read -r target; do
+    [[ -z $target || $target == http* ]] || [ -e "$(dirname "$page")/$target" ] ||
+      { echo "$page: a link to $target, which is not there"; exit 1; }
+  done
+done

@@ -31,6 +31,10 @@ status=0
 complaint=$("$run" join 2>&1) || status=$?
 check 'status of a join of nothing' 2 $status
 check 'its complaint' 'run: join takes one or two files of shapes' "$complaint"
+status=0
+complaint=$("$run" site --quietly 2>&1) || status=$?
+check 'status of an unknown way to have the site' 2 $status
+check 'its complaint' 'run: site takes --serve or nothing' "$complaint"
 check 'first line of help' 'usage: ./run [COMMAND]' "$("$run" help | head -n 1)"
 check 'help by option' "$("$run" help)" "$("$run" --help)"
 

@@ -48,6 +48,10 @@ libdir=$(dirname "$(find "$unpacked" -name libvesica.so)")
 [ -n "$(find "$unpacked/usr/lib" -path "*/$(dpkg-architecture -q DEB_HOST_MULTIARCH)/libvesica.so.0")" ] ||
   fail 'the library is not in the multiarch folder'
 
+readme=$unpacked/usr/share/doc/libvesica-dev/README.md
+compgen -G "$readme*" >/dev/null || fail 'there is no README'
+if zcat -f "$readme"* | grep '](' | grep -v '](https\?:'; then fail 'the README has links that lead nowhere'; fi
+
 step 'manual'
 pages=$unpacked/usr/share/man/man3
 nm -D --defined-only "$libdir/libvesica.so.0" "$libdir/libvesica-methods.so.0" | awk '$2 == "T" { sub("@.*", "", $3); print $3 }' | sort >"$work/names"

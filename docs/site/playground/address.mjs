@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The state of the page in its address: which tab, and two shapes in hexadecimal, so that a link loses no bit.
+//
+//   #tab=edge&a=rect,0x0p+0,...&b=ellipse,...
+import { fields, kinds } from '../vesica/vesica.mjs';
+import { fromHex, toHex } from './number.mjs';
+import { numbers, withNumbers } from './shape.mjs';
+
+const write = (shape) => [shape.kind, ...numbers(shape).map(toHex)].join(',');
+
+function readShape(name, text) {
+  const [kind, ...words] = text.split(',');
+  if (!kinds.includes(kind)) throw new Error(`${name} is of no known kind: “${kind}”`);
+  const values = words.map(fromHex),
+    wanted = fields[kind];
+  if (values.length !== wanted.length)
+    throw new Error(`${name} has ${values.length} numbers; a ${kind} has ${wanted.length}`);
+  const bad = values.findIndex(Number.isNaN);
+  if (bad >= 0) throw new Error(`${name}'s ${wanted[bad]} is no hexadecimal number: “${words[bad]}”`);
+  return withNumbers(kind, values);
+}
+
+export const toAddress = ({ tab, a, b }) => `#tab=${tab}&a=${write(a)}&b=${write(b)}`;
+
+/** What an address says: { tab, a, b }, of which what it does not name is undefined. Throws what is wrong with it. */
+export function fromAddress(hash, tabs) {
+  const state = {};
+  for (const part of decodeURIComponent(hash.replace(/^#/, '')).split('&').filter(Boolean)) {
+    const [name, value = ''] = part.split('=');
+    if (name === 'tab') {
+      if (!tabs.includes(value)) throw new Error(`there is no tab “${value}”`);
+      state.tab = value;
+    } else if (name === 'a' || name === 'b') {
+      state[name] = readShape(name, value);
+    } else {
+      throw new Error(`“${name}” means nothing here`);
+    }
+  }
+  if ((state.a === undefined) !== (state.b === undefined)) throw new Error('one of the two shapes is missing');
+  return state;
+}

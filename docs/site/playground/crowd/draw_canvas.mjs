@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where there is no WebGL: one path for the shapes of each colour.
+import { box, perInstance } from './motion.mjs';
+
+function add(path, [x, y, px, py, b, round], scale, to) {
+  const a = Math.hypot(px, py),
+    [ux, uy] = a > 0 ? [px / a, py / a] : [1, 0],
+    least = 0.75 / scale;
+  const along = Math.max(a, least),
+    across = Math.max(b, least),
+    [cx, cy] = to(x, y);
+  if (round) {
+    path.moveTo(cx + along * scale * ux, cy - along * scale * uy);
+    path.ellipse(cx, cy, along * scale, across * scale, -Math.atan2(uy, ux), 0, 2 * Math.PI);
+    return;
+  }
+  const corner = (s, t) => to(x + s * along * ux - t * across * uy, y + s * along * uy + t * across * ux);
+  path.moveTo(...corner(-1, -1));
+  path.lineTo(...corner(1, -1));
+  path.lineTo(...corner(1, 1));
+  path.lineTo(...corner(-1, 1));
+  path.closePath();
+}
+
+/** draw(instances, count, colours), as that of WebGL. */
+export function flatCanvas(canvas) {
+  const context = canvas.getContext('2d'),
+    css = (colour, alpha) => `rgb(${colour.map((part) => 255 * part).join(' ')} / ${alpha})`;
+  return (data, count, { paper, calm, hit }) => {
+    const scale = canvas.width / box.width,
+      to = (x, y) => [canvas.width / 2 + x * scale, canvas.height / 2 - y * scale];
+    const paths = [new Path2D(), new Path2D()];
+    for (let i = 0; i < count; ++i) {
+      const instance = data.subarray(perInstance * i, perInstance * i + 7);
+      add(paths[instance[6] > 0 ? 1 : 0], instance, scale, to);
+    }
+    context.fillStyle = css(paper, 1);
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    [
+      [calm, 0.5],
+      [hit, 0.85],
+    ].forEach(([colour, alpha], i) => {
+      context.fillStyle = css(colour, alpha);
+      context.fill(paths[i]);
+    });
+  };
+}

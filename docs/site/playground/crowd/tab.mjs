@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// The crowd: shapes that move, all pairs that meet in every frame, and what that costs.
+import { html, slider } from '../element.mjs';
+import { flatCanvas } from './draw_canvas.mjs';
+import { webgl } from './draw_webgl.mjs';
+import { box, Crowd } from './motion.mjs';
+
+const counts = [100, 300, 1000, 3000, 10000, 30000, 100000];
+const still = matchMedia('(prefers-reduced-motion: reduce)');
+const dark = matchMedia('(prefers-color-scheme: dark)');
+
+/** A colour of the page as three numbers from 0 to 1. */
+function colour(name) {
+  const text = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  return [1, 3, 5].map((i) => Number.parseInt(text.slice(i, i + 2), 16) / 255);
+}
+
+const median = (list) => [...list].sort((x, y) => x - y)[list.length >> 1] ?? 0;
+
+export class CrowdTab {
+  #vesica;
+  #crowd = null;
+  #draw;
+  #colours;
+  #running = !still.matches;
+  #frame = 0;
+  #last = 0;
+  #steps = 0;
+  #queries = [];
+  #frames = [];
+  #canvas = html('canvas', {
+    width: 1280,
+    height: 1280 * (box.height / box.width),
+    role: 'img',
+    'aria-label': 'Moving shapes; those that touch another are red',
+  });
+  #values = {};
+  #toggle = html('button', { type: 'button', id: 'crowd-run', click: () => this.#run(!this.#running) });
+
+  constructor(vesica) {
+    this.#vesica = vesica;
+    this.#draw = webgl(this.#canvas) ?? flatCanvas(this.#canvas);
+    const value = (name, label) =>
+      html('div', {}, html('dt', {}, label), (this.#values[name] = html('dd', { id: `crowd-${name}` }, '–')));
+    this.element = html(
+      'div',
+      {},
+      html(
+        'p',
+        { class: 'lead' },
+        'Points, segments, circles, boxes, rectangles and ellipses, all moving. Every frame builds an index of all of them and asks for every pair that meets, exactly. Red shapes touch another.',
+      ),
+      html(
+        'div',
+        { class: 'controls' },
+        slider(
+          'crowd-count',
+          'How many',
+          { min: 0, max: counts.length - 1, value: counts.indexOf(10000) },
+          (i) => `${counts[i].toLocaleString('en')} shapes`,
+          (i) => this.#start(counts[i]),
+        ),
+        this.#toggle,
+      ),
+      html(
+        'dl',
+        { class: 'figures' },
+        value('query', 'query, ms a frame'),
+        value('pairs', 'pairs that touch'),
+        value('exact', 'exact tests a second'),
+        value('fps', 'frames a second'),
+      ),
+      html('div', { class: 'picture' }, this.#canvas),
+      html(
+        'p',
+        { class: 'hint' },
+        'The query is the build of the index and the join, in the median of the last 60 frames; moving and drawing are not in it.',
+      ),
+    );
+    this.#takeColours();
+    dark.addEventListener('change', () => this.#takeColours());
+    addEventListener('resize', () => this.shown());
+    still.addEventListener('change', () => this.#run(!still.matches));
+    this.#start(10000);
+    this.#run(this.#running);
+  }
+
+  /** When the canvas has its place on the page: as many pixels as are seen. */
+  shown() {
+    const width = Math.round(Math.min(2560, this.#canvas.clientWidth * devicePixelRatio));
+    if (width === 0) return;
+    this.#canvas.width = width;
+    this.#canvas.height = Math.round(width * (box.height / box.width));
+    this.#paint();
+  }
+
+  /** The last frames' query times in ms: for tests. */
+  get queries() {
+    return this.#queries;
+  }
+
+  #start(count) {
+    this.#crowd?.free();
+    this.#crowd = new Crowd(this.#vesica, count);
+    this.#queries = [];
+    this.#frames = [];
+    this.step(0);
+  }
+
+  #run(running) {
+    this.#running = running;
+    this.#toggle.textContent = running ? 'Pause' : 'Play';
+    cancelAnimationFrame(this.#frame);
+    this.#last = 0;
+    if (running) this.#frame = requestAnimationFrame((now) => this.#next(now));
+  }
+
+  #next(now) {
+    this.#frame = requestAnimationFrame((then) => this.#next(then));
+    if (this.element.offsetParent === null) return void (this.#last = 0); // another tab is shown
+    if (this.#last > 0) this.#frames.push(now - this.#last);
+    this.step(this.#last > 0 ? Math.min(0.05, (now - this.#last) / 1000) : 0);
+    this.#last = now;
+  }
+
+  /** One frame, so many seconds after the last. */
+  step(seconds) {
+    this.#crowd.move(seconds);
+    const start = performance.now(),
+      pairs = this.#crowd.collide();
+    this.#queries.push(performance.now() - start);
+    this.#paint();
+    this.#steps += 1;
+    if (!this.#running || this.#steps % 15 === 0) this.#tell(pairs);
+  }
+
+  #takeColours() {
+    this.#colours = { paper: colour('--panel'), calm: colour('--a'), hit: colour('--hit') };
+    if (this.#crowd !== null) this.#paint();
+  }
+
+  #paint() {
+    this.#crowd.paint();
+    this.#draw(this.#crowd.instances, this.#crowd.count, this.#colours);
+  }
+
+  #tell(pairs) {
+    this.#queries.splice(0, this.#queries.length - 60);
+    this.#frames.splice(0, this.#frames.length - 60);
+    const fps = this.#frames.length > 0 ? 1000 / median(this.#frames) : 0;
+    this.#values.query.textContent = median(this.#queries).toFixed(2);
+    this.#values.pairs.textContent = pairs.toLocaleString('en');
+    this.#values.exact.textContent =
+      fps > 0 ? Math.round(this.#crowd.candidates() * fps).toLocaleString('en', { notation: 'compact' }) : '–';
+    this.#values.fps.textContent = fps > 0 ? fps.toFixed(0) : '–';
+    this.element.dataset.frames = this.#steps;
+  }
+}

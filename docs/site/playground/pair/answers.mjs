@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every question about two shapes: its answer in words and in full, and the C call that gives it.
+import { short, toHex } from '../number.mjs';
+import { numbers } from '../shape.mjs';
+
+const constant = (kind) => `VESICA_${kind.toUpperCase()}`;
+
+const relationWords = {
+  disjoint: 'disjoint',
+  touch: 'they touch',
+  cross: 'they cross',
+  inside: 'A inside B',
+  inside_touch: 'A inside B, touching',
+  contains: 'B inside A',
+  contains_touch: 'B inside A, touching',
+  equal: 'equal',
+};
+
+/** A place to look for on the picture. */
+const place = (x, y) => `(${short(x, 4)}, ${short(y, 4)})`.replaceAll('≈ ', '');
+const closest = (found) => ({
+  value: short(found.distance),
+  exact: `${toHex(found.distance)} between ${place(found.ax, found.ay)} and ${place(found.bx, found.by)}`,
+  found,
+});
+
+/** id, question, C function, the type of its out, and ask(vesica, a, b) -> { value, exact, found }. */
+const questions = [
+  {
+    id: 'overlap',
+    question: 'Do they share a point?',
+    name: 'overlap',
+    ask: (v, a, b) => {
+      const found = v.overlap(a, b);
+      return { value: found ? 'yes' : 'no', exact: 'exact', found };
+    },
+  },
+  {
+    id: 'relation',
+    question: 'How does A relate to B?',
+    name: 'relation',
+    ask: (v, a, b) => {
+      const found = v.relation(a, b);
+      return { value: relationWords[found], exact: `exact: VESICA_${found.toUpperCase()}`, found };
+    },
+  },
+  {
+    id: 'nearest',
+    question: 'How far apart?',
+    name: 'nearest',
+    out: 'vesica_closest_points_f64',
+    ask: (v, a, b) => closest(v.nearest(a, b)),
+  },
+  {
+    id: 'outlines',
+    question: 'How far apart are the outlines?',
+    name: 'boundary_distance',
+    out: 'vesica_closest_points_f64',
+    ask: (v, a, b) => closest(v.boundaryDistance(a, b)),
+  },
+  {
+    id: 'depth',
+    question: 'How far must B move to part?',
+    name: 'depth',
+    out: 'vesica_penetration_f64',
+    ask: (v, a, b) => {
+      const found = v.depth(a, b);
+      return { value: short(found.depth), exact: `${toHex(found.depth)} along ${place(found.x, found.y)}`, found };
+    },
+  },
+  {
+    id: 'crossings',
+    question: 'Where do the outlines meet?',
+    name: 'crossings',
+    out: 'vesica_crossing_points_f64',
+    ask: (v, a, b) => {
+      const found = v.crossings(a, b),
+        count = found.places.length;
+      const also = found.shared ? ' and a shared stretch' : '';
+      return {
+        value: `${count} place${count === 1 ? '' : 's'}${also}`,
+        exact: found.places.map(({ x, y }) => place(x, y)).join(' ') || 'nowhere',
+        found,
+      };
+    },
+  },
+  {
+    id: 'area',
+    question: 'What area do they share?',
+    name: 'area',
+    out: 'double',
+    ask: (v, a, b) => {
+      const found = v.area(a, b);
+      return { value: short(found), exact: toHex(found), found };
+    },
+  },
+  {
+    id: 'iou',
+    question: 'Intersection over union?',
+    name: 'iou',
+    out: 'double',
+    ask: (v, a, b) => {
+      const found = v.iou(a, b);
+      return { value: short(found), exact: toHex(found), found };
+    },
+  },
+];
+
+/** The C that gives an answer; as it stands it compiles inside a function, after #include <vesica.h>. */
+export function callOf({ name, out }, a, b) {
+  const operand = (shape, letter) => `const double ${letter}[] = {${numbers(shape).map(toHex).join(', ')}};`;
+  const result = out === undefined ? '' : ', &out';
+  return [
+    operand(a, 'a'),
+    operand(b, 'b'),
+    ...(out === undefined ? [] : [`${out} out;`]),
+    `int32_t answer = vesica_${name}_f64(${constant(a.kind)}, a, ${constant(b.kind)}, b${result});`,
+  ].join('\n');
+}
+
+/** The last line of the call, without the shapes' numbers. */
+export const brief = ({ name, out }, a, b) =>
+  `vesica_${name}_f64(${constant(a.kind)}, a, ${constant(b.kind)}, b${out === undefined ? '' : ', &out'})`;
+
+/** All answers about a and b. What the library refuses is an answer in its own words. */
+export function answersTo(vesica, a, b) {
+  return questions.map((question) => {
+    try {
+      return { ...question, ...question.ask(vesica, a, b) };
+    } catch (error) {
+      if (error.code === undefined) throw error;
+      return { ...question, value: 'none', exact: error.message, found: null };
+    }
+  });
+}
+
+export const found = (answers, id) => answers.find((answer) => answer.id === id).found;

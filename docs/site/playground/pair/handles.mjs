@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one takes hold of: where the handles of a shape are, what dragging them and what keys do.
+import { beside } from '../number.mjs';
+import { form, moved } from '../shape.mjs';
+
+const step = 0.05; // of what is seen of the plane, for an arrow key
+const turnStep = Math.PI / 180;
+
+/** Of a rectangle or an ellipse: the first axis ends at a point. The axis becomes a unit vector. */
+function axisTo(shape, [x, y], along, across) {
+  const dx = x - shape.cx,
+    dy = y - shape.cy,
+    length = Math.hypot(dx, dy),
+    unit = Math.hypot(shape.ux, shape.uy);
+  if (!(length > 0)) return shape;
+  return { ...shape, ux: dx / length, uy: dy / length, [along]: length, [across]: shape[across] * unit };
+}
+
+function turned(shape, angle) {
+  const c = Math.cos(angle),
+    s = Math.sin(angle);
+  return { ...shape, ux: c * shape.ux - s * shape.uy, uy: s * shape.ux + c * shape.uy };
+}
+
+/** The half size across the axis, so that its side goes through a point. */
+function across(shape, [x, y], field) {
+  const { ux, uy } = shape,
+    level = ((y - shape.cy) * ux - (x - shape.cx) * uy) / (ux * ux + uy * uy);
+  return { ...shape, [field]: Math.abs(level) };
+}
+
+const move = (x, y) => ({ id: 'move', label: 'move', horizontal: x, vertical: y });
+const place = (id, label, x, y) => ({
+  id,
+  label,
+  horizontal: [x],
+  vertical: [y],
+  at: (s) => [s[x], s[y]],
+  drag: (s, [px, py]) => ({ ...s, [x]: px, [y]: py }),
+});
+
+function turning(along, over) {
+  return [
+    move(['cx'], ['cy']),
+    {
+      id: 'along',
+      label: 'turn and length',
+      horizontal: [along],
+      vertical: ['uy'],
+      turns: true,
+      at: (s) => [form(s).x + form(s).p[0], form(s).y + form(s).p[1]],
+      drag: (s, to) => axisTo(s, to, along, over),
+    },
+    {
+      id: 'across',
+      label: 'width',
+      horizontal: [over],
+      vertical: [over],
+      at: (s) => [form(s).x + form(s).q[0], form(s).y + form(s).q[1]],
+      drag: (s, to) => across(s, to, over),
+    },
+  ];
+}
+
+const corner = (id, label, x, y, bound) => ({
+  ...place(id, label, x, y),
+  drag: (s, [px, py]) => ({
+    ...s,
+    [x]: bound(px, s[x.replace(/m../, id === 'low' ? 'max' : 'min')]),
+    [y]: bound(py, s[y.replace(/m../, id === 'low' ? 'max' : 'min')]),
+  }),
+});
+
+const handles = {
+  point: [move(['x'], ['y'])],
+  segment: [
+    move(['x0', 'x1'], ['y0', 'y1']),
+    place('start', 'first end', 'x0', 'y0'),
+    place('end', 'second end', 'x1', 'y1'),
+  ],
+  circle: [
+    move(['cx'], ['cy']),
+    {
+      id: 'radius',
+      label: 'radius',
+      horizontal: ['r'],
+      vertical: ['r'],
+      at: (s) => [s.cx + s.r, s.cy],
+      drag: (s, [x, y]) => ({ ...s, r: Math.hypot(x - s.cx, y - s.cy) }),
+    },
+  ],
+  aabb: [
+    move(['min_x', 'max_x'], ['min_y', 'max_y']),
+    corner('low', 'lower left corner', 'min_x', 'min_y', Math.min),
+    corner('high', 'upper right corner', 'max_x', 'max_y', Math.max),
+  ],
+  rect: turning('hx', 'hy'),
+  ellipse: turning('a', 'b'),
+};
+
+/** { id, label, at(shape), drag(shape, to, from) } each; `from` is where the pointer was before. */
+export const handlesOf = (kind) =>
+  handles[kind].map((handle) => ({
+    at: (s) => [form(s).x, form(s).y],
+    drag: (s, to, from) => moved(s, to[0] - from[0], to[1] - from[1]),
+    ...handle,
+  }));
+
+const arrows = {
+  ArrowLeft: ['horizontal', -1],
+  ArrowRight: ['horizontal', 1],
+  ArrowUp: ['vertical', 1],
+  ArrowDown: ['vertical', -1],
+};
+
+/** The shape after a key, or null if the key means nothing. With Shift, numbers change by one last-place unit. */
+export function afterKey(shape, handle, event, unit) {
+  const [way, sign] = arrows[event.key] ?? [];
+  if (way === undefined || event.ctrlKey || event.altKey || event.metaKey) return null;
+  if (handle.turns && way === 'vertical' && !event.shiftKey) return turned(shape, sign * turnStep);
+  const change = event.shiftKey ? (x) => beside(x, sign) : (x) => x + sign * step * unit;
+  return { ...shape, ...Object.fromEntries(handle[way].map((name) => [name, change(shape[name])])) };
+}

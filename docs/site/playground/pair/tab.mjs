@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tab of two shapes: a picture with handles, the numbers, and every answer with its call.
+import { fields, kinds } from '../../vesica/vesica.mjs';
+import { choice, copyButton, html } from '../element.mjs';
+import { beside, fromText, toHex } from '../number.mjs';
+import { asKind, nameOf } from '../shape.mjs';
+import { Stage } from '../stage.mjs';
+import { answersTo, brief, callOf, found } from './answers.mjs';
+import { picture } from './picture.mjs';
+
+export class PairTab {
+  #vesica;
+  #scene;
+  #stage;
+  #answers = html('ul', { class: 'answers' });
+  #verdict = html('p', { class: 'verdict', role: 'status' });
+  #numbers = { a: html('div'), b: html('div') };
+  #error = html('p', { class: 'error', role: 'alert', hidden: true });
+
+  constructor(vesica, scene) {
+    this.#vesica = vesica;
+    this.#scene = scene;
+    this.#stage = new Stage(
+      'two',
+      'Two shapes and the answers about them',
+      () => ({ a: scene.a, b: scene.b }),
+      (what) => this.#change(what),
+    );
+    this.element = html(
+      'div',
+      { class: 'columns' },
+      html(
+        'div',
+        { class: 'stage' },
+        this.#verdict,
+        this.#stage.element,
+        html(
+          'p',
+          { class: 'hint' },
+          'Drag a shape or a handle. By keyboard: Tab to a handle, then arrow keys; with Shift the number changes by one last-place unit.',
+        ),
+        html(
+          'div',
+          { class: 'row' },
+          html('button', { type: 'button', click: () => this.#fit() }, 'Show all'),
+          copyButton('Copy the link to this scene', () => (scene.writeAddress(), location.href)),
+          html('span', { class: 'hint' }, 'the link: every bit is in it'),
+        ),
+        this.#error,
+      ),
+      html('div', { class: 'told' }, this.#answers),
+      html('div', { class: 'shapes' }, this.#editor('a'), this.#editor('b')),
+    );
+    scene.onChange(() => this.show());
+    this.#fit();
+  }
+
+  #fit() {
+    this.#stage.fit();
+    this.show();
+  }
+
+  /** After the address told another scene. */
+  restart() {
+    this.#fit();
+  }
+
+  show() {
+    const { a, b } = this.#scene,
+      answers = answersTo(this.#vesica, a, b);
+    this.#stage.show(picture(this.#stage.view, a, b, answers));
+    this.#verdict.textContent = `${found(answers, 'overlap') ? 'They overlap' : 'They do not overlap'}: ${answers[1].value}.`;
+    this.#verdict.classList.toggle('hit', found(answers, 'overlap'));
+    this.#showAnswers(answers);
+    this.#showNumbers('a');
+    this.#showNumbers('b');
+  }
+
+  #change(what) {
+    const reason = this.#scene.change(what);
+    this.#error.hidden = reason === null;
+    this.#error.textContent = reason === null ? '' : `Not taken: ${reason}.`;
+    return reason;
+  }
+
+  // ---- Numbers ----
+
+  #editor(name) {
+    const title = `Shape ${name.toUpperCase()}`;
+    const kind = choice(
+      `kind-${name}`,
+      title,
+      kinds.map((one) => [one, nameOf[one]]),
+      this.#scene[name].kind,
+      (chosen) => this.#change({ [name]: asKind(this.#scene[name], chosen) }),
+    );
+    return html('fieldset', { class: `editor ${name}` }, html('legend', {}, title), kind, this.#numbers[name]);
+  }
+
+  #showNumbers(name) {
+    const shape = this.#scene[name],
+      box = this.#numbers[name];
+    document
+      .getElementById(`kind-${name}`)
+      ?.querySelectorAll('option')
+      .forEach((option) => (option.selected = option.value === shape.kind));
+    if (box.dataset.kind !== shape.kind) {
+      box.dataset.kind = shape.kind;
+      box.replaceChildren(...fields[shape.kind].map((field) => this.#number(name, field)));
+    }
+    for (const input of box.querySelectorAll('input')) {
+      const value = shape[input.dataset.field];
+      if (document.activeElement !== input || fromText(input.value) !== value) input.value = String(value);
+      input.nextSibling.textContent = toHex(value);
+    }
+  }
+
+  #number(name, field) {
+    const id = `number-${name}-${field}`;
+    const set = (value) => this.#change({ [name]: { ...this.#scene[name], [field]: value } });
+    const input = html('input', {
+      id,
+      'data-field': field,
+      inputmode: 'decimal',
+      spellcheck: 'false',
+      autocomplete: 'off',
+      change: () => {
+        const value = fromText(input.value);
+        if (Number.isNaN(value)) {
+          this.#error.hidden = false;
+          this.#error.textContent = `Not taken: “${input.value}” is no number, neither decimal nor as 0x1.8p+1.`;
+        } else {
+          set(value);
+        }
+      },
+      keydown: (event) => {
+        const way = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+        if (way === undefined) return;
+        event.preventDefault();
+        const value = this.#scene[name][field];
+        set(event.shiftKey ? beside(value, way) : value + (way * 4) / this.#stage.view.scale);
+        input.value = String(this.#scene[name][field]);
+      },
+    });
+    return html('div', { class: 'number' }, html('label', { for: id }, field), input, html('code', {}));
+  }
+
+  // ---- Answers ----
+
+  #showAnswers(answers) {
+    const { a, b } = this.#scene;
+    if (this.#answers.childElementCount === 0) {
+      this.#answers.append(
+        ...answers.map((answer) => {
+          const copy = copyButton(`Copy the C call of: ${answer.question}`, () =>
+            callOf(answer, this.#scene.a, this.#scene.b),
+          );
+          return html(
+            'li',
+            { id: `answer-${answer.id}` },
+            html('span', { class: `swatch ${answer.id}` }),
+            html('span', { class: 'question' }, answer.question),
+            html('strong'),
+            html('code', { class: 'exact' }),
+            html('code', { class: 'call', tabindex: 0 }),
+            copy,
+          );
+        }),
+      );
+    }
+    for (const answer of answers) {
+      const row = this.#answers.querySelector(`#answer-${answer.id}`);
+      row.querySelector('strong').textContent = answer.value;
+      row.querySelector('.exact').textContent = answer.exact;
+      row.querySelector('.call').textContent = brief(answer, a, b);
+      row.querySelector('.copy').dataset.call = callOf(answer, a, b);
+    }
+  }
+}

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two shapes: dragged, moved by keys, told by a link, and every answer with a call that gives the same in C.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { closeQuietly, middle, openPlayground, text } from './browser.mjs';
+
+const kinds = ['point', 'segment', 'circle', 'aabb', 'rect', 'ellipse'];
+const value = (page, id) => text(page, `#answer-${id} strong`);
+const number = (page, name, field) => page.$eval(`#number-${name}-${field}`, (input) => Number(input.value));
+const choose = (page, name, kind) => page.select(`#kind-${name}`, kind);
+
+test('dragging moves a shape, and the answers follow', async () => {
+  const page = await openPlayground();
+  assert.equal(await value(page, 'overlap'), 'yes');
+  const before = await number(page, 'b', 'cx');
+  const [x, y] = await middle(page, '#two-b-move');
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 100, y, { steps: 5 });
+  await page.mouse.move(x + 200, y - 60, { steps: 5 });
+  await page.mouse.up();
+  assert.ok((await number(page, 'b', 'cx')) > before + 1);
+  assert.equal(await value(page, 'overlap'), 'no');
+  assert.equal(await value(page, 'relation'), 'disjoint');
+  assert.notEqual(await value(page, 'nearest'), '0');
+  assert.equal(await text(page, '.verdict'), 'They do not overlap: disjoint.');
+  // What was grabbed stays what keys move, and the mouse is let go.
+  await page.mouse.move(x, y);
+  const after = await number(page, 'b', 'cx');
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'two-b-move');
+  await page.mouse.move(x - 50, y);
+  assert.equal(await number(page, 'b', 'cx'), after);
+  await closeQuietly(page);
+});
+
+test('a finger turns a rectangle by its handle', async () => {
+  const page = await openPlayground('', {
+    before: (page) => page.emulateMediaFeatures([{ name: 'prefers-reduced-motion', value: 'reduce' }]),
+  });
+  const [ux, hx] = [await number(page, 'a', 'ux'), await number(page, 'a', 'hx')];
+  const [x, y] = await middle(page, '#two-a-along');
+  await page.touchscreen.touchStart(x, y);
+  await page.touchscreen.touchMove(x - 20, y - 60);
+  await page.touchscreen.touchMove(x - 40, y - 100);
+  await page.touchscreen.touchEnd();
+  assert.ok((await number(page, 'a', 'ux')) < ux);
+  assert.notEqual(await number(page, 'a', 'hx'), hx);
+  await closeQuietly(page);
+});
+
+test('keys alone: from the first tab to one last-place unit', async () => {
+  const page = await openPlayground();
+  await page.focus('#tab-two');
+  for (let i = 0; i < 50 && (await page.evaluate(() => document.activeElement.id)) !== 'two-b-move'; ++i)
+    await page.keyboard.press('Tab');
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'two-b-move');
+  const before = await number(page, 'b', 'cx');
+  await page.keyboard.press('ArrowRight');
+  const moved = await number(page, 'b', 'cx');
+  assert.ok(moved > before);
+  await page.keyboard.down('Shift');
+  await page.keyboard.press('ArrowRight');
+  assert.equal(await number(page, 'b', 'cx'), moved + 2 ** (Math.floor(Math.log2(moved)) - 52));
+  await page.keyboard.press('ArrowLeft');
+  await page.keyboard.up('Shift');
+  assert.equal(await number(page, 'b', 'cx'), moved);
+  await page.focus('#number-a-hx');
+  await page.keyboard.press('ArrowUp');
+  assert.ok((await number(page, 'a', 'hx')) > 2);
+  await page.focus('#tab-two');
+  await page.keyboard.press('ArrowRight');
+  await page.waitForSelector('#panel-edge:not([hidden]) .strip');
+  await closeQuietly(page);
+});
+
+test('numbers that are none, or make no shape, are not taken', async () => {
+  const page = await openPlayground();
+  for (const [wrong, why] of [
+    ['four', 'no number'],
+    ['-1', 'negative'],
+    ['1e999', 'infinite'],
+  ]) {
+    await page.$eval('#number-a-hx', (input) => (input.value = ''));
+    await page.type('#number-a-hx', wrong);
+    await page.keyboard.press('Enter');
+    await page.$eval('#number-a-hx', (input) => input.blur());
+    assert.match(await text(page, '#panel-two .error'), new RegExp(why));
+    assert.match(await text(page, '#answer-relation strong'), /cross/);
+  }
+  await page.$eval('#number-a-hx', (input) => (input.value = ''));
+  await page.type('#number-a-hx', '0x1.8p+0\n');
+  assert.equal(await page.$eval('#number-a-hx + code', (code) => code.textContent), '0x1.8p+0');
+  await closeQuietly(page);
+});
+
+test('a link holds every bit', async () => {
+  const page = await openPlayground();
+  await choose(page, 'a', 'circle');
+  await page.$eval('#number-a-r', (input) => (input.value = ''));
+  await page.type('#number-a-r', '0.1\n');
+  await page.waitForFunction(() => location.hash.includes('0x1.999999999999ap-4'));
+  const link = await page.evaluate(() => location.hash),
+    answers = await page.$$eval('.answers .exact', (all) => all.map((one) => one.textContent));
+  const again = await openPlayground(link);
+  assert.deepEqual(await again.$$eval('.answers .exact', (all) => all.map((one) => one.textContent)), answers);
+  // And a link followed on the open page.
+  await again.evaluate(() => (location.hash = '#tab=two&a=point,0x1p+0,0x0p+0&b=circle,0x0p+0,0x0p+0,0x1p+0'));
+  await again.waitForFunction(
+    () => document.querySelector('#answer-relation strong').textContent === 'A inside B, touching',
+  );
+  await closeQuietly(page);
+  await closeQuietly(again);
+});
+
+test('huge and tiny scenes are shown', async () => {
+  for (const e of [1000, -1000]) {
+    const page = await openPlayground(`#a=circle,0x0p+0,0x0p+0,0x1p${e}&b=circle,0x1p${e},0x0p+0,0x1p${e}`);
+    assert.equal(await value(page, 'overlap'), 'yes');
+    assert.equal(
+      await page.$eval(
+        '#two-b-move',
+        ({ style }) => Number.parseFloat(style.left) > 0 && Number.parseFloat(style.left) < 100,
+      ),
+      true,
+    );
+    await closeQuietly(page);
+  }
+});
+
+/** A function of C for each call that the page offers, and what the page says of it. */
+async function calls(page) {
+  return page.$$eval('.answers li', (rows) =>
+    rows.map((row) => ({
+      id: row.id.replace('answer-', ''),
+      call: row.querySelector('.copy').dataset.call,
+      value: row.querySelector('strong').textContent,
+      exact: row.querySelector('.exact').textContent,
+    })),
+  );
+}
+
+const printed = {
+  overlap: 'printf("%s\\n", answer == 1 ? "yes" : "no");',
+  relation: 'printf("%d\\n", answer);',
+  nearest: 'printf("%a\\n", out.distance);',
+  outlines: 'printf("%a\\n", out.distance);',
+  depth: 'printf("%a\\n", out.depth);',
+  crossings: 'printf("%d\\n", answer);',
+  area: 'printf("%a\\n", out);',
+  iou: 'if (answer < 0) printf("%s\\n", vesica_strerror(answer)); else printf("%a\\n", out);',
+};
+const relations = ['DISJOINT', 'TOUCH', 'CROSS', 'INSIDE', 'INSIDE_TOUCH', 'CONTAINS', 'CONTAINS_TOUCH', 'EQUAL'];
+
+/** What the page says, as the program prints it. */
+function said({ id, value, exact }) {
+  if (id === 'overlap') return value;
+  if (id === 'relation') return String(relations.indexOf(exact.replace('exact: VESICA_', '')));
+  if (id === 'crossings') return value.split(' ')[0];
+  return value === 'none' ? exact : exact.split(' ')[0];
+}
+
+test('all pairs of kinds: the calls to copy compile, and answer what the page says', async () => {
+  const page = await openPlayground(),
+    all = [];
+  for (const a of kinds) {
+    await choose(page, 'a', a);
+    for (const b of kinds) {
+      await choose(page, 'b', b);
+      all.push(...(await calls(page)));
+    }
+  }
+  assert.equal(all.length, 36 * 8);
+  const functions = all.map(
+    ({ id, call }, i) => `static void f${i}(void) {\n${call}\n(void)answer;\n${printed[id]}\n}`,
+  );
+  writeFileSync(
+    'calls.c',
+    `#include <stdio.h>\n#include <vesica.h>\n${functions.join('\n')}\nint main(void) {\n${all.map((_, i) => `f${i}();`).join('\n')}\nreturn 0;\n}\n`,
+  );
+  execFileSync('bash', ['-c', `"$CC" -std=c99 -Wall -Wextra -Werror -o calls calls.c ${process.env.VESICA_FLAGS}`], {
+    stdio: 'inherit',
+  });
+  const lines = execFileSync('./calls', { encoding: 'utf8' }).trim().split('\n');
+  all.forEach((one, i) => assert.equal(lines[i], said(one), one.call));
+  await closeQuietly(page);
+});
+
+test('copying puts the call on the clipboard, or says that there is none', async () => {
+  const page = await openPlayground();
+  await page.click('#answer-nearest .copy');
+  await page.waitForFunction(() =>
+    /copied|no clipboard/.test(document.querySelector('#answer-nearest .copy').textContent),
+  );
+  await closeQuietly(page);
+});
+
+test('the page fetches nothing from elsewhere', () => {
+  const site = process.env.VESICA_SITE;
+  for (const file of ['playground/index.html', 'playground/playground.css', 'site.css', 'index.html']) {
+    assert.ok(!/(?:src|href|url\()=?["']?https?:/.test(readFileSync(`${site}/${file}`, 'utf8')), file);
+  }
+});
