@@ -206,6 +206,16 @@ bool any_infinite(const float* numbers, std::int32_t n) noexcept {
   return any != 0;
 }
 
+/// Whether rounding made any of n lengths 0. By their bits too.
+bool any_lost(const double* lengths, const float* rounded, std::int32_t n) noexcept {
+  std::uint64_t any = 0;
+  for (std::int32_t i = 0; i < n; ++i) {
+    any |= std::uint64_t{(std::bit_cast<std::uint32_t>(rounded[i]) & 0x7fffffffu) == 0} &
+           std::uint64_t{std::bit_cast<std::uint64_t>(lengths[i]) << 1 != 0};
+  }
+  return any != 0;
+}
+
 /// Where rounding to float made a length 0 or left the range: the least float, or an error.
 std::int32_t mend(const Query& query, std::int32_t n, const Results& results, Stored<float>& out) noexcept {
   std::int32_t error = 0;
@@ -233,7 +243,8 @@ std::int32_t store(const Query& query, std::int32_t n, const Results& results, S
       for (std::int32_t i = 0; i < n; ++i) out[k][i] += 0.0f;  // no -0
     }
   }
-  return in_range && !query.is_length ? 0 : mend(query, n, results, out);
+  const bool lost = query.is_length && any_lost(results[0], out[0], n);
+  return in_range && !lost ? 0 : mend(query, n, results, out);
 }
 std::int32_t store(const Query& query, std::int32_t n, const Results& results, Stored<double>& out) noexcept {
   for (int k = 0; k < query.columns(); ++k)

@@ -141,7 +141,7 @@ std::int32_t relation_of(const A& a, const B& b) noexcept {
     if (std::memcmp(&a, &b, sizeof a) == 0)  // NOLINT(bugprone-suspicious-memory-comparison)
       return check(a) == 0 ? static_cast<std::int32_t>(Relation::equal) : error_shape;
   }
-  return vesica::detail::called_relation(a, b);
+  return relation_or_error(a, b);
 }
 
 /// Returns 0 or error_shape.
