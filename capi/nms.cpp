@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Non-maximum suppression.
+#include <limits>
+
 #include "index_arguments.hpp"
 #include "join/suppress.hpp"
 #include "queries.hpp"
+#include "queries/ratio.hpp"
 
 namespace {
 
@@ -12,34 +15,55 @@ namespace index = vesica::index;
 /// Up to so many ratios are asked for one by one: to begin a batch costs as much.
 constexpr int64_t few = 8;
 
+/// The ratio of a shape with shape i of others.
 template <class T>
-T ratio_at(int32_t kind, const void* const* one, const void* const* others, int64_t i) noexcept {
-  T a[index::most_fields], b[index::most_fields], ratio = 0;
+T ratio_at(vesica::Ratio ratio, int32_t kind, const void* const* one, const void* const* others, int64_t i) noexcept {
+  double a[index::most_fields], b[index::most_fields], result = 0;
   for (int k = 0; k < index::fields_of[kind]; ++k) {
-    a[k] = static_cast<const T*>(one[k])[0];
-    b[k] = static_cast<const T*>(others[k])[i];
+    a[k] = static_cast<double>(static_cast<const T*>(one[k])[0]);
+    b[k] = static_cast<double>(static_cast<const T*>(others[k])[i]);
   }
-  vesica::ask<T>(vesica::queries::iou, kind, a, kind, b, &ratio);
-  return ratio;
+  vesica::queries::ratio_of_pair(ratio, kind, a, kind, b, result);
+  return static_cast<T>(result);
 }
 
 template <class T>
-void exceeds(int32_t kind, const void* const* one, const void* const* others, int64_t n, double threshold,
-             uint8_t* out) noexcept {
+void exceeds(int32_t kind, const void* const* one, const void* const* others, int64_t n,
+             const index::Measured& measured, uint8_t* out) noexcept {
+  const auto which = static_cast<vesica::Ratio>(measured.ratio);
   T ratio[index::chunk];
   if (n <= few) {
-    for (int64_t i = 0; i < n; ++i) ratio[i] = ratio_at<T>(kind, one, others, i);
+    for (int64_t i = 0; i < n; ++i) ratio[i] = ratio_at<T>(which, kind, one, others, i);
   } else {
-    vesica::batch::query_matrix<T, T>(vesica::queries::iou, vesica::kernels(), columns_of<T>(kind, one, 1),
+    vesica::batch::query_matrix<T, T>(vesica::queries::ratio(which), vesica::kernels(), columns_of<T>(kind, one, 1),
                                       columns_of<T>(kind, others, n), ratio, n);
   }
-  for (int64_t i = 0; i < n; ++i) out[i] = ratio[i] > static_cast<T>(threshold);
+  for (int64_t i = 0; i < n; ++i) out[i] = ratio[i] > static_cast<T>(measured.threshold);
 }
 
+/// What a suppression may choose by, beside scores.
 template <class T>
-int32_t nms(const CShapesOf<T>* shapes, const T* scores, T threshold, void* scratch, int64_t scratch_size,
-            int64_t* keep, int64_t* kept) noexcept {
-  VESICA_DEFAULT_ENVIRONMENT(nms<T>, shapes, scores, threshold, scratch, scratch_size, keep, kept);
+struct Choice {
+  const int32_t* labels;
+  int32_t ratio;
+  T threshold, least_score;
+  int64_t most;
+
+  bool is_sound() const noexcept {
+    return is_symmetric() && threshold >= 0 && threshold <= 1 && least_score == least_score && most >= 0;
+  }
+
+  /// Whether the ratio is one that does not depend on the order of two shapes.
+  bool is_symmetric() const noexcept {
+    const bool is_ratio = ratio >= 0 && ratio < vesica::ratio_count;
+    return is_ratio && ratio != VESICA_RATIO_OVER_FIRST && ratio != VESICA_RATIO_OVER_SECOND;
+  }
+};
+
+template <class T>
+int32_t suppress(const CShapesOf<T>* shapes, const T* scores, const Choice<T>& choice, void* scratch,
+                 int64_t scratch_size, int64_t* keep, int64_t* kept) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(suppress<T>, shapes, scores, choice, scratch, scratch_size, keep, kept);
   if (shapes == nullptr || kept == nullptr) return VESICA_E_NULL;
   const bool anything = shapes->count != 0;
   if (anything && (scores == nullptr || scratch == nullptr || keep == nullptr)) return VESICA_E_NULL;
@@ -48,7 +72,7 @@ int32_t nms(const CShapesOf<T>* shapes, const T* scores, T threshold, void* scra
   if (shapes->kind < VESICA_CIRCLE || shapes->kind > VESICA_ELLIPSE) return VESICA_E_KIND;
   if (anything && has_null(*shapes)) return VESICA_E_NULL;
   const int64_t needed = vesica_nms_scratch(shapes->count);
-  if (!(threshold >= 0 && threshold <= 1) || needed < 0) return VESICA_E_ARGUMENT;
+  if (!choice.is_sound() || needed < 0) return VESICA_E_ARGUMENT;
   if (!anything) {
     *kept = 0;
     return 0;
@@ -57,9 +81,23 @@ int32_t nms(const CShapesOf<T>* shapes, const T* scores, T threshold, void* scra
   index::Sets sets;
   view_sets<T>(shapes, 1, sets);
   bool left_out = false;
-  *kept = index::suppress<T>({index_kernels(), sets, exceeds<T>, static_cast<double>(threshold), scratch}, scores, keep,
-                             left_out);
+  *kept = index::suppress<T>(
+      {.kernels = index_kernels(),
+       .sets = sets,
+       .exceeds = exceeds<T>,
+       .measured = {choice.ratio, choice.ratio == VESICA_RATIO_OVER_SMALLER, static_cast<double>(choice.threshold)},
+       .scratch = scratch,
+       .label = choice.labels,
+       .least_score = static_cast<double>(choice.least_score),
+       .most = choice.most},
+      scores, keep, left_out);
   return left_out ? VESICA_E_SHAPE : 0;
+}
+
+/// By IoU alone.
+template <class T>
+Choice<T> by_union(T threshold) noexcept {
+  return {nullptr, VESICA_RATIO_OVER_UNION, threshold, -std::numeric_limits<T>::infinity(), INT64_MAX};
 }
 
 }  // namespace
@@ -69,11 +107,17 @@ int64_t vesica_nms_scratch(int64_t count) {
   return index::suppression_bytes(count);
 }
 
-int32_t vesica_nms_f64(const vesica_shapes_f64* shapes, const double* scores, double threshold, void* scratch,
-                       int64_t scratch_size, int64_t* keep, int64_t* kept) {
-  return nms<double>(shapes, scores, threshold, scratch, scratch_size, keep, kept);
-}
-int32_t vesica_nms_f32(const vesica_shapes_f32* shapes, const float* scores, float threshold, void* scratch,
-                       int64_t scratch_size, int64_t* keep, int64_t* kept) {
-  return nms<float>(shapes, scores, threshold, scratch, scratch_size, keep, kept);
-}
+#define VESICA_SUPPRESSION(scalar, T)                                                                            \
+  int32_t vesica_nms_##scalar(const vesica_shapes_##scalar* shapes, const T* scores, T threshold, void* scratch, \
+                              int64_t scratch_size, int64_t* keep, int64_t* kept) {                              \
+    return suppress(shapes, scores, by_union(threshold), scratch, scratch_size, keep, kept);                     \
+  }                                                                                                              \
+  int32_t vesica_suppress_##scalar(const vesica_shapes_##scalar* shapes, const T* scores, const int32_t* labels, \
+                                   int32_t ratio, T threshold, T least_score, int64_t most, void* scratch,       \
+                                   int64_t scratch_size, int64_t* keep, int64_t* kept) {                         \
+    const Choice<T> choice{labels, ratio, threshold, least_score, most};                                         \
+    return suppress(shapes, scores, choice, scratch, scratch_size, keep, kept);                                  \
+  }
+
+VESICA_SUPPRESSION(f64, double)
+VESICA_SUPPRESSION(f32, float)

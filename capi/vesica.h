@@ -841,10 +841,9 @@ VESICA_API int32_t vesica_nms_f32(const vesica_shapes_f32 *shapes, const float *
 }
 #endif
 
-/* C11 only: vesica_overlap(&a, &b) and the like, which take kinds and scalar from the types of their arguments. */
-#if !defined(__cplusplus) && defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
-#include "vesica_generic.h"
-#endif
-#include "vesica_index.h" /* index and join, for the pairs among millions of shapes */
+#include "vesica_boxes.h"    /* arrays of boxes by centre, size and angle; corners and bounds of arrays */
+#include "vesica_generic.h"  /* C11 only: vesica_overlap(&a, &b) and the like, with kinds and scalar by the types */
+#include "vesica_index.h"    /* index and join, for the pairs among millions of shapes */
+#include "vesica_measures.h" /* ratios of shared area, matrices of distances */
 
 #endif /* VESICA_H */

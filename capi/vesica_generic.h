@@ -3,7 +3,7 @@
  *
  * SPDX-License-Identifier: Apache-2.0
  *
- * vesica.h includes this file in C11 and later. C99 and C++ never see it.
+ * vesica.h includes this file. To C99 and C++ it is empty.
  *
  *     vesica_circle_f64 car = {0, 0, 2};
  *     vesica_point_f64 person = {5, 0};
@@ -13,7 +13,7 @@
  * Every argument is a pointer to a shape or to a result. Each is evaluated once. Double and float cannot be mixed: such
  * a call does not compile. Results and errors are those of the functions, such as vesica_nearest_f64.
  */
-#ifndef VESICA_GENERIC_H
+#if !defined(VESICA_GENERIC_H) && !defined(__cplusplus) && defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
 #define VESICA_GENERIC_H
 
 #include "vesica.h"
@@ -32,6 +32,9 @@
 #define vesica_depth(a, b, out) VESICA_TWO_OUT_(vesica_depth, a, b, out)
 #define vesica_area(a, b, out) VESICA_TWO_OUT_(vesica_area, a, b, out)
 #define vesica_iou(a, b, out) VESICA_TWO_OUT_(vesica_iou, a, b, out)
+#define vesica_ratio(ratio, a, b, out) \
+    VESICA_QUERY_(vesica_ratio, VESICA_SIZE_(a) & VESICA_SIZE_(b) & VESICA_SIZE_(out)) \
+    (ratio, VESICA_SHAPE_(a), VESICA_SHAPE_(b), out)
 
 /* Kind of the shape that a pointer points to: VESICA_POINT ... VESICA_ELLIPSE. */
 #define VESICA_KIND_OF(shape) \

@@ -1750,4 +1750,342 @@ export interface C {
    * Since: 0.1.
    */
   vesica_join_nearest_f32(sets_a: number, set_count_a: number, index_b: number, sets_b: number, set_count_b: number, k: bigint, within: number, part: bigint, parts: bigint, out: number, distance: number): bigint;
+  /**
+   * What share of a's area does b cover, or of b's area a? And other ratios by which detections are compared.
+   *
+   * The first four are from 0 to 1. One over a shape is 0 if no area is shared, and 1 if the other shape contains it. The
+   * last three are at most the IoU, and at least -1, for CIoU -2. The angle of a shape in CIoU is that of the vector
+   * (half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging the shapes exchanges
+   * OVER_FIRST and OVER_SECOND, and changes no bit of the others.
+   *
+   * Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the shape whose
+   * area divides has none; for the others, neither shape has one).
+   * Accuracy: within 8 u of what follows from the shared area or the IoU, which are right as vesica_area_f64 and
+   * vesica_iou_f64 tell, for half lengths from 2^-200 to 2^200.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; 40 to 100 in arrays.
+   * Since: 0.1.
+   */
+  vesica_ratio_f64(ratio: number, kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
+  /**
+   * A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
+   *
+   * Arrays and errors are those of vesica_iou_many_f64. If a pair has no ratio since an area is 0, out[i] is NaN, and the
+   * call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   *
+   * Returns: how many are > 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
+   * Accuracy: every result has the bits of vesica_ratio_f64, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_ratio_many_f64(ratio: number, a: number, b: number, out: number): bigint;
+  /**
+   * A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f64.
+   *
+   * Arrays, row_stride and errors are those of vesica_iou_matrix_f64. If a pair has no ratio since an area is 0, it gets
+   * NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   *
+   * Returns: how many are > 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
+   * Accuracy: every result has the bits of vesica_ratio_f64, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_ratio_matrix_f64(ratio: number, a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * How far apart are a[i] and b[j]? The elements of out are distances of vesica_nearest_f64.
+   *
+   * Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64.
+   * Returns: how many pairs overlap (distance 0).
+   * Errors: as vesica_iou_matrix_f64.
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_nearest_matrix_f64(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * How far apart are the outlines of a[i] and b[j]? The elements of out are distances of vesica_boundary_distance_f64.
+   *
+   * Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64.
+   * Returns: how many pairs of outlines meet (distance 0).
+   * Errors: as vesica_iou_matrix_f64.
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_boundary_distance_matrix_f64(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * How deep do a[i] and b[j] overlap? The elements of out are depths of vesica_depth_f64.
+   *
+   * Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64.
+   * Returns: how many depths are > 0.
+   * Errors: as vesica_iou_matrix_f64.
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Since: 0.1.
+   */
+  vesica_depth_matrix_f64(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
+   *
+   * Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape kept before, of
+   * the same label, is at most the threshold. Shapes whose score is below least_score are not looked at.
+   *
+   * Requires: shapes, scores, threshold, scratch and keep as vesica_nms_f64; labels, one for each, or NULL if all are
+   * alike; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be -infinity; most, how many
+   * are kept at most: keep needs room for no more.
+   * Returns: 0, and keep and *kept as vesica_nms_f64.
+   * Errors: as vesica_nms_f64; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative most.
+   * Cost: that of vesica_nms_f64; ratios other than IoU cost 0.1 us more a comparison.
+   * Since: 0.1.
+   */
+  vesica_suppress_f64(shapes: number, scores: number, labels: number, ratio: number, threshold: number, least_score: number, most: bigint, scratch: number, scratch_size: bigint, keep: number, kept: number): number;
+  /**
+   * What share of a's area does b cover, or of b's area a? And other ratios by which detections are compared.
+   *
+   * The first four are from 0 to 1. One over a shape is 0 if no area is shared, and 1 if the other shape contains it. The
+   * last three are at most the IoU, and at least -1, for CIoU -2. The angle of a shape in CIoU is that of the vector
+   * (half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging the shapes exchanges
+   * OVER_FIRST and OVER_SECOND, and changes no bit of the others.
+   *
+   * Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the shape whose
+   * area divides has none; for the others, neither shape has one).
+   * Accuracy: within 8 u of what follows from the shared area or the IoU, which are right as vesica_area_f32 and
+   * vesica_iou_f32 tell, for half lengths from 2^-200 to 2^200.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * Cost: that of vesica_area_f32 or vesica_iou_f32, and 100 to 150 ns more; 40 to 100 in arrays.
+   * Since: 0.1.
+   */
+  vesica_ratio_f32(ratio: number, kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
+  /**
+   * A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
+   *
+   * Arrays and errors are those of vesica_iou_many_f32. If a pair has no ratio since an area is 0, out[i] is NaN, and the
+   * call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   *
+   * Returns: how many are > 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
+   * Accuracy: every result has the bits of vesica_ratio_f32, on every instruction set and in every layout.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Since: 0.1.
+   */
+  vesica_ratio_many_f32(ratio: number, a: number, b: number, out: number): bigint;
+  /**
+   * A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f32.
+   *
+   * Arrays, row_stride and errors are those of vesica_iou_matrix_f32. If a pair has no ratio since an area is 0, it gets
+   * NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   *
+   * Returns: how many are > 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
+   * Accuracy: every result has the bits of vesica_ratio_f32, on every instruction set and in every layout.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Since: 0.1.
+   */
+  vesica_ratio_matrix_f32(ratio: number, a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * How far apart are a[i] and b[j]? The elements of out are distances of vesica_nearest_f32.
+   *
+   * Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32.
+   * Returns: how many pairs overlap (distance 0).
+   * Errors: as vesica_iou_matrix_f32.
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Since: 0.1.
+   */
+  vesica_nearest_matrix_f32(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * How far apart are the outlines of a[i] and b[j]? The elements of out are distances of vesica_boundary_distance_f32.
+   *
+   * Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32.
+   * Returns: how many pairs of outlines meet (distance 0).
+   * Errors: as vesica_iou_matrix_f32.
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Since: 0.1.
+   */
+  vesica_boundary_distance_matrix_f32(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * How deep do a[i] and b[j] overlap? The elements of out are depths of vesica_depth_f32.
+   *
+   * Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32.
+   * Returns: how many depths are > 0.
+   * Errors: as vesica_iou_matrix_f32.
+   * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Since: 0.1.
+   */
+  vesica_depth_matrix_f32(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * Greedy non-maximum suppression as vesica_nms_f32, by any ratio and among like labels.
+   *
+   * Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape kept before, of
+   * the same label, is at most the threshold. Shapes whose score is below least_score are not looked at.
+   *
+   * Requires: shapes, scores, threshold, scratch and keep as vesica_nms_f32; labels, one for each, or NULL if all are
+   * alike; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be -infinity; most, how many
+   * are kept at most: keep needs room for no more.
+   * Returns: 0, and keep and *kept as vesica_nms_f32.
+   * Errors: as vesica_nms_f32; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative most.
+   * Cost: that of vesica_nms_f32; ratios other than IoU cost 0.1 us more a comparison.
+   * Since: 0.1.
+   */
+  vesica_suppress_f32(shapes: number, scores: number, labels: number, ratio: number, threshold: number, least_score: number, most: bigint, scratch: number, scratch_size: bigint, keep: number, kept: number): number;
+  /**
+   * Rectangles from boxes.
+   *
+   * Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
+   * Returns: 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   * Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
+   * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
+   * Cost: about 40 ns a box.
+   * Since: 0.1.
+   */
+  vesica_rects_from_boxes_f64(boxes: number, count: bigint, stride: number, angle: number, out: number): bigint;
+  /**
+   * Ellipses from the boxes about them, whose sides they touch in the middle.
+   *
+   * Requires: as vesica_rects_from_boxes_f64.
+   * Returns: 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   * Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
+   * Cost: about 40 ns a box.
+   * Since: 0.1.
+   */
+  vesica_ellipses_from_boxes_f64(boxes: number, count: bigint, stride: number, angle: number, out: number): bigint;
+  /**
+   * Boxes from rectangles, or about ellipses: the way back.
+   *
+   * An angle is from -180 to 180 degrees.
+   *
+   * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
+   * Returns: 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   * Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
+   * quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
+   * Cost: about 60 ns a shape.
+   * Since: 0.1.
+   */
+  vesica_boxes_from_shapes_f64(shapes: number, angle: number, boxes: number): bigint;
+  /**
+   * The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+   *
+   * Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
+   *
+   * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
+   * Returns: 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   * Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
+   * Cost: about 20 ns a shape.
+   * Since: 0.1.
+   */
+  vesica_corners_of_shapes_f64(shapes: number, corners: number): bigint;
+  /**
+   * The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.
+   *
+   * Requires: out, room for `count`.
+   * Returns: 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   * Accuracy: that of vesica_bounds_f64.
+   * Cost: that of vesica_bounds_f64.
+   * Since: 0.1.
+   */
+  vesica_bounds_many_f64(shapes: number, out: number): bigint;
+  /**
+   * Rectangles from boxes.
+   *
+   * Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
+   * Returns: 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   * Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
+   * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Cost: about 40 ns a box.
+   * Since: 0.1.
+   */
+  vesica_rects_from_boxes_f32(boxes: number, count: bigint, stride: number, angle: number, out: number): bigint;
+  /**
+   * Ellipses from the boxes about them, whose sides they touch in the middle.
+   *
+   * Requires: as vesica_rects_from_boxes_f32.
+   * Returns: 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   * Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Cost: about 40 ns a box.
+   * Since: 0.1.
+   */
+  vesica_ellipses_from_boxes_f32(boxes: number, count: bigint, stride: number, angle: number, out: number): bigint;
+  /**
+   * Boxes from rectangles, or about ellipses: the way back.
+   *
+   * An angle is from -180 to 180 degrees.
+   *
+   * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
+   * Returns: 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   * Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
+   * quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Cost: about 60 ns a shape.
+   * Since: 0.1.
+   */
+  vesica_boxes_from_shapes_f32(shapes: number, angle: number, boxes: number): bigint;
+  /**
+   * The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+   *
+   * Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
+   *
+   * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
+   * Returns: 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   * Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Cost: about 20 ns a shape.
+   * Since: 0.1.
+   */
+  vesica_corners_of_shapes_f32(shapes: number, corners: number): bigint;
+  /**
+   * The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.
+   *
+   * Requires: out, room for `count`.
+   * Returns: 0.
+   * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   * Accuracy: that of vesica_bounds_f32.
+   * Cost: that of vesica_bounds_f32.
+   * Since: 0.1.
+   */
+  vesica_bounds_many_f32(shapes: number, out: number): bigint;
 }

@@ -62,3 +62,23 @@ export const JOIN_BOUNDS = 1;
 export const JOIN_CONTAINS = 2;
 /** b contains a */
 export const JOIN_INSIDE = 3;
+/** shared area / area of a and b together (IoU) */
+export const RATIO_OVER_UNION = 0;
+/** shared area / area of a (IoF) */
+export const RATIO_OVER_FIRST = 1;
+/** shared area / area of b (IoA) */
+export const RATIO_OVER_SECOND = 2;
+/** shared area / the smaller of the areas (IoS) */
+export const RATIO_OVER_SMALLER = 3;
+/** IoU - the part of the hull that neither covers (GIoU) */
+export const RATIO_GENERALIZED = 4;
+/** IoU - (distance of the centres / diagonal of the hull)^2 (DIoU) */
+export const RATIO_DISTANCE = 5;
+/** DIoU - v^2 / (1 - IoU + v), v = (difference of angles / 90 degrees)^2 (CIoU) */
+export const RATIO_COMPLETE = 6;
+export const ANGLE_RADIANS = 0;
+export const ANGLE_DEGREES = 1;
+/** quarter turns */
+export const ANGLE_QUARTERS = 2;
+/** added to a unit: angles turn from +x away from +y */
+export const ANGLE_REVERSED = 4;

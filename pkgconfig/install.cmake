@@ -9,8 +9,10 @@ install(TARGETS vesica vesica_methods vesica_core EXPORT vesica-targets
 install(FILES
     ${PROJECT_SOURCE_DIR}/capi/vesica.h
     ${PROJECT_SOURCE_DIR}/capi/vesica_generic.h
+    ${PROJECT_SOURCE_DIR}/capi/vesica_boxes.h
     ${PROJECT_SOURCE_DIR}/capi/vesica_index.h
     ${PROJECT_SOURCE_DIR}/capi/vesica_index.hpp
+    ${PROJECT_SOURCE_DIR}/capi/vesica_measures.h
     ${PROJECT_SOURCE_DIR}/capi/vesica_methods.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/vesica DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})

@@ -40,11 +40,13 @@ class NumberColumns {
   template <class T>
   void set(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n, const Query& query,
            const KernelTable& kernels) noexcept {
+    const Known known = query.asked().known;
+    const ShapeArea shape_area = query.shape_area;
     kind_ = shapes.kind;
     repeated_ = shapes.stride == 0;
     if (repeated_) n = 1;
     // overlap_block() reads whole columns.
-    const std::int32_t end = repeated_ && query.known == Known::overlap ? query_block : whole_vectors(n);
+    const std::int32_t end = repeated_ && known == Known::overlap ? query_block : whole_vectors(n);
     if (!read_in_place(shapes, begin, n, end)) {
       if (n < widest_vector) {
         read_few(shapes, begin, n);
@@ -56,9 +58,9 @@ class NumberColumns {
     }
     // Numbers that the kind does not have repeat the first: loops of a fixed length read elements faster.
     for (int k = field_count(kind_); k < max_fields; ++k) number_[k] = number_[0];
-    if (query.shape_area != nullptr) set_areas(n, end, query.shape_area);
-    if (query.known == Known::reach && kind_ == static_cast<std::int32_t>(Kind::rect)) {
-      set_reaches(end, query.shape_area != nullptr);
+    if (shape_area != nullptr) set_areas(n, end, shape_area);
+    if (known == Known::reach && kind_ == static_cast<std::int32_t>(Kind::rect)) {
+      set_reaches(end, shape_area != nullptr);
     }
   }
 
@@ -92,6 +94,12 @@ class NumberColumns {
       out[k] = number_[k][at];
       out[k + 1] = number_[k + 1][at];
     }
+  }
+
+  /// The same with its area, where the query asked for areas.
+  ShapeOfKind shape(std::int32_t i, double (&numbers)[max_fields]) const noexcept {
+    element(i, numbers);
+    return {kind_, numbers, area_[repeated_ ? 0 : i]};
   }
 
  private:
@@ -260,7 +268,8 @@ class Engine {
   NumberColumns first_near_, second_near_;
 
   void answer(const Query& query, const Pairs& pairs, Results& results) noexcept {
-    if (query.asked_instead != nullptr) {
+    if (query.derive != nullptr) return derive(query, pairs, results);
+    if (query.from_code != nullptr) {
       answer(*query.asked_instead, pairs, results);
       for (std::int32_t i = 0; i < pairs.n; ++i) results[0][i] = query.from_code(results[0][i]);
       return;
@@ -268,6 +277,18 @@ class Engine {
     const QueryKernel kernel = kernel_of(query, pairs.first().kind(), pairs.second().kind());
     if (kernel != nullptr && ask_kernel(kernel, query, pairs, results)) return;
     ask_scalar(query, pairs, kernel == nullptr, results);
+  }
+
+  /// What is an error of the other query is looked at anew.
+  void derive(const Query& query, const Pairs& pairs, Results& results) noexcept {
+    const std::int32_t error = error_;
+    answer(*query.asked_instead, pairs, results);
+    error_ = error;
+    for (std::int32_t i = 0; i < pairs.n; ++i) {
+      double a[max_fields], b[max_fields], number = std::numeric_limits<double>::quiet_NaN();
+      note(query.derive(results[0][i], pairs.a.shape(i, a), pairs.b.shape(i, b), number));
+      results[0][i] = number;
+    }
   }
 
   QueryKernel kernel_of(const Query& query, std::int32_t first, std::int32_t second) const noexcept {

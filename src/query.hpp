@@ -18,6 +18,16 @@ enum class Known {
 /// The area of a shape given by kind and flat numbers; NaN for one that is invalid or whose area is beyond the range.
 using ShapeArea = double (*)(std::int32_t kind, const double* numbers) noexcept;
 
+/// A shape by its kind and flat numbers, with its area as ShapeArea gives it.
+struct ShapeOfKind {
+  std::int32_t kind;
+  const double* numbers;
+  double area;
+};
+
+/// A number that follows from another query's and the two shapes. Returns 0 or an error; out is then untouched.
+using Derive = std::int32_t (*)(double asked, const ShapeOfKind& a, const ShapeOfKind& b, double& out) noexcept;
+
 struct Query {
   PairTable doubles, floats;
   Reversal reversal;
@@ -32,17 +42,21 @@ struct Query {
   /// Null where the scalar function does it all.
   QueryKernels QueryTable::*kernels = nullptr;
   Known known = Known::nothing;
-  /// Set where a kernel must know the shapes' areas.
+  /// Set where a kernel or `derive` must know the shapes' areas.
   ShapeArea shape_area = nullptr;
-  /// Set where batches ask another query, whose code from_code turns into this one's; NaN stays NaN.
+  /// Set where batches ask another query. Then from_code turns its codes into this one's, where NaN stays NaN, or
+  /// derive makes its number, or a NaN for an error, into this one's.
   const Query* asked_instead = nullptr;
   double (*from_code)(double code) noexcept = nullptr;
+  Derive derive = nullptr;
 
   /// Columns that a batch writes.
   constexpr int columns() const noexcept { return numbers == 0 ? 1 : numbers; }
+  /// The query that batches ask.
+  const Query& asked() const noexcept { return asked_instead == nullptr ? *this : *asked_instead; }
   /// Whether the query knows these kinds; both are kinds.
   bool answers(std::int32_t kind_a, std::int32_t kind_b) const noexcept {
-    return doubles.of[kind_a][kind_b] != unknown_pair;
+    return asked().doubles.of[kind_a][kind_b] != unknown_pair;
   }
   const PairTable& pairs(double) const noexcept { return doubles; }
   const PairTable& pairs(float) const noexcept { return floats; }

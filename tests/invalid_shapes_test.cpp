@@ -71,6 +71,8 @@ void expect_checked_forms_to_refuse(const A& a, const B& b) {
   T number = 7;
   EXPECT_EQ(area_or_error(a, b, number), error_shape);
   EXPECT_EQ(iou_or_error(a, b, number), error_shape);
+  EXPECT_EQ(ratio_or_error(Ratio::over_first, a, b, number), error_shape);
+  EXPECT_EQ(ratio_or_error(Ratio::distance, a, b, number), error_shape);
   EXPECT_EQ(number, 7);
   CrossingPoints<T> crossing{};
   crossing.count = 7;
@@ -90,6 +92,7 @@ void expect_nothing_in_common(const A& a, const B& b) {
   EXPECT_EQ(depth(a, b).x, 0);
   EXPECT_EQ(area(a, b), 0);
   EXPECT_EQ(iou(a, b), 0);
+  EXPECT_EQ(ratio(Ratio::generalized, a, b), 0);
   EXPECT_EQ(crossings(a, b).count, 0);
 }
 

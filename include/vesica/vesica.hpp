@@ -12,6 +12,7 @@
 #include <vesica/area.hpp>
 #include <vesica/boundary_distance.hpp>
 #include <vesica/bounds.hpp>
+#include <vesica/boxes.hpp>
 #include <vesica/check.hpp>
 #include <vesica/construct.hpp>
 #include <vesica/crossings.hpp>
@@ -19,6 +20,7 @@
 #include <vesica/iou.hpp>
 #include <vesica/nearest.hpp>
 #include <vesica/overlap.hpp>
+#include <vesica/ratio.hpp>
 #include <vesica/relation.hpp>
 #include <vesica/shape_area.hpp>
 #include <vesica/shapes.hpp>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Chooses the instruction set, once, when the library is loaded. Tests define VESICA_PORTABLE_ONLY, to run on x86-64 what
 // other processors run.
-#include <atomic>
 #include <cstdlib>
 #include <cstring>
 
@@ -58,11 +57,12 @@ const KernelTable* choose() noexcept {
 }
 
 // The library's only variable. Every thread that finds it empty makes the same choice, so the order does not matter.
-constinit std::atomic<const KernelTable*> chosen = nullptr;
+// Atomic by the compiler's own functions: <atomic> brings half of libstdc++ with it, which musl lacks.
+constinit const KernelTable* chosen = nullptr;
 
 const KernelTable& choose_once() noexcept {
   const KernelTable* const table = choose();
-  chosen.store(table, std::memory_order_relaxed);
+  __atomic_store_n(&chosen, table, __ATOMIC_RELAXED);
   return *table;
 }
 
@@ -71,7 +71,7 @@ const KernelTable& choose_once() noexcept {
 }  // namespace
 
 const KernelTable& kernels() noexcept {
-  const KernelTable* const table = chosen.load(std::memory_order_relaxed);
+  const KernelTable* const table = __atomic_load_n(&chosen, __ATOMIC_RELAXED);
   return table != nullptr ? *table : choose_once();  // empty where another library's constructor calls, before ours
 }
 

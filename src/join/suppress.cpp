@@ -87,21 +87,29 @@ double area_of(std::int32_t kind, const Fields& f, int i) noexcept {
   return in_range ? moderate_area(number(4), number(5), (kind == kind_rect ? 4 : pi) * uu) : __builtin_nan("");
 }
 
-/// Leaves out most pairs whose ratio is far below a threshold t. With areas A and B the ratio of a shared area S exceeds t
+/// Leaves out most pairs whose ratio is far below a threshold t. With areas A and B the IoU of a shared area S exceeds t
 /// only where S (1 + t) > t (A + B), and S is at most that of the bounds. The ratio errs by at most 2^-37 at aspects up
-/// to 2^10; from t = 2^-10 on that is less than the 2^-20 taken off here.
+/// to 2^10; from t = 2^-10 on that is less than the 2^-20 taken off here. Ratios below the IoU exceed t no more often.
+/// Over the smaller area the least that is asked of S is t min(A, B).
 class Reach {
  public:
-  explicit Reach(double threshold) noexcept
-      : shared_(1 + threshold), needed_(threshold >= 0x1p-10 ? threshold * (1 - 0x1p-20) : 0) {}
+  explicit Reach(const Measured& m) noexcept
+      : over_smaller_(m.over_smaller),
+        shared_(over_smaller_ ? 1 : 1 + m.threshold),
+        needed_(m.threshold >= 0x1p-10 ? m.threshold * (1 - 0x1p-20) : 0) {}
   bool may_exceed(const Extent& a, const Extent& b) const noexcept {
     const double width = std::min(a.box[2], b.box[2]) - std::max(a.box[0], b.box[0]);
     const double height = std::min(a.box[3], b.box[3]) - std::max(a.box[1], b.box[1]);
-    const bool apart = (width < 0) | (height < 0), little = width * height * shared_ < (a.area + b.area) * needed_;
+    const double areas = over_smaller_ ? smaller(a.area, b.area) : a.area + b.area;
+    const bool apart = (width < 0) | (height < 0), little = width * height * shared_ < areas * needed_;
     return !(apart | little);
   }
 
  private:
+  /// NaN where either is.
+  static double smaller(double a, double b) noexcept { return a < b ? a : b + 0 * a; }
+
+  bool over_smaller_;
   double shared_, needed_;
 };
 
@@ -114,7 +122,7 @@ class Suppressor {
       : asked_(suppression),
         kind_(suppression.sets.set[0].kind),
         parts_(suppression.sets.items),
-        reach_(suppression.threshold),
+        reach_(suppression.measured),
         scratch_(scratch),
         item_(column(parts_.item)),
         rank_(column(parts_.rank)),
@@ -133,9 +141,9 @@ class Suppressor {
     }
   }
 
-  /// Ranks what may be kept; returns how many.
+  /// Ranks what may be kept. Sets left_out where a shape is invalid or its score NaN.
   template <class T>
-  std::int64_t order(const T* score) noexcept {
+  void order(const T* score, bool& left_out) noexcept {
     auto* const ranked = reinterpret_cast<Ranked*>(scratch_ + parts_.order);
     auto* const spare = reinterpret_cast<Ranked*>(scratch_ + parts_.spare);
     std::uint32_t* const place_of = column(parts_.spare);
@@ -143,20 +151,22 @@ class Suppressor {
     std::fill_n(rank_, placed_, closed);
     for (std::int64_t place = 0; place < placed_; ++place) place_of[item_[place]] = static_cast<std::uint32_t>(place);
     for (std::int64_t i = 0; i < asked_.sets.items; ++i) {
-      ranked[count_] = {key_of(static_cast<double>(score[i])), place_of[i]};
-      count_ += place_of[i] != closed && score[i] == score[i];
+      const auto s = static_cast<double>(score[i]);
+      const bool usable = place_of[i] != closed && s == s;
+      left_out |= !usable;
+      ranked[count_] = {key_of(s), place_of[i]};
+      count_ += usable && s >= asked_.least_score;
     }
     ranked_ = sort(ranked, spare, count_);
     waiting_ = column(ranked_ == ranked ? parts_.spare : parts_.order);
     for (std::int64_t r = 0; r < count_; ++r) rank_[ranked_[r].place] = static_cast<std::uint32_t>(r);
-    return count_;
   }
 
   std::int64_t keep(std::int64_t* out) noexcept {
     const View view(scratch_);
     for (std::int64_t i = 0; i < view.blocks(); ++i) settle_block(view, view.block(i));
     std::int64_t kept = 0;
-    for (std::int64_t r = 0; r < count_; ++r) {
+    for (std::int64_t r = 0; r < count_ && kept < asked_.most; ++r) {
       if (rank_[ranked_[r].place] == is_kept) out[kept++] = item_[ranked_[r].place];
     }
     return kept;
@@ -243,12 +253,16 @@ class Suppressor {
     }
   }
 
-  /// Calls found(place) for the open ones of n that may suppress a shape, or it them.
+  bool same_label(std::uint32_t p, std::uint32_t q) const noexcept {
+    return asked_.label == nullptr || asked_.label[item_[p]] == asked_.label[item_[q]];
+  }
+
+  /// Calls found(other) for the open ones of n that may suppress a shape, or it them.
   template <class Found>
-  void each_open(const Extent& extent, const std::uint32_t* place, std::int32_t n, const Found& found) const noexcept {
+  void each_open(std::uint32_t place, const std::uint32_t* other, std::int32_t n, const Found& found) const noexcept {
     for (std::int32_t i = 0; i < n; ++i) {
-      const bool open = rank_[place[i]] < is_kept;
-      if (open & reach_.may_exceed(extent, extent_[place[i]])) found(place[i]);
+      const bool open = rank_[other[i]] < is_kept;
+      if ((open & reach_.may_exceed(extent_[place], extent_[other[i]])) && same_label(place, other[i])) found(other[i]);
     }
   }
 
@@ -258,7 +272,7 @@ class Suppressor {
     best_ = closed;
     open_count_ = 0;
     each_block_near(view, extent_[place], [&](const std::uint32_t* near, std::int32_t n) {
-      each_open(extent_[place], near, n, [&](std::uint32_t other) {
+      each_open(place, near, n, [&](std::uint32_t other) {
         best_ = std::min(best_, rank_[other]);
         if (open_count_ < most_listed) open_[open_count_] = other;
         ++open_count_;
@@ -275,7 +289,7 @@ class Suppressor {
     if (open_count_ <= most_listed) return close_some(open_, open_count_);
     each_block_near(view, extent_[place], [&](std::uint32_t* near, std::int32_t n) {
       std::int32_t open = 0;
-      each_open(extent_[place], near, n, [&](std::uint32_t other) { near[open++] = other; });
+      each_open(place, near, n, [&](std::uint32_t other) { near[open++] = other; });
       close_some(near, open);
     });
   }
@@ -287,7 +301,7 @@ class Suppressor {
       std::uint8_t exceeds[decided_at_once];
       for (int k = 0; k < m; ++k) item[k] = item_[place[i + k]];
       gather_columns(asked_.sets, kind_, item, m, 0, others_);
-      asked_.exceeds(kind_, one_.field, others_.field, m, asked_.threshold, exceeds);
+      asked_.exceeds(kind_, one_.field, others_.field, m, asked_.measured, exceeds);
       for (int k = 0; k < m; ++k) {
         if (exceeds[k] != 0) rank_[place[i + k]] = closed;
       }
@@ -321,7 +335,8 @@ std::int64_t suppress(const Suppression& suppression, const T* score, std::int64
   unsigned char* const scratch = static_cast<unsigned char*>(suppression.scratch) + (alignment - misplaced) % alignment;
   Suppressor suppressor(suppression, scratch);
   suppressor.build();
-  left_out = suppressor.order(score) < suppression.sets.items;
+  left_out = false;
+  suppressor.order(score, left_out);
   return suppressor.keep(keep);
 }
 

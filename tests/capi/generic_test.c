@@ -98,6 +98,13 @@ static void test_float(void) {
     EXPECT(query(a, &generic), query##_##scalar(KIND_A, (const T*)(a), &direct)); \
     EXPECT(memcmp(&generic, &direct, sizeof direct), 0);                          \
   } while (0)
+#define EXPECT_RATIO(scalar, T, a, KIND_A, b, KIND_B)                                                               \
+  do {                                                                                                              \
+    T generic = -7, direct = -7;                                                                                    \
+    EXPECT(vesica_ratio(VESICA_RATIO_GENERALIZED, a, b, &generic),                                                  \
+           vesica_ratio_##scalar(VESICA_RATIO_GENERALIZED, KIND_A, (const T*)(a), KIND_B, (const T*)(b), &direct)); \
+    EXPECT(generic == direct, 1);                                                                                   \
+  } while (0)
 #define EXPECT_PAIR(scalar, T, a, KIND_A, b, KIND_B)                                                          \
   do {                                                                                                        \
     EXPECT_ANSWER(vesica_overlap, scalar, T, a, KIND_A, b, KIND_B);                                           \
@@ -109,6 +116,7 @@ static void test_float(void) {
     EXPECT_RESULT(vesica_depth, scalar, T, vesica_penetration_##scalar, a, KIND_A, b, KIND_B);                \
     EXPECT_RESULT(vesica_area, scalar, T, T, a, KIND_A, b, KIND_B);                                           \
     EXPECT_RESULT(vesica_iou, scalar, T, T, a, KIND_A, b, KIND_B);                                            \
+    EXPECT_RATIO(scalar, T, a, KIND_A, b, KIND_B);                                                            \
   } while (0)
 #define EXPECT_KIND(scalar, T, a, KIND_A)                                     \
   do {                                                                        \
@@ -165,6 +173,8 @@ static void test_results(void) {
   EXPECT(number == 1, 1);
   EXPECT(vesica_iou(&box, &other, &number), 0);
   EXPECT(number == 0.25f, 1);
+  EXPECT(vesica_ratio(VESICA_RATIO_OVER_FIRST, &box, &other, &number), 0);
+  EXPECT(number == 0.5f, 1);
   EXPECT(vesica_shape_area(&box, &number), 0);
   EXPECT(number == 2, 1);
   EXPECT(vesica_bounds(&disc, &bounds), 0);

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <limits>
 
+#include "capi/face.hpp"
+
 namespace environment {
 namespace {
 
@@ -239,6 +241,17 @@ Bytes ask_join(const Inputs& inputs) {
   return bytes;
 }
 
+/// A ratio by its constant.
+template <class T, std::int32_t which>
+std::int32_t ratio(std::int32_t kind_a, const T* a, std::int32_t kind_b, const T* b, T* out) {
+  return capi_tests::Face<T>::ratio(which, kind_a, a, kind_b, b, out);
+}
+template <class T, std::int32_t which>
+std::int64_t ratio_matrix(const typename capi_tests::Face<T>::Shapes* a, const typename capi_tests::Face<T>::Shapes* b,
+                          T* out, std::ptrdiff_t row_stride) {
+  return capi_tests::Face<T>::ratio_matrix(which, a, b, out, row_stride);
+}
+
 }  // namespace
 
 // The two scalar types' functions differ in their suffix alone.
@@ -251,6 +264,8 @@ Bytes ask_join(const Inputs& inputs) {
         {"depth", ask_pair<T, vesica_penetration_##s, vesica_depth_##s>},                                           \
         {"crossings", ask_pair<T, vesica_crossing_points_##s, vesica_crossings_##s>},                               \
         {"area", ask_pair<T, T, vesica_area_##s>}, {"iou", ask_pair<T, T, vesica_iou_##s>},                         \
+        {"over_first", ask_pair<T, T, ratio<T, VESICA_RATIO_OVER_FIRST>>},                                          \
+        {"complete", ask_pair<T, T, ratio<T, VESICA_RATIO_COMPLETE>>},                                              \
         {"shape_area", ask_one<T, T, vesica_shape_area_##s>},                                                       \
         {"bounds", ask_one<T, vesica_aabb_##s, vesica_bounds_##s>},                                                 \
         {"aabb_from_corners", ask_constructor<T, vesica_aabb_##s, vesica_aabb_from_corners_##s, 4>},                \
@@ -277,6 +292,8 @@ Bytes ask_join(const Inputs& inputs) {
         {"contains_matrix", ask_matrix<T, vesica_shapes_##s, std::uint8_t, vesica_contains_matrix_##s>},              \
         {"area_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_area_matrix_##s>},                                 \
         {"iou_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_iou_matrix_##s>},                                   \
+        {"nearest_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_nearest_matrix_##s>},                           \
+        {"generalized_matrix", ask_matrix<T, vesica_shapes_##s, T, ratio_matrix<T, VESICA_RATIO_GENERALIZED>>},       \
         {"overlap_select", ask_select<T, vesica_shapes_##s, vesica_overlap_select_##s>},                              \
         {"nms", ask_nms<T, vesica_shapes_##s, vesica_nms_##s>},                                                       \
         {"index",                                                                                                     \

@@ -60,8 +60,10 @@ std::int64_t many(unsigned which, const Shapes& a, const Shapes& b, std::int64_t
       return F::depth_many(&a, &b, column, nullptr, column + 2 * n);
     case 6:
       return F::area_many(&a, &b, room<T>(memory, n));
-    default:
+    case 7:
       return F::iou_many(&a, &b, room<T>(memory, n));
+    default:
+      return F::ratio_many(static_cast<std::int32_t>(which) - 8, &a, &b, room<T>(memory, n));
   }
 }
 
@@ -79,8 +81,16 @@ std::int64_t matrix(unsigned which, const Shapes& a, const Shapes& b, std::ptrdi
       return F::contains_matrix(&a, &b, room<std::uint8_t>(memory, size), row);
     case 3:
       return F::area_matrix(&a, &b, room<T>(memory, size), row);
-    default:
+    case 4:
       return F::iou_matrix(&a, &b, room<T>(memory, size), row);
+    case 5:
+      return F::nearest_matrix(&a, &b, room<T>(memory, size), row);
+    case 6:
+      return F::boundary_distance_matrix(&a, &b, room<T>(memory, size), row);
+    case 7:
+      return F::depth_matrix(&a, &b, room<T>(memory, size), row);
+    default:
+      return F::ratio_matrix(static_cast<std::int32_t>(which) - 8, &a, &b, room<T>(memory, size), row);
   }
 }
 
@@ -102,19 +112,20 @@ void call_nms(Bytes& bytes, Memory& memory) {
 
 template <class T>
 void call(Bytes& bytes, Memory& memory) {
-  const unsigned which = bytes.below(16);
-  if (which == 15) return call_nms<T>(bytes, memory);
+  constexpr unsigned first_matrix = 16, from_records = 29, select = 30, nms = 31;
+  const unsigned which = bytes.below(32);
+  if (which == nms) return call_nms<T>(bytes, memory);
   const std::int64_t count_a = bytes.below(most);
   std::int64_t count_b = bytes.below(4) == 3 ? 1 : count_a;
-  if (which >= 8) count_b = bytes.below(most);
-  const auto a = array<T>(bytes, memory.a, which == 14 ? 1 : count_a);
+  if (which >= first_matrix) count_b = bytes.below(most);
+  const auto a = array<T>(bytes, memory.a, which == select ? 1 : count_a);
   const auto b = array<T>(bytes, memory.b, count_b);
-  if (which < 8) {
+  if (which < first_matrix) {
     const std::int64_t n = count_a == 0 || count_b == 0 ? 0 : count_a;
     demand(many<T>(which, a, b, n, memory.out) <= n);
-  } else if (which < 13) {
-    demand(matrix<T>(which - 8, a, b, bytes.below(5), memory.out) <= count_a * count_b);
-  } else if (which == 13) {
+  } else if (which < from_records) {
+    demand(matrix<T>(which - first_matrix, a, b, bytes.below(5), memory.out) <= count_a * count_b);
+  } else if (which == from_records) {
     typename Face<T>::Shapes made{};
     demand(Face<T>::from_records(a.kind, a.count, a.field[0], a.stride, &made) <= 0);
   } else {

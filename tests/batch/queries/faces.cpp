@@ -83,9 +83,29 @@ constexpr QueryFace<T> number_face(const char* name) {
   return {name, 1, false, false, number<T, Scalar>, one_column<T, Many>, number_matrix<T, Matrix>};
 }
 
-template <class T, class Struct, auto Scalar, auto Many>
+template <class T, class Struct, auto Scalar, auto Many, auto Matrix>
 constexpr QueryFace<T> distance_face(const char* name) {
-  return {name, 5, true, false, structure<T, Struct, Scalar>, five_columns<T, Many>, nullptr};
+  return {name, 5, true, false, structure<T, Struct, Scalar>, five_columns<T, Many>, number_matrix<T, Matrix>};
+}
+
+/// A ratio by its constant.
+template <int which, class T>
+std::int32_t ratio(int kind_a, const T* a, int kind_b, const T* b, Result<T>& result) {
+  return Face<T>::ratio(which, kind_a, a, kind_b, b, &result[0]);
+}
+template <int which, class T>
+std::int64_t ratio_many(const typename Face<T>::Shapes* a, const typename Face<T>::Shapes* b,
+                        std::span<std::vector<T>> c) {
+  return Face<T>::ratio_many(which, a, b, c[0].data());
+}
+template <int which, class T>
+std::int64_t ratio_matrix(const typename Face<T>::Shapes* a, const typename Face<T>::Shapes* b, std::vector<T>& out,
+                          std::ptrdiff_t row_stride) {
+  return Face<T>::ratio_matrix(which, a, b, out.data(), row_stride);
+}
+template <int which, class T>
+constexpr QueryFace<T> ratio_face(const char* name) {
+  return {name, 1, false, false, ratio<which, T>, ratio_many<which, T>, ratio_matrix<which, T>};
 }
 
 }  // namespace
@@ -97,11 +117,15 @@ std::span<const QueryFace<double>> query_faces<double>() {
       code_face<double, vesica_contains_f64, vesica_contains_many_f64, vesica_contains_matrix_f64>("contains"),
       number_face<double, vesica_area_f64, vesica_area_many_f64, vesica_area_matrix_f64>("area"),
       number_face<double, vesica_iou_f64, vesica_iou_many_f64, vesica_iou_matrix_f64>("iou"),
-      distance_face<double, vesica_closest_points_f64, vesica_nearest_f64, vesica_nearest_many_f64>("nearest"),
-      distance_face<double, vesica_closest_points_f64, vesica_boundary_distance_f64, vesica_boundary_distance_many_f64>(
-          "boundary_distance"),
+      distance_face<double, vesica_closest_points_f64, vesica_nearest_f64, vesica_nearest_many_f64,
+                    vesica_nearest_matrix_f64>("nearest"),
+      distance_face<double, vesica_closest_points_f64, vesica_boundary_distance_f64, vesica_boundary_distance_many_f64,
+                    vesica_boundary_distance_matrix_f64>("boundary_distance"),
       {"depth", 3, false, false, structure<double, vesica_penetration_f64, vesica_depth_f64>,
-       three_columns<double, vesica_depth_many_f64>, nullptr},
+       three_columns<double, vesica_depth_many_f64>, number_matrix<double, vesica_depth_matrix_f64>},
+      ratio_face<VESICA_RATIO_OVER_SECOND, double>("over_second"),
+      ratio_face<VESICA_RATIO_GENERALIZED, double>("generalized"),
+      ratio_face<VESICA_RATIO_COMPLETE, double>("complete"),
   };
   return faces;
 }
@@ -113,11 +137,15 @@ std::span<const QueryFace<float>> query_faces<float>() {
       code_face<float, vesica_contains_f32, vesica_contains_many_f32, vesica_contains_matrix_f32>("contains"),
       number_face<float, vesica_area_f32, vesica_area_many_f32, vesica_area_matrix_f32>("area"),
       number_face<float, vesica_iou_f32, vesica_iou_many_f32, vesica_iou_matrix_f32>("iou"),
-      distance_face<float, vesica_closest_points_f32, vesica_nearest_f32, vesica_nearest_many_f32>("nearest"),
-      distance_face<float, vesica_closest_points_f32, vesica_boundary_distance_f32, vesica_boundary_distance_many_f32>(
-          "boundary_distance"),
+      distance_face<float, vesica_closest_points_f32, vesica_nearest_f32, vesica_nearest_many_f32,
+                    vesica_nearest_matrix_f32>("nearest"),
+      distance_face<float, vesica_closest_points_f32, vesica_boundary_distance_f32, vesica_boundary_distance_many_f32,
+                    vesica_boundary_distance_matrix_f32>("boundary_distance"),
       {"depth", 3, false, false, structure<float, vesica_penetration_f32, vesica_depth_f32>,
-       three_columns<float, vesica_depth_many_f32>, nullptr},
+       three_columns<float, vesica_depth_many_f32>, number_matrix<float, vesica_depth_matrix_f32>},
+      ratio_face<VESICA_RATIO_OVER_SECOND, float>("over_second"),
+      ratio_face<VESICA_RATIO_GENERALIZED, float>("generalized"),
+      ratio_face<VESICA_RATIO_COMPLETE, float>("complete"),
   };
   return faces;
 }

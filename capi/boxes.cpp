@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// Arrays of boxes, corners and bounds: one loop, an element at a time.
+#include <algorithm>
+#include <limits>
+#include <vesica/bounds.hpp>
+#include <vesica/boxes.hpp>
+
+#include "arrays.hpp"
+#include "environment.hpp"
+#include "vesica_boxes.h"
+
+namespace {
+
+using namespace vesica::capi;
+using vesica::AngleUnit;
+
+/// The unit that a constant names. Returns whether it names one.
+bool unit_of(int32_t angle, AngleUnit& out) noexcept {
+  const int32_t measure = angle & ~VESICA_ANGLE_REVERSED;
+  if (measure < VESICA_ANGLE_RADIANS || measure > VESICA_ANGLE_QUARTERS) return false;
+  out = {static_cast<AngleUnit::Measure>(measure), measure != angle};
+  return true;
+}
+
+/// Writes element i, `width` numbers, by make(i, numbers), which returns 0 or an error. Other errors than
+/// VESICA_E_RANGE are those of a shape.
+template <int width, class T, class Make>
+int64_t each(int64_t count, T* out, Make make) noexcept {
+  int64_t result = 0;
+  for (int64_t i = 0; i < count; ++i) {
+    T numbers[width];
+    const int32_t error = make(i, numbers);
+    if (error != 0) {
+      std::fill_n(numbers, width, std::numeric_limits<T>::quiet_NaN());
+      if (result != VESICA_E_SHAPE) result = error == VESICA_E_RANGE ? VESICA_E_RANGE : VESICA_E_SHAPE;
+    }
+    std::copy_n(numbers, width, out + i * width);
+  }
+  return result;
+}
+
+template <class Shape, class T>
+void flatten(const Shape& shape, T* out) noexcept {
+  std::memcpy(out, &shape, sizeof shape);
+}
+
+/// A constructor from a box, of the rows of an array.
+template <class Shape, class T>
+int64_t from_boxes(int (*make)(const vesica::TurnedBox<T>&, AngleUnit, Shape&) noexcept, const T* boxes, int64_t count,
+                   ptrdiff_t stride, int32_t angle, T* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT((from_boxes<Shape, T>), make, boxes, count, stride, angle, out);
+  if (count != 0 && (boxes == nullptr || out == nullptr)) return VESICA_E_NULL;
+  AngleUnit unit;
+  if (count < 0 || !addressable(count, stride) || !unit_of(angle, unit)) return VESICA_E_ARGUMENT;
+  constexpr int fields = vesica::ShapeTraits<Shape>::fields;
+  return each<fields>(count, out, [&](int64_t i, T(&numbers)[fields]) {
+    const vesica::Unaligned<T> row = vesica::Unaligned<T>(boxes).advanced(i * stride);
+    Shape shape;
+    const int error = make({row[0], row[1], row[2], row[3], row[4]}, unit, shape);
+    if (error == 0) flatten(shape, numbers);
+    return error;
+  });
+}
+
+template <class T>
+int32_t check_shapes(const CShapesOf<T>* shapes, const T* out) noexcept {
+  return check_call(shapes, shapes, out, shapes != nullptr && shapes->count != 0);
+}
+
+/// Element i as the core's shape.
+template <class Shape, class T>
+Shape element(const vesica::batch::Shapes<T>& shapes, int64_t i) noexcept {
+  T numbers[vesica::max_fields];
+  for (int k = 0; k < vesica::field_count(shapes.kind); ++k)
+    numbers[k] = shapes.field[k].advanced(i * shapes.stride)[0];
+  return vesica::load<Shape>(numbers);
+}
+
+bool has_box(int32_t kind) noexcept { return kind == VESICA_RECT || kind == VESICA_ELLIPSE; }
+
+template <class T>
+int64_t boxes_from_shapes(const CShapesOf<T>* shapes, int32_t angle, T* boxes) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(boxes_from_shapes<T>, shapes, angle, boxes);
+  const int32_t error = check_shapes<T>(shapes, boxes);
+  if (error != 0) return error;
+  if (!has_box(shapes->kind)) return VESICA_E_KIND;
+  AngleUnit unit;
+  if (!unit_of(angle, unit)) return VESICA_E_ARGUMENT;
+  const auto v = view<T>(*shapes);
+  return each<5>(v.count, boxes, [&](int64_t i, T(&numbers)[5]) {
+    vesica::TurnedBox<T> box;
+    const int code = vesica::box_from_rect(element<vesica::Rect<T>>(v, i), unit, box);
+    if (code == 0) flatten(box, numbers);
+    return code;
+  });
+}
+
+template <class T>
+int64_t corners_of_shapes(const CShapesOf<T>* shapes, T* corners) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(corners_of_shapes<T>, shapes, corners);
+  const int32_t error = check_shapes<T>(shapes, corners);
+  if (error != 0) return error;
+  if (!has_box(shapes->kind)) return VESICA_E_KIND;
+  const auto v = view<T>(*shapes);
+  return each<8>(v.count, corners,
+                 [&](int64_t i, T(&numbers)[8]) { return vesica::corners(element<vesica::Rect<T>>(v, i), numbers); });
+}
+
+template <class T>
+int64_t bounds_many(const CShapesOf<T>* shapes, T* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(bounds_many<T>, shapes, out);
+  const int32_t error = check_shapes<T>(shapes, out);
+  if (error != 0) return error;
+  const auto v = view<T>(*shapes);
+  return each<4>(v.count, out, [&](int64_t i, T(&numbers)[4]) {
+    T stored[vesica::max_fields];
+    for (int k = 0; k < vesica::field_count(v.kind); ++k) stored[k] = v.field[k].advanced(i * v.stride)[0];
+    vesica::Aabb<T> box;
+    const int32_t code = vesica::with_shape(
+        v.kind, stored, [&](const vesica::HasForm auto& shape) { return vesica::bounds(shape, box); });
+    if (code == 0) flatten(box, numbers);
+    return code;
+  });
+}
+
+/// An array of structs as its numbers.
+template <class T, class Struct>
+T* numbers_of(Struct* structs) noexcept {
+  return reinterpret_cast<T*>(structs);
+}
+
+}  // namespace
+
+#define VESICA_BOXES(scalar, T)                                                                                    \
+  int64_t vesica_rects_from_boxes_##scalar(const T* boxes, int64_t count, ptrdiff_t stride, int32_t angle,         \
+                                           vesica_rect_##scalar* out) {                                            \
+    return from_boxes<vesica::Rect<T>>(vesica::rect_from_box<T>, boxes, count, stride, angle, numbers_of<T>(out)); \
+  }                                                                                                                \
+  int64_t vesica_ellipses_from_boxes_##scalar(const T* boxes, int64_t count, ptrdiff_t stride, int32_t angle,      \
+                                              vesica_ellipse_##scalar* out) {                                      \
+    return from_boxes<vesica::Ellipse<T>>(vesica::ellipse_from_box<T>, boxes, count, stride, angle,                \
+                                          numbers_of<T>(out));                                                     \
+  }                                                                                                                \
+  int64_t vesica_boxes_from_shapes_##scalar(const vesica_shapes_##scalar* shapes, int32_t angle, T* boxes) {       \
+    return boxes_from_shapes<T>(shapes, angle, boxes);                                                             \
+  }                                                                                                                \
+  int64_t vesica_corners_of_shapes_##scalar(const vesica_shapes_##scalar* shapes, T* corners) {                    \
+    return corners_of_shapes<T>(shapes, corners);                                                                  \
+  }                                                                                                                \
+  int64_t vesica_bounds_many_##scalar(const vesica_shapes_##scalar* shapes, vesica_aabb_##scalar* out) {           \
+    return bounds_many<T>(shapes, numbers_of<T>(out));                                                             \
+  }
+
+VESICA_BOXES(f64, double)
+VESICA_BOXES(f32, float)

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ratios of shared area, and the matrices of queries that have more than one number.
+#include "queries/ratio.hpp"
+#include "query_calls.hpp"
+#include "vesica_measures.h"
+
+namespace {
+
+using namespace vesica::capi;
+using vesica::Ratio;
+namespace queries = vesica::queries;
+
+constexpr bool is_code(Ratio ratio, int32_t code) { return static_cast<int32_t>(ratio) == code; }
+
+// The core's ratios are the C face's.
+static_assert(is_code(Ratio::over_union, VESICA_RATIO_OVER_UNION));
+static_assert(is_code(Ratio::over_first, VESICA_RATIO_OVER_FIRST));
+static_assert(is_code(Ratio::over_second, VESICA_RATIO_OVER_SECOND));
+static_assert(is_code(Ratio::over_smaller, VESICA_RATIO_OVER_SMALLER));
+static_assert(is_code(Ratio::generalized, VESICA_RATIO_GENERALIZED));
+static_assert(is_code(Ratio::distance, VESICA_RATIO_DISTANCE) && is_code(Ratio::complete, VESICA_RATIO_COMPLETE));
+
+bool is_ratio(int32_t ratio) noexcept { return ratio >= 0 && ratio < vesica::ratio_count; }
+
+/// The numbers of a shape as doubles.
+template <class T>
+void widen(int32_t kind, const T* numbers, double (&out)[vesica::max_fields]) noexcept {
+  for (int k = 0; k < vesica::field_count(kind); ++k) out[k] = static_cast<double>(numbers[k]);
+}
+
+template <class T>
+int32_t ratio_of(int32_t ratio, int32_t kind_a, const T* a, int32_t kind_b, const T* b, T* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(ratio_of<T>, ratio, kind_a, a, kind_b, b, out);
+  if (a == nullptr || b == nullptr || out == nullptr) return VESICA_E_NULL;
+  if (!vesica::is_kind(kind_a) || !vesica::is_kind(kind_b)) return VESICA_E_KIND;
+  if (!is_ratio(ratio)) return VESICA_E_ARGUMENT;
+  double first[vesica::max_fields], second[vesica::max_fields], result = 0;
+  widen(kind_a, a, first);
+  widen(kind_b, b, second);
+  const int32_t error = queries::ratio_of_pair(static_cast<Ratio>(ratio), kind_a, first, kind_b, second, result);
+  if (error == 0) *out = static_cast<T>(result);
+  return error;
+}
+
+/// Of arrays.
+template <class Shapes>
+int64_t not_a_ratio(const Shapes* a, const Shapes* b) noexcept {
+  return a == nullptr || b == nullptr ? VESICA_E_NULL : VESICA_E_ARGUMENT;
+}
+
+}  // namespace
+
+#define VESICA_RATIO(scalar, T)                                                                                        \
+  int32_t vesica_ratio_##scalar(int32_t ratio, int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b, \
+                                T* out) {                                                                              \
+    return ratio_of(ratio, kind_a, numbers_a, kind_b, numbers_b, out);                                                 \
+  }                                                                                                                    \
+  int64_t vesica_ratio_many_##scalar(int32_t ratio, const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b,  \
+                                     T* out) {                                                                         \
+    if (!is_ratio(ratio)) return not_a_ratio(a, b);                                                                    \
+    T* const columns[] = {out};                                                                                        \
+    return many<T>(queries::ratio(static_cast<Ratio>(ratio)), a, b, columns);                                          \
+  }                                                                                                                    \
+  int64_t vesica_ratio_matrix_##scalar(int32_t ratio, const vesica_shapes_##scalar* a,                                 \
+                                       const vesica_shapes_##scalar* b, T* out, ptrdiff_t row_stride) {                \
+    if (!is_ratio(ratio)) return not_a_ratio(a, b);                                                                    \
+    return matrix<T>(queries::ratio(static_cast<Ratio>(ratio)), a, b, out, row_stride);                                \
+  }
+
+#define VESICA_MATRIX(name, scalar, T)                                                                              \
+  int64_t vesica_##name##_matrix_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, T* out, \
+                                          ptrdiff_t row_stride) {                                                   \
+    return matrix<T>(queries::name, a, b, out, row_stride);                                                         \
+  }
+
+#define VESICA_MEASURES(scalar, T)            \
+  VESICA_RATIO(scalar, T)                     \
+  VESICA_MATRIX(nearest, scalar, T)           \
+  VESICA_MATRIX(boundary_distance, scalar, T) \
+  VESICA_MATRIX(depth, scalar, T)
+
+VESICA_MEASURES(f64, double)
+VESICA_MEASURES(f32, float)

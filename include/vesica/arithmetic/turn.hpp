@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Angles in several units. Whole quarter turns are taken out first, without rounding, so that 90 degrees are a quarter
+/// turn and not a number near it.
+#pragma once
+
+#include <cmath>
+
+namespace vesica {
+
+/// Positive angles turn from +x towards +y: counter-clockwise where y points up. `clockwise` turns the other way.
+struct AngleUnit {
+  enum Measure { radians, degrees, quarters } measure;
+  bool clockwise = false;
+};
+
+namespace detail::arithmetic {
+
+struct Direction {
+  double x, y;
+};
+
+/// pi / 2 and pi / 180 as unevaluated sums.
+inline constexpr double quarter_high = 0x1.921fb54442d18p+0, quarter_low = 0x1.1a62633145c07p-54;
+inline constexpr double degree_high = 0x1.1df46a2529d39p-6, degree_low = 0x1.5c1d8becdd291p-62;
+
+/// Cosine and sine of turn * (high + low), at most an eighth of a turn; high + low is a unit of angle in radians. Each
+/// is right to 1.1 units in its last place: the mathematics library's error, and one rounding.
+inline Direction unit_vector(double turn, double high, double low) noexcept {
+  const double angle = turn * high, rest = std::fma(turn, high, -angle) + turn * low;
+  const double cosine = std::cos(angle), sine = std::sin(angle);
+  return {cosine - rest * sine, sine + rest * cosine};
+}
+
+/// Turned by a whole number of quarter turns.
+inline Direction turned(const Direction& d, int quarters) noexcept {
+  switch (quarters & 3) {
+    case 1:
+      return {0 - d.y, d.x};
+    case 2:
+      return {0 - d.x, 0 - d.y};
+    case 3:
+      return {d.y, 0 - d.x};
+    default:
+      return d;
+  }
+}
+
+/// The unit vector at a finite angle.
+inline Direction direction(double angle, AngleUnit unit) noexcept {
+  if (unit.clockwise) angle = -angle;
+  if (unit.measure == AngleUnit::radians) return {std::cos(angle), std::sin(angle)};
+  const double quarter = unit.measure == AngleUnit::degrees ? 90 : 1;
+  const double within = std::fmod(angle, 4 * quarter), quarters = std::nearbyint(within / quarter);
+  const double rest = within - quarter * quarters;  // exact: both are within half of one another, or quarters is 0
+  const bool by_degrees = unit.measure == AngleUnit::degrees;
+  return turned(by_degrees ? unit_vector(rest, degree_high, degree_low) : unit_vector(rest, quarter_high, quarter_low),
+                static_cast<int>(quarters));
+}
+
+/// The angle of a vector that is not 0: from -180 to 180 degrees.
+inline double angle(double x, double y, AngleUnit unit) noexcept {
+  if (unit.clockwise) y = -y;
+  if (unit.measure == AngleUnit::radians) return std::atan2(y, x);
+  const double quarter = unit.measure == AngleUnit::degrees ? 90 : 1;
+  const bool upright = std::fabs(y) > std::fabs(x);
+  const int quarters = upright ? (y > 0 ? 1 : -1) : (x > 0 ? 0 : y < 0 ? -2 : 2);
+  const Direction near = turned({x, y}, -quarters);
+  const double rest = std::atan2(near.y, near.x) / quarter_high * quarter;
+  return quarter * quarters + rest;
+}
+
+}  // namespace detail::arithmetic
+}  // namespace vesica

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Boxes as detectors write them, by centre, width, height and angle: to and from rectangles and ellipses; and corners.
+#pragma once
+
+#include <vesica/arithmetic/turn.hpp>
+#include <vesica/construct.hpp>
+
+namespace vesica {
+
+/// A turned box: centre, full size along the angle and across it, and the angle.
+template <class T>
+struct TurnedBox {
+  T cx, cy, width, height, angle;
+};
+
+namespace detail {
+
+template <class T>
+int check_box(const TurnedBox<T>& box) noexcept {
+  if (!all_finite(box.cx, box.cy, box.width, box.height, box.angle)) return error_not_finite;
+  return box.width < 0 || box.height < 0 ? error_negative_size : 0;
+}
+
+/// x + first + second + third, the products exact, to 1 roundoff of itself plus 2^-98 of the largest term.
+inline double corner(double x, double hx, double p, double hy, double q) noexcept {
+  const auto first = arithmetic::two_product_fused(hx, p), second = arithmetic::two_product_fused(hy, q);
+  return sum_of_four(x, first.high, second.high, first.low + second.low);
+}
+
+}  // namespace detail
+
+/// Errors: error_not_finite, error_negative_size.
+template <class T>
+int rect_from_box(const TurnedBox<T>& box, AngleUnit unit, Rect<T>& out) noexcept {
+  const int error = detail::check_box(box);
+  if (error != 0) return error;
+  const auto u = detail::arithmetic::direction(static_cast<double>(box.angle), unit);
+  const T ux = static_cast<T>(u.x), uy = static_cast<T>(u.y), half = T{1} / 2;
+  // An odd multiple of the smallest number cannot be halved; the axis, a unit of length, can.
+  const bool halves = 2 * (half * box.width) == box.width && 2 * (half * box.height) == box.height;
+  out = halves ? Rect<T>{box.cx, box.cy, ux, uy, half * box.width, half * box.height}
+               : Rect<T>{box.cx, box.cy, half * ux, half * uy, box.width, box.height};
+  return 0;
+}
+
+/// The ellipse that touches the box's sides at their middles. Errors as rect_from_box.
+template <class T>
+int ellipse_from_box(const TurnedBox<T>& box, AngleUnit unit, Ellipse<T>& out) noexcept {
+  Rect<T> rect;
+  const int error = rect_from_box(box, unit, rect);
+  if (error == 0) out = {rect.cx, rect.cy, rect.ux, rect.uy, rect.hx, rect.hy};
+  return error;
+}
+
+/// The box that a rectangle is, its angle from -180 to 180 degrees. Errors: error_shape, error_range.
+template <class T>
+int box_from_rect(const Rect<T>& s, AngleUnit unit, TurnedBox<T>& out) noexcept {
+  if (check(s) != 0) return error_shape;
+  const double ux = static_cast<double>(s.ux), uy = static_cast<double>(s.uy);
+  const auto [x, y, length] = detail::arithmetic::unit_and_length(ux, uy);
+  const auto full = [&, length = length](T half) {
+    const auto size = detail::take_apart(static_cast<double>(half));
+    return detail::multiply<T>({2 * size.value, size.exponent}, length);
+  };
+  const TurnedBox<T> box{s.cx, s.cy, full(s.hx), full(s.hy), static_cast<T>(detail::arithmetic::angle(ux, uy, unit))};
+  if (detail::check_box(box) != 0) return error_range;
+  out = box;
+  return 0;
+}
+
+/// The four corners x0 y0 ... x3 y3, counter-clockwise where y points up, from C - hx u - hy perp(u).
+/// Errors: error_shape, error_range.
+template <class T>
+int corners(const Rect<T>& s, T (&out)[8]) noexcept {
+  if (check(s) != 0) return error_shape;
+  constexpr double along[] = {-1, 1, 1, -1}, across[] = {-1, -1, 1, 1};
+  T result[8];
+  for (int i = 0; i < 4; ++i) {
+    const double hx = along[i] * static_cast<double>(s.hx), hy = across[i] * static_cast<double>(s.hy);
+    const double ux = static_cast<double>(s.ux), uy = static_cast<double>(s.uy);
+    result[2 * i] = static_cast<T>(detail::corner(static_cast<double>(s.cx), hx, ux, -hy, uy));
+    result[2 * i + 1] = static_cast<T>(detail::corner(static_cast<double>(s.cy), hx, uy, hy, ux));
+    if (!detail::all_finite(result[2 * i], result[2 * i + 1])) return error_range;
+  }
+  for (int i = 0; i < 8; ++i) out[i] = result[i];
+  return 0;
+}
+
+}  // namespace vesica

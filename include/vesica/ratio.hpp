@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+/// ratio(which, a, b): intersection over union and its relatives, by which detections and regions are compared.
+///
+/// Laws, each tested: over_union is iou(). over_first, over_second and over_smaller are from 0 to 1: 0 where no area is
+/// shared, and 1 where the divisor's shape lies in the other one. Exchanging the shapes exchanges over_first and
+/// over_second, and changes no bit of the others. generalized, distance and complete are at most over_union, at least -1
+/// for the first two, and -2 for the third; two equal shapes have 1, or for generalized 1 less what their box has more
+/// area than they. Both shapes times 2^k: nothing changes.
+///
+/// Accuracy: that of area() and iou(), and 8u more (u = 2^-53), where lengths, and areas, are from 2^-400 to 2^400.
+/// An area beyond is a little less accurate; none overflows.
+///
+/// H. Rezatofighi et al., "Generalized Intersection over Union", CVPR 2019. Z. Zheng et al., "Distance-IoU Loss", AAAI
+/// 2020. For turned shapes both are taken with the box along the coordinate axes about the two.
+#pragma once
+
+#include <vesica/iou.hpp>
+#include <vesica/ratio/angle.hpp>
+#include <vesica/ratio/facts.hpp>
+
+namespace vesica {
+
+enum class Ratio : std::int32_t {
+  over_union = 0,    ///< shared area / area of a and b together: IoU
+  over_first = 1,    ///< shared area / area of a: IoF
+  over_second = 2,   ///< shared area / area of b: IoA
+  over_smaller = 3,  ///< shared area / lesser of the areas: IoS
+  generalized = 4,   ///< IoU - (hull - union) / hull, the hull being the box about both: GIoU
+  distance = 5,      ///< IoU - (distance of the centres / diagonal of the hull)^2: DIoU
+  complete = 6,      ///< DIoU - v^2 / (1 - IoU + v), v = (angle between the shapes' (height, width), in right angles)^2
+};
+
+inline constexpr int ratio_count = 7;
+
+namespace detail::ratio {
+
+/// Those that follow from the shared area, which can be had without the union's.
+constexpr bool is_of_area(Ratio which) noexcept {
+  return which == Ratio::over_first || which == Ratio::over_second || which == Ratio::over_smaller;
+}
+
+/// x / y as a number, which underflows to 0.
+inline double quotient(const area::Measure& x, const area::Measure& y) noexcept {
+  const area::Measure s = area::standard(x), t = area::standard(y);
+  return arithmetic::scale(s.value / t.value, s.exponent - t.exponent);
+}
+
+/// Whether an area is one of usual magnitude, or 0.
+inline bool is_usual(const area::Measure& m) noexcept {
+  return m.value == 0 || (m.exponent == 0 && is_moderate(m.value)) || std::abs(area::standard(m).exponent) <= 400;
+}
+
+inline const area::Measure& divisor(Ratio which, const Facts& a, const Facts& b) noexcept {
+  if (which == Ratio::over_smaller) return area::less(b.area, a.area) ? b.area : a.area;
+  return which == Ratio::over_first ? a.area : b.area;
+}
+
+/// Where areas are beyond the range of doubles: shared = r (A + B) / (1 + r) for r = IoU.
+inline double from_union(double r, Ratio which, const Facts& a, const Facts& b) noexcept {
+  const area::Measure& own = divisor(which, a, b);
+  const area::Measure& other = &own == &a.area ? b.area : a.area;
+  const area::Measure s = area::standard(other), t = area::standard(own);
+  const double part = r / (1 + r);
+  return std::fmin(1, part + arithmetic::scale(part * (s.value / t.value), s.exponent - t.exponent));
+}
+
+/// (The hull's area - the union's) / the hull's.
+inline double empty_share(double r, const Facts& a, const Facts& b) noexcept {
+  const Hull h = hull(a, b);
+  const double sum = area::in_units(a.area, 2 * h.unit) + area::in_units(b.area, 2 * h.unit);
+  return std::fmax(0, 1 - sum / (1 + r) / (h.width * h.height));
+}
+
+/// (Distance of the centres / diagonal of the hull)^2.
+inline double distance_share(const Facts& a, const Facts& b) noexcept {
+  const Hull h = hull(a, b);
+  return (h.dx * h.dx + h.dy * h.dy) / (h.width * h.width + h.height * h.height);
+}
+
+/// Half lengths along and across the axis; of a shape without size (0, 0).
+struct Sides {
+  double along, across;
+};
+inline Sides sides(const Facts& s) noexcept {
+  if (s.ux == 0 && s.uy == 0) return {0, 0};
+  const double most = std::fmax(s.along, s.across);
+  if (is_moderate(most)) return {s.along, s.across};
+  const int exponent = arithmetic::exponent_of(most);
+  return {arithmetic::scale_far(s.along, -exponent), arithmetic::scale_far(s.across, -exponent)};
+}
+
+/// What unlike ratios of width to height take away.
+inline double aspect_share(double r, const Facts& a, const Facts& b) noexcept {
+  const Sides p = sides(a), q = sides(b);
+  const double cross = std::fabs(p.along * q.across - q.along * p.across);
+  const double angle = angle_of(p.across * q.across + p.along * q.along, cross) / right_angle, v = angle * angle;
+  return v == 0 ? 0 : v * (v / ((1 - r) + v));
+}
+
+/// From IoU.
+inline double less_than_union(double r, Ratio which, const Facts& a, const Facts& b) noexcept {
+  switch (which) {
+    case Ratio::generalized:
+      return r - empty_share(r, a, b);
+    case Ratio::distance:
+      return r - distance_share(a, b);
+    case Ratio::complete:
+      return r - distance_share(a, b) - aspect_share(r, a, b);
+    default:
+      return r;
+  }
+}
+
+/// From the shared area, and the IoU where that does not tell. Returns 0 or error_argument.
+template <class Iou>
+std::int32_t over_area(double shared, Ratio which, const Facts& a, const Facts& b, const Iou& iou,
+                       double& out) noexcept {
+  const area::Measure& whole = divisor(which, a, b);
+  if (whole.value == 0) return error_argument;
+  if ((shared == 0 || shared >= 0x1p-900) && is_usual(a.area) && is_usual(b.area)) [[likely]] {
+    out = whole.exponent == 0 ? shared / whole.value : quotient({shared, 0}, whole);
+  } else {
+    out = from_union(iou(), which, a, b);
+  }
+  return 0;
+}
+
+}  // namespace detail::ratio
+
+/// The checked form: writes the ratio. Returns 0, error_shape, or error_argument for a `which` that is no Ratio, and
+/// where the divisor is 0: the area of a shape for those over it, else the areas of both. On error `out` is untouched.
+/// A float is the double rounded.
+template <template <class> class A, template <class> class B, class T>
+std::int32_t ratio_or_error(Ratio which, const A<T>& a, const B<T>& b, T& out) noexcept {
+  if (static_cast<std::int32_t>(which) < 0 || static_cast<std::int32_t>(which) >= ratio_count) return error_argument;
+  if (check(a) != 0 || check(b) != 0) return error_shape;
+  const auto first = widen(a);
+  const auto second = widen(b);
+  const auto facts = [](const auto& shape) { return detail::ratio::facts(shape, shape_area(shape)); };
+  double result = 0;
+  std::int32_t error;
+  if (detail::ratio::is_of_area(which)) {
+    error = detail::ratio::over_area(
+        area(first, second), which, facts(first), facts(second), [&] { return iou(first, second); }, result);
+  } else {
+    error = iou_or_error(first, second, result);
+    if (error == 0 && which != Ratio::over_union) {
+      result = detail::ratio::less_than_union(result, which, facts(first), facts(second));
+    }
+  }
+  if (error == 0) out = static_cast<T>(result);
+  return error;
+}
+
+/// The ratio. For valid shapes: it is 0 where ratio_or_error(), the checked form, returns an error.
+template <template <class> class A, template <class> class B, class T>
+T ratio(Ratio which, const A<T>& a, const B<T>& b) noexcept {
+  T out = 0;
+  ratio_or_error(which, a, b, out);
+  return out;
+}
+
+}  // namespace vesica

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a ratio must know of each shape: its area, and how far it reaches along the coordinate axes. Lengths of usual
+/// magnitudes are plain doubles. Others are taken in units of a power of two, and so overflow no more than these do.
+#pragma once
+
+#include <algorithm>
+#include <vesica/form/placement.hpp>
+#include <vesica/shape_area.hpp>
+
+namespace vesica::detail::ratio {
+
+/// A shape of any kind: { C + s u + t perp(u) } with half sizes along u and across it.
+struct Facts {
+  area::Measure area;
+  form::Corners<double> place;
+  double ux, uy, along, across;
+  bool round;
+};
+
+/// Whether products and squares of such lengths, or quotients of such areas, are normal numbers.
+inline bool is_moderate(double x) noexcept { return x >= 0x1p-400 && x <= 0x1p400; }
+
+/// The parts of a form as doubles. Differences are halved before they are taken, so that none overflows; the axis, or the
+/// size, beside them is twice as large.
+struct Halves {
+  double operator()(const form::Length<double>& l) const noexcept { return l.x; }
+  double operator()(const form::Ratio<double>& r) const noexcept { return r.x; }
+  double operator()(form::Constant c) const noexcept { return static_cast<double>(c.x); }
+  double operator()(form::WidthAxis) const noexcept { return 1; }
+  double operator()(const form::Difference<double>& d) const noexcept { return 0.5 * d.to - 0.5 * d.from; }
+  double operator()(const form::HalfWidth<double>& w) const noexcept { return 0.5 * w.to - 0.5 * w.from; }
+};
+
+/// Of a valid shape with this area as a double, which says all if it is of usual magnitude.
+template <class Shape>
+VESICA_INLINE Facts facts(const Shape& shape, double area) noexcept {
+  constexpr Halves number;
+  const auto f = form::of(shape);
+  const double size = decltype(f)::axis_may_vanish ? 2 : 1;
+  return {is_moderate(area) ? area::Measure{area, 0} : area::shape_measure(shape),
+          form::corners(f.place),
+          number(f.ux),
+          number(f.uy),
+          size * number(f.hx),
+          size * number(f.hy),
+          f.outline != form::Outline::straight};
+}
+
+/// The smallest box along the coordinate axes about two shapes, and from centre to centre of these. In units of 2^unit.
+struct Hull {
+  double width, height, dx, dy;
+  int unit;
+};
+
+/// |x y|
+inline double product(double x, double y, int unit) noexcept {
+  if (unit == 0) return std::fabs(x * y);
+  const int ex = arithmetic::exponent_of(x), ey = arithmetic::exponent_of(y);
+  return std::fabs(
+      arithmetic::scale_far(arithmetic::scale_far(x, -ex) * arithmetic::scale_far(y, -ey), ex + ey - unit));
+}
+
+/// How far a shape reaches from its centre along a coordinate, where p and q are that of its axis and of the
+/// perpendicular.
+inline double reach(const Facts& s, double p, double q, int unit) noexcept {
+  const double along = product(p, s.along, unit), across = product(q, s.across, unit);
+  return s.round ? std::sqrt(along * along + across * across) : along + across;
+}
+
+/// From the one end to the other of two spans about their centres, which are d apart.
+inline double span(double reach_a, double reach_b, double d) noexcept {
+  return std::fmax(2 * std::fmax(reach_a, reach_b), (reach_a + reach_b) + std::fabs(d));
+}
+
+/// Coordinates are lifted by 2^lift first.
+inline Hull hull(const Facts& a, const Facts& b, int unit, int lift) noexcept {
+  const double k = arithmetic::power_of_two(lift);
+  const auto half = [&](double twice) {
+    return 0.5 * (unit == 0 ? twice : arithmetic::scale_far(twice, -lift - unit));
+  };
+  const double dx = half(form::twice_offset_x(a.place, b.place, k).high);
+  const double dy = half(form::twice_offset_y(a.place, b.place, k).high);
+  return {span(reach(a, a.ux, a.uy, unit), reach(b, b.ux, b.uy, unit), dx),
+          span(reach(a, a.uy, a.ux, unit), reach(b, b.uy, b.ux, unit), dy), dx, dy, unit};
+}
+
+/// The exponent of the longest of a shape's half lengths.
+inline int length_exponent(const Facts& s) noexcept {
+  const double size = std::fmax(s.along, s.across), axis = std::fmax(std::fabs(s.ux), std::fabs(s.uy));
+  return size == 0 || axis == 0 ? form::no_exponent : arithmetic::exponent_of(size) + arithmetic::exponent_of(axis);
+}
+
+/// In units that the lengths and the offset suggest.
+VESICA_COLD inline Hull hull_of_odd(const Facts& a, const Facts& b) noexcept {
+  const form::Corners<double>&p = a.place, &q = b.place;
+  double most = 0;
+  for (const double x : {p.x0, p.y0, p.x1, p.y1, q.x0, q.y0, q.x1, q.y1}) most = std::fmax(most, std::fabs(x));
+  const int lift = most > 0x1p1000 ? -30 : most < 0x1p-900 ? 120 : 0;
+  const double k = arithmetic::power_of_two(lift);
+  const double offset =
+      std::fmax(std::fabs(form::twice_offset_x(p, q, k).high), std::fabs(form::twice_offset_y(p, q, k).high));
+  const int unit = std::max({length_exponent(a), length_exponent(b), form::length_exponent(offset, -lift)});
+  return hull(a, b, unit == 0 ? 1 : unit, lift);
+}
+
+inline Hull hull(const Facts& a, const Facts& b) noexcept {
+  const Hull usual = hull(a, b, 0, 0);
+  return is_moderate(usual.width) && is_moderate(usual.height) ? usual : hull_of_odd(a, b);
+}
+
+}  // namespace vesica::detail::ratio

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ratio.hpp"
+
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <vesica/check.hpp>
+
+namespace vesica::queries {
+
+namespace {
+
+using detail::ratio::Facts;
+
+/// Returns 0 or error_shape. A shape whose area is a number is valid.
+std::int32_t facts_by_kind(const ShapeOfKind& s, Facts& out) noexcept {
+  return with_shape(s.kind, s.numbers, [&](const HasForm auto& shape) -> std::int32_t {
+    if (std::isnan(s.area) && check(shape) != 0) return error_shape;
+    out = detail::ratio::facts(shape, s.area);
+    return 0;
+  });
+}
+
+/// asked: the shared area or IoU; NaN where that is an error.
+template <Ratio which>
+std::int32_t derive(double asked, const ShapeOfKind& a, const ShapeOfKind& b, double& out) noexcept {
+  Facts first, second;
+  if (facts_by_kind(a, first) != 0 || facts_by_kind(b, second) != 0) return error_shape;
+  if constexpr (detail::ratio::is_of_area(which)) {
+    const auto union_ratio = [&] {
+      double r = 0;
+      iou.doubles.of[a.kind][b.kind](a.numbers, b.numbers, &r);
+      return r;
+    };
+    return detail::ratio::over_area(asked, which, first, second, union_ratio, out);
+  } else {
+    if (std::isnan(asked)) return error_argument;
+    out = detail::ratio::less_than_union(asked, which, first, second);
+    return 0;
+  }
+}
+
+double area_of_shape(std::int32_t kind, const double* numbers) noexcept { return iou.shape_area(kind, numbers); }
+
+template <Ratio which>
+constexpr Query derived(const Query& from) noexcept {
+  return {.doubles = {},
+          .floats = {},
+          .reversal = Reversal::none,
+          .numbers = 1,
+          .shape_area = area_of_shape,
+          .asked_instead = &from,
+          .derive = derive<which>};
+}
+
+constinit const Query ratios[] = {
+    derived<Ratio::over_first>(area), derived<Ratio::over_second>(area), derived<Ratio::over_smaller>(area),
+    derived<Ratio::generalized>(iou), derived<Ratio::distance>(iou),     derived<Ratio::complete>(iou),
+};
+static_assert(std::size(ratios) == ratio_count - 1);
+
+}  // namespace
+
+const Query& ratio(Ratio which) noexcept {
+  return which == Ratio::over_union ? iou : ratios[static_cast<int>(which) - 1];
+}
+
+std::int32_t ratio_of_pair(Ratio which, std::int32_t kind_a, const double* a, std::int32_t kind_b, const double* b,
+                           double& out) noexcept {
+  const Query& query = ratio(which);
+  if (query.derive == nullptr) return query.doubles.of[kind_a][kind_b](a, b, &out);
+  double asked = 0;
+  const std::int32_t error = query.asked_instead->doubles.of[kind_a][kind_b](a, b, &asked);
+  if (error == error_shape || error == error_kind) return error;
+  if (error != 0) asked = std::numeric_limits<double>::quiet_NaN();
+  return query.derive(asked, {kind_a, a, area_of_shape(kind_a, a)}, {kind_b, b, area_of_shape(kind_b, b)}, out);
+}
+
+}  // namespace vesica::queries

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+// Ratios of shared area: known answers, laws, and accuracy against 115 digits. The shared area and the IoU are the
+// library's own, whose tests are in tests/area.
+#include <gtest/gtest.h>
+#include <vesica.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "area/real.hpp"
+#include "properties/exact_changes.hpp"
+#include "properties/generators.hpp"
+
+namespace {
+
+using namespace properties;
+using reference::Real;
+
+constexpr int ratios = VESICA_RATIO_COMPLETE + 1;
+constexpr int most_printed = 3;
+constexpr double u = 0x1p-53;
+
+struct Answer {
+  std::int32_t code;
+  double value;
+  bool operator==(const Answer&) const = default;
+};
+
+Answer ratio(int which, const Pair& p) {
+  double out = 7;
+  const std::int32_t code = vesica_ratio_f64(which, p.kind_a, p.a.data(), p.kind_b, p.b.data(), &out);
+  return {code, out};
+}
+double number(std::int32_t (*measure)(std::int32_t, const double*, std::int32_t, const double*, double*),
+              const Pair& p) {
+  double out = 0;
+  measure(p.kind_a, p.a.data(), p.kind_b, p.b.data(), &out);
+  return out;
+}
+double shape_area(int kind, const Numbers& numbers) {
+  double out = 0;
+  return vesica_shape_area_f64(kind, numbers.data(), &out) == 0 ? out : HUGE_VAL;
+}
+Pair exchanged(const Pair& p) { return {p.kind_b, p.kind_a, p.b, p.a}; }
+int exchanged(int which) {
+  return which == VESICA_RATIO_OVER_FIRST    ? VESICA_RATIO_OVER_SECOND
+         : which == VESICA_RATIO_OVER_SECOND ? VESICA_RATIO_OVER_FIRST
+                                             : which;
+}
+
+/// A shape from its definition in vesica.h: centre, axis and half sizes.
+struct Form {
+  Real cx, cy, ux, uy, along, across;
+  bool round;
+};
+Form form(int kind, const Numbers& n) {
+  const Real half(0.5);
+  switch (kind) {
+    case VESICA_POINT:
+      return {n[0], n[1], 1, 0, 0, 0, false};
+    case VESICA_SEGMENT:
+      return {
+          half * (Real(n[0]) + n[2]), half * (Real(n[1]) + n[3]), Real(n[2]) - n[0], Real(n[3]) - n[1], half, 0, false};
+    case VESICA_CIRCLE:
+      return {n[0], n[1], 1, 0, n[2], n[2], true};
+    case VESICA_AABB:
+      return {half * (Real(n[0]) + n[2]), half * (Real(n[1]) + n[3]), 1,    0,
+              half * (Real(n[2]) - n[0]), half * (Real(n[3]) - n[1]), false};
+    default:
+      return {n[0], n[1], n[2], n[3], n[4], n[5], kind == VESICA_ELLIPSE};
+  }
+}
+Real most(const Real& p, const Real& q) { return p < q ? q : p; }
+Real least(const Real& p, const Real& q) { return q < p ? q : p; }
+
+/// How far a shape reaches from its centre along a coordinate.
+Real reach(const Form& s, const Real& p, const Real& q) {
+  const Real along = abs(p * s.along), across = abs(q * s.across);
+  return s.round ? sqrt(along * along + across * across) : along + across;
+}
+Real span(const Real& c, const Real& r, const Real& d, const Real& q) {
+  return most(c + r, d + q) - least(c - r, d - q);
+}
+Real area(const Form& s) {
+  static const Real pi = Real(4) * atan(Real(1));
+  return (s.round ? pi : Real(4)) * s.along * s.across * (s.ux * s.ux + s.uy * s.uy);
+}
+
+/// The part of a ratio that is not the IoU, from the numbers of the shapes and the IoU.
+Real taken_away(int which, const Pair& p, double iou) {
+  const Form a = form(p.kind_a, p.a), b = form(p.kind_b, p.b);
+  const Real width = span(a.cx, reach(a, a.ux, a.uy), b.cx, reach(b, b.ux, b.uy));
+  const Real height = span(a.cy, reach(a, a.uy, a.ux), b.cy, reach(b, b.uy, b.ux));
+  if (which == VESICA_RATIO_GENERALIZED) {
+    const Real whole = (area(a) + area(b)) / (Real(1) + iou);
+    return Real(1) - whole / (width * height);
+  }
+  const Real dx = b.cx - a.cx, dy = b.cy - a.cy;
+  const Real distance = (dx * dx + dy * dy) / (width * width + height * height);
+  if (which == VESICA_RATIO_DISTANCE) return distance;
+  const auto no_size = [](const Form& s) {
+    const Real zero;
+    return (s.along == zero && s.across == zero) || (s.ux == zero && s.uy == zero);
+  };
+  if (no_size(a) || no_size(b)) return distance;
+  const Real angle = atan2(a.along, a.across) - atan2(b.along, b.across), right = Real(2) * atan(Real(1));
+  const Real v = (angle / right) * (angle / right);
+  return v == Real(0.0) ? distance : distance + v * v / (Real(1) - iou + v);
+}
+
+bool moderate(const Pair& p) {
+  for (const Numbers* numbers : {&p.a, &p.b}) {
+    for (const double x : *numbers) {
+      if (x != 0 && (std::fabs(x) < 0x1p-95 || std::fabs(x) > 0x1p95)) return false;
+    }
+  }
+  return true;
+}
+
+class Ratios : public testing::Test {
+ protected:
+  void demand(bool holds, const char* law, int which, const Pair& p, double got) {
+    ++asked_;
+    if (holds || ++broken_ > most_printed) return;
+    ADD_FAILURE() << law << ", ratio " << which << ": " << got << ", seed " << seed() << "\n  " << describe(p);
+  }
+
+  void laws(const Pair& p, Random& random) {
+    const double iou = number(vesica_iou_f64, p), shared = number(vesica_area_f64, p);
+    const std::int32_t relation = vesica_relation_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data());
+    const bool flat_a = shape_area(p.kind_a, p.a) == 0, flat_b = shape_area(p.kind_b, p.b) == 0;
+    const int exponent = random.integer(-40, 40);
+    const auto scaled_a = scaled_exactly({p.kind_a, p.a}, Scalar::f64, exponent, random.chance(0.5));
+    const auto scaled_b = scaled_exactly({p.kind_b, p.b}, Scalar::f64, exponent, random.chance(0.5));
+    for (int which = 0; which < ratios; ++which) {
+      const Answer r = ratio(which, p);
+      demand(r == ratio(exchanged(which), exchanged(p)), "exchange", which, p, r.value);
+      if (scaled_a && scaled_b && moderate(p)) {
+        const Pair q{p.kind_a, p.kind_b, scaled_a->numbers, scaled_b->numbers};
+        demand(r == ratio(which, q), "scale", which, p, r.value);
+      }
+      if (r.code != 0) {
+        demand(r.code == VESICA_E_ARGUMENT && r.value == 7 && (flat_a || flat_b), "error", which, p, r.code);
+        continue;
+      }
+      const bool of_area = which >= VESICA_RATIO_OVER_FIRST && which <= VESICA_RATIO_OVER_SMALLER;
+      demand(r.value <= (of_area ? 1 : iou), "upper bound", which, p, r.value);
+      demand(r.value >= (which < VESICA_RATIO_GENERALIZED ? 0
+                         : which == VESICA_RATIO_COMPLETE ? -2
+                                                          : -1),
+             "lower bound", which, p, r.value);
+      if (of_area && relation <= VESICA_TOUCH) demand(r.value == 0, "apart", which, p, r.value);
+      if (of_area && moderate(p)) demand((r.value > 0) == (shared > 0), "above 0", which, p, r.value);
+      const bool a_inside = relation == VESICA_INSIDE || relation == VESICA_INSIDE_TOUCH || relation == VESICA_EQUAL;
+      if (which == VESICA_RATIO_OVER_FIRST && a_inside && moderate(p))
+        demand(r.value == 1, "inside", which, p, r.value);
+      if (which == VESICA_RATIO_DISTANCE && relation == VESICA_EQUAL && moderate(p))
+        demand(r.value >= 1 - 8 * u, "equal", which, p, r.value);
+    }
+  }
+
+  /// Errors in units of u.
+  void accuracy(const Pair& p) {
+    const double shared = number(vesica_area_f64, p), iou = number(vesica_iou_f64, p);
+    const double area_a = shape_area(p.kind_a, p.a), area_b = shape_area(p.kind_b, p.b);
+    for (int which = VESICA_RATIO_OVER_FIRST; which < ratios; ++which) {
+      const Answer r = ratio(which, p);
+      if (r.code != 0) continue;
+      const bool of_area = which <= VESICA_RATIO_OVER_SMALLER;
+      const double divisor = which == VESICA_RATIO_OVER_FIRST    ? area_a
+                             : which == VESICA_RATIO_OVER_SECOND ? area_b
+                                                                 : std::min(area_a, area_b);
+      const Real wanted = of_area ? Real(shared) / divisor : Real(iou) - taken_away(which, p, iou);
+      const Real error = abs(Real(r.value) - wanted);
+      const double in_u = static_cast<double>(error / u / (of_area ? most(wanted, 0x1p-1000) : Real(1)));
+      worst_[which] = std::max(worst_[which], in_u);
+      demand(in_u <= 8, "accuracy", which, p, in_u);
+    }
+  }
+
+  void TearDown() override {
+    for (int which = 0; which < ratios; ++which)
+      RecordProperty("worst_" + std::to_string(which), std::to_string(worst_[which]));
+  }
+
+  int asked_ = 0, broken_ = 0;
+  double worst_[ratios] = {};
+};
+
+Pair boxes(const Numbers& a, const Numbers& b) { return {VESICA_AABB, VESICA_AABB, a, b}; }
+
+TEST_F(Ratios, Known) {
+  const Pair corner = boxes({0, 0, 2, 2}, {1, 1, 3, 3});
+  const double wanted[] = {1. / 7, 1. / 4, 1. / 4, 1. / 4, 1. / 7 - 2. / 9, 1. / 7 - 1. / 9, 1. / 7 - 1. / 9};
+  for (int which = 0; which < ratios; ++which) EXPECT_NEAR(ratio(which, corner).value, wanted[which], 4 * u);
+  const Pair apart = boxes({0, 0, 1, 1}, {3, 0, 4, 1});
+  const double far[] = {0, 0, 0, 0, -0.5, -9. / 17, -9. / 17};
+  for (int which = 0; which < ratios; ++which) EXPECT_NEAR(ratio(which, apart).value, far[which], 4 * u);
+  // A box of 1 x 2 lengthwise on one of 1 x 1: v = (atan 2 - atan 1)^2 4 / pi^2.
+  const Pair unlike = boxes({0, 0, 2, 1}, {0, 0, 1, 1});
+  const double angle = (std::atan(2) - std::atan(1)) / std::atan2(1, 0), v = angle * angle;
+  EXPECT_NEAR(ratio(VESICA_RATIO_COMPLETE, unlike).value, 0.5 - 0.25 / 5 - v * v / (0.5 + v), 4 * u);
+  EXPECT_EQ(ratio(VESICA_RATIO_OVER_SECOND, unlike).value, 1);
+  EXPECT_EQ(ratio(VESICA_RATIO_OVER_FIRST, unlike).value, 0.5);
+}
+
+TEST_F(Ratios, Errors) {
+  const Pair fine = boxes({0, 0, 1, 1}, {0, 0, 1, 1}), flat = boxes({0, 0, 0, 1}, {0, 0, 1, 1});
+  EXPECT_EQ(ratio(-1, fine).code, VESICA_E_ARGUMENT);
+  EXPECT_EQ(ratio(ratios, fine).code, VESICA_E_ARGUMENT);
+  EXPECT_EQ(ratio(VESICA_RATIO_OVER_FIRST, flat).code, VESICA_E_ARGUMENT);
+  EXPECT_EQ(ratio(VESICA_RATIO_OVER_SMALLER, flat).code, VESICA_E_ARGUMENT);
+  EXPECT_EQ(ratio(VESICA_RATIO_OVER_SECOND, flat), (Answer{0, 0}));
+  EXPECT_EQ(ratio(VESICA_RATIO_GENERALIZED, flat), (Answer{0, 0}));
+  EXPECT_EQ(ratio(VESICA_RATIO_DISTANCE, boxes({0, 0, 0, 1}, {0, 0, 1, 0})).code, VESICA_E_ARGUMENT);
+  for (int which = 0; which < ratios; ++which) {
+    EXPECT_EQ(ratio(which, boxes({1, 0, 0, 1}, {0, 0, 1, 1})), (Answer{VESICA_E_SHAPE, 7}));
+    EXPECT_EQ(ratio(which, boxes({0, 0, 1, 1}, {0, 0, 1, NAN})), (Answer{VESICA_E_SHAPE, 7}));
+    EXPECT_EQ(ratio(which, {6, VESICA_AABB, {}, {}}), (Answer{VESICA_E_KIND, 7}));
+    double out = 0;
+    EXPECT_EQ(vesica_ratio_f64(which, VESICA_AABB, nullptr, VESICA_AABB, fine.b.data(), &out), VESICA_E_NULL);
+    EXPECT_EQ(vesica_ratio_f64(which, VESICA_AABB, fine.a.data(), VESICA_AABB, fine.b.data(), nullptr), VESICA_E_NULL);
+  }
+  EXPECT_EQ(vesica_ratio_many_f64(9, nullptr, nullptr, nullptr), VESICA_E_NULL);
+}
+
+TEST_F(Ratios, OnWorkloads) {
+  Random random(seed());
+  for (int a = VESICA_POINT; a <= VESICA_ELLIPSE; ++a) {
+    for (int b = a; b <= VESICA_ELLIPSE; ++b) {
+      for (const Workload workload : all_workloads) {
+        Stream stream(workload, a, b, Scalar::f64, seed());
+        for (int i = 0; i < 60 * repeat(); ++i) {
+          const Pair p = stream.next();
+          laws(p, random);
+          if (moderate(p)) accuracy(p);
+        }
+      }
+    }
+  }
+  EXPECT_GT(asked_, 100000);
+}
+
+// Where areas are beyond the range of doubles, the ratio is not.
+TEST_F(Ratios, OfAnyMagnitude) {
+  for (const int exponent : {-1000, -600, -530, 500, 530, 1000}) {
+    const double s = std::ldexp(1, exponent);
+    const Pair p = boxes({0, 0, 2 * s, 2 * s}, {1 * s, 1 * s, 3 * s, 3 * s});
+    const double wanted[] = {1. / 7, 1. / 4, 1. / 4, 1. / 4, 1. / 7 - 2. / 9, 1. / 7 - 1. / 9, 1. / 7 - 1. / 9};
+    for (int which = 0; which < ratios; ++which) EXPECT_NEAR(ratio(which, p).value, wanted[which], 8 * u) << exponent;
+  }
+  const Pair whole = boxes({-0x1p1023, -0x1p1023, 0x1p1023, 0x1p1023}, {0, 0, 0x1p1023, 0x1p1023});
+  EXPECT_EQ(ratio(VESICA_RATIO_OVER_FIRST, whole), (Answer{0, 0.25}));
+  EXPECT_EQ(ratio(VESICA_RATIO_GENERALIZED, whole), (Answer{0, 0.25}));
+}
+
+TEST_F(Ratios, OfFloats) {
+  for (int which = 0; which < ratios; ++which) {
+    const float a[] = {0.1f, 0.2f, 1.3f}, b[] = {0.4f, 0.5f, 1.6f, 2.5f};
+    const double wide_a[] = {a[0], a[1], a[2]}, wide_b[] = {b[0], b[1], b[2], b[3]};
+    float narrow = 0;
+    double wide = 0;
+    ASSERT_EQ(vesica_ratio_f32(which, VESICA_CIRCLE, a, VESICA_AABB, b, &narrow), 0);
+    ASSERT_EQ(vesica_ratio_f64(which, VESICA_CIRCLE, wide_a, VESICA_AABB, wide_b, &wide), 0);
+    EXPECT_EQ(narrow, static_cast<float>(wide));
+  }
+}
+
+}  // namespace
