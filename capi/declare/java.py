@@ -1,0 +1,1 @@
+def files(description): return {}
