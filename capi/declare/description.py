@@ -9,6 +9,7 @@ DESCRIPTION = REPOSITORY / "capi" / "vesica.json"
 # The named methods are another library, which no package has.
 HEADERS = ("vesica.h", "vesica_index.h")
 HEAD = "SPDX-License-Identifier: Apache-2.0", "Written by capi/declare from capi/vesica.json: not to be edited."
+KINDS = ("POINT", "SEGMENT", "CIRCLE", "AABB", "RECT", "ELLIPSE")
 SCALARS = {"f64": "double", "f32": "float"}
 
 _PARTS = re.compile(r"\n(?=(?:Requires|Returns|Errors|Accuracy|Cost|Since): )")
@@ -73,9 +74,22 @@ class Description:
             entries = [Entry(entry) for entry in description[part] if entry["header"] in HEADERS]
             setattr(self, part, entries)
 
+    def constants_of(self, group):
+        """The constants of a group: KINDS, RELATIONS, ERRORS, JOINS or VERSIONS."""
+        return [entry for entry in self.constants if group_of(entry) == group]
+
     def in_double(self, part):
         """The entries of a part that have a form in double, and one in float of the same stem."""
         return [entry for entry in getattr(self, part) if entry.scalar == "f64"]
+
+
+def group_of(constant):
+    """Which constants belong together, by their names."""
+    prefixes = {"E_": "ERRORS", "JOIN_": "JOINS", "VERSION": "VERSIONS"}
+    for prefix, group in prefixes.items():
+        if constant.short.startswith(prefix):
+            return group
+    return "KINDS" if constant.short in KINDS else "RELATIONS"
 
 
 def camel(name, first=True):

@@ -339,13 +339,7 @@ extern "C" {
     /// Cost: 1 to 10 us; at worst 300 us, where exponents are wildly unlike.
     ///
     /// Since: 0.1.
-    pub fn vesica_crossings_f64(
-        kind_a: i32,
-        numbers_a: *const f64,
-        kind_b: i32,
-        numbers_b: *const f64,
-        out: *mut CrossingPoints<f64>,
-    ) -> i32;
+    pub fn vesica_crossings_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, out: *mut CrossingPoints<f64>) -> i32;
     /// How far apart are two solid shapes, and which of their points are closest?
     ///
     /// If the shapes overlap (as vesica_overlap_f64 tells), the distance is 0 and both points are one common point. If not,
@@ -366,13 +360,7 @@ extern "C" {
     /// 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 300.
     ///
     /// Since: 0.1.
-    pub fn vesica_nearest_f64(
-        kind_a: i32,
-        numbers_a: *const f64,
-        kind_b: i32,
-        numbers_b: *const f64,
-        out: *mut ClosestPoints<f64>,
-    ) -> i32;
+    pub fn vesica_nearest_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, out: *mut ClosestPoints<f64>) -> i32;
     /// How far apart are the outlines of two shapes, and where do they come closest?
     ///
     /// The outline of a shape with area is the curve around it. A point, a segment and a shape with a zero size are their
@@ -393,13 +381,7 @@ extern "C" {
     /// for a common point, of needles as vesica_crossings_f64; 5 us more if exact arithmetic must tell; at worst 300 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_boundary_distance_f64(
-        kind_a: i32,
-        numbers_a: *const f64,
-        kind_b: i32,
-        numbers_b: *const f64,
-        out: *mut ClosestPoints<f64>,
-    ) -> i32;
+    pub fn vesica_boundary_distance_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, out: *mut ClosestPoints<f64>) -> i32;
     /// Penetration depth: how far and which way must b be moved until the two shapes only touch?
     ///
     /// Moving b by out-\>depth along the unit vector (x, y) is the shortest translation after which a line separates the
@@ -422,13 +404,7 @@ extern "C" {
     /// if only exact arithmetic can tell the depth from 0; at worst 300 us, where exponents are wildly unlike.
     ///
     /// Since: 0.1.
-    pub fn vesica_depth_f64(
-        kind_a: i32,
-        numbers_a: *const f64,
-        kind_b: i32,
-        numbers_b: *const f64,
-        out: *mut Penetration<f64>,
-    ) -> i32;
+    pub fn vesica_depth_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, out: *mut Penetration<f64>) -> i32;
     /// Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
     ///
     /// Returns: 0.
@@ -461,13 +437,7 @@ extern "C" {
     /// nearly touch or coincide, or if one shape is far larger; at worst 300 us, where exponents are wildly unlike.
     ///
     /// Since: 0.1.
-    pub fn vesica_area_f64(
-        kind_a: i32,
-        numbers_a: *const f64,
-        kind_b: i32,
-        numbers_b: *const f64,
-        out: *mut f64,
-    ) -> i32;
+    pub fn vesica_area_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, out: *mut f64) -> i32;
     /// Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
     ///
     /// It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Nothing overflows or underflows on the
@@ -482,8 +452,7 @@ extern "C" {
     /// Cost: that of vesica_area_f64 and of vesica_shape_area_f64 twice.
     ///
     /// Since: 0.1.
-    pub fn vesica_iou_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, out: *mut f64)
-        -> i32;
+    pub fn vesica_iou_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, out: *mut f64) -> i32;
     /// Smallest box of representable numbers that contains a shape.
     ///
     /// Returns: 0.
@@ -774,14 +743,7 @@ extern "C" {
     /// Cost: about 40 ns.
     ///
     /// Since: 0.1.
-    pub fn vesica_rect_from_angle_f64(
-        cx: f64,
-        cy: f64,
-        angle: f64,
-        width: f64,
-        height: f64,
-        out: *mut Rect<f64>,
-    ) -> i32;
+    pub fn vesica_rect_from_angle_f64(cx: f64, cy: f64, angle: f64, width: f64, height: f64, out: *mut Rect<f64>) -> i32;
     /// Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
     ///
     /// Corners that are not exactly a rectangle's give a rectangle near them, which need not contain them. The centre is the
@@ -828,14 +790,7 @@ extern "C" {
     /// Accuracy: exact.
     ///
     /// Since: 0.1.
-    pub fn vesica_ellipse_from_radius_vector_f64(
-        cx: f64,
-        cy: f64,
-        wx: f64,
-        wy: f64,
-        ratio: f64,
-        out: *mut Ellipse<f64>,
-    ) -> i32;
+    pub fn vesica_ellipse_from_radius_vector_f64(cx: f64, cy: f64, wx: f64, wy: f64, ratio: f64, out: *mut Ellipse<f64>) -> i32;
     /// Ellipse of the points within k standard deviations of a mean (Mahalanobis distance at most k).
     ///
     /// A singular covariance, or k = 0, gives a segment or a point. The result has a \>= b. Its axis is a unit vector with
@@ -854,15 +809,7 @@ extern "C" {
     /// Cost: about 90 ns.
     ///
     /// Since: 0.1.
-    pub fn vesica_ellipse_from_covariance_f64(
-        mean_x: f64,
-        mean_y: f64,
-        cxx: f64,
-        cxy: f64,
-        cyy: f64,
-        k: f64,
-        out: *mut Ellipse<f64>,
-    ) -> i32;
+    pub fn vesica_ellipse_from_covariance_f64(mean_x: f64, mean_y: f64, cxx: f64, cxy: f64, cyy: f64, k: f64, out: *mut Ellipse<f64>) -> i32;
     /// Ellipse of the points X with (X - C) . M (X - C) \<= 1, where M is symmetric with entries mxx, mxy, myy.
     ///
     /// The result is that of vesica_ellipse_from_covariance_f64 for the inverse of M and k = 1.
@@ -878,14 +825,7 @@ extern "C" {
     /// Cost: about 90 ns.
     ///
     /// Since: 0.1.
-    pub fn vesica_ellipse_from_matrix_f64(
-        cx: f64,
-        cy: f64,
-        mxx: f64,
-        mxy: f64,
-        myy: f64,
-        out: *mut Ellipse<f64>,
-    ) -> i32;
+    pub fn vesica_ellipse_from_matrix_f64(cx: f64, cy: f64, mxx: f64, mxy: f64, myy: f64, out: *mut Ellipse<f64>) -> i32;
     /// Describes an array of `count` records, each of which starts with a shape's struct.
     ///
     /// Requires: base, the first record's shape, which may be NULL if count is 0; stride, the bytes from one record to the
@@ -896,13 +836,7 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (negative count).
     ///
     /// Since: 0.1.
-    pub fn vesica_shapes_from_records_f64(
-        kind: i32,
-        count: i64,
-        base: *const c_void,
-        stride: isize,
-        out: *mut Shapes<f64>,
-    ) -> i32;
+    pub fn vesica_shapes_from_records_f64(kind: i32, count: i64, base: *const c_void, stride: isize, out: *mut Shapes<f64>) -> i32;
     /// Do a\[i\] and b\[i\] share a point? out\[i\] is the answer of vesica_overlap_f64.
     ///
     /// Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
@@ -968,15 +902,7 @@ extern "C" {
     /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
     ///
     /// Since: 0.1.
-    pub fn vesica_nearest_many_f64(
-        a: *const Shapes<f64>,
-        b: *const Shapes<f64>,
-        distance: *mut f64,
-        ax: *mut f64,
-        ay: *mut f64,
-        bx: *mut f64,
-        by: *mut f64,
-    ) -> i64;
+    pub fn vesica_nearest_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: *mut f64, ax: *mut f64, ay: *mut f64, bx: *mut f64, by: *mut f64) -> i64;
     /// How far apart are the outlines of a\[i\] and b\[i\]? The columns are the fields of vesica_boundary_distance_f64's result.
     ///
     /// Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
@@ -992,15 +918,7 @@ extern "C" {
     /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
     ///
     /// Since: 0.1.
-    pub fn vesica_boundary_distance_many_f64(
-        a: *const Shapes<f64>,
-        b: *const Shapes<f64>,
-        distance: *mut f64,
-        ax: *mut f64,
-        ay: *mut f64,
-        bx: *mut f64,
-        by: *mut f64,
-    ) -> i64;
+    pub fn vesica_boundary_distance_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: *mut f64, ax: *mut f64, ay: *mut f64, bx: *mut f64, by: *mut f64) -> i64;
     /// How deep do a\[i\] and b\[i\] overlap? The columns are the fields of vesica_depth_f64's result.
     ///
     /// Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
@@ -1016,13 +934,7 @@ extern "C" {
     /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
     ///
     /// Since: 0.1.
-    pub fn vesica_depth_many_f64(
-        a: *const Shapes<f64>,
-        b: *const Shapes<f64>,
-        depth: *mut f64,
-        x: *mut f64,
-        y: *mut f64,
-    ) -> i64;
+    pub fn vesica_depth_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, depth: *mut f64, x: *mut f64, y: *mut f64) -> i64;
     /// What area do a\[i\] and b\[i\] share? out\[i\] is the result of vesica_area_f64.
     ///
     /// Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
@@ -1074,12 +986,7 @@ extern "C" {
     /// Cost: that of one shape against many, however large the arrays are.
     ///
     /// Since: 0.1.
-    pub fn vesica_overlap_matrix_f64(
-        a: *const Shapes<f64>,
-        b: *const Shapes<f64>,
-        out: *mut u8,
-        row_stride: isize,
-    ) -> i64;
+    pub fn vesica_overlap_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8, row_stride: isize) -> i64;
     /// How does a\[i\] relate to b\[j\]? The elements of out are answers of vesica_relation_f64.
     ///
     /// Requires: room for a matrix: out\[i \* row_stride + j\] is the result for a\[i\] and b\[j\]. row_stride counts elements of
@@ -1097,12 +1004,7 @@ extern "C" {
     /// Cost: that of one shape against many, however large the arrays are.
     ///
     /// Since: 0.1.
-    pub fn vesica_relation_matrix_f64(
-        a: *const Shapes<f64>,
-        b: *const Shapes<f64>,
-        out: *mut u8,
-        row_stride: isize,
-    ) -> i64;
+    pub fn vesica_relation_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8, row_stride: isize) -> i64;
     /// Does a\[i\] contain all of b\[j\]? The elements of out are answers of vesica_contains_f64.
     ///
     /// Requires: room for a matrix: out\[i \* row_stride + j\] is the result for a\[i\] and b\[j\]. row_stride counts elements of
@@ -1120,12 +1022,7 @@ extern "C" {
     /// Cost: that of one shape against many, however large the arrays are.
     ///
     /// Since: 0.1.
-    pub fn vesica_contains_matrix_f64(
-        a: *const Shapes<f64>,
-        b: *const Shapes<f64>,
-        out: *mut u8,
-        row_stride: isize,
-    ) -> i64;
+    pub fn vesica_contains_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8, row_stride: isize) -> i64;
     /// What area do a\[i\] and b\[j\] share? The elements of out are results of vesica_area_f64.
     ///
     /// Requires: room for a matrix: out\[i \* row_stride + j\] is the result for a\[i\] and b\[j\]. row_stride counts elements of
@@ -1143,12 +1040,7 @@ extern "C" {
     /// Cost: that of one shape against many, however large the arrays are.
     ///
     /// Since: 0.1.
-    pub fn vesica_area_matrix_f64(
-        a: *const Shapes<f64>,
-        b: *const Shapes<f64>,
-        out: *mut f64,
-        row_stride: isize,
-    ) -> i64;
+    pub fn vesica_area_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64, row_stride: isize) -> i64;
     /// Intersection over union of a\[i\] and b\[j\]. The elements of out are results of vesica_iou_f64.
     ///
     /// If neither of a pair has an area, it gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
@@ -1168,8 +1060,7 @@ extern "C" {
     /// Cost: that of one shape against many, however large the arrays are.
     ///
     /// Since: 0.1.
-    pub fn vesica_iou_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64, row_stride: isize)
-        -> i64;
+    pub fn vesica_iou_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64, row_stride: isize) -> i64;
     /// Which of many shapes overlap one? Their indices are written to out\[0\], out\[1\] ..., in ascending order.
     ///
     /// Requires: one, an array of count 1; capacity, how many indices out has room for. It may be 0, and out then NULL.
@@ -1183,12 +1074,7 @@ extern "C" {
     /// Accuracy: every answer is that of vesica_overlap_f64.
     ///
     /// Since: 0.1.
-    pub fn vesica_overlap_select_f64(
-        one: *const Shapes<f64>,
-        many: *const Shapes<f64>,
-        out: *mut i64,
-        capacity: i64,
-    ) -> i64;
+    pub fn vesica_overlap_select_f64(one: *const Shapes<f64>, many: *const Shapes<f64>, out: *mut i64, capacity: i64) -> i64;
     /// Bytes of scratch memory that vesica_nms_f64 and vesica_nms_f32 need for that many shapes.
     ///
     /// Returns: about 97 bytes for each, and 380,416.
@@ -1215,15 +1101,7 @@ extern "C" {
     /// Cost: an index, sorting, and an IoU where bounds and areas allow one above the threshold: 0.3 to 1.2 us a shape.
     ///
     /// Since: 0.1.
-    pub fn vesica_nms_f64(
-        shapes: *const Shapes<f64>,
-        scores: *const f64,
-        threshold: f64,
-        scratch: *mut c_void,
-        scratch_size: i64,
-        keep: *mut i64,
-        kept: *mut i64,
-    ) -> i32;
+    pub fn vesica_nms_f64(shapes: *const Shapes<f64>, scores: *const f64, threshold: f64, scratch: *mut c_void, scratch_size: i64, keep: *mut i64, kept: *mut i64) -> i32;
     /// Is a shape valid, and if not, which rule does it break?
     ///
     /// Returns: 0 for a valid shape, else the first rule broken: VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE,
@@ -1298,13 +1176,7 @@ extern "C" {
     /// Cost: 1 to 10 us; at worst 300 us, where exponents are wildly unlike.
     ///
     /// Since: 0.1.
-    pub fn vesica_crossings_f32(
-        kind_a: i32,
-        numbers_a: *const f32,
-        kind_b: i32,
-        numbers_b: *const f32,
-        out: *mut CrossingPoints<f32>,
-    ) -> i32;
+    pub fn vesica_crossings_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, out: *mut CrossingPoints<f32>) -> i32;
     /// How far apart are two solid shapes, and which of their points are closest?
     ///
     /// If the shapes overlap (as vesica_overlap_f32 tells), the distance is 0 and both points are one common point. If not,
@@ -1326,13 +1198,7 @@ extern "C" {
     /// 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 300.
     ///
     /// Since: 0.1.
-    pub fn vesica_nearest_f32(
-        kind_a: i32,
-        numbers_a: *const f32,
-        kind_b: i32,
-        numbers_b: *const f32,
-        out: *mut ClosestPoints<f32>,
-    ) -> i32;
+    pub fn vesica_nearest_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, out: *mut ClosestPoints<f32>) -> i32;
     /// How far apart are the outlines of two shapes, and where do they come closest?
     ///
     /// The outline of a shape with area is the curve around it. A point, a segment and a shape with a zero size are their
@@ -1354,13 +1220,7 @@ extern "C" {
     /// for a common point, of needles as vesica_crossings_f32; 5 us more if exact arithmetic must tell; at worst 300 us.
     ///
     /// Since: 0.1.
-    pub fn vesica_boundary_distance_f32(
-        kind_a: i32,
-        numbers_a: *const f32,
-        kind_b: i32,
-        numbers_b: *const f32,
-        out: *mut ClosestPoints<f32>,
-    ) -> i32;
+    pub fn vesica_boundary_distance_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, out: *mut ClosestPoints<f32>) -> i32;
     /// Penetration depth: how far and which way must b be moved until the two shapes only touch?
     ///
     /// Moving b by out-\>depth along the unit vector (x, y) is the shortest translation after which a line separates the
@@ -1384,13 +1244,7 @@ extern "C" {
     /// if only exact arithmetic can tell the depth from 0; at worst 300 us, where exponents are wildly unlike.
     ///
     /// Since: 0.1.
-    pub fn vesica_depth_f32(
-        kind_a: i32,
-        numbers_a: *const f32,
-        kind_b: i32,
-        numbers_b: *const f32,
-        out: *mut Penetration<f32>,
-    ) -> i32;
+    pub fn vesica_depth_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, out: *mut Penetration<f32>) -> i32;
     /// Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
     ///
     /// Returns: 0.
@@ -1425,13 +1279,7 @@ extern "C" {
     /// nearly touch or coincide, or if one shape is far larger; at worst 300 us, where exponents are wildly unlike.
     ///
     /// Since: 0.1.
-    pub fn vesica_area_f32(
-        kind_a: i32,
-        numbers_a: *const f32,
-        kind_b: i32,
-        numbers_b: *const f32,
-        out: *mut f32,
-    ) -> i32;
+    pub fn vesica_area_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, out: *mut f32) -> i32;
     /// Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
     ///
     /// It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Nothing overflows or underflows on the
@@ -1447,8 +1295,7 @@ extern "C" {
     /// Cost: that of vesica_area_f32 and of vesica_shape_area_f32 twice.
     ///
     /// Since: 0.1.
-    pub fn vesica_iou_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, out: *mut f32)
-        -> i32;
+    pub fn vesica_iou_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, out: *mut f32) -> i32;
     /// Smallest box of representable numbers that contains a shape.
     ///
     /// Returns: 0.
@@ -1739,14 +1586,7 @@ extern "C" {
     /// Cost: about 40 ns.
     ///
     /// Since: 0.1.
-    pub fn vesica_rect_from_angle_f32(
-        cx: f32,
-        cy: f32,
-        angle: f32,
-        width: f32,
-        height: f32,
-        out: *mut Rect<f32>,
-    ) -> i32;
+    pub fn vesica_rect_from_angle_f32(cx: f32, cy: f32, angle: f32, width: f32, height: f32, out: *mut Rect<f32>) -> i32;
     /// Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
     ///
     /// Corners that are not exactly a rectangle's give a rectangle near them, which need not contain them. The centre is the
@@ -1793,14 +1633,7 @@ extern "C" {
     /// Accuracy: exact.
     ///
     /// Since: 0.1.
-    pub fn vesica_ellipse_from_radius_vector_f32(
-        cx: f32,
-        cy: f32,
-        wx: f32,
-        wy: f32,
-        ratio: f32,
-        out: *mut Ellipse<f32>,
-    ) -> i32;
+    pub fn vesica_ellipse_from_radius_vector_f32(cx: f32, cy: f32, wx: f32, wy: f32, ratio: f32, out: *mut Ellipse<f32>) -> i32;
     /// Ellipse of the points within k standard deviations of a mean (Mahalanobis distance at most k).
     ///
     /// A singular covariance, or k = 0, gives a segment or a point. The result has a \>= b. Its axis is a unit vector with
@@ -1819,15 +1652,7 @@ extern "C" {
     /// Cost: about 90 ns.
     ///
     /// Since: 0.1.
-    pub fn vesica_ellipse_from_covariance_f32(
-        mean_x: f32,
-        mean_y: f32,
-        cxx: f32,
-        cxy: f32,
-        cyy: f32,
-        k: f32,
-        out: *mut Ellipse<f32>,
-    ) -> i32;
+    pub fn vesica_ellipse_from_covariance_f32(mean_x: f32, mean_y: f32, cxx: f32, cxy: f32, cyy: f32, k: f32, out: *mut Ellipse<f32>) -> i32;
     /// Ellipse of the points X with (X - C) . M (X - C) \<= 1, where M is symmetric with entries mxx, mxy, myy.
     ///
     /// The result is that of vesica_ellipse_from_covariance_f32 for the inverse of M and k = 1.
@@ -1843,14 +1668,7 @@ extern "C" {
     /// Cost: about 90 ns.
     ///
     /// Since: 0.1.
-    pub fn vesica_ellipse_from_matrix_f32(
-        cx: f32,
-        cy: f32,
-        mxx: f32,
-        mxy: f32,
-        myy: f32,
-        out: *mut Ellipse<f32>,
-    ) -> i32;
+    pub fn vesica_ellipse_from_matrix_f32(cx: f32, cy: f32, mxx: f32, mxy: f32, myy: f32, out: *mut Ellipse<f32>) -> i32;
     /// Describes an array of `count` records, each of which starts with a shape's struct.
     ///
     /// Requires: base, the first record's shape, which may be NULL if count is 0; stride, the bytes from one record to the
@@ -1861,13 +1679,7 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (negative count).
     ///
     /// Since: 0.1.
-    pub fn vesica_shapes_from_records_f32(
-        kind: i32,
-        count: i64,
-        base: *const c_void,
-        stride: isize,
-        out: *mut Shapes<f32>,
-    ) -> i32;
+    pub fn vesica_shapes_from_records_f32(kind: i32, count: i64, base: *const c_void, stride: isize, out: *mut Shapes<f32>) -> i32;
     /// Do a\[i\] and b\[i\] share a point? out\[i\] is the answer of vesica_overlap_f32.
     ///
     /// Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
@@ -1933,15 +1745,7 @@ extern "C" {
     /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
     ///
     /// Since: 0.1.
-    pub fn vesica_nearest_many_f32(
-        a: *const Shapes<f32>,
-        b: *const Shapes<f32>,
-        distance: *mut f32,
-        ax: *mut f32,
-        ay: *mut f32,
-        bx: *mut f32,
-        by: *mut f32,
-    ) -> i64;
+    pub fn vesica_nearest_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: *mut f32, ax: *mut f32, ay: *mut f32, bx: *mut f32, by: *mut f32) -> i64;
     /// How far apart are the outlines of a\[i\] and b\[i\]? The columns are the fields of vesica_boundary_distance_f32's result.
     ///
     /// Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
@@ -1957,15 +1761,7 @@ extern "C" {
     /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
     ///
     /// Since: 0.1.
-    pub fn vesica_boundary_distance_many_f32(
-        a: *const Shapes<f32>,
-        b: *const Shapes<f32>,
-        distance: *mut f32,
-        ax: *mut f32,
-        ay: *mut f32,
-        bx: *mut f32,
-        by: *mut f32,
-    ) -> i64;
+    pub fn vesica_boundary_distance_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: *mut f32, ax: *mut f32, ay: *mut f32, bx: *mut f32, by: *mut f32) -> i64;
     /// How deep do a\[i\] and b\[i\] overlap? The columns are the fields of vesica_depth_f32's result.
     ///
     /// Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
@@ -1981,13 +1777,7 @@ extern "C" {
     /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
     ///
     /// Since: 0.1.
-    pub fn vesica_depth_many_f32(
-        a: *const Shapes<f32>,
-        b: *const Shapes<f32>,
-        depth: *mut f32,
-        x: *mut f32,
-        y: *mut f32,
-    ) -> i64;
+    pub fn vesica_depth_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, depth: *mut f32, x: *mut f32, y: *mut f32) -> i64;
     /// What area do a\[i\] and b\[i\] share? out\[i\] is the result of vesica_area_f32.
     ///
     /// Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
@@ -2039,12 +1829,7 @@ extern "C" {
     /// Cost: that of one shape against many, however large the arrays are.
     ///
     /// Since: 0.1.
-    pub fn vesica_overlap_matrix_f32(
-        a: *const Shapes<f32>,
-        b: *const Shapes<f32>,
-        out: *mut u8,
-        row_stride: isize,
-    ) -> i64;
+    pub fn vesica_overlap_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8, row_stride: isize) -> i64;
     /// How does a\[i\] relate to b\[j\]? The elements of out are answers of vesica_relation_f32.
     ///
     /// Requires: room for a matrix: out\[i \* row_stride + j\] is the result for a\[i\] and b\[j\]. row_stride counts elements of
@@ -2062,12 +1847,7 @@ extern "C" {
     /// Cost: that of one shape against many, however large the arrays are.
     ///
     /// Since: 0.1.
-    pub fn vesica_relation_matrix_f32(
-        a: *const Shapes<f32>,
-        b: *const Shapes<f32>,
-        out: *mut u8,
-        row_stride: isize,
-    ) -> i64;
+    pub fn vesica_relation_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8, row_stride: isize) -> i64;
     /// Does a\[i\] contain all of b\[j\]? The elements of out are answers of vesica_contains_f32.
     ///
     /// Requires: room for a matrix: out\[i \* row_stride + j\] is the result for a\[i\] and b\[j\]. row_stride counts elements of
@@ -2085,12 +1865,7 @@ extern "C" {
     /// Cost: that of one shape against many, however large the arrays are.
     ///
     /// Since: 0.1.
-    pub fn vesica_contains_matrix_f32(
-        a: *const Shapes<f32>,
-        b: *const Shapes<f32>,
-        out: *mut u8,
-        row_stride: isize,
-    ) -> i64;
+    pub fn vesica_contains_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8, row_stride: isize) -> i64;
     /// What area do a\[i\] and b\[j\] share? The elements of out are results of vesica_area_f32.
     ///
     /// Requires: room for a matrix: out\[i \* row_stride + j\] is the result for a\[i\] and b\[j\]. row_stride counts elements of
@@ -2108,12 +1883,7 @@ extern "C" {
     /// Cost: that of one shape against many, however large the arrays are.
     ///
     /// Since: 0.1.
-    pub fn vesica_area_matrix_f32(
-        a: *const Shapes<f32>,
-        b: *const Shapes<f32>,
-        out: *mut f32,
-        row_stride: isize,
-    ) -> i64;
+    pub fn vesica_area_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32, row_stride: isize) -> i64;
     /// Intersection over union of a\[i\] and b\[j\]. The elements of out are results of vesica_iou_f32.
     ///
     /// If neither of a pair has an area, it gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
@@ -2133,8 +1903,7 @@ extern "C" {
     /// Cost: that of one shape against many, however large the arrays are.
     ///
     /// Since: 0.1.
-    pub fn vesica_iou_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32, row_stride: isize)
-        -> i64;
+    pub fn vesica_iou_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32, row_stride: isize) -> i64;
     /// Which of many shapes overlap one? Their indices are written to out\[0\], out\[1\] ..., in ascending order.
     ///
     /// Requires: one, an array of count 1; capacity, how many indices out has room for. It may be 0, and out then NULL.
@@ -2148,12 +1917,7 @@ extern "C" {
     /// Accuracy: every answer is that of vesica_overlap_f32.
     ///
     /// Since: 0.1.
-    pub fn vesica_overlap_select_f32(
-        one: *const Shapes<f32>,
-        many: *const Shapes<f32>,
-        out: *mut i64,
-        capacity: i64,
-    ) -> i64;
+    pub fn vesica_overlap_select_f32(one: *const Shapes<f32>, many: *const Shapes<f32>, out: *mut i64, capacity: i64) -> i64;
     /// Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one whose
     /// vesica_iou_f32 with every shape kept before is at most the threshold.
     ///
@@ -2172,15 +1936,7 @@ extern "C" {
     /// Cost: an index, sorting, and an IoU where bounds and areas allow one above the threshold: 0.3 to 1.2 us a shape.
     ///
     /// Since: 0.1.
-    pub fn vesica_nms_f32(
-        shapes: *const Shapes<f32>,
-        scores: *const f32,
-        threshold: f32,
-        scratch: *mut c_void,
-        scratch_size: i64,
-        keep: *mut i64,
-        kept: *mut i64,
-    ) -> i32;
+    pub fn vesica_nms_f32(shapes: *const Shapes<f32>, scores: *const f32, threshold: f32, scratch: *mut c_void, scratch_size: i64, keep: *mut i64, kept: *mut i64) -> i32;
     /// How many bytes suffice for an index of `count` shapes, of any kinds?
     ///
     /// Returns: 17 bytes a shape and 64 KiB. A built index takes fewer, mostly 13 a shape: vesica_index_bytes tells.
@@ -2274,14 +2030,7 @@ extern "C" {
     /// Cost: 30 to 50 ns a shape.
     ///
     /// Since: 0.1.
-    pub fn vesica_index_build_f64(
-        sets: *const Shapes<f64>,
-        set_count: i32,
-        index: *mut c_void,
-        index_size: i64,
-        scratch: *mut c_void,
-        scratch_size: i64,
-    ) -> i64;
+    pub fn vesica_index_build_f64(sets: *const Shapes<f64>, set_count: i32, index: *mut c_void, index_size: i64, scratch: *mut c_void, scratch_size: i64) -> i64;
     /// One part of a build in five steps, for several threads. The bytes are those of vesica_index_build_f64.
     ///
     /// Steps 0 and 4 have one part. Steps 1, 2 and 3 have as many parts as the caller likes, and these may run at the same
@@ -2295,17 +2044,7 @@ extern "C" {
     /// scratch is not that of step 0.
     ///
     /// Since: 0.1.
-    pub fn vesica_index_step_f64(
-        step: i32,
-        part: i64,
-        parts: i64,
-        sets: *const Shapes<f64>,
-        set_count: i32,
-        index: *mut c_void,
-        index_size: i64,
-        scratch: *mut c_void,
-        scratch_size: i64,
-    ) -> i64;
+    pub fn vesica_index_step_f64(step: i32, part: i64, parts: i64, sets: *const Shapes<f64>, set_count: i32, index: *mut c_void, index_size: i64, scratch: *mut c_void, scratch_size: i64) -> i64;
     /// Which items of an index does one shape overlap? They come in the index's order.
     ///
     /// Many shapes are better joined: index them too.
@@ -2321,15 +2060,7 @@ extern "C" {
     /// Accuracy: exact, if there are sets.
     ///
     /// Since: 0.1.
-    pub fn vesica_index_select_f64(
-        index: *const c_void,
-        sets: *const Shapes<f64>,
-        set_count: i32,
-        one: *const Shapes<f64>,
-        out: *mut i64,
-        capacity: i64,
-        state: *mut i64,
-    ) -> i64;
+    pub fn vesica_index_select_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32, one: *const Shapes<f64>, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
     /// All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
     ///
     /// If both indexes are the same pointer, pairs are those of two different items a \< b. Pair i is out_a\[i\] and out_b\[i\].
@@ -2350,23 +2081,7 @@ extern "C" {
     /// Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.
     ///
     /// Since: 0.1.
-    pub fn vesica_join_f64(
-        query: i32,
-        index_a: *const c_void,
-        sets_a: *const Shapes<f64>,
-        set_count_a: i32,
-        index_b: *const c_void,
-        sets_b: *const Shapes<f64>,
-        set_count_b: i32,
-        part: i64,
-        parts: i64,
-        scratch: *mut c_void,
-        scratch_size: i64,
-        out_a: *mut i64,
-        out_b: *mut i64,
-        capacity: i64,
-        state: *mut i64,
-    ) -> i64;
+    pub fn vesica_join_f64(query: i32, index_a: *const c_void, sets_a: *const Shapes<f64>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f64>, set_count_b: i32, part: i64, parts: i64, scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64;
     /// Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.
     ///
     /// An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is not found.
@@ -2382,16 +2097,7 @@ extern "C" {
     /// Accuracy: distances are those of vesica_nearest_f64, bit for bit.
     ///
     /// Since: 0.1.
-    pub fn vesica_index_nearest_f64(
-        index: *const c_void,
-        sets: *const Shapes<f64>,
-        set_count: i32,
-        one: *const Shapes<f64>,
-        k: i64,
-        within: f64,
-        out: *mut i64,
-        distance: *mut f64,
-    ) -> i64;
+    pub fn vesica_index_nearest_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32, one: *const Shapes<f64>, k: i64, within: f64, out: *mut i64, distance: *mut f64) -> i64;
     /// Which items of index_b are nearest to each item of sets_a? Row i is out\[i \* k\] ... out\[i \* k + k - 1\].
     ///
     /// A row is what vesica_index_nearest_f64 says of item i, followed by -1, with distance infinity, up to k. Of one set
@@ -2410,19 +2116,7 @@ extern "C" {
     /// Accuracy: distances are those of vesica_nearest_f64, bit for bit.
     ///
     /// Since: 0.1.
-    pub fn vesica_join_nearest_f64(
-        sets_a: *const Shapes<f64>,
-        set_count_a: i32,
-        index_b: *const c_void,
-        sets_b: *const Shapes<f64>,
-        set_count_b: i32,
-        k: i64,
-        within: f64,
-        part: i64,
-        parts: i64,
-        out: *mut i64,
-        distance: *mut f64,
-    ) -> i64;
+    pub fn vesica_join_nearest_f64(sets_a: *const Shapes<f64>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f64>, set_count_b: i32, k: i64, within: f64, part: i64, parts: i64, out: *mut i64, distance: *mut f64) -> i64;
     /// Builds the index of some sets of shapes.
     ///
     /// Invalid shapes are left out. The call then returns VESICA_E_SHAPE, and the index of all others is complete. After any
@@ -2438,14 +2132,7 @@ extern "C" {
     /// Cost: 30 to 50 ns a shape.
     ///
     /// Since: 0.1.
-    pub fn vesica_index_build_f32(
-        sets: *const Shapes<f32>,
-        set_count: i32,
-        index: *mut c_void,
-        index_size: i64,
-        scratch: *mut c_void,
-        scratch_size: i64,
-    ) -> i64;
+    pub fn vesica_index_build_f32(sets: *const Shapes<f32>, set_count: i32, index: *mut c_void, index_size: i64, scratch: *mut c_void, scratch_size: i64) -> i64;
     /// One part of a build in five steps, for several threads. The bytes are those of vesica_index_build_f32.
     ///
     /// Steps 0 and 4 have one part. Steps 1, 2 and 3 have as many parts as the caller likes, and these may run at the same
@@ -2459,17 +2146,7 @@ extern "C" {
     /// scratch is not that of step 0.
     ///
     /// Since: 0.1.
-    pub fn vesica_index_step_f32(
-        step: i32,
-        part: i64,
-        parts: i64,
-        sets: *const Shapes<f32>,
-        set_count: i32,
-        index: *mut c_void,
-        index_size: i64,
-        scratch: *mut c_void,
-        scratch_size: i64,
-    ) -> i64;
+    pub fn vesica_index_step_f32(step: i32, part: i64, parts: i64, sets: *const Shapes<f32>, set_count: i32, index: *mut c_void, index_size: i64, scratch: *mut c_void, scratch_size: i64) -> i64;
     /// Which items of an index does one shape overlap? They come in the index's order.
     ///
     /// Many shapes are better joined: index them too.
@@ -2485,15 +2162,7 @@ extern "C" {
     /// Accuracy: exact, if there are sets.
     ///
     /// Since: 0.1.
-    pub fn vesica_index_select_f32(
-        index: *const c_void,
-        sets: *const Shapes<f32>,
-        set_count: i32,
-        one: *const Shapes<f32>,
-        out: *mut i64,
-        capacity: i64,
-        state: *mut i64,
-    ) -> i64;
+    pub fn vesica_index_select_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32, one: *const Shapes<f32>, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
     /// All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
     ///
     /// If both indexes are the same pointer, pairs are those of two different items a \< b. Pair i is out_a\[i\] and out_b\[i\].
@@ -2514,23 +2183,7 @@ extern "C" {
     /// Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.
     ///
     /// Since: 0.1.
-    pub fn vesica_join_f32(
-        query: i32,
-        index_a: *const c_void,
-        sets_a: *const Shapes<f32>,
-        set_count_a: i32,
-        index_b: *const c_void,
-        sets_b: *const Shapes<f32>,
-        set_count_b: i32,
-        part: i64,
-        parts: i64,
-        scratch: *mut c_void,
-        scratch_size: i64,
-        out_a: *mut i64,
-        out_b: *mut i64,
-        capacity: i64,
-        state: *mut i64,
-    ) -> i64;
+    pub fn vesica_join_f32(query: i32, index_a: *const c_void, sets_a: *const Shapes<f32>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f32>, set_count_b: i32, part: i64, parts: i64, scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64;
     /// Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.
     ///
     /// An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is not found.
@@ -2546,16 +2199,7 @@ extern "C" {
     /// Accuracy: distances are those of vesica_nearest_f32, bit for bit.
     ///
     /// Since: 0.1.
-    pub fn vesica_index_nearest_f32(
-        index: *const c_void,
-        sets: *const Shapes<f32>,
-        set_count: i32,
-        one: *const Shapes<f32>,
-        k: i64,
-        within: f32,
-        out: *mut i64,
-        distance: *mut f32,
-    ) -> i64;
+    pub fn vesica_index_nearest_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32, one: *const Shapes<f32>, k: i64, within: f32, out: *mut i64, distance: *mut f32) -> i64;
     /// Which items of index_b are nearest to each item of sets_a? Row i is out\[i \* k\] ... out\[i \* k + k - 1\].
     ///
     /// A row is what vesica_index_nearest_f32 says of item i, followed by -1, with distance infinity, up to k. Of one set
@@ -2574,19 +2218,7 @@ extern "C" {
     /// Accuracy: distances are those of vesica_nearest_f32, bit for bit.
     ///
     /// Since: 0.1.
-    pub fn vesica_join_nearest_f32(
-        sets_a: *const Shapes<f32>,
-        set_count_a: i32,
-        index_b: *const c_void,
-        sets_b: *const Shapes<f32>,
-        set_count_b: i32,
-        k: i64,
-        within: f32,
-        part: i64,
-        parts: i64,
-        out: *mut i64,
-        distance: *mut f32,
-    ) -> i64;
+    pub fn vesica_join_nearest_f32(sets_a: *const Shapes<f32>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f32>, set_count_b: i32, k: i64, within: f32, part: i64, parts: i64, out: *mut i64, distance: *mut f32) -> i64;
 }
 
 /// `f64` and `f32`, each with the functions of its type.
@@ -2599,34 +2231,10 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn overlap(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self) -> i32;
     unsafe fn relation(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self) -> i32;
     unsafe fn contains(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self) -> i32;
-    unsafe fn crossings(
-        kind_a: i32,
-        numbers_a: *const Self,
-        kind_b: i32,
-        numbers_b: *const Self,
-        out: *mut CrossingPoints<Self>,
-    ) -> i32;
-    unsafe fn nearest(
-        kind_a: i32,
-        numbers_a: *const Self,
-        kind_b: i32,
-        numbers_b: *const Self,
-        out: *mut ClosestPoints<Self>,
-    ) -> i32;
-    unsafe fn boundary_distance(
-        kind_a: i32,
-        numbers_a: *const Self,
-        kind_b: i32,
-        numbers_b: *const Self,
-        out: *mut ClosestPoints<Self>,
-    ) -> i32;
-    unsafe fn depth(
-        kind_a: i32,
-        numbers_a: *const Self,
-        kind_b: i32,
-        numbers_b: *const Self,
-        out: *mut Penetration<Self>,
-    ) -> i32;
+    unsafe fn crossings(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self, out: *mut CrossingPoints<Self>) -> i32;
+    unsafe fn nearest(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self, out: *mut ClosestPoints<Self>) -> i32;
+    unsafe fn boundary_distance(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self, out: *mut ClosestPoints<Self>) -> i32;
+    unsafe fn depth(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self, out: *mut Penetration<Self>) -> i32;
     unsafe fn shape_area(kind: i32, numbers: *const Self, out: *mut Self) -> i32;
     unsafe fn area(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self, out: *mut Self) -> i32;
     unsafe fn iou(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self, out: *mut Self) -> i32;
@@ -2656,59 +2264,16 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn rect_from_angle(cx: Self, cy: Self, angle: Self, width: Self, height: Self, out: *mut Rect<Self>) -> i32;
     unsafe fn rect_from_corners(corners: *const Self, out: *mut Rect<Self>) -> i32;
     unsafe fn ellipse_from_angle(cx: Self, cy: Self, angle: Self, a: Self, b: Self, out: *mut Ellipse<Self>) -> i32;
-    unsafe fn ellipse_from_radius_vector(
-        cx: Self,
-        cy: Self,
-        wx: Self,
-        wy: Self,
-        ratio: Self,
-        out: *mut Ellipse<Self>,
-    ) -> i32;
-    unsafe fn ellipse_from_covariance(
-        mean_x: Self,
-        mean_y: Self,
-        cxx: Self,
-        cxy: Self,
-        cyy: Self,
-        k: Self,
-        out: *mut Ellipse<Self>,
-    ) -> i32;
+    unsafe fn ellipse_from_radius_vector(cx: Self, cy: Self, wx: Self, wy: Self, ratio: Self, out: *mut Ellipse<Self>) -> i32;
+    unsafe fn ellipse_from_covariance(mean_x: Self, mean_y: Self, cxx: Self, cxy: Self, cyy: Self, k: Self, out: *mut Ellipse<Self>) -> i32;
     unsafe fn ellipse_from_matrix(cx: Self, cy: Self, mxx: Self, mxy: Self, myy: Self, out: *mut Ellipse<Self>) -> i32;
-    unsafe fn shapes_from_records(
-        kind: i32,
-        count: i64,
-        base: *const c_void,
-        stride: isize,
-        out: *mut Shapes<Self>,
-    ) -> i32;
+    unsafe fn shapes_from_records(kind: i32, count: i64, base: *const c_void, stride: isize, out: *mut Shapes<Self>) -> i32;
     unsafe fn overlap_many(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut u8) -> i64;
     unsafe fn relation_many(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut u8) -> i64;
     unsafe fn contains_many(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut u8) -> i64;
-    unsafe fn nearest_many(
-        a: *const Shapes<Self>,
-        b: *const Shapes<Self>,
-        distance: *mut Self,
-        ax: *mut Self,
-        ay: *mut Self,
-        bx: *mut Self,
-        by: *mut Self,
-    ) -> i64;
-    unsafe fn boundary_distance_many(
-        a: *const Shapes<Self>,
-        b: *const Shapes<Self>,
-        distance: *mut Self,
-        ax: *mut Self,
-        ay: *mut Self,
-        bx: *mut Self,
-        by: *mut Self,
-    ) -> i64;
-    unsafe fn depth_many(
-        a: *const Shapes<Self>,
-        b: *const Shapes<Self>,
-        depth: *mut Self,
-        x: *mut Self,
-        y: *mut Self,
-    ) -> i64;
+    unsafe fn nearest_many(a: *const Shapes<Self>, b: *const Shapes<Self>, distance: *mut Self, ax: *mut Self, ay: *mut Self, bx: *mut Self, by: *mut Self) -> i64;
+    unsafe fn boundary_distance_many(a: *const Shapes<Self>, b: *const Shapes<Self>, distance: *mut Self, ax: *mut Self, ay: *mut Self, bx: *mut Self, by: *mut Self) -> i64;
+    unsafe fn depth_many(a: *const Shapes<Self>, b: *const Shapes<Self>, depth: *mut Self, x: *mut Self, y: *mut Self) -> i64;
     unsafe fn area_many(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self) -> i64;
     unsafe fn iou_many(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self) -> i64;
     unsafe fn overlap_matrix(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut u8, row_stride: isize) -> i64;
@@ -2717,83 +2282,13 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn area_matrix(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self, row_stride: isize) -> i64;
     unsafe fn iou_matrix(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self, row_stride: isize) -> i64;
     unsafe fn overlap_select(one: *const Shapes<Self>, many: *const Shapes<Self>, out: *mut i64, capacity: i64) -> i64;
-    unsafe fn nms(
-        shapes: *const Shapes<Self>,
-        scores: *const Self,
-        threshold: Self,
-        scratch: *mut c_void,
-        scratch_size: i64,
-        keep: *mut i64,
-        kept: *mut i64,
-    ) -> i32;
-    unsafe fn index_build(
-        sets: *const Shapes<Self>,
-        set_count: i32,
-        index: *mut c_void,
-        index_size: i64,
-        scratch: *mut c_void,
-        scratch_size: i64,
-    ) -> i64;
-    unsafe fn index_step(
-        step: i32,
-        part: i64,
-        parts: i64,
-        sets: *const Shapes<Self>,
-        set_count: i32,
-        index: *mut c_void,
-        index_size: i64,
-        scratch: *mut c_void,
-        scratch_size: i64,
-    ) -> i64;
-    unsafe fn index_select(
-        index: *const c_void,
-        sets: *const Shapes<Self>,
-        set_count: i32,
-        one: *const Shapes<Self>,
-        out: *mut i64,
-        capacity: i64,
-        state: *mut i64,
-    ) -> i64;
-    unsafe fn join(
-        query: i32,
-        index_a: *const c_void,
-        sets_a: *const Shapes<Self>,
-        set_count_a: i32,
-        index_b: *const c_void,
-        sets_b: *const Shapes<Self>,
-        set_count_b: i32,
-        part: i64,
-        parts: i64,
-        scratch: *mut c_void,
-        scratch_size: i64,
-        out_a: *mut i64,
-        out_b: *mut i64,
-        capacity: i64,
-        state: *mut i64,
-    ) -> i64;
-    unsafe fn index_nearest(
-        index: *const c_void,
-        sets: *const Shapes<Self>,
-        set_count: i32,
-        one: *const Shapes<Self>,
-        k: i64,
-        within: Self,
-        out: *mut i64,
-        distance: *mut Self,
-    ) -> i64;
-    unsafe fn join_nearest(
-        sets_a: *const Shapes<Self>,
-        set_count_a: i32,
-        index_b: *const c_void,
-        sets_b: *const Shapes<Self>,
-        set_count_b: i32,
-        k: i64,
-        within: Self,
-        part: i64,
-        parts: i64,
-        out: *mut i64,
-        distance: *mut Self,
-    ) -> i64;
+    unsafe fn nms(shapes: *const Shapes<Self>, scores: *const Self, threshold: Self, scratch: *mut c_void, scratch_size: i64, keep: *mut i64, kept: *mut i64) -> i32;
+    unsafe fn index_build(sets: *const Shapes<Self>, set_count: i32, index: *mut c_void, index_size: i64, scratch: *mut c_void, scratch_size: i64) -> i64;
+    unsafe fn index_step(step: i32, part: i64, parts: i64, sets: *const Shapes<Self>, set_count: i32, index: *mut c_void, index_size: i64, scratch: *mut c_void, scratch_size: i64) -> i64;
+    unsafe fn index_select(index: *const c_void, sets: *const Shapes<Self>, set_count: i32, one: *const Shapes<Self>, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
+    unsafe fn join(query: i32, index_a: *const c_void, sets_a: *const Shapes<Self>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<Self>, set_count_b: i32, part: i64, parts: i64, scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64;
+    unsafe fn index_nearest(index: *const c_void, sets: *const Shapes<Self>, set_count: i32, one: *const Shapes<Self>, k: i64, within: Self, out: *mut i64, distance: *mut Self) -> i64;
+    unsafe fn join_nearest(sets_a: *const Shapes<Self>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<Self>, set_count_b: i32, k: i64, within: Self, part: i64, parts: i64, out: *mut i64, distance: *mut Self) -> i64;
 }
 unsafe impl Scalar for f64 {
     #[inline]
@@ -2813,43 +2308,19 @@ unsafe impl Scalar for f64 {
         vesica_contains_f64(kind_a, numbers_a, kind_b, numbers_b)
     }
     #[inline]
-    unsafe fn crossings(
-        kind_a: i32,
-        numbers_a: *const f64,
-        kind_b: i32,
-        numbers_b: *const f64,
-        out: *mut CrossingPoints<f64>,
-    ) -> i32 {
+    unsafe fn crossings(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, out: *mut CrossingPoints<f64>) -> i32 {
         vesica_crossings_f64(kind_a, numbers_a, kind_b, numbers_b, out)
     }
     #[inline]
-    unsafe fn nearest(
-        kind_a: i32,
-        numbers_a: *const f64,
-        kind_b: i32,
-        numbers_b: *const f64,
-        out: *mut ClosestPoints<f64>,
-    ) -> i32 {
+    unsafe fn nearest(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, out: *mut ClosestPoints<f64>) -> i32 {
         vesica_nearest_f64(kind_a, numbers_a, kind_b, numbers_b, out)
     }
     #[inline]
-    unsafe fn boundary_distance(
-        kind_a: i32,
-        numbers_a: *const f64,
-        kind_b: i32,
-        numbers_b: *const f64,
-        out: *mut ClosestPoints<f64>,
-    ) -> i32 {
+    unsafe fn boundary_distance(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, out: *mut ClosestPoints<f64>) -> i32 {
         vesica_boundary_distance_f64(kind_a, numbers_a, kind_b, numbers_b, out)
     }
     #[inline]
-    unsafe fn depth(
-        kind_a: i32,
-        numbers_a: *const f64,
-        kind_b: i32,
-        numbers_b: *const f64,
-        out: *mut Penetration<f64>,
-    ) -> i32 {
+    unsafe fn depth(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, out: *mut Penetration<f64>) -> i32 {
         vesica_depth_f64(kind_a, numbers_a, kind_b, numbers_b, out)
     }
     #[inline]
@@ -2969,26 +2440,11 @@ unsafe impl Scalar for f64 {
         vesica_ellipse_from_angle_f64(cx, cy, angle, a, b, out)
     }
     #[inline]
-    unsafe fn ellipse_from_radius_vector(
-        cx: f64,
-        cy: f64,
-        wx: f64,
-        wy: f64,
-        ratio: f64,
-        out: *mut Ellipse<f64>,
-    ) -> i32 {
+    unsafe fn ellipse_from_radius_vector(cx: f64, cy: f64, wx: f64, wy: f64, ratio: f64, out: *mut Ellipse<f64>) -> i32 {
         vesica_ellipse_from_radius_vector_f64(cx, cy, wx, wy, ratio, out)
     }
     #[inline]
-    unsafe fn ellipse_from_covariance(
-        mean_x: f64,
-        mean_y: f64,
-        cxx: f64,
-        cxy: f64,
-        cyy: f64,
-        k: f64,
-        out: *mut Ellipse<f64>,
-    ) -> i32 {
+    unsafe fn ellipse_from_covariance(mean_x: f64, mean_y: f64, cxx: f64, cxy: f64, cyy: f64, k: f64, out: *mut Ellipse<f64>) -> i32 {
         vesica_ellipse_from_covariance_f64(mean_x, mean_y, cxx, cxy, cyy, k, out)
     }
     #[inline]
@@ -2996,13 +2452,7 @@ unsafe impl Scalar for f64 {
         vesica_ellipse_from_matrix_f64(cx, cy, mxx, mxy, myy, out)
     }
     #[inline]
-    unsafe fn shapes_from_records(
-        kind: i32,
-        count: i64,
-        base: *const c_void,
-        stride: isize,
-        out: *mut Shapes<f64>,
-    ) -> i32 {
+    unsafe fn shapes_from_records(kind: i32, count: i64, base: *const c_void, stride: isize, out: *mut Shapes<f64>) -> i32 {
         vesica_shapes_from_records_f64(kind, count, base, stride, out)
     }
     #[inline]
@@ -3018,37 +2468,15 @@ unsafe impl Scalar for f64 {
         vesica_contains_many_f64(a, b, out)
     }
     #[inline]
-    unsafe fn nearest_many(
-        a: *const Shapes<f64>,
-        b: *const Shapes<f64>,
-        distance: *mut f64,
-        ax: *mut f64,
-        ay: *mut f64,
-        bx: *mut f64,
-        by: *mut f64,
-    ) -> i64 {
+    unsafe fn nearest_many(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: *mut f64, ax: *mut f64, ay: *mut f64, bx: *mut f64, by: *mut f64) -> i64 {
         vesica_nearest_many_f64(a, b, distance, ax, ay, bx, by)
     }
     #[inline]
-    unsafe fn boundary_distance_many(
-        a: *const Shapes<f64>,
-        b: *const Shapes<f64>,
-        distance: *mut f64,
-        ax: *mut f64,
-        ay: *mut f64,
-        bx: *mut f64,
-        by: *mut f64,
-    ) -> i64 {
+    unsafe fn boundary_distance_many(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: *mut f64, ax: *mut f64, ay: *mut f64, bx: *mut f64, by: *mut f64) -> i64 {
         vesica_boundary_distance_many_f64(a, b, distance, ax, ay, bx, by)
     }
     #[inline]
-    unsafe fn depth_many(
-        a: *const Shapes<f64>,
-        b: *const Shapes<f64>,
-        depth: *mut f64,
-        x: *mut f64,
-        y: *mut f64,
-    ) -> i64 {
+    unsafe fn depth_many(a: *const Shapes<f64>, b: *const Shapes<f64>, depth: *mut f64, x: *mut f64, y: *mut f64) -> i64 {
         vesica_depth_many_f64(a, b, depth, x, y)
     }
     #[inline]
@@ -3084,130 +2512,32 @@ unsafe impl Scalar for f64 {
         vesica_overlap_select_f64(one, many, out, capacity)
     }
     #[inline]
-    unsafe fn nms(
-        shapes: *const Shapes<f64>,
-        scores: *const f64,
-        threshold: f64,
-        scratch: *mut c_void,
-        scratch_size: i64,
-        keep: *mut i64,
-        kept: *mut i64,
-    ) -> i32 {
+    unsafe fn nms(shapes: *const Shapes<f64>, scores: *const f64, threshold: f64, scratch: *mut c_void, scratch_size: i64, keep: *mut i64, kept: *mut i64) -> i32 {
         vesica_nms_f64(shapes, scores, threshold, scratch, scratch_size, keep, kept)
     }
     #[inline]
-    unsafe fn index_build(
-        sets: *const Shapes<f64>,
-        set_count: i32,
-        index: *mut c_void,
-        index_size: i64,
-        scratch: *mut c_void,
-        scratch_size: i64,
-    ) -> i64 {
+    unsafe fn index_build(sets: *const Shapes<f64>, set_count: i32, index: *mut c_void, index_size: i64, scratch: *mut c_void, scratch_size: i64) -> i64 {
         vesica_index_build_f64(sets, set_count, index, index_size, scratch, scratch_size)
     }
     #[inline]
-    unsafe fn index_step(
-        step: i32,
-        part: i64,
-        parts: i64,
-        sets: *const Shapes<f64>,
-        set_count: i32,
-        index: *mut c_void,
-        index_size: i64,
-        scratch: *mut c_void,
-        scratch_size: i64,
-    ) -> i64 {
+    unsafe fn index_step(step: i32, part: i64, parts: i64, sets: *const Shapes<f64>, set_count: i32, index: *mut c_void, index_size: i64, scratch: *mut c_void, scratch_size: i64) -> i64 {
         vesica_index_step_f64(step, part, parts, sets, set_count, index, index_size, scratch, scratch_size)
     }
     #[inline]
-    unsafe fn index_select(
-        index: *const c_void,
-        sets: *const Shapes<f64>,
-        set_count: i32,
-        one: *const Shapes<f64>,
-        out: *mut i64,
-        capacity: i64,
-        state: *mut i64,
-    ) -> i64 {
+    unsafe fn index_select(index: *const c_void, sets: *const Shapes<f64>, set_count: i32, one: *const Shapes<f64>, out: *mut i64, capacity: i64, state: *mut i64) -> i64 {
         vesica_index_select_f64(index, sets, set_count, one, out, capacity, state)
     }
     #[inline]
-    unsafe fn join(
-        query: i32,
-        index_a: *const c_void,
-        sets_a: *const Shapes<f64>,
-        set_count_a: i32,
-        index_b: *const c_void,
-        sets_b: *const Shapes<f64>,
-        set_count_b: i32,
-        part: i64,
-        parts: i64,
-        scratch: *mut c_void,
-        scratch_size: i64,
-        out_a: *mut i64,
-        out_b: *mut i64,
-        capacity: i64,
-        state: *mut i64,
-    ) -> i64 {
-        vesica_join_f64(
-            query,
-            index_a,
-            sets_a,
-            set_count_a,
-            index_b,
-            sets_b,
-            set_count_b,
-            part,
-            parts,
-            scratch,
-            scratch_size,
-            out_a,
-            out_b,
-            capacity,
-            state,
-        )
+    unsafe fn join(query: i32, index_a: *const c_void, sets_a: *const Shapes<f64>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f64>, set_count_b: i32, part: i64, parts: i64, scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64 {
+        vesica_join_f64(query, index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, part, parts, scratch, scratch_size, out_a, out_b, capacity, state)
     }
     #[inline]
-    unsafe fn index_nearest(
-        index: *const c_void,
-        sets: *const Shapes<f64>,
-        set_count: i32,
-        one: *const Shapes<f64>,
-        k: i64,
-        within: f64,
-        out: *mut i64,
-        distance: *mut f64,
-    ) -> i64 {
+    unsafe fn index_nearest(index: *const c_void, sets: *const Shapes<f64>, set_count: i32, one: *const Shapes<f64>, k: i64, within: f64, out: *mut i64, distance: *mut f64) -> i64 {
         vesica_index_nearest_f64(index, sets, set_count, one, k, within, out, distance)
     }
     #[inline]
-    unsafe fn join_nearest(
-        sets_a: *const Shapes<f64>,
-        set_count_a: i32,
-        index_b: *const c_void,
-        sets_b: *const Shapes<f64>,
-        set_count_b: i32,
-        k: i64,
-        within: f64,
-        part: i64,
-        parts: i64,
-        out: *mut i64,
-        distance: *mut f64,
-    ) -> i64 {
-        vesica_join_nearest_f64(
-            sets_a,
-            set_count_a,
-            index_b,
-            sets_b,
-            set_count_b,
-            k,
-            within,
-            part,
-            parts,
-            out,
-            distance,
-        )
+    unsafe fn join_nearest(sets_a: *const Shapes<f64>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f64>, set_count_b: i32, k: i64, within: f64, part: i64, parts: i64, out: *mut i64, distance: *mut f64) -> i64 {
+        vesica_join_nearest_f64(sets_a, set_count_a, index_b, sets_b, set_count_b, k, within, part, parts, out, distance)
     }
 }
 unsafe impl Scalar for f32 {
@@ -3228,43 +2558,19 @@ unsafe impl Scalar for f32 {
         vesica_contains_f32(kind_a, numbers_a, kind_b, numbers_b)
     }
     #[inline]
-    unsafe fn crossings(
-        kind_a: i32,
-        numbers_a: *const f32,
-        kind_b: i32,
-        numbers_b: *const f32,
-        out: *mut CrossingPoints<f32>,
-    ) -> i32 {
+    unsafe fn crossings(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, out: *mut CrossingPoints<f32>) -> i32 {
         vesica_crossings_f32(kind_a, numbers_a, kind_b, numbers_b, out)
     }
     #[inline]
-    unsafe fn nearest(
-        kind_a: i32,
-        numbers_a: *const f32,
-        kind_b: i32,
-        numbers_b: *const f32,
-        out: *mut ClosestPoints<f32>,
-    ) -> i32 {
+    unsafe fn nearest(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, out: *mut ClosestPoints<f32>) -> i32 {
         vesica_nearest_f32(kind_a, numbers_a, kind_b, numbers_b, out)
     }
     #[inline]
-    unsafe fn boundary_distance(
-        kind_a: i32,
-        numbers_a: *const f32,
-        kind_b: i32,
-        numbers_b: *const f32,
-        out: *mut ClosestPoints<f32>,
-    ) -> i32 {
+    unsafe fn boundary_distance(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, out: *mut ClosestPoints<f32>) -> i32 {
         vesica_boundary_distance_f32(kind_a, numbers_a, kind_b, numbers_b, out)
     }
     #[inline]
-    unsafe fn depth(
-        kind_a: i32,
-        numbers_a: *const f32,
-        kind_b: i32,
-        numbers_b: *const f32,
-        out: *mut Penetration<f32>,
-    ) -> i32 {
+    unsafe fn depth(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, out: *mut Penetration<f32>) -> i32 {
         vesica_depth_f32(kind_a, numbers_a, kind_b, numbers_b, out)
     }
     #[inline]
@@ -3384,26 +2690,11 @@ unsafe impl Scalar for f32 {
         vesica_ellipse_from_angle_f32(cx, cy, angle, a, b, out)
     }
     #[inline]
-    unsafe fn ellipse_from_radius_vector(
-        cx: f32,
-        cy: f32,
-        wx: f32,
-        wy: f32,
-        ratio: f32,
-        out: *mut Ellipse<f32>,
-    ) -> i32 {
+    unsafe fn ellipse_from_radius_vector(cx: f32, cy: f32, wx: f32, wy: f32, ratio: f32, out: *mut Ellipse<f32>) -> i32 {
         vesica_ellipse_from_radius_vector_f32(cx, cy, wx, wy, ratio, out)
     }
     #[inline]
-    unsafe fn ellipse_from_covariance(
-        mean_x: f32,
-        mean_y: f32,
-        cxx: f32,
-        cxy: f32,
-        cyy: f32,
-        k: f32,
-        out: *mut Ellipse<f32>,
-    ) -> i32 {
+    unsafe fn ellipse_from_covariance(mean_x: f32, mean_y: f32, cxx: f32, cxy: f32, cyy: f32, k: f32, out: *mut Ellipse<f32>) -> i32 {
         vesica_ellipse_from_covariance_f32(mean_x, mean_y, cxx, cxy, cyy, k, out)
     }
     #[inline]
@@ -3411,13 +2702,7 @@ unsafe impl Scalar for f32 {
         vesica_ellipse_from_matrix_f32(cx, cy, mxx, mxy, myy, out)
     }
     #[inline]
-    unsafe fn shapes_from_records(
-        kind: i32,
-        count: i64,
-        base: *const c_void,
-        stride: isize,
-        out: *mut Shapes<f32>,
-    ) -> i32 {
+    unsafe fn shapes_from_records(kind: i32, count: i64, base: *const c_void, stride: isize, out: *mut Shapes<f32>) -> i32 {
         vesica_shapes_from_records_f32(kind, count, base, stride, out)
     }
     #[inline]
@@ -3433,37 +2718,15 @@ unsafe impl Scalar for f32 {
         vesica_contains_many_f32(a, b, out)
     }
     #[inline]
-    unsafe fn nearest_many(
-        a: *const Shapes<f32>,
-        b: *const Shapes<f32>,
-        distance: *mut f32,
-        ax: *mut f32,
-        ay: *mut f32,
-        bx: *mut f32,
-        by: *mut f32,
-    ) -> i64 {
+    unsafe fn nearest_many(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: *mut f32, ax: *mut f32, ay: *mut f32, bx: *mut f32, by: *mut f32) -> i64 {
         vesica_nearest_many_f32(a, b, distance, ax, ay, bx, by)
     }
     #[inline]
-    unsafe fn boundary_distance_many(
-        a: *const Shapes<f32>,
-        b: *const Shapes<f32>,
-        distance: *mut f32,
-        ax: *mut f32,
-        ay: *mut f32,
-        bx: *mut f32,
-        by: *mut f32,
-    ) -> i64 {
+    unsafe fn boundary_distance_many(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: *mut f32, ax: *mut f32, ay: *mut f32, bx: *mut f32, by: *mut f32) -> i64 {
         vesica_boundary_distance_many_f32(a, b, distance, ax, ay, bx, by)
     }
     #[inline]
-    unsafe fn depth_many(
-        a: *const Shapes<f32>,
-        b: *const Shapes<f32>,
-        depth: *mut f32,
-        x: *mut f32,
-        y: *mut f32,
-    ) -> i64 {
+    unsafe fn depth_many(a: *const Shapes<f32>, b: *const Shapes<f32>, depth: *mut f32, x: *mut f32, y: *mut f32) -> i64 {
         vesica_depth_many_f32(a, b, depth, x, y)
     }
     #[inline]
@@ -3499,129 +2762,31 @@ unsafe impl Scalar for f32 {
         vesica_overlap_select_f32(one, many, out, capacity)
     }
     #[inline]
-    unsafe fn nms(
-        shapes: *const Shapes<f32>,
-        scores: *const f32,
-        threshold: f32,
-        scratch: *mut c_void,
-        scratch_size: i64,
-        keep: *mut i64,
-        kept: *mut i64,
-    ) -> i32 {
+    unsafe fn nms(shapes: *const Shapes<f32>, scores: *const f32, threshold: f32, scratch: *mut c_void, scratch_size: i64, keep: *mut i64, kept: *mut i64) -> i32 {
         vesica_nms_f32(shapes, scores, threshold, scratch, scratch_size, keep, kept)
     }
     #[inline]
-    unsafe fn index_build(
-        sets: *const Shapes<f32>,
-        set_count: i32,
-        index: *mut c_void,
-        index_size: i64,
-        scratch: *mut c_void,
-        scratch_size: i64,
-    ) -> i64 {
+    unsafe fn index_build(sets: *const Shapes<f32>, set_count: i32, index: *mut c_void, index_size: i64, scratch: *mut c_void, scratch_size: i64) -> i64 {
         vesica_index_build_f32(sets, set_count, index, index_size, scratch, scratch_size)
     }
     #[inline]
-    unsafe fn index_step(
-        step: i32,
-        part: i64,
-        parts: i64,
-        sets: *const Shapes<f32>,
-        set_count: i32,
-        index: *mut c_void,
-        index_size: i64,
-        scratch: *mut c_void,
-        scratch_size: i64,
-    ) -> i64 {
+    unsafe fn index_step(step: i32, part: i64, parts: i64, sets: *const Shapes<f32>, set_count: i32, index: *mut c_void, index_size: i64, scratch: *mut c_void, scratch_size: i64) -> i64 {
         vesica_index_step_f32(step, part, parts, sets, set_count, index, index_size, scratch, scratch_size)
     }
     #[inline]
-    unsafe fn index_select(
-        index: *const c_void,
-        sets: *const Shapes<f32>,
-        set_count: i32,
-        one: *const Shapes<f32>,
-        out: *mut i64,
-        capacity: i64,
-        state: *mut i64,
-    ) -> i64 {
+    unsafe fn index_select(index: *const c_void, sets: *const Shapes<f32>, set_count: i32, one: *const Shapes<f32>, out: *mut i64, capacity: i64, state: *mut i64) -> i64 {
         vesica_index_select_f32(index, sets, set_count, one, out, capacity, state)
     }
     #[inline]
-    unsafe fn join(
-        query: i32,
-        index_a: *const c_void,
-        sets_a: *const Shapes<f32>,
-        set_count_a: i32,
-        index_b: *const c_void,
-        sets_b: *const Shapes<f32>,
-        set_count_b: i32,
-        part: i64,
-        parts: i64,
-        scratch: *mut c_void,
-        scratch_size: i64,
-        out_a: *mut i64,
-        out_b: *mut i64,
-        capacity: i64,
-        state: *mut i64,
-    ) -> i64 {
-        vesica_join_f32(
-            query,
-            index_a,
-            sets_a,
-            set_count_a,
-            index_b,
-            sets_b,
-            set_count_b,
-            part,
-            parts,
-            scratch,
-            scratch_size,
-            out_a,
-            out_b,
-            capacity,
-            state,
-        )
+    unsafe fn join(query: i32, index_a: *const c_void, sets_a: *const Shapes<f32>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f32>, set_count_b: i32, part: i64, parts: i64, scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64 {
+        vesica_join_f32(query, index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, part, parts, scratch, scratch_size, out_a, out_b, capacity, state)
     }
     #[inline]
-    unsafe fn index_nearest(
-        index: *const c_void,
-        sets: *const Shapes<f32>,
-        set_count: i32,
-        one: *const Shapes<f32>,
-        k: i64,
-        within: f32,
-        out: *mut i64,
-        distance: *mut f32,
-    ) -> i64 {
+    unsafe fn index_nearest(index: *const c_void, sets: *const Shapes<f32>, set_count: i32, one: *const Shapes<f32>, k: i64, within: f32, out: *mut i64, distance: *mut f32) -> i64 {
         vesica_index_nearest_f32(index, sets, set_count, one, k, within, out, distance)
     }
     #[inline]
-    unsafe fn join_nearest(
-        sets_a: *const Shapes<f32>,
-        set_count_a: i32,
-        index_b: *const c_void,
-        sets_b: *const Shapes<f32>,
-        set_count_b: i32,
-        k: i64,
-        within: f32,
-        part: i64,
-        parts: i64,
-        out: *mut i64,
-        distance: *mut f32,
-    ) -> i64 {
-        vesica_join_nearest_f32(
-            sets_a,
-            set_count_a,
-            index_b,
-            sets_b,
-            set_count_b,
-            k,
-            within,
-            part,
-            parts,
-            out,
-            distance,
-        )
+    unsafe fn join_nearest(sets_a: *const Shapes<f32>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f32>, set_count_b: i32, k: i64, within: f32, part: i64, parts: i64, out: *mut i64, distance: *mut f32) -> i64 {
+        vesica_join_nearest_f32(sets_a, set_count_a, index_b, sets_b, set_count_b, k, within, part, parts, out, distance)
     }
 }

@@ -6,5 +6,6 @@
 #![no_std]
 #![allow(non_camel_case_types)]
 
+#[rustfmt::skip]
 mod declarations;
 pub use declarations::*;
