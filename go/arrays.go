@@ -98,8 +98,6 @@ func room(name string, given, needed int) error {
 // inStep is how many answers arrays in step have.
 func inStep[T Float](a, b Array[T]) (int, error) {
 	switch {
-	case a.Len() == 0 || b.Len() == 0:
-		return 0, nil
 	case a.Len() == b.Len() || b.Len() == 1:
 		return a.Len(), nil
 	case a.Len() == 1:

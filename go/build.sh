@@ -48,7 +48,7 @@ import (
 )
 
 func main() {
-	car, err := vesica.RectFromAngle(0.0, 0, 0.5, 4, 2)
+	car, err := vesica.RectFromAngle(0.0, 0.0, 0.5, 4.0, 2.0)
 	if err != nil {
 		panic(err)
 	}

@@ -3,7 +3,7 @@
 // Package vesica answers exact overlap queries between plain 2D shapes: points, segments, circles, boxes, rotated
 // rectangles and ellipses, in float64 and float32.
 //
-//	car, err := vesica.RectFromAngle(0, 0, 0.5, 4, 2) // centre, angle, width, height
+//	car, err := vesica.RectFromAngle(0.0, 0.0, 0.5, 4.0, 2.0) // centre, angle, width, height
 //	people := []vesica.Circle[float64]{{CX: 1.4, CY: 1.5, R: 0.5}, {CX: 8, CY: 1, R: 0.5}}
 //	hit, err := vesica.Overlap(car, people[0])        // true
 //	vesica.OverlapMany(vesica.Rects(cars), vesica.Circles(people), hits)

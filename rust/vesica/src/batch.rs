@@ -28,8 +28,8 @@ pub struct PenetrationColumns<'a, T> {
 /// How many answers arrays in step have.
 fn in_step<T: Scalar>(a: &Shapes<'_, T>, b: &Shapes<'_, T>) -> Result<usize, Error> {
     match (a.len(), b.len()) {
-        (0, _) | (_, 0) => Ok(0),
-        (a, b) if a == b || a == 1 || b == 1 => Ok(a.max(b)),
+        (a, b) if a == b || b == 1 => Ok(a),
+        (1, b) => Ok(b),
         (a, b) => Err(Error::Counts(a, b)),
     }
 }
