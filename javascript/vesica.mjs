@@ -221,6 +221,11 @@ export class Vesica {
     return this.#answer(Number(code), Number(code));
   }
 
+  /** A result, unless its code is an error. */
+  finish(code, result) {
+    return this.#answer(code, result);
+  }
+
   #answer(code, result) {
     if (code >= 0) return result;
     throw new VesicaError(this.#text(code), code, code === constants.E_SHAPE ? result : undefined);
