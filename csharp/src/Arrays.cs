@@ -43,17 +43,17 @@ namespace Vesica
             Alike(a.IsDouble, b.IsDouble);
         }
 
-        private static void Room(Shapes a, Shapes b, void* output, long given, long needed)
+        private static void Room(Shapes a, Shapes b, void* output, long given, long needed, int size)
         {
             if (given < needed)
                 throw new ArgumentException("output has " + given + " elements, where " + needed + " are needed");
-            if (a.Holds(output) || b.Holds(output))
-                throw new ArgumentException("output is in an input: results need memory of their own");
+            if (a.Meets(output, needed * size) || b.Meets(output, needed * size))
+                throw new ArgumentException("output overlaps an input: results need memory of their own");
         }
 
-        private static long Many(Bytes function, Shapes a, Shapes b, void* output, long given)
+        private static long Many(Bytes function, Shapes a, Shapes b, void* output, long given, int size)
         {
-            Room(a, b, output, given, InStep(a, b));
+            Room(a, b, output, given, InStep(a, b), size);
             return Ask(function, a, b, output);
         }
 
@@ -73,46 +73,46 @@ namespace Vesica
             }
         }
 
-        private static long Matrix(Matrices function, Shapes a, Shapes b, void* output, long given)
+        private static long Matrix(Matrices function, Shapes a, Shapes b, void* output, long given, int size)
         {
-            Room(a, b, output, given, Pairs(a, b));
+            Room(a, b, output, given, Pairs(a, b), size);
             return Ask((wide, x, y, z) => function(wide, x, y, z, (IntPtr)b.Count), a, b, output);
         }
 
         /// <summary>Do a[i] and b[i] share a point? Returns how many do.</summary>
         public static long OverlapMany(Shapes a, Shapes b, Span<bool> output)
         {
-            fixed (bool* p = &output.GetPinnableReference()) return Many(overlapMany, a, b, p, output.Length);
+            fixed (bool* p = &output.GetPinnableReference()) return Many(overlapMany, a, b, p, output.Length, 1);
         }
 
         /// <summary>How does a[i] relate to b[i]? Returns how many are not disjoint.</summary>
         public static long RelationMany(Shapes a, Shapes b, Span<Relation> output)
         {
-            fixed (Relation* p = &output.GetPinnableReference()) return Many(relationMany, a, b, p, output.Length);
+            fixed (Relation* p = &output.GetPinnableReference()) return Many(relationMany, a, b, p, output.Length, 1);
         }
 
         /// <summary>Does a[i] hold all of b[i]? Returns how many do.</summary>
         public static long ContainsMany(Shapes a, Shapes b, Span<bool> output)
         {
-            fixed (bool* p = &output.GetPinnableReference()) return Many(containsMany, a, b, p, output.Length);
+            fixed (bool* p = &output.GetPinnableReference()) return Many(containsMany, a, b, p, output.Length, 1);
         }
 
         /// <summary>Does each of a overlap each of b? Element i * b.Count + j is of a[i] and b[j].</summary>
         public static long OverlapMatrix(Shapes a, Shapes b, Span<bool> output)
         {
-            fixed (bool* p = &output.GetPinnableReference()) return Matrix(overlapMatrix, a, b, p, output.Length);
+            fixed (bool* p = &output.GetPinnableReference()) return Matrix(overlapMatrix, a, b, p, output.Length, 1);
         }
 
         /// <summary>How does each of a relate to each of b?</summary>
         public static long RelationMatrix(Shapes a, Shapes b, Span<Relation> output)
         {
-            fixed (Relation* p = &output.GetPinnableReference()) return Matrix(relationMatrix, a, b, p, output.Length);
+            fixed (Relation* p = &output.GetPinnableReference()) return Matrix(relationMatrix, a, b, p, output.Length, 1);
         }
 
         /// <summary>Does each of a hold all of each of b?</summary>
         public static long ContainsMatrix(Shapes a, Shapes b, Span<bool> output)
         {
-            fixed (bool* p = &output.GetPinnableReference()) return Matrix(containsMatrix, a, b, p, output.Length);
+            fixed (bool* p = &output.GetPinnableReference()) return Matrix(containsMatrix, a, b, p, output.Length, 1);
         }
 
         // ---- Numbers in double ----
@@ -121,28 +121,28 @@ namespace Vesica
         public static long AreaMany(Shapes a, Shapes b, Span<double> output)
         {
             Numbers(a, true);
-            fixed (double* p = &output.GetPinnableReference()) return Many(areaMany, a, b, p, output.Length);
+            fixed (double* p = &output.GetPinnableReference()) return Many(areaMany, a, b, p, output.Length, sizeof(double));
         }
 
         /// <summary>Intersection over union of a[i] and b[i]. Returns how many are above 0.</summary>
         public static long IouMany(Shapes a, Shapes b, Span<double> output)
         {
             Numbers(a, true);
-            fixed (double* p = &output.GetPinnableReference()) return Many(iouMany, a, b, p, output.Length);
+            fixed (double* p = &output.GetPinnableReference()) return Many(iouMany, a, b, p, output.Length, sizeof(double));
         }
 
         /// <summary>The area that each of a shares with each of b.</summary>
         public static long AreaMatrix(Shapes a, Shapes b, Span<double> output)
         {
             Numbers(a, true);
-            fixed (double* p = &output.GetPinnableReference()) return Matrix(areaMatrix, a, b, p, output.Length);
+            fixed (double* p = &output.GetPinnableReference()) return Matrix(areaMatrix, a, b, p, output.Length, sizeof(double));
         }
 
         /// <summary>Intersection over union of each of a with each of b.</summary>
         public static long IouMatrix(Shapes a, Shapes b, Span<double> output)
         {
             Numbers(a, true);
-            fixed (double* p = &output.GetPinnableReference()) return Matrix(iouMatrix, a, b, p, output.Length);
+            fixed (double* p = &output.GetPinnableReference()) return Matrix(iouMatrix, a, b, p, output.Length, sizeof(double));
         }
 
         /// <summary>How far are a[i] and b[i] apart, and where? Empty spans are not written, but one must be. Returns how many
@@ -156,11 +156,11 @@ namespace Vesica
             fixed (double* py = &ay.GetPinnableReference(), qx = &bx.GetPinnableReference())
             fixed (double* qy = &by.GetPinnableReference())
             {
-                Column(a, b, d, distance.Length, n);
-                Column(a, b, px, ax.Length, n);
-                Column(a, b, py, ay.Length, n);
-                Column(a, b, qx, bx.Length, n);
-                Column(a, b, qy, by.Length, n);
+                Column(a, b, d, distance.Length, n, sizeof(double));
+                Column(a, b, px, ax.Length, n, sizeof(double));
+                Column(a, b, py, ay.Length, n, sizeof(double));
+                Column(a, b, qx, bx.Length, n, sizeof(double));
+                Column(a, b, qy, by.Length, n, sizeof(double));
                 void* v1 = px, v2 = py, v3 = qx, v4 = qy;
                 return Ask((wide, x, y, z) => nearestMany(wide, x, y, z, v1, v2, v3, v4), a, b, d);
             }
@@ -176,11 +176,11 @@ namespace Vesica
             fixed (double* py = &ay.GetPinnableReference(), qx = &bx.GetPinnableReference())
             fixed (double* qy = &by.GetPinnableReference())
             {
-                Column(a, b, d, distance.Length, n);
-                Column(a, b, px, ax.Length, n);
-                Column(a, b, py, ay.Length, n);
-                Column(a, b, qx, bx.Length, n);
-                Column(a, b, qy, by.Length, n);
+                Column(a, b, d, distance.Length, n, sizeof(double));
+                Column(a, b, px, ax.Length, n, sizeof(double));
+                Column(a, b, py, ay.Length, n, sizeof(double));
+                Column(a, b, qx, bx.Length, n, sizeof(double));
+                Column(a, b, qy, by.Length, n, sizeof(double));
                 void* v1 = px, v2 = py, v3 = qx, v4 = qy;
                 return Ask((wide, x, y, z) => boundaryDistanceMany(wide, x, y, z, v1, v2, v3, v4), a, b, d);
             }
@@ -193,9 +193,9 @@ namespace Vesica
             long n = InStep(a, b);
             fixed (double* d = &depth.GetPinnableReference(), px = &x.GetPinnableReference(), py = &y.GetPinnableReference())
             {
-                Column(a, b, d, depth.Length, n);
-                Column(a, b, px, x.Length, n);
-                Column(a, b, py, y.Length, n);
+                Column(a, b, d, depth.Length, n, sizeof(double));
+                Column(a, b, px, x.Length, n, sizeof(double));
+                Column(a, b, py, y.Length, n, sizeof(double));
                 void* v1 = px, v2 = py;
                 return Ask((wide, p, q, z) => Native.DepthMany(wide, p, q, z, v1, v2), a, b, d);
             }
@@ -214,28 +214,28 @@ namespace Vesica
         public static long AreaMany(Shapes a, Shapes b, Span<float> output)
         {
             Numbers(a, false);
-            fixed (float* p = &output.GetPinnableReference()) return Many(areaMany, a, b, p, output.Length);
+            fixed (float* p = &output.GetPinnableReference()) return Many(areaMany, a, b, p, output.Length, sizeof(float));
         }
 
         /// <summary>Intersection over union of a[i] and b[i]. Returns how many are above 0.</summary>
         public static long IouMany(Shapes a, Shapes b, Span<float> output)
         {
             Numbers(a, false);
-            fixed (float* p = &output.GetPinnableReference()) return Many(iouMany, a, b, p, output.Length);
+            fixed (float* p = &output.GetPinnableReference()) return Many(iouMany, a, b, p, output.Length, sizeof(float));
         }
 
         /// <summary>The area that each of a shares with each of b.</summary>
         public static long AreaMatrix(Shapes a, Shapes b, Span<float> output)
         {
             Numbers(a, false);
-            fixed (float* p = &output.GetPinnableReference()) return Matrix(areaMatrix, a, b, p, output.Length);
+            fixed (float* p = &output.GetPinnableReference()) return Matrix(areaMatrix, a, b, p, output.Length, sizeof(float));
         }
 
         /// <summary>Intersection over union of each of a with each of b.</summary>
         public static long IouMatrix(Shapes a, Shapes b, Span<float> output)
         {
             Numbers(a, false);
-            fixed (float* p = &output.GetPinnableReference()) return Matrix(iouMatrix, a, b, p, output.Length);
+            fixed (float* p = &output.GetPinnableReference()) return Matrix(iouMatrix, a, b, p, output.Length, sizeof(float));
         }
 
         /// <summary>How far are a[i] and b[i] apart, and where? Empty spans are not written, but one must be. Returns how many
@@ -249,11 +249,11 @@ namespace Vesica
             fixed (float* py = &ay.GetPinnableReference(), qx = &bx.GetPinnableReference())
             fixed (float* qy = &by.GetPinnableReference())
             {
-                Column(a, b, d, distance.Length, n);
-                Column(a, b, px, ax.Length, n);
-                Column(a, b, py, ay.Length, n);
-                Column(a, b, qx, bx.Length, n);
-                Column(a, b, qy, by.Length, n);
+                Column(a, b, d, distance.Length, n, sizeof(float));
+                Column(a, b, px, ax.Length, n, sizeof(float));
+                Column(a, b, py, ay.Length, n, sizeof(float));
+                Column(a, b, qx, bx.Length, n, sizeof(float));
+                Column(a, b, qy, by.Length, n, sizeof(float));
                 void* v1 = px, v2 = py, v3 = qx, v4 = qy;
                 return Ask((wide, x, y, z) => nearestMany(wide, x, y, z, v1, v2, v3, v4), a, b, d);
             }
@@ -269,11 +269,11 @@ namespace Vesica
             fixed (float* py = &ay.GetPinnableReference(), qx = &bx.GetPinnableReference())
             fixed (float* qy = &by.GetPinnableReference())
             {
-                Column(a, b, d, distance.Length, n);
-                Column(a, b, px, ax.Length, n);
-                Column(a, b, py, ay.Length, n);
-                Column(a, b, qx, bx.Length, n);
-                Column(a, b, qy, by.Length, n);
+                Column(a, b, d, distance.Length, n, sizeof(float));
+                Column(a, b, px, ax.Length, n, sizeof(float));
+                Column(a, b, py, ay.Length, n, sizeof(float));
+                Column(a, b, qx, bx.Length, n, sizeof(float));
+                Column(a, b, qy, by.Length, n, sizeof(float));
                 void* v1 = px, v2 = py, v3 = qx, v4 = qy;
                 return Ask((wide, x, y, z) => boundaryDistanceMany(wide, x, y, z, v1, v2, v3, v4), a, b, d);
             }
@@ -286,9 +286,9 @@ namespace Vesica
             long n = InStep(a, b);
             fixed (float* d = &depth.GetPinnableReference(), px = &x.GetPinnableReference(), py = &y.GetPinnableReference())
             {
-                Column(a, b, d, depth.Length, n);
-                Column(a, b, px, x.Length, n);
-                Column(a, b, py, y.Length, n);
+                Column(a, b, d, depth.Length, n, sizeof(float));
+                Column(a, b, px, x.Length, n, sizeof(float));
+                Column(a, b, py, y.Length, n, sizeof(float));
                 void* v1 = px, v2 = py;
                 return Ask((wide, p, q, z) => Native.DepthMany(wide, p, q, z, v1, v2), a, b, d);
             }
@@ -309,9 +309,9 @@ namespace Vesica
                     "the shapes have " + (shapes.IsDouble ? "double" : "float") + " numbers: the output must have them too");
         }
 
-        private static void Column(Shapes a, Shapes b, void* output, long given, long needed)
+        private static void Column(Shapes a, Shapes b, void* output, long given, long needed, int size)
         {
-            if (given > 0) Room(a, b, output, given, needed);
+            if (given > 0) Room(a, b, output, given, needed, size);
         }
 
         /// <summary>The indices of those of many that overlap one, in ascending order.</summary>

@@ -164,15 +164,16 @@ namespace Vesica
             return new Shapes(kind, isDouble, count, stride, Size(isDouble), null, memory);
         }
 
-        /// <summary>Whether numbers of this array lie where an output does.</summary>
-        internal unsafe bool Holds(void* output)
+        /// <summary>Whether numbers of this array lie where so many bytes of output do.</summary>
+        internal unsafe bool Meets(void* output, long bytes)
         {
-            if (array == null || array.Length == 0) return false;
+            if (array == null || array.Length == 0 || bytes == 0) return false;
+            int size = Size(IsDouble) * (array is double[] || array is float[] ? 1 : Fields(Kind));
             GCHandle handle = GCHandle.Alloc(array, GCHandleType.Pinned);
             try
             {
                 var start = (byte*)handle.AddrOfPinnedObject();
-                return output >= start && output < start + Buffer.ByteLength(array);
+                return output < start + (long)array.Length * size && start < (byte*)output + bytes;
             }
             finally
             {

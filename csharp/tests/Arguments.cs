@@ -43,7 +43,12 @@ internal static unsafe class Arguments
         Refused<ArgumentException>("the output must have them too", () => Query.AreaMany(Three, Three, new float[3]));
         var numbers = new double[9];
         Shapes own = Shapes.Of(Kind.Circle, numbers);
-        Refused<ArgumentException>("output is in an input", () => Query.AreaMany(own, own, new Span<double>(numbers, 3, 3)));
+        Refused<ArgumentException>("output overlaps an input", () => Query.AreaMany(own, own, new Span<double>(numbers, 3, 3)));
+        var both = new Rect[2];
+        Refused<ArgumentException>("output overlaps an input", () =>
+        {
+            fixed (Rect* p = both) Query.OverlapMany(Shapes.Of(both), Shapes.Of(both), new Span<bool>((byte*)p - 1, 2));
+        });
         Refused<VesicaException>("NULL", () => Query.DepthMany(Three, Three, default(Span<double>), default(Span<double>), default(Span<double>)));
         Refused<ArgumentException>("3 shapes need as many scores, not 1", () => Query.Nms(Three, new double[1], 0.5));
         Refused<ArgumentException>("four corners have 8 numbers", () => Make.RectFromCorners(1, 2));

@@ -216,8 +216,8 @@ void constructors() {
   constructed<T, Rect>("rect_from_angle", rect, {1, 2, T(0.3), -4, 3});
   constructed<T, Rect>("rect_from_corners", corners, {0, 0, 4, 3, 2.5, 5, -1.5, 2});
   constructed<T, Rect>("rect_from_corners", corners, {0, 0, 4, nan, 2.5, 5, -1.5, 2});
-  constructed<T, Ellipse>("ellipse_from_angle", ellipse, {1, 2, T(-2.5), 4, 3});
-  constructed<T, Ellipse>("ellipse_from_angle", ellipse, {1, nan, T(-2.5), 4, 3});
+  constructed<T, Ellipse>("ellipse_from_angle", ellipse, {1, 2, T(-0.75), 4, 3});
+  constructed<T, Ellipse>("ellipse_from_angle", ellipse, {1, nan, T(-0.75), 4, 3});
   constructed<T, Ellipse>("ellipse_from_radius_vector", vector, {1, 2, 3, 4, 0.5});
   constructed<T, Ellipse>("ellipse_from_radius_vector", vector, {1, 2, 3, 4, -0.5});
   constructed<T, Ellipse>("ellipse_from_covariance", covariance, {1, 2, 9, 1.5, 4, 2});
