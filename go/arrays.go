@@ -106,11 +106,44 @@ func inStep[T Float](a, b Array[T]) (int, error) {
 	return 0, fmt.Errorf("a has %d shapes and b %d, as many are needed, or one of either: %w", a.Len(), b.Len(), ErrArgument)
 }
 
+// extent is where the numbers of an array lie: from an address up to another.
+func (a Array[T]) extent() (from, to uintptr) {
+	if a.Len() == 0 {
+		return 0, 0
+	}
+	last := uintptr(a.view.count-1) * uintptr(a.view.stride)
+	from = uintptr(a.view.field[0])
+	for _, field := range a.view.field[:Kind(a.view.kind).Fields()] {
+		if start := uintptr(field); start < from {
+			from = start
+		}
+		if end := uintptr(field) + last + unsafe.Sizeof(T(0)); end > to {
+			to = end
+		}
+	}
+	return from, to
+}
+
+// output says what is wrong with memory for so many results.
+func output[T Float, R any](out []R, needed int, inputs ...Array[T]) error {
+	if err := room("out", len(out), needed); err != nil || needed == 0 {
+		return err
+	}
+	start := uintptr(first(out))
+	end := start + uintptr(needed)*unsafe.Sizeof(out[0])
+	for _, input := range inputs {
+		if from, to := input.extent(); start < to && from < end {
+			return fmt.Errorf("out overlaps an input, results need memory of their own: %w", ErrArgument)
+		}
+	}
+	return nil
+}
+
 func many[T Float, R any](function func(bool, C.vesica_go_view, C.vesica_go_view, unsafe.Pointer) C.int64_t,
 	a, b Array[T], out []R) (int, error) {
 	n, err := inStep(a, b)
 	if err == nil {
-		err = room("out", len(out), n)
+		err = output(out, n, a, b)
 	}
 	if err != nil {
 		return 0, err
@@ -148,10 +181,10 @@ type ClosestPointsColumns[T Float] struct{ Distance, AX, AY, BX, BY []T }
 // PenetrationColumns are for results; nil columns are not written, but one must be.
 type PenetrationColumns[T Float] struct{ Depth, X, Y []T }
 
-func roomOfColumns[T Float](needed int, columns ...[]T) error {
+func outputs[T Float](a, b Array[T], needed int, columns ...[]T) error {
 	for _, column := range columns {
 		if column != nil {
-			if err := room("a column", len(column), needed); err != nil {
+			if err := output(column, needed, a, b); err != nil {
 				return err
 			}
 		}
@@ -165,7 +198,7 @@ type closest = func(bool, C.vesica_go_view, C.vesica_go_view, unsafe.Pointer, un
 func closestMany[T Float](function closest, a, b Array[T], out ClosestPointsColumns[T]) (int, error) {
 	n, err := inStep(a, b)
 	if err == nil {
-		err = roomOfColumns(n, out.Distance, out.AX, out.AY, out.BX, out.BY)
+		err = outputs(a, b, n, out.Distance, out.AX, out.AY, out.BX, out.BY)
 	}
 	if err != nil {
 		return 0, err
@@ -188,7 +221,7 @@ func BoundaryDistanceMany[T Float](a, b Array[T], out ClosestPointsColumns[T]) (
 func DepthMany[T Float](a, b Array[T], out PenetrationColumns[T]) (int, error) {
 	n, err := inStep(a, b)
 	if err == nil {
-		err = roomOfColumns(n, out.Depth, out.X, out.Y)
+		err = outputs(a, b, n, out.Depth, out.X, out.Y)
 	}
 	if err != nil {
 		return 0, err
@@ -199,7 +232,7 @@ func DepthMany[T Float](a, b Array[T], out PenetrationColumns[T]) (int, error) {
 func matrix[T Float, R any](
 	function func(bool, C.vesica_go_view, C.vesica_go_view, unsafe.Pointer, C.ptrdiff_t) C.int64_t,
 	a, b Array[T], out []R) (int, error) {
-	if err := room("out", len(out), a.Len()*b.Len()); err != nil {
+	if err := output(out, a.Len()*b.Len(), a, b); err != nil {
 		return 0, err
 	}
 	return count(function(isWide[T](), a.view, b.view, first(out), C.ptrdiff_t(b.Len())))

@@ -16,7 +16,7 @@ jdk=$(dirname "$(dirname "$(readlink -f "$(command -v javac)")")")
 # native FILE LIBRARY...: the native methods, linked to a library.
 native() {
   "${CC:-cc}" -std=c99 -O2 -fPIC -shared -fvisibility=hidden -Wall -Wextra -Wl,--exclude-libs,ALL \
-    -I "$jdk/include" -I "$jdk/include/linux" -I "$here/../capi" -o "$1" "$here/native/vesica_jni.c" "${@:2}" -lm
+    -I "$jdk/include" -I "$jdk/include/linux" -I "$here/../capi" -o "$1" "$here"/native/*.c "${@:2}" -lm
 }
 
 javac -Xlint:all -Werror --release 17 -d "$work/classes" "$here"/src/vesica/*.java

@@ -35,7 +35,7 @@ java() {
   jdk=$(dirname "$(dirname "$(readlink -f "$(command -v javac)")")")
   javac -d "$work/java" "$root"/java/src/vesica/*.java "$root/java/overhead/Overhead.java"
   cc -std=c99 -O2 -fPIC -shared -I "$jdk/include" -I "$jdk/include/linux" -I "$root/capi" -o "$work/java/jni.so" \
-    "$root/java/native/vesica_jni.c" "$static/libvesica.a" -lm
+    "$root"/java/native/*.c "$static/libvesica.a" -lm
   command java "-Dvesica.library=$work/java/jni.so" -cp "$work/java" Overhead
 }
 csharp() {

@@ -84,6 +84,16 @@ public final class Shapes {
     return count;
   }
 
+  private static native long address(Object buffer);
+
+  /** Whether an output of so many numbers lies where these do. */
+  boolean meets(Object out, long needed) {
+    if (out == base) return true;
+    if (!(out instanceof Buffer && base instanceof Buffer)) return false;
+    long size = wide ? Double.BYTES : Float.BYTES, start = address(base), to = address(out);
+    return start < to + needed * size && to < start + ((Buffer) base).limit() * size;
+  }
+
   /** How many numbers an operand or an output has; an error if it is none. */
   static int length(Object numbers, String name) {
     if (numbers instanceof double[] doubles) return doubles.length;

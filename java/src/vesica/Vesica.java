@@ -3,6 +3,9 @@ package vesica;
 
 import static vesica.VesicaException.checked;
 
+import java.nio.Buffer;
+import java.nio.DoubleBuffer;
+import java.nio.ReadOnlyBufferException;
 import java.util.Arrays;
 
 /**
@@ -178,30 +181,30 @@ public final class Vesica {
 
   /** The area that a[i] and b[i] share. Returns how many are above 0. */
   public static long areaMany(Shapes a, Shapes b, Object out) {
-    return checked(Native.areaMany(a.wide, a, b, output("out", out, a, inStep(a, b))));
+    return checked(Native.areaMany(a.wide, a, b, output("out", out, a, b, inStep(a, b))));
   }
 
   /** Intersection over union of a[i] and b[i]. Returns how many are above 0. */
   public static long iouMany(Shapes a, Shapes b, Object out) {
-    return checked(Native.iouMany(a.wide, a, b, output("out", out, a, inStep(a, b))));
+    return checked(Native.iouMany(a.wide, a, b, output("out", out, a, b, inStep(a, b))));
   }
 
   /** How far are a[i] and b[i] apart, and where? Columns may be null, but not all. Returns how many overlap. */
   public static long nearestMany(Shapes a, Shapes b, Object distance, Object ax, Object ay, Object bx, Object by) {
-    Object[] out = columns(a, inStep(a, b), distance, ax, ay, bx, by);
+    Object[] out = columns(a, b, inStep(a, b), distance, ax, ay, bx, by);
     return checked(Native.nearestMany(a.wide, a, b, out[0], out[1], out[2], out[3], out[4]));
   }
 
   /** How far are the outlines of a[i] and b[i] apart? Columns as nearestMany. Returns how many meet. */
   public static long boundaryDistanceMany(
       Shapes a, Shapes b, Object distance, Object ax, Object ay, Object bx, Object by) {
-    Object[] out = columns(a, inStep(a, b), distance, ax, ay, bx, by);
+    Object[] out = columns(a, b, inStep(a, b), distance, ax, ay, bx, by);
     return checked(Native.boundaryDistanceMany(a.wide, a, b, out[0], out[1], out[2], out[3], out[4]));
   }
 
   /** How deep do a[i] and b[i] overlap? Columns may be null, but not all. Returns how many depths are above 0. */
   public static long depthMany(Shapes a, Shapes b, Object depth, Object x, Object y) {
-    Object[] out = columns(a, inStep(a, b), depth, x, y);
+    Object[] out = columns(a, b, inStep(a, b), depth, x, y);
     return checked(Native.depthMany(a.wide, a, b, out[0], out[1], out[2]));
   }
 
@@ -227,12 +230,12 @@ public final class Vesica {
 
   /** The area that each of a shares with each of b. Returns how many are above 0. */
   public static long areaMatrix(Shapes a, Shapes b, Object out) {
-    return checked(Native.areaMatrix(a.wide, a, b, output("out", out, a, pairs(a, b)), b.count));
+    return checked(Native.areaMatrix(a.wide, a, b, output("out", out, a, b, pairs(a, b)), b.count));
   }
 
   /** Intersection over union of each of a with each of b. Returns how many are above 0. */
   public static long iouMatrix(Shapes a, Shapes b, Object out) {
-    return checked(Native.iouMatrix(a.wide, a, b, output("out", out, a, pairs(a, b)), b.count));
+    return checked(Native.iouMatrix(a.wide, a, b, output("out", out, a, b, pairs(a, b)), b.count));
   }
 
   // ---- Choices among many ----
@@ -290,24 +293,28 @@ public final class Vesica {
     throw new IllegalArgumentException(name + " has " + given + " elements, where " + needed + " are needed");
   }
 
-  /** An array or buffer that can take so many results about shapes. */
-  static Object output(String name, Object out, Shapes shapes, long needed) {
+  /** An array or buffer of so many numbers of the shapes' type. */
+  private static Object output(String name, Object out, Shapes shapes, long needed) {
     long given = Shapes.length(out, name);
-    alike(shapes.wide, out instanceof double[] || out instanceof java.nio.DoubleBuffer);
-    if (out instanceof java.nio.Buffer buffer && buffer.isReadOnly() && !name.equals("scores")) {
-      throw new java.nio.ReadOnlyBufferException();
-    }
+    alike(shapes.wide, out instanceof double[] || out instanceof DoubleBuffer);
     room(name, given, needed);
-    if (out == shapes.base && !name.equals("scores")) {
-      throw new IllegalArgumentException(name + " is an input: results need memory of their own");
+    return out;
+  }
+
+  /** The same of results about two arrays, which need memory of their own. */
+  private static Object output(String name, Object out, Shapes a, Shapes b, long needed) {
+    output(name, out, a, needed);
+    if (out instanceof Buffer buffer && buffer.isReadOnly()) throw new ReadOnlyBufferException();
+    if (a.meets(out, needed) || b.meets(out, needed)) {
+      throw new IllegalArgumentException(name + " overlaps an input: results need memory of their own");
     }
     return out;
   }
 
-  private static Object[] columns(Shapes shapes, long needed, Object... columns) {
+  private static Object[] columns(Shapes a, Shapes b, long needed, Object... columns) {
     for (int i = 0; i < columns.length; i++) {
       if (columns[i] == null) continue;
-      output("a column", columns[i], shapes, needed);
+      output("a column", columns[i], a, b, needed);
       for (int k = 0; k < i; k++) {
         if (columns[k] == columns[i]) throw new IllegalArgumentException("columns " + k + " and " + i + " are the same");
       }

@@ -43,7 +43,7 @@ final class Arguments {
     refused(argument, "out is String", () -> Vesica.areaMany(THREE, THREE, "text"));
     double[] numbers = new double[6];
     Shapes own = Shapes.of(Kind.CIRCLE, numbers);
-    refused(argument, "out is an input", () -> Vesica.areaMany(own, own, numbers));
+    refused(argument, "out overlaps an input", () -> Vesica.areaMany(own, own, numbers));
     refused(argument, "columns 0 and 1 are the same", () -> Vesica.depthMany(THREE, THREE, numbers, numbers, null));
     refused(VesicaException.class, "NULL", () -> Vesica.depthMany(THREE, THREE, null, null, null));
     refused(argument, "3 shapes need as many scores, not 1", () -> Vesica.nms(THREE, new double[1], 0.5));
@@ -72,6 +72,9 @@ final class Arguments {
     DoubleBuffer out = direct(0, 0);
     Vesica.areaMany(records, columns, out);
     check(out.get(0) == Math.PI && out.get(1) == Math.PI, "a direct buffer");
+    DoubleBuffer inside = direct(0, 0, 1, 0, 0, 1);
+    Shapes own = Shapes.of(Kind.CIRCLE, inside);
+    refused(IllegalArgumentException.class, "out overlaps an input", () -> Vesica.areaMany(records, own, inside.slice(4, 2)));
     try {
       Vesica.areaMany(records, columns, out.asReadOnlyBuffer());
       throw new AssertionError("wrote to a read-only buffer");
