@@ -7,9 +7,13 @@ import re
 REPOSITORY = pathlib.Path(__file__).resolve().parent.parent.parent
 DESCRIPTION = REPOSITORY / "capi" / "vesica.json"
 # The named methods are another library, which no package has.
-HEADERS = ("vesica.h", "vesica_index.h")
+LIBRARY = "libvesica.so"
 HEAD = "SPDX-License-Identifier: Apache-2.0", "Written by capi/declare from capi/vesica.json: not to be edited."
-KINDS = ("POINT", "SEGMENT", "CIRCLE", "AABB", "RECT", "ELLIPSE")
+GROUPS = {
+    "KINDS": ("POINT", "SEGMENT", "CIRCLE", "AABB", "RECT", "ELLIPSE"),
+    "RELATIONS": ("DISJOINT", "TOUCH", "CROSS", "INSIDE", "INSIDE_TOUCH", "CONTAINS", "CONTAINS_TOUCH", "EQUAL"),
+}
+PREFIXES = {"E_": "ERRORS", "JOIN_": "JOINS", "VERSION": "VERSIONS"}
 SCALARS = {"f64": "double", "f32": "float"}
 
 _PARTS = re.compile(r"\n(?=(?:Requires|Returns|Errors|Accuracy|Cost|Since): )")
@@ -70,8 +74,9 @@ class Description:
     def __init__(self):
         description = json.loads(DESCRIPTION.read_text())
         self.version = description["version"]
+        headers = [header for header, library in description["libraries"].items() if library.startswith(LIBRARY)]
         for part in ("constants", "structs", "functions"):
-            entries = [Entry(entry) for entry in description[part] if entry["header"] in HEADERS]
+            entries = [Entry(entry) for entry in description[part] if entry["header"] in headers]
             setattr(self, part, entries)
 
     def constants_of(self, group):
@@ -84,12 +89,14 @@ class Description:
 
 
 def group_of(constant):
-    """Which constants belong together, by their names."""
-    prefixes = {"E_": "ERRORS", "JOIN_": "JOINS", "VERSION": "VERSIONS"}
-    for prefix, group in prefixes.items():
+    """Which constants belong together, by their names; other groups have the first word of theirs."""
+    for group, names in GROUPS.items():
+        if constant.short in names:
+            return group
+    for prefix, group in PREFIXES.items():
         if constant.short.startswith(prefix):
             return group
-    return "KINDS" if constant.short in KINDS else "RELATIONS"
+    return constant.short.split("_")[0]
 
 
 def camel(name, first=True):

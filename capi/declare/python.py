@@ -12,7 +12,7 @@ NUMBERS = {
 }
 
 OPENING = f"# {HEAD[0]}\n# {HEAD[1]}\n" + '''\
-"""The constants, structs and functions of vesica.h and vesica_index.h for ctypes. help() of a function has its text."""
+"""The constants, structs and functions of libvesica for ctypes. help() of a function has its text."""
 from ctypes import Structure, c_char_p, c_double, c_float, c_int32, c_int64, c_ssize_t, c_uint8, c_void_p
 
 '''
