@@ -17,9 +17,9 @@ internal static class Overhead
             0.5 + (i % 100) / 200.0, 0.5 + (i % 70) / 140.0);
     }
 
-    private static double Least(int calls, Action<int> call)
+    private static double Least(int repeats, int calls, Action<int> call)
     {
-        return Enumerable.Range(0, 7).Min(repeat =>
+        return Enumerable.Range(0, repeats).Min(repeat =>
         {
             var watch = Stopwatch.StartNew();
             for (int i = 0; i < calls; ++i) call(i);
@@ -30,7 +30,7 @@ internal static class Overhead
     private static void Row(string question, Action<int> one, Action<int> many)
     {
         Console.WriteLine(string.Format(CultureInfo.InvariantCulture, "C# {0} {1:0.###} {2:0.####} {3:0.####}", question,
-            Least(20000, one), Least(200, i => many(1000)) / 1e3, Least(1, i => many(Count)) / Count));
+            Least(100, 1000, one), Least(100, 1, i => many(1000)) / 1e3, Least(7, 1, i => many(Count)) / Count));
     }
 
     private static void Main()

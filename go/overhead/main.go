@@ -21,9 +21,9 @@ func rect(i int) vesica.Rect[float64] {
 		HX: 0.5 + float64(i%100)/200, HY: 0.5 + float64(i%70)/140}
 }
 
-func least(calls int, call func(i int)) float64 {
+func least(repeats, calls int, call func(i int)) float64 {
 	best := 1e300
-	for repeat := 0; repeat < 7; repeat++ {
+	for repeat := 0; repeat < repeats; repeat++ {
 		start := time.Now()
 		for i := 0; i < calls; i++ {
 			call(i)
@@ -36,9 +36,9 @@ func least(calls int, call func(i int)) float64 {
 }
 
 func row(question string, one, many func(n int)) {
-	some := least(200, func(int) { many(1000) }) / 1e3
-	all := least(1, func(int) { many(total) }) / total
-	fmt.Printf("Go %s %.4g %.4g %.4g\n", question, least(20_000, one), some, all)
+	some := least(100, 1, func(int) { many(1000) }) / 1e3
+	all := least(7, 1, func(int) { many(total) }) / total
+	fmt.Printf("Go %s %.4g %.4g %.4g\n", question, least(100, 1000, one), some, all)
 }
 
 func main() {

@@ -18,9 +18,9 @@ public final class Overhead {
         0.5 + (i % 100) / 200.0, 0.5 + (i % 70) / 140.0);
   }
 
-  private static double least(int calls, IntConsumer call) {
+  private static double least(int repeats, int calls, IntConsumer call) {
     double best = 1e300;
-    for (int repeat = 0; repeat < 7; repeat++) {
+    for (int repeat = 0; repeat < repeats; repeat++) {
       long start = System.nanoTime();
       for (int i = 0; i < calls; i++) call.accept(i);
       best = Math.min(best, (double) (System.nanoTime() - start) / calls);
@@ -29,8 +29,8 @@ public final class Overhead {
   }
 
   private static void row(String question, IntConsumer one, IntConsumer many) {
-    System.out.printf(Locale.ROOT, "Java %s %.4g %.4g %.4g%n", question, least(20_000, one),
-        least(200, i -> many.accept(1000)) / 1e3, least(1, i -> many.accept(COUNT)) / COUNT);
+    System.out.printf(Locale.ROOT, "Java %s %.4g %.4g %.4g%n", question, least(100, 1000, one),
+        least(100, 1, i -> many.accept(1000)) / 1e3, least(7, 1, i -> many.accept(COUNT)) / COUNT);
   }
 
   public static void main(String[] arguments) {

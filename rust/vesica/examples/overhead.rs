@@ -18,19 +18,19 @@ fn rect(i: usize) -> Rect<f64> {
     }
 }
 
-fn least(calls: usize, mut call: impl FnMut(usize)) -> f64 {
+fn least(repeats: usize, calls: usize, mut call: impl FnMut(usize)) -> f64 {
     let repeat = |_| {
         let start = Instant::now();
         (0..calls).for_each(&mut call);
         start.elapsed().as_secs_f64() / calls as f64 * 1e9
     };
-    (0..7).map(repeat).fold(f64::INFINITY, f64::min)
+    (0..repeats).map(repeat).fold(f64::INFINITY, f64::min)
 }
 
 fn row(question: &str, one: impl FnMut(usize), mut many: impl FnMut(usize)) {
-    let one = least(20_000, one);
-    let some = least(200, |_| many(1000)) / 1e3;
-    println!("Rust {question} {one:.4} {some:.4} {:.4}", least(1, |_| many(COUNT)) / COUNT as f64);
+    let one = least(100, 1000, one);
+    let some = least(100, 1, |_| many(1000)) / 1e3;
+    println!("Rust {question} {one:.4} {some:.4} {:.4}", least(7, 1, |_| many(COUNT)) / COUNT as f64);
 }
 
 fn main() {
