@@ -43,7 +43,9 @@ export async function load({ module = undefined, simd = WebAssembly.validate(vec
   const compiled = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
   const { exports } = await WebAssembly.instantiate(compiled);
   const version = exports.vesica_version();
-  if (version < constants.VERSION) throw new Error(`vesica ${version} is older than ${constants.VERSION}`);
+  if (version < constants.VERSION) {
+    throw new Error(`vesica ${version} is older than ${constants.VERSION}, which this package needs: load the module that came with it`);
+  }
   return new Vesica(exports);
 }
 
