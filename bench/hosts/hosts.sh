@@ -13,6 +13,8 @@ shift
 static=$("$root/cmake/build_library.sh" static "$work/static")
 shared=$("$root/cmake/build_library.sh" shared "$work/shared")
 export LD_LIBRARY_PATH=$shared${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
+# Go and numpy ask the kernel for huge pages themselves.
+export GLIBC_TUNABLES=glibc.malloc.hugetlb=1
 exec 3>&1 1>&2 # the table alone is the output
 
 c() {
@@ -36,7 +38,7 @@ java() {
   javac -d "$work/java" "$root"/java/src/vesica/*.java "$root/java/overhead/Overhead.java"
   cc -std=c99 -O2 -fPIC -shared -I "$jdk/include" -I "$jdk/include/linux" -I "$root/capi" -o "$work/java/jni.so" \
     "$root"/java/native/*.c "$static/libvesica.a" -lm
-  command java "-Dvesica.library=$work/java/jni.so" -cp "$work/java" Overhead
+  command java -XX:+UseTransparentHugePages "-Dvesica.library=$work/java/jni.so" -cp "$work/java" Overhead
 }
 csharp() {
   mkdir -p "$work/csharp"
