@@ -29,6 +29,5 @@ for library in vesica vesica-methods; do
   cat "$new" >"$baseline"
 done
 python3 -B "$capi/describe.py"
-python3 -B "$root/javascript/declare.py"
-python3 -B "$root/python/declare.py"
+python3 -B "$capi/declare"
 echo "refreshed: $(cd "$capi" && echo vesica.json ./*.cdef abi/*.abi)"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // All pairs among millions: an index of shapes, joins, windows and nearest shapes.
 import * as constants from './constants.mjs';
-import { scalars, ShapeArray, shapesSize } from './shapes.mjs';
+import { aabb, scalars, ShapeArray, shapesSize } from './shapes.mjs';
 
 const queries = {
   overlap: constants.JOIN_OVERLAP,
@@ -10,6 +10,13 @@ const queries = {
   inside: constants.JOIN_INSIDE,
 };
 const pairsACall = 1 << 14;
+
+function checkSets(sets, scalar) {
+  for (const set of sets) {
+    if (!(set instanceof ShapeArray)) throw new TypeError('an index is of arrays of shapes, as shapes() makes them');
+    if (set.scalar !== scalar) throw new TypeError('the arrays of an index are all f64 or all f32');
+  }
+}
 
 /** Made by Vesica.index(...) and Vesica.indexFromBytes(...). */
 export class Index {
@@ -22,17 +29,13 @@ export class Index {
 
   constructor(vesica, sets, bytes = undefined) {
     if (sets.length === 0) throw new TypeError('an index is of one array of shapes or more; an array may be empty');
-    for (const set of sets) {
-      if (!(set instanceof ShapeArray)) throw new TypeError('an index is of arrays of shapes, as shapes() makes them');
-      if (set.scalar !== sets[0].scalar) throw new TypeError('the arrays of an index are all f64 or all f32');
-    }
+    checkSets(sets, sets[0]?.scalar);
     this.#vesica = vesica;
     this.#sets = sets;
     this.scalar = sets[0].scalar;
     this.length = sets.reduce((sum, set) => sum + set.length, 0);
     this.#struct = this.#take(sets.length * shapesSize);
-    const structs = new Uint8Array(vesica.memory.buffer);
-    sets.forEach((set, i) => structs.copyWithin(this.#struct + i * shapesSize, set.address, set.address + shapesSize));
+    this.#writeStructs(sets, this.#struct);
     vesica.own(this, this.#blocks);
     try {
       if (bytes === undefined) this.#build();
@@ -48,6 +51,12 @@ export class Index {
     const address = this.#vesica.memory.take(size);
     this.#blocks.push([address, size]);
     return address;
+  }
+
+  /** The structs of some arrays, side by side. */
+  #writeStructs(sets, to) {
+    const bytes = new Uint8Array(this.#vesica.memory.buffer);
+    sets.forEach((set, i) => bytes.copyWithin(to + i * shapesSize, set.address, set.address + shapesSize));
   }
 
   #build() {
@@ -109,6 +118,22 @@ export class Index {
     this.#vesica.release(this, this.#blocks);
     this.#blocks = [];
     this.#index = 0;
+  }
+
+  order() {
+    return this.#vesica.within((room) => {
+      const out = room.take(8 * this.length);
+      const count = this.#vesica.check(this.#vesica.c.vesica_index_order(this.#index, out, BigInt(this.length)));
+      return Array.from(new BigInt64Array(this.#vesica.memory.buffer, out, count), Number);
+    });
+  }
+
+  bounds() {
+    return this.#vesica.within((room) => {
+      const out = room.take(32);
+      this.#vesica.check(this.#vesica.c.vesica_index_bounds(this.#index, out));
+      return aabb(...new Float64Array(this.#vesica.memory.buffer, out, 4));
+    });
   }
 
   join(options) {
@@ -180,6 +205,24 @@ export class Index {
         items: Array.from(new BigInt64Array(this.#vesica.memory.buffer, out, found), Number),
         distances: Array.from(new Numbers(this.#vesica.memory.buffer, distance, found)),
       };
+    });
+  }
+
+  nearestOfEach(sets, { k = 1, within = Infinity } = {}) {
+    if (!(Number.isInteger(k) && k >= 1)) throw new RangeError(`k is a whole number from 1 on, not ${k}`);
+    checkSets(sets, this.scalar);
+    return this.#vesica.within((room) => {
+      const Numbers = scalars[this.scalar], count = k * sets.reduce((sum, set) => sum + set.length, 0);
+      const asked = room.take(sets.length * shapesSize), out = room.take(8 * count), distance = room.take(8 * count);
+      this.#writeStructs(sets, asked);
+      const code = this.#vesica.c[`vesica_join_nearest_${this.scalar}`](
+        ...[asked, sets.length, this.#index, this.#struct, this.#sets.length],
+        ...[BigInt(k), within, 0n, 1n, out, distance],
+      );
+      return this.#vesica.finish(Number(code), {
+        items: Array.from(new BigInt64Array(this.#vesica.memory.buffer, out, count), Number),
+        distances: new Numbers(this.#vesica.memory.buffer, distance, count).slice(),
+      });
     });
   }
 

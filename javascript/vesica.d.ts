@@ -103,6 +103,15 @@ export class Index {
   nearest(shape: Shape, options?: { k?: number; within?: number }): { items: number[]; distances: number[] };
   /** Builds the index anew from its arrays, whose shapes may have moved. From the second time on it takes no memory. */
   rebuild(): void;
+  /**
+   * Of each shape of some arrays the k nearest items: rows of k, one after the other, filled up by -1 at distance
+   * Infinity. After a VesicaError of an invalid shape its result has all other rows.
+   */
+  nearestOfEach(sets: readonly ShapeArray[], options?: { k?: number; within?: number }): { items: number[]; distances: Numbers };
+  /** The items in spatial order: arrays that are laid so are joined quicker. */
+  order(): number[];
+  /** A box around all valid shapes. */
+  bounds(): Aabb;
   free(): void;
 }
 

@@ -44,7 +44,9 @@ export async function load({ module = undefined, simd = WebAssembly.validate(vec
   const compiled = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
   const { exports } = await WebAssembly.instantiate(compiled);
   const version = exports.vesica_version();
-  if (version < constants.VERSION) throw new Error(`vesica ${version} is older than ${constants.VERSION}`);
+  if (version < constants.VERSION) {
+    throw new Error(`vesica ${version} is older than ${constants.VERSION}, which this package needs: load the module that came with it`);
+  }
   return new Vesica(exports);
 }
 
@@ -109,10 +111,10 @@ export class Vesica {
     return this.#numbers('depth', ['depth', 'x', 'y'], a, b);
   }
   area(a, b) {
-    return this.#numbers('area', ['area'], a, b).area;
+    return this.#numbers('area', ['area'], a, b);
   }
   iou(a, b) {
-    return this.#numbers('iou', ['iou'], a, b).iou;
+    return this.#numbers('iou', ['iou'], a, b);
   }
   overlapMatrix(a, b) {
     return this.#matrix('overlap', Uint8Array, a, b);
@@ -222,9 +224,14 @@ export class Vesica {
     return this.#answer(Number(code), Number(code));
   }
 
-  #answer(code, result) {
+  /** A result, unless its code is an error. */
+  finish(code, result) {
+    return this.#answer(code, result);
+  }
+
+  #answer(code, result, written = code === constants.E_SHAPE) {
     if (code >= 0) return result;
-    throw new VesicaError(this.#text(code), code, code === constants.E_SHAPE ? result : undefined);
+    throw new VesicaError(this.#text(code), code, written ? result : undefined);
   }
 
   #text(code) {
@@ -298,18 +305,19 @@ export class Vesica {
   }
 
   #numbers(name, names, a, b) {
+    const named = (columns) => (columns.length === 1 ? columns[0] : Object.fromEntries(names.map((field, i) => [field, columns[i]])));
     if (!isArray(a) && !isArray(b)) {
-      return this.#single(name, 8 * names.length, a, b, (view) =>
-        Object.fromEntries(names.map((field, i) => [field, view.getFloat64(8 * i, true)])));
+      return this.#single(name, 8 * names.length, a, b, (view) => named(names.map((_, i) => view.getFloat64(8 * i, true))));
     }
     return this.within((room) => {
       const { scalar, a: first, b: second, counts } = this.#operands(a, b, room);
       const Numbers = scalars[scalar], count = this.#inStep(counts);
       const columns = names.map(() => room.take(count * Numbers.BYTES_PER_ELEMENT));
       const code = Number(this.c[`vesica_${name}_many_${scalar}`](first, second, ...columns));
-      if (code < 0 && code !== constants.E_SHAPE) return this.check(code);
-      const copies = columns.map((address) => new Numbers(this.#memory.buffer, address, count).slice());
-      return this.#answer(code, Object.fromEntries(names.map((field, i) => [field, copies[i]])));
+      // Counts agree, so that an argument is wrong only where two shapes without area have no ratio, and get NaN.
+      const written = code >= 0 || code === constants.E_SHAPE || (name === 'iou' && code === constants.E_ARGUMENT);
+      if (!written) return this.check(code);
+      return this.#answer(code, named(columns.map((address) => new Numbers(this.#memory.buffer, address, count).slice())), true);
     });
   }
 
@@ -337,8 +345,9 @@ export class Vesica {
       const { scalar, a: first, b: second } = this.#operands(a, b, room);
       const count = a.length * b.length, address = room.take(count * Numbers.BYTES_PER_ELEMENT);
       const code = Number(this.c[`vesica_${name}_matrix_${scalar}`](first, second, address, b.length));
-      if (code < 0 && code !== constants.E_SHAPE) return this.check(code);
-      return this.#answer(code, new Numbers(this.#memory.buffer, address, count).slice());
+      const written = code >= 0 || code === constants.E_SHAPE || (name === 'iou' && code === constants.E_ARGUMENT);
+      if (!written) return this.check(code);
+      return this.#answer(code, new Numbers(this.#memory.buffer, address, count).slice(), true);
     });
   }
 }

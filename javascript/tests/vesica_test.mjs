@@ -55,6 +55,16 @@ test('both modules say the same', async () => {
   }
 });
 
+test('an older module is refused', async () => {
+  // A module whose vesica_version() is 99.
+  const name = [...'vesica_version'].map((letter) => letter.charCodeAt(0));
+  const module = new Uint8Array([
+    0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 1, 5, 1, 0x60, 0, 1, 0x7f, 3, 2, 1, 0,
+    7, 18, 1, 14, ...name, 0, 0, 10, 7, 1, 5, 0, 0x41, 0xe3, 0, 0x0b,
+  ]);
+  await assert.rejects(load({ module }), /vesica 99 is older than \d+, which this package needs: load the module/);
+});
+
 test('quarter turns in degrees are exact', () => {
   for (const [angle, ux, uy] of [[0, 1, 0], [90, 0, 1], [180, -1, 0], [270, 0, -1], [-90, 0, -1], [810, 0, 1]]) {
     const turned = rect(0, 0, 4, 2, angle, { degrees: true });

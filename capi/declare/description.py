@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the declarations of every language are made from: ../vesica.json, read once."""
+import json
+import pathlib
+import re
+
+REPOSITORY = pathlib.Path(__file__).resolve().parent.parent.parent
+DESCRIPTION = REPOSITORY / "capi" / "vesica.json"
+# The named methods are another library, which no package has.
+LIBRARY = "libvesica.so"
+HEAD = "SPDX-License-Identifier: Apache-2.0", "Written by capi/declare from capi/vesica.json: not to be edited."
+GROUPS = {
+    "KINDS": ("POINT", "SEGMENT", "CIRCLE", "AABB", "RECT", "ELLIPSE"),
+    "RELATIONS": ("DISJOINT", "TOUCH", "CROSS", "INSIDE", "INSIDE_TOUCH", "CONTAINS", "CONTAINS_TOUCH", "EQUAL"),
+}
+PREFIXES = {"E_": "ERRORS", "JOIN_": "JOINS", "VERSION": "VERSIONS"}
+SCALARS = {"f64": "double", "f32": "float"}
+
+_PARTS = re.compile(r"\n(?=(?:Requires|Returns|Errors|Accuracy|Cost|Since): )")
+
+
+class Entry:
+    """A constant, a struct or a function."""
+
+    def __init__(self, entry):
+        self.name = entry["name"]
+        self.comment = entry["comment"]
+        self.value = entry.get("value")
+        self.fields = [Declaration(field) for field in entry.get("fields", ())]
+        self.returns = Declaration({"name": "", "type": entry.get("returns", "void")})
+        self.parameters = [Declaration(parameter) for parameter in entry.get("parameters", ())]
+        for parameter, following in zip(self.parameters, self.parameters[1:]):
+            parameter.is_sets = parameter.is_shapes and following.name.startswith("set_count")
+
+    @property
+    def short(self):
+        """The name without the library's."""
+        return self.name.removeprefix("vesica_").removeprefix("VESICA_")
+
+    @property
+    def scalar(self):
+        """f64, f32, or None."""
+        return self.name[-3:] if self.name.endswith(("_f64", "_f32")) else None
+
+    @property
+    def stem(self):
+        """The name that the forms in double and in float share."""
+        return self.short[:-4] if self.scalar else self.short
+
+    @property
+    def paragraphs(self):
+        """The text: paragraphs of the description, and one for each part."""
+        return [paragraph for text in self.comment.split("\n\n") for paragraph in _PARTS.split(text)]
+
+
+class Declaration:
+    """A field, a parameter or a result."""
+
+    def __init__(self, declaration):
+        self.name = declaration["name"]
+        self.type = declaration["type"]
+        self.count = declaration.get("count")
+        self.is_const = self.type.startswith("const ")
+        self.base = self.type.removeprefix("const ").rstrip(" *")
+        self.is_pointer = "*" in self.type
+        #: An array of shapes that is read; of several sets the first.
+        self.is_shapes = self.is_const and self.base.startswith("vesica_shapes_")
+        self.is_sets = False
+
+
+class Description:
+    """What libvesica has: constants, structs and functions, in the headers' order."""
+
+    def __init__(self):
+        description = json.loads(DESCRIPTION.read_text())
+        self.version = description["version"]
+        headers = [header for header, library in description["libraries"].items() if library.startswith(LIBRARY)]
+        for part in ("constants", "structs", "functions"):
+            entries = [Entry(entry) for entry in description[part] if entry["header"] in headers]
+            setattr(self, part, entries)
+
+    def constants_of(self, group):
+        """The constants of a group: KINDS, RELATIONS, ERRORS, JOINS or VERSIONS."""
+        return [entry for entry in self.constants if group_of(entry) == group]
+
+    def in_double(self, part):
+        """The entries of a part that have a form in double, and one in float of the same stem."""
+        return [entry for entry in getattr(self, part) if entry.scalar == "f64"]
+
+
+def group_of(constant):
+    """Which constants belong together, by their names; other groups have the first word of theirs."""
+    for group, names in GROUPS.items():
+        if constant.short in names:
+            return group
+    for prefix, group in PREFIXES.items():
+        if constant.short.startswith(prefix):
+            return group
+    return constant.short.split("_")[0]
+
+
+def camel(name, first=True):
+    """closest_points as ClosestPoints, or closestPoints."""
+    words = name.lower().split("_")
+    return "".join(word.capitalize() if i or first else word for i, word in enumerate(words))

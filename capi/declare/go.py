@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The module for Go: constants and structs with their texts, and the C functions by one name for both scalars.
+
+Go memory that holds pointers to Go memory must not be passed to C. So views of arrays and the numbers of one shape go
+by value, to functions of a header that is written too.
+"""
+from description import HEAD, SCALARS, camel
+
+OPENING = "".join(f"// {line}\n" for line in HEAD)
+# The texts of groups of constants, the type, and the prefix of each name.
+GROUPS = {
+    "KINDS": ("Kind is one of the six kinds of shapes.", "Kind", "int32", "Kind"),
+    "RELATIONS": ("Relation is how a shape a relates to a shape b: the eight relations of RCC-8.", "Relation", "uint8", "Relation"),
+    "ERRORS": ("Error is an error code of the library.", "Error", "int32", "Err"),
+    "JOINS": ("JoinQuery is what makes a pair of a join.", "JoinQuery", "int32", "Join"),
+}
+SHAPES = ("point", "segment", "circle", "aabb", "rect", "ellipse")
+
+HEADER = '''\
+#ifndef VESICA_GO_H
+#define VESICA_GO_H
+
+#include <string.h>
+#include <vesica.h>
+
+/* vesica_shapes_f64 and vesica_shapes_f32. */
+typedef struct {
+    int32_t kind, reserved;
+    int64_t count;
+    ptrdiff_t stride;
+    const void *field[6];
+} vesica_go_view;
+
+/* As many as an index may have. */
+typedef struct {
+    vesica_go_view set[64];
+} vesica_go_sets;
+
+/* The numbers of one shape, in double or float. */
+typedef struct {
+    double number[6];
+} vesica_go_numbers;
+
+'''
+
+
+def name_of(name, first=True):
+    """As Go writes names: cx is CX, min_x MinX, aabb AABB."""
+    words = name.lower().split("_")
+    capital = [word.upper() if len(word) <= 2 or word in ("aabb", "iou", "nms") else word.capitalize() for word in words]
+    return "".join(capital) if first else words[0] + "".join(capital[1:])
+
+
+def comment(text):
+    return "".join(f"// {line}".rstrip() + "\n" for line in text.split("\n"))
+
+
+def constants(description, group):
+    about, kind, base, prefix = GROUPS[group]
+    lines = []
+    for entry in description.constants_of(group):
+        own = entry.short.removeprefix("E_").removeprefix("JOIN_")
+        name = prefix + name_of(own)
+        lines += [f"\t// {name}: {entry.comment}", f"\t{name} {kind} = {entry.value}"]
+    return f"{comment(about)}type {kind} {base}\n\n// {about.split()[0]} values.\nconst (\n" + "\n".join(lines) + "\n)\n\n"
+
+
+def field(declaration, width):
+    base = "T" if declaration.base in SCALARS.values() else declaration.base.removesuffix("_t")
+    return f"\t{name_of(declaration.name):{width}} " + (f"[{declaration.count}]{base}" if declaration.count else base) + "\n"
+
+
+def struct(entry):
+    name = name_of(entry.stem)
+    text = comment(f"{name}: " + "\n\n".join(entry.paragraphs))
+    width = max(len(name_of(each.name)) for each in entry.fields)
+    fields = "".join(field(each, width) for each in entry.fields)
+    method = ""
+    if entry.stem in SHAPES:
+        method = f"func (s {name}[T]) one() one {{ return oneOf[T](Kind{name}, unsafe.Pointer(&s)) }}\n\n"
+        method += (
+            f"// {name}s is an array of shapes: the slice itself, which is not copied.\n"
+            f"func {name}s[T Float](shapes []{name}[T]) Array[T] {{\n"
+            f"\treturn arrayOf[T](Kind{name}, first(shapes), len(shapes))\n}}\n\n"
+        )
+    return f"{text}type {name}[T Float] struct {{\n{fields}}}\n\n{method}"
+
+
+def is_numbers(declaration):
+    """The numbers of one shape, which go by value."""
+    return declaration.name.startswith("numbers") and declaration.is_pointer
+
+
+def in_c(declaration):
+    """The type of a parameter of the header's function."""
+    if declaration.is_sets:
+        return "vesica_go_sets"
+    if declaration.is_shapes:
+        return "vesica_go_view"
+    if is_numbers(declaration):
+        return "vesica_go_numbers"
+    if declaration.is_pointer or declaration.count:
+        return "void *" if not declaration.is_const else "const void *"
+    return declaration.base
+
+
+def declared_in_c(declaration):
+    kind = in_c(declaration)
+    return kind + ("" if kind.endswith("*") else " ") + declaration.name
+
+
+def passed_in_c(declaration, suffix):
+    """A copy where needed, and what is passed."""
+    name = declaration.name
+    if declaration.is_sets:
+        copy = f"    vesica_shapes_{suffix} of_{name}[64];\n    memcpy(of_{name}, &{name}, sizeof of_{name});\n"
+        return copy, f"of_{name}"
+    if declaration.is_shapes:
+        copy = f"    vesica_shapes_{suffix} of_{name};\n    memcpy(&of_{name}, &{name}, sizeof of_{name});\n"
+        return copy, f"&of_{name}"
+    if is_numbers(declaration):
+        base = SCALARS[suffix]
+        copy = f"    {base} of_{name}[6];\n    memcpy(of_{name}, &{name}, sizeof of_{name});\n"
+        return copy, f"of_{name}"
+    return "", name
+
+
+def function_in_c(entry, suffix):
+    parameters = ", ".join(
+        f"{SCALARS[suffix]} {each.name}" if in_c(each) in SCALARS.values() else declared_in_c(each)
+        for each in entry.parameters
+    )
+    passed = [passed_in_c(each, suffix) for each in entry.parameters]
+    copies = "".join(copy for copy, _ in passed)
+    names = ", ".join(name for _, name in passed)
+    return (
+        f"static inline {entry.returns.base} go_{entry.stem}_{suffix}({parameters}) {{\n"
+        f"{copies}    return vesica_{entry.stem}_{suffix}({names});\n}}\n\n"
+    )
+
+
+def in_go(declaration):
+    kind = in_c(declaration)
+    if "*" in kind:
+        return "unsafe.Pointer"
+    return "float64" if kind in SCALARS.values() else f"C.{kind}"
+
+
+def local(name):
+    return camel(name, first=False)
+
+
+def function_in_go(entry):
+    name = "c" + name_of(entry.stem)
+    parameters = "".join(f", {local(each.name)} {in_go(each)}" for each in entry.parameters)
+    calls = {}
+    for suffix, base in SCALARS.items():
+        names = ", ".join(
+            f"C.{base}({local(each.name)})" if in_go(each) == "float64" else local(each.name) for each in entry.parameters
+        )
+        calls[suffix] = f"C.go_{entry.stem}_{suffix}({names})"
+    return (
+        f"func {name}(wide bool{parameters}) C.{entry.returns.base} {{\n\tif wide {{\n"
+        f"\t\treturn {calls['f64']}\n\t}}\n\treturn {calls['f32']}\n}}\n\n"
+    )
+
+
+def called(description):
+    """The functions with a form for each scalar, but for the pairs of kinds: those in general are as good from Go."""
+    pairs = tuple(f"overlap_{kind}_" for kind in SHAPES)
+    return [
+        entry
+        for entry in description.in_double("functions")
+        if not entry.stem.startswith(pairs) and entry.stem not in ("shapes_from_records", "index_step")
+    ]
+
+
+def files(description):
+    functions = called(description)
+    version = next(entry for entry in description.constants if entry.short == "VERSION")
+    return {
+        "go/declarations.h": "".join(f"/* {line} */\n" for line in HEAD)
+        + HEADER
+        + "".join(function_in_c(entry, suffix) for entry in functions for suffix in SCALARS)
+        + "#endif\n",
+        "go/declarations.go": OPENING
+        + '\npackage vesica\n\n// #include "declarations.h"\nimport "C"\n\nimport "unsafe"\n\n'
+        + f"// Version {version.comment}.\nconst Version = {version.value}\n\n"
+        + "".join(constants(description, group) for group in GROUPS)
+        + "".join(struct(entry) for entry in description.in_double("structs") if entry.stem != "shapes")
+        + "".join(map(function_in_go, functions)).rstrip("\n")
+        + "\n",
+    }

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# build.sh DIRECTORY: builds a zip into DIRECTORY, of the assembly, its texts and the native library beside it, unpacks it
+# into a fresh folder, and there compiles and runs its tests, by mcs and mono. VESICA_SHARED names a folder with a
+# libvesica.so.0 to be taken; VESICA_OLDER one with a library that is to be refused.
+set -euo pipefail
+
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+mkdir -p "$1"
+directory=$(cd "$1" && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+library=$("$here/../cmake/build_library.sh" shared "$directory/shared")
+version=$(sed -n 's/ *"version": "\(.*\)",/\1/p' "$here/../capi/vesica.json")
+compile() { mcs -langversion:latest -unsafe -warn:4 -warnaserror "$@"; }
+
+mkdir "$work/vesica-csharp"
+compile -target:library "-doc:$work/vesica-csharp/Vesica.xml" "-out:$work/vesica-csharp/Vesica.dll" "$here"/src/*.cs
+cp "$library/libvesica.so.0" "$work/vesica-csharp/libvesica.so"
+strip --strip-unneeded "$work/vesica-csharp/libvesica.so"
+cp -r "$here/src" "$here/Vesica.csproj" "$here/README.md" "$here/../LICENSE" "$work/vesica-csharp"
+rm -f "$directory"/vesica-csharp-*.zip
+(cd "$work" && zip -qr "$directory/vesica-csharp-$version.zip" vesica-csharp && rm -rf vesica-csharp)
+
+mkdir "$work/fresh"
+cd "$work/fresh"
+unzip -q "$directory/vesica-csharp-$version.zip"
+cp vesica-csharp/Vesica.dll vesica-csharp/libvesica.so .
+compile -r:Vesica.dll -out:VesicaTests.exe "$here"/tests/*.cs
+mono VesicaTests.exe "$here/../tests/ffi/calls.txt" ${VESICA_CALLS:-}
+
+if [ -n "${VESICA_OLDER:-}" ]; then
+  cp "$VESICA_OLDER/libvesica.so.0" libvesica.so
+  mono VesicaTests.exe >older.out 2>&1 && exit 1
+  grep -q 'older than [0-9]*, which this assembly needs' older.out
+fi
+ls "$directory"/vesica-csharp-*.zip

@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: Apache-2.0
+using System;
+
+namespace Vesica
+{
+    // Arrays in step, or one of a single shape, which is repeated; every pair; choices among many. Results go to spans
+    // of the caller's.
+    public static unsafe partial class Query
+    {
+        private delegate long Bytes(bool wide, void* a, void* b, void* output);
+
+        private delegate long Matrices(bool wide, void* a, void* b, void* output, IntPtr row);
+
+        private delegate long Closests(bool wide, void* a, void* b, void* distance, void* ax, void* ay, void* bx, void* by);
+
+        private static readonly Bytes overlapMany = Native.OverlapMany, relationMany = Native.RelationMany;
+        private static readonly Bytes containsMany = Native.ContainsMany, areaMany = Native.AreaMany;
+        private static readonly Bytes iouMany = Native.IouMany;
+        private static readonly Matrices overlapMatrix = Native.OverlapMatrix, relationMatrix = Native.RelationMatrix;
+        private static readonly Matrices containsMatrix = Native.ContainsMatrix, areaMatrix = Native.AreaMatrix;
+        private static readonly Matrices iouMatrix = Native.IouMatrix;
+        private static readonly Closests nearestMany = Native.NearestMany;
+        private static readonly Closests boundaryDistanceMany = Native.BoundaryDistanceMany;
+
+        private static long InStep(Shapes a, Shapes b)
+        {
+            Both(a, b);
+            if (a.Count == b.Count || b.Count == 1) return a.Count;
+            if (a.Count == 1) return b.Count;
+            throw new ArgumentException("a has " + a.Count + " shapes and b " + b.Count + ": as many are needed, or one of either");
+        }
+
+        private static long Pairs(Shapes a, Shapes b)
+        {
+            Both(a, b);
+            return checked(a.Count * b.Count);
+        }
+
+        private static void Both(Shapes a, Shapes b)
+        {
+            if (a == null) throw new ArgumentNullException("a");
+            if (b == null) throw new ArgumentNullException("b");
+            Alike(a.IsDouble, b.IsDouble);
+        }
+
+        private static void Room(Shapes a, Shapes b, void* output, long given, long needed, int size)
+        {
+            if (given < needed)
+                throw new ArgumentException("output has " + given + " elements, where " + needed + " are needed");
+            if (a.Meets(output, needed * size) || b.Meets(output, needed * size))
+                throw new ArgumentException("output overlaps an input: results need memory of their own");
+        }
+
+        private static long Many(Bytes function, Shapes a, Shapes b, void* output, long given, int size)
+        {
+            Room(a, b, output, given, InStep(a, b), size);
+            return Ask(function, a, b, output);
+        }
+
+        private static long Ask(Bytes function, Shapes a, Shapes b, void* output)
+        {
+            View viewA, viewB;
+            var pinA = a.Pin(out viewA);
+            var pinB = b.Pin(out viewB);
+            try
+            {
+                return Native.Checked(function(a.IsDouble, &viewA, &viewB, output));
+            }
+            finally
+            {
+                if (pinA.IsAllocated) pinA.Free();
+                if (pinB.IsAllocated) pinB.Free();
+            }
+        }
+
+        private static long Matrix(Matrices function, Shapes a, Shapes b, void* output, long given, int size)
+        {
+            Room(a, b, output, given, Pairs(a, b), size);
+            return Ask((wide, x, y, z) => function(wide, x, y, z, (IntPtr)b.Count), a, b, output);
+        }
+
+        /// <summary>Do a[i] and b[i] share a point? Returns how many do.</summary>
+        public static long OverlapMany(Shapes a, Shapes b, Span<bool> output)
+        {
+            fixed (bool* p = &output.GetPinnableReference()) return Many(overlapMany, a, b, p, output.Length, 1);
+        }
+
+        /// <summary>How does a[i] relate to b[i]? Returns how many are not disjoint.</summary>
+        public static long RelationMany(Shapes a, Shapes b, Span<Relation> output)
+        {
+            fixed (Relation* p = &output.GetPinnableReference()) return Many(relationMany, a, b, p, output.Length, 1);
+        }
+
+        /// <summary>Does a[i] hold all of b[i]? Returns how many do.</summary>
+        public static long ContainsMany(Shapes a, Shapes b, Span<bool> output)
+        {
+            fixed (bool* p = &output.GetPinnableReference()) return Many(containsMany, a, b, p, output.Length, 1);
+        }
+
+        /// <summary>Does each of a overlap each of b? Element i * b.Count + j is of a[i] and b[j].</summary>
+        public static long OverlapMatrix(Shapes a, Shapes b, Span<bool> output)
+        {
+            fixed (bool* p = &output.GetPinnableReference()) return Matrix(overlapMatrix, a, b, p, output.Length, 1);
+        }
+
+        /// <summary>How does each of a relate to each of b?</summary>
+        public static long RelationMatrix(Shapes a, Shapes b, Span<Relation> output)
+        {
+            fixed (Relation* p = &output.GetPinnableReference()) return Matrix(relationMatrix, a, b, p, output.Length, 1);
+        }
+
+        /// <summary>Does each of a hold all of each of b?</summary>
+        public static long ContainsMatrix(Shapes a, Shapes b, Span<bool> output)
+        {
+            fixed (bool* p = &output.GetPinnableReference()) return Matrix(containsMatrix, a, b, p, output.Length, 1);
+        }
+
+        // ---- Numbers in double ----
+
+        /// <summary>The area that a[i] and b[i] share. Returns how many are above 0.</summary>
+        public static long AreaMany(Shapes a, Shapes b, Span<double> output)
+        {
+            Numbers(a, true);
+            fixed (double* p = &output.GetPinnableReference()) return Many(areaMany, a, b, p, output.Length, sizeof(double));
+        }
+
+        /// <summary>Intersection over union of a[i] and b[i]. Returns how many are above 0.</summary>
+        public static long IouMany(Shapes a, Shapes b, Span<double> output)
+        {
+            Numbers(a, true);
+            fixed (double* p = &output.GetPinnableReference()) return Many(iouMany, a, b, p, output.Length, sizeof(double));
+        }
+
+        /// <summary>The area that each of a shares with each of b.</summary>
+        public static long AreaMatrix(Shapes a, Shapes b, Span<double> output)
+        {
+            Numbers(a, true);
+            fixed (double* p = &output.GetPinnableReference()) return Matrix(areaMatrix, a, b, p, output.Length, sizeof(double));
+        }
+
+        /// <summary>Intersection over union of each of a with each of b.</summary>
+        public static long IouMatrix(Shapes a, Shapes b, Span<double> output)
+        {
+            Numbers(a, true);
+            fixed (double* p = &output.GetPinnableReference()) return Matrix(iouMatrix, a, b, p, output.Length, sizeof(double));
+        }
+
+        /// <summary>How far are a[i] and b[i] apart, and where? Empty spans are not written, but one must be. Returns how many
+        /// overlap.</summary>
+        public static long NearestMany(
+            Shapes a, Shapes b, Span<double> distance, Span<double> ax, Span<double> ay, Span<double> bx, Span<double> by)
+        {
+            Numbers(a, true);
+            long n = InStep(a, b);
+            fixed (double* d = &distance.GetPinnableReference(), px = &ax.GetPinnableReference())
+            fixed (double* py = &ay.GetPinnableReference(), qx = &bx.GetPinnableReference())
+            fixed (double* qy = &by.GetPinnableReference())
+            {
+                Column(a, b, d, distance.Length, n, sizeof(double));
+                Column(a, b, px, ax.Length, n, sizeof(double));
+                Column(a, b, py, ay.Length, n, sizeof(double));
+                Column(a, b, qx, bx.Length, n, sizeof(double));
+                Column(a, b, qy, by.Length, n, sizeof(double));
+                void* v1 = px, v2 = py, v3 = qx, v4 = qy;
+                return Ask((wide, x, y, z) => nearestMany(wide, x, y, z, v1, v2, v3, v4), a, b, d);
+            }
+        }
+
+        /// <summary>How far are the outlines of a[i] and b[i] apart? Spans as in NearestMany. Returns how many meet.</summary>
+        public static long BoundaryDistanceMany(
+            Shapes a, Shapes b, Span<double> distance, Span<double> ax, Span<double> ay, Span<double> bx, Span<double> by)
+        {
+            Numbers(a, true);
+            long n = InStep(a, b);
+            fixed (double* d = &distance.GetPinnableReference(), px = &ax.GetPinnableReference())
+            fixed (double* py = &ay.GetPinnableReference(), qx = &bx.GetPinnableReference())
+            fixed (double* qy = &by.GetPinnableReference())
+            {
+                Column(a, b, d, distance.Length, n, sizeof(double));
+                Column(a, b, px, ax.Length, n, sizeof(double));
+                Column(a, b, py, ay.Length, n, sizeof(double));
+                Column(a, b, qx, bx.Length, n, sizeof(double));
+                Column(a, b, qy, by.Length, n, sizeof(double));
+                void* v1 = px, v2 = py, v3 = qx, v4 = qy;
+                return Ask((wide, x, y, z) => boundaryDistanceMany(wide, x, y, z, v1, v2, v3, v4), a, b, d);
+            }
+        }
+
+        /// <summary>How deep do a[i] and b[i] overlap? Spans as in NearestMany. Returns how many depths are above 0.</summary>
+        public static long DepthMany(Shapes a, Shapes b, Span<double> depth, Span<double> x, Span<double> y)
+        {
+            Numbers(a, true);
+            long n = InStep(a, b);
+            fixed (double* d = &depth.GetPinnableReference(), px = &x.GetPinnableReference(), py = &y.GetPinnableReference())
+            {
+                Column(a, b, d, depth.Length, n, sizeof(double));
+                Column(a, b, px, x.Length, n, sizeof(double));
+                Column(a, b, py, y.Length, n, sizeof(double));
+                void* v1 = px, v2 = py;
+                return Ask((wide, p, q, z) => Native.DepthMany(wide, p, q, z, v1, v2), a, b, d);
+            }
+        }
+
+        /// <summary>Greedy suppression: the indices of the shapes kept, best score first. Each has an intersection over
+        /// union of at most threshold with every better one that was kept.</summary>
+        public static long[] Nms(Shapes shapes, ReadOnlySpan<double> scores, double threshold)
+        {
+            fixed (double* p = &scores.GetPinnableReference()) return Nms(shapes, p, scores.Length, true, threshold);
+        }
+
+        // ---- Numbers in float ----
+
+        /// <summary>The area that a[i] and b[i] share. Returns how many are above 0.</summary>
+        public static long AreaMany(Shapes a, Shapes b, Span<float> output)
+        {
+            Numbers(a, false);
+            fixed (float* p = &output.GetPinnableReference()) return Many(areaMany, a, b, p, output.Length, sizeof(float));
+        }
+
+        /// <summary>Intersection over union of a[i] and b[i]. Returns how many are above 0.</summary>
+        public static long IouMany(Shapes a, Shapes b, Span<float> output)
+        {
+            Numbers(a, false);
+            fixed (float* p = &output.GetPinnableReference()) return Many(iouMany, a, b, p, output.Length, sizeof(float));
+        }
+
+        /// <summary>The area that each of a shares with each of b.</summary>
+        public static long AreaMatrix(Shapes a, Shapes b, Span<float> output)
+        {
+            Numbers(a, false);
+            fixed (float* p = &output.GetPinnableReference()) return Matrix(areaMatrix, a, b, p, output.Length, sizeof(float));
+        }
+
+        /// <summary>Intersection over union of each of a with each of b.</summary>
+        public static long IouMatrix(Shapes a, Shapes b, Span<float> output)
+        {
+            Numbers(a, false);
+            fixed (float* p = &output.GetPinnableReference()) return Matrix(iouMatrix, a, b, p, output.Length, sizeof(float));
+        }
+
+        /// <summary>How far are a[i] and b[i] apart, and where? Empty spans are not written, but one must be. Returns how many
+        /// overlap.</summary>
+        public static long NearestMany(
+            Shapes a, Shapes b, Span<float> distance, Span<float> ax, Span<float> ay, Span<float> bx, Span<float> by)
+        {
+            Numbers(a, false);
+            long n = InStep(a, b);
+            fixed (float* d = &distance.GetPinnableReference(), px = &ax.GetPinnableReference())
+            fixed (float* py = &ay.GetPinnableReference(), qx = &bx.GetPinnableReference())
+            fixed (float* qy = &by.GetPinnableReference())
+            {
+                Column(a, b, d, distance.Length, n, sizeof(float));
+                Column(a, b, px, ax.Length, n, sizeof(float));
+                Column(a, b, py, ay.Length, n, sizeof(float));
+                Column(a, b, qx, bx.Length, n, sizeof(float));
+                Column(a, b, qy, by.Length, n, sizeof(float));
+                void* v1 = px, v2 = py, v3 = qx, v4 = qy;
+                return Ask((wide, x, y, z) => nearestMany(wide, x, y, z, v1, v2, v3, v4), a, b, d);
+            }
+        }
+
+        /// <summary>How far are the outlines of a[i] and b[i] apart? Spans as in NearestMany. Returns how many meet.</summary>
+        public static long BoundaryDistanceMany(
+            Shapes a, Shapes b, Span<float> distance, Span<float> ax, Span<float> ay, Span<float> bx, Span<float> by)
+        {
+            Numbers(a, false);
+            long n = InStep(a, b);
+            fixed (float* d = &distance.GetPinnableReference(), px = &ax.GetPinnableReference())
+            fixed (float* py = &ay.GetPinnableReference(), qx = &bx.GetPinnableReference())
+            fixed (float* qy = &by.GetPinnableReference())
+            {
+                Column(a, b, d, distance.Length, n, sizeof(float));
+                Column(a, b, px, ax.Length, n, sizeof(float));
+                Column(a, b, py, ay.Length, n, sizeof(float));
+                Column(a, b, qx, bx.Length, n, sizeof(float));
+                Column(a, b, qy, by.Length, n, sizeof(float));
+                void* v1 = px, v2 = py, v3 = qx, v4 = qy;
+                return Ask((wide, x, y, z) => boundaryDistanceMany(wide, x, y, z, v1, v2, v3, v4), a, b, d);
+            }
+        }
+
+        /// <summary>How deep do a[i] and b[i] overlap? Spans as in NearestMany. Returns how many depths are above 0.</summary>
+        public static long DepthMany(Shapes a, Shapes b, Span<float> depth, Span<float> x, Span<float> y)
+        {
+            Numbers(a, false);
+            long n = InStep(a, b);
+            fixed (float* d = &depth.GetPinnableReference(), px = &x.GetPinnableReference(), py = &y.GetPinnableReference())
+            {
+                Column(a, b, d, depth.Length, n, sizeof(float));
+                Column(a, b, px, x.Length, n, sizeof(float));
+                Column(a, b, py, y.Length, n, sizeof(float));
+                void* v1 = px, v2 = py;
+                return Ask((wide, p, q, z) => Native.DepthMany(wide, p, q, z, v1, v2), a, b, d);
+            }
+        }
+
+        /// <summary>Greedy suppression: the indices of the shapes kept, best score first. Each has an intersection over
+        /// union of at most threshold with every better one that was kept.</summary>
+        public static long[] Nms(Shapes shapes, ReadOnlySpan<float> scores, double threshold)
+        {
+            fixed (float* p = &scores.GetPinnableReference()) return Nms(shapes, p, scores.Length, false, threshold);
+        }
+
+        private static void Numbers(Shapes shapes, bool isDouble)
+        {
+            if (shapes == null) throw new ArgumentNullException("a");
+            if (shapes.IsDouble != isDouble)
+                throw new ArgumentException(
+                    "the shapes have " + (shapes.IsDouble ? "double" : "float") + " numbers: the output must have them too");
+        }
+
+        private static void Column(Shapes a, Shapes b, void* output, long given, long needed, int size)
+        {
+            if (given > 0) Room(a, b, output, given, needed, size);
+        }
+
+        /// <summary>The indices of those of many that overlap one, in ascending order.</summary>
+        public static long[] OverlapSelect<S>(S one, Shapes many) where S : IShape
+        {
+            if (many == null) throw new ArgumentNullException("many");
+            Alike(one.IsDouble, many.IsDouble);
+            var indices = new long[many.Count + 1];
+            double* numbers = stackalloc double[MostNumbers];
+            View viewOne = ViewOf(one, numbers), viewMany;
+            var pin = many.Pin(out viewMany);
+            try
+            {
+                long code;
+                fixed (long* p = indices)
+                    code = Native.OverlapSelect(one.IsDouble, &viewOne, &viewMany, p, indices.Length);
+                int count = Array.IndexOf(indices, -1);
+                Array.Resize(ref indices, code >= 0 ? (int)code : Math.Max(count, 0));
+                if (code < 0) throw new VesicaException((int)code, indices);
+                return indices;
+            }
+            finally
+            {
+                if (pin.IsAllocated) pin.Free();
+            }
+        }
+
+        /// <summary>An array of one shape, whose numbers are written to where it is told.</summary>
+        internal static View ViewOf<S>(S one, double* numbers) where S : IShape
+        {
+            one.Write(numbers);
+            View view;
+            Shapes.At(one.Kind, one.IsDouble, (IntPtr)numbers, 1, 0).Pin(out view);
+            return view;
+        }
+
+        private static long[] Nms(Shapes shapes, void* scores, long given, bool wide, double threshold)
+        {
+            if (shapes == null) throw new ArgumentNullException("shapes");
+            Alike(shapes.IsDouble, wide);
+            if (given != shapes.Count) throw new ArgumentException(shapes.Count + " shapes need as many scores, not " + given);
+            var scratch = new byte[Native.Checked(Native.vesica_nms_scratch(given))];
+            var keep = new long[given];
+            long kept = 0;
+            View view;
+            var pin = shapes.Pin(out view);
+            try
+            {
+                int code;
+                fixed (byte* room = scratch)
+                fixed (long* to = keep)
+                    code = Native.Nms(wide, &view, scores, threshold, room, scratch.Length, to, &kept);
+                Array.Resize(ref keep, (int)kept);
+                if (code < 0) throw new VesicaException(code, code == (int)ErrorCode.Shape ? keep : null);
+                return keep;
+            }
+            finally
+            {
+                if (pin.IsAllocated) pin.Free();
+            }
+        }
+    }
+}

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: Apache-2.0
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Runtime.InteropServices;
+
+namespace Vesica
+{
+    /// <summary>An item and its distance; item -1 where there is none.</summary>
+    public struct Neighbour
+    {
+        /// <summary>The item's number.</summary>
+        public long Item;
+
+        /// <summary>How far it is.</summary>
+        public double Distance;
+    }
+
+    /// <summary>A pair of items of two indexes.</summary>
+    public struct Pair
+    {
+        /// <summary>The item of the first index.</summary>
+        public long A;
+
+        /// <summary>The item of the second index.</summary>
+        public long B;
+    }
+
+    /// <summary>
+    /// An index over arrays of shapes laid end to end: item i is shape i of the first array, and the next array's items
+    /// follow. It holds bounds: the numbers must stay as they were.
+    /// </summary>
+    public sealed unsafe class ShapeIndex : IDisposable
+    {
+        private const int Alignment = 64, Most = 64, PairsACall = 1 << 14;
+
+        private readonly Shapes[] sets;
+        private readonly bool wide;
+        private Memory memory;
+
+        /// <summary>Memory at an address that the library takes.</summary>
+        private sealed class Memory : IDisposable
+        {
+            private IntPtr block;
+            internal readonly long Size;
+
+            internal Memory(long size)
+            {
+                Size = size;
+                block = Marshal.AllocHGlobal((IntPtr)(size + Alignment));
+            }
+
+            ~Memory()
+            {
+                Dispose();
+            }
+
+            internal byte* Address
+            {
+                get { return (byte*)(((long)block + Alignment - 1) & -Alignment); }
+            }
+
+            public void Dispose()
+            {
+                Marshal.FreeHGlobal(block);
+                block = IntPtr.Zero;
+                GC.SuppressFinalize(this);
+            }
+        }
+
+        /// <summary>Invalid shapes are left out; Incomplete tells.</summary>
+        public ShapeIndex(params Shapes[] sets)
+        {
+            this.sets = sets = Sets(sets);
+            wide = sets[0].IsDouble;
+            Count = sets.Sum(set => set.Count);
+            memory = new Memory(Native.Checked(Native.vesica_index_size(Count)));
+            using (var scratch = new Memory(Native.Checked(Native.vesica_index_scratch(Count))))
+            using (var pinned = new Pinned(sets))
+                fixed (View* views = pinned.Views)
+                {
+                    long code = Native.IndexBuild(
+                        wide, views, sets.Length, memory.Address, memory.Size, scratch.Address, scratch.Size);
+                    Incomplete = code == (long)ErrorCode.Shape;
+                    if (!Incomplete) Native.Checked(code);
+                }
+        }
+
+        private ShapeIndex(byte[] bytes, Shapes[] sets)
+        {
+            if (bytes == null) throw new ArgumentNullException("bytes");
+            this.sets = sets = Sets(sets);
+            wide = sets[0].IsDouble;
+            Count = sets.Sum(set => set.Count);
+            memory = new Memory(bytes.Length);
+            Marshal.Copy(bytes, 0, (IntPtr)memory.Address, bytes.Length);
+            Native.Checked(Native.vesica_index_check(memory.Address, bytes.Length));
+            long builtOf = Native.Checked(Native.vesica_index_count(memory.Address));
+            if (builtOf != Count) throw new ArgumentException("an index of " + builtOf + " shapes cannot be that of " + Count);
+        }
+
+        /// <summary>The index whose bytes were saved, over the same shapes. They are checked.</summary>
+        public static ShapeIndex FromBytes(byte[] bytes, params Shapes[] sets)
+        {
+            return new ShapeIndex(bytes, sets);
+        }
+
+        private static Shapes[] Sets(Shapes[] sets)
+        {
+            if (sets == null || sets.Length == 0 || sets.Length > Most)
+                throw new ArgumentException("1 to " + Most + " arrays of shapes are needed; one may be empty");
+            foreach (Shapes set in sets)
+            {
+                if (set == null) throw new ArgumentNullException("sets");
+                Query.Alike(sets[0].IsDouble, set.IsDouble);
+            }
+            return (Shapes[])sets.Clone();
+        }
+
+        private byte* Address
+        {
+            get
+            {
+                if (memory == null) throw new ObjectDisposedException("ShapeIndex");
+                return memory.Address;
+            }
+        }
+
+        /// <summary>Gives the memory back now, not when it is collected.</summary>
+        public void Dispose()
+        {
+            if (memory != null) memory.Dispose();
+            memory = null;
+        }
+
+        /// <summary>How many items there are, invalid shapes included.</summary>
+        public long Count { get; private set; }
+
+        /// <summary>Whether invalid shapes were left out. Bytes that were saved do not tell.</summary>
+        public bool Incomplete { get; private set; }
+
+        /// <summary>A copy of the bytes, to be saved.</summary>
+        public byte[] ToBytes()
+        {
+            var bytes = new byte[Native.Checked(Native.vesica_index_bytes(Address))];
+            Marshal.Copy((IntPtr)Address, bytes, 0, bytes.Length);
+            GC.KeepAlive(this);
+            return bytes;
+        }
+
+        /// <summary>A box around all valid shapes, a little larger than the smallest one.</summary>
+        public Aabb Bounds()
+        {
+            Aabb box;
+            Native.Checked(Native.vesica_index_bounds(Address, &box));
+            GC.KeepAlive(this);
+            return box;
+        }
+
+        /// <summary>The items in spatial order: arrays that are laid so are joined quicker.</summary>
+        public long[] Order()
+        {
+            var items = new long[Count];
+            long valid;
+            fixed (long* p = items) valid = Native.Checked(Native.vesica_index_order(Address, p, items.Length));
+            Array.Resize(ref items, (int)valid);
+            GC.KeepAlive(this);
+            return items;
+        }
+
+        /// <summary>The items that a single shape overlaps, in the index's order.</summary>
+        public long[] Select<S>(S one) where S : IShape
+        {
+            Query.Alike(wide, one.IsDouble);
+            double* numbers = stackalloc double[6];
+            View view = Query.ViewOf(one, numbers);
+            long* state = stackalloc long[4];
+            for (int i = 0; i < 4; ++i) state[i] = 0;
+            using (var pinned = new Pinned(sets))
+                fixed (View* views = pinned.Views)
+                {
+                    var items = new long[Native.Checked(
+                        Native.IndexSelect(wide, Address, views, sets.Length, &view, null, 0, null))];
+                    fixed (long* p = items)
+                        if (items.Length > 0)
+                            Native.Checked(Native.IndexSelect(
+                                wide, Address, views, sets.Length, &view, p, items.Length, state));
+                    GC.KeepAlive(this);
+                    return items;
+                }
+        }
+
+        /// <summary>The k items nearest to a single shape, at most within away; infinity asks for any.</summary>
+        public Neighbour[] Nearest<S>(S one, int k, double within) where S : IShape
+        {
+            Query.Alike(wide, one.IsDouble);
+            if (k < 0) throw new ArgumentException("k is " + k + ", not a count");
+            k = (int)Math.Min(k, Count);
+            double* numbers = stackalloc double[6];
+            View view = Query.ViewOf(one, numbers);
+            long[] items = new long[k];
+            double[] distances = new double[k];
+            using (var pinned = new Pinned(sets))
+                fixed (View* views = pinned.Views)
+                fixed (long* p = items)
+                fixed (double* d = distances)
+                {
+                    long found = Native.Checked(
+                        Native.IndexNearest(wide, Address, views, sets.Length, &view, k, within, p, d));
+                    GC.KeepAlive(this);
+                    return Neighbours(p, d, (int)Math.Min(found, k));
+                }
+        }
+
+        private Neighbour[] Neighbours(long* items, double* distances, int count)
+        {
+            var all = new Neighbour[count];
+            for (int i = 0; i < count; ++i)
+                all[i] = new Neighbour { Item = items[i], Distance = wide ? distances[i] : ((float*)distances)[i] };
+            return all;
+        }
+
+        /// <summary>Of each shape of some arrays, the k nearest items: rows of k, one after the other, filled up by -1 at
+        /// distance infinity. Where a shape is invalid its row holds -1, and the exception has the result.</summary>
+        public Neighbour[] NearestOfEach(int k, double within, params Shapes[] asked)
+        {
+            asked = Sets(asked);
+            Query.Alike(wide, asked[0].IsDouble);
+            if (k < 1) throw new ArgumentException("k is " + k + ", not 1 or more");
+            int rows = checked((int)(asked.Sum(set => set.Count) * k));
+            var items = new long[rows];
+            var distances = new double[rows];
+            using (Pinned pinned = new Pinned(sets), pinnedAsked = new Pinned(asked))
+                fixed (View* views = pinned.Views)
+                fixed (View* viewsAsked = pinnedAsked.Views)
+                fixed (long* p = items)
+                fixed (double* d = distances)
+                {
+                    long code = Native.JoinNearest(wide, viewsAsked, asked.Length, Address, views, sets.Length, k, within,
+                        0, 1, p, d);
+                    GC.KeepAlive(this);
+                    if (code < 0 && code != (long)ErrorCode.Shape) Native.Checked(code);
+                    Neighbour[] found = Neighbours(p, d, rows);
+                    if (code < 0) throw new VesicaException((int)code, found);
+                    return found;
+                }
+        }
+
+        /// <summary>All pairs of an item of this index and one of another; with itself the pairs a &lt; b. Parts may be
+        /// asked by several threads; one after the other they are the join.</summary>
+        public Pair[] Join(ShapeIndex other, JoinQuery query = JoinQuery.Overlap, long part = 0, long parts = 1)
+        {
+            var pairs = new List<Pair>();
+            long[] a = new long[PairsACall], b = new long[PairsACall], state = new long[4];
+            fixed (long* p = a, q = b, s = state)
+                while (s[0] != -1)
+                {
+                    long found = Ask(other, query, part, parts, p, q, PairsACall, s);
+                    for (long i = 0; i < found; ++i) pairs.Add(new Pair { A = p[i], B = q[i] });
+                }
+            return pairs.ToArray();
+        }
+
+        /// <summary>How many pairs Join gives.</summary>
+        public long JoinCount(ShapeIndex other, JoinQuery query = JoinQuery.Overlap)
+        {
+            return Ask(other, query, 0, 1, null, null, 0, null);
+        }
+
+        private long Ask(ShapeIndex other, JoinQuery query, long part, long parts, long* a, long* b, long room, long* state)
+        {
+            if (other == null) throw new ArgumentNullException("other");
+            Query.Alike(wide, other.wide);
+            using (var scratch = new Memory(Native.Checked(Native.vesica_join_scratch())))
+            using (Pinned pinned = new Pinned(sets), pinnedOther = new Pinned(other.sets))
+                fixed (View* views = pinned.Views)
+                fixed (View* viewsOther = pinnedOther.Views)
+                {
+                    long found = Native.Checked(Native.Join(wide, (int)query, Address, views, sets.Length, other.Address,
+                        viewsOther, other.sets.Length, part, parts, scratch.Address, scratch.Size, a, b, room, state));
+                    GC.KeepAlive(this);
+                    GC.KeepAlive(other);
+                    return found;
+                }
+        }
+    }
+}

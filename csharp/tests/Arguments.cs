@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+using System;
+using System.Linq;
+using Vesica;
+
+/// <summary>What is refused, what memory is taken, that nothing is copied, and that any arguments are survived.</summary>
+internal static unsafe class Arguments
+{
+    private static readonly Circle Disc = new Circle(0, 0, 1);
+    private static readonly Shapes Three = Shapes.Of(new[] { Disc, Disc, Disc });
+
+    private static void Refused<E>(string words, Action call) where E : Exception
+    {
+        try
+        {
+            call();
+        }
+        catch (E e)
+        {
+            if (e.Message.Contains(words)) return;
+            throw new InvalidOperationException("not '" + words + "'", e);
+        }
+        throw new InvalidOperationException("not refused: " + words);
+    }
+
+    private static void Check(bool holds, string what)
+    {
+        if (!holds) throw new InvalidOperationException(what);
+    }
+
+    private static void Refusals()
+    {
+        Refused<VesicaException>("a shape is invalid", () => Query.Overlap(new Circle(0, 0, -1), Disc));
+        Refused<VesicaException>("negative", () => Query.Check(new Circle(0, 0, -1)));
+        Refused<ArgumentException>("one has double numbers and one float", () => Query.Overlap(Disc, new CircleF(0, 0, 1)));
+        Refused<ArgumentException>("Circle has 3 numbers, not 2", () => Query.Check(new AnyShape(Kind.Circle, true, 1, 2)));
+        Refused<ArgumentException>("9 is not a kind", () => Shapes.Of((Kind)9, new double[3]));
+        Refused<ArgumentException>("2 numbers are no records of 3", () => Shapes.Of(Kind.Circle, new double[2]));
+        Refused<ArgumentNullException>("numbers", () => Shapes.Of(Kind.Circle, (double[])null));
+        Refused<ArgumentNullException>("a", () => Query.OverlapMany(null, Three, new bool[3]));
+        Refused<ArgumentException>("a has 3 shapes and b 2", () => Query.OverlapMany(Three, Shapes.Of(new[] { Disc, Disc }), new bool[3]));
+        Refused<ArgumentException>("output has 8 elements, where 9 are needed", () => Query.OverlapMatrix(Three, Three, new bool[8]));
+        Refused<ArgumentException>("the output must have them too", () => Query.AreaMany(Three, Three, new float[3]));
+        var numbers = new double[9];
+        Shapes own = Shapes.Of(Kind.Circle, numbers);
+        Refused<ArgumentException>("output overlaps an input", () => Query.AreaMany(own, own, new Span<double>(numbers, 3, 3)));
+        var both = new Rect[2];
+        Refused<ArgumentException>("output overlaps an input", () =>
+        {
+            fixed (Rect* p = both) Query.OverlapMany(Shapes.Of(both), Shapes.Of(both), new Span<bool>((byte*)p - 1, 2));
+        });
+        Refused<VesicaException>("NULL", () => Query.DepthMany(Three, Three, default(Span<double>), default(Span<double>), default(Span<double>)));
+        Refused<ArgumentException>("3 shapes need as many scores, not 1", () => Query.Nms(Three, new double[1], 0.5));
+        Refused<ArgumentException>("four corners have 8 numbers", () => Make.RectFromCorners(1, 2));
+        Refused<ArgumentException>("1 to 64 arrays", () => new ShapeIndex());
+        Refused<VesicaException>("index", () => ShapeIndex.FromBytes(new byte[640], Three));
+        var index = new ShapeIndex(Three);
+        Refused<ArgumentException>("an index of 3 shapes cannot be that of 6", () => ShapeIndex.FromBytes(index.ToBytes(), Three, Three));
+        Refused<VesicaException>("", () => index.Join(index, JoinQuery.Overlap, 2, 2));
+        Refused<ArgumentException>("k is 0", () => index.NearestOfEach(0, 1, Three));
+        index.Dispose();
+        Refused<ObjectDisposedException>("ShapeIndex", () => index.Join(index));
+        index.Dispose();
+        Shapes none = Shapes.Of(new Rect[0]);
+        Check(Query.OverlapMany(none, none, default(Span<bool>)) == 0, "empty arrays");
+        Check(new ShapeIndex(none).Join(new ShapeIndex(none)).Length == 0, "empty indexes");
+    }
+
+    private static void Layouts()
+    {
+        Shapes records = Shapes.Of(Kind.Circle, new double[] { 0, 0, 1, 77, 5, 0, 1, 77 }, 4);
+        Shapes columns = Shapes.Columns(Kind.Circle, new double[] { 0, 5, 0, 0, 1, 1 });
+        var relations = new Relation[2];
+        Check(Query.RelationMany(records, columns, relations) == 2 && relations[1] == Relation.Equal, "layouts");
+        double* memory = stackalloc double[3];
+        memory[0] = 5;
+        memory[1] = 0;
+        memory[2] = 1;
+        Shapes there = Shapes.At(Kind.Circle, true, (IntPtr)memory, 1, 24);
+        var yes = new bool[2];
+        Check(Query.OverlapMany(records, there, yes) == 1 && yes[1], "memory of the caller's");
+    }
+
+    /// <summary>Results about a million rectangles need less memory than a copy of one column.</summary>
+    private static void NothingIsCopied()
+    {
+        var shapes = Shapes.Of(Enumerable.Repeat(new Rect(0, 0, 1, 0, 1, 1), 1000000).ToArray());
+        var yes = new bool[1000000];
+        long before = GC.GetTotalMemory(true);
+        Check(Query.OverlapMany(shapes, shapes, yes) == 1000000, "all");
+        Check(GC.GetTotalMemory(false) - before < 4000000, "memory was taken");
+    }
+
+    private static void AnyArguments(int calls)
+    {
+        int seed = Environment.TickCount, answered = 0;
+        Console.WriteLine("seed " + seed);
+        var draw = new Random(seed);
+        double[] special = { 0, -0.0, 1, -1, 0.5, double.NaN, double.PositiveInfinity, 5e-324, 1.7e308, 1e-200 };
+        Func<Kind, double[]> some = kind =>
+            Enumerable.Range(0, draw.Next(4) == 0 ? draw.Next(40) : Shapes.Fields(kind) * draw.Next(6))
+                .Select(i => draw.Next(40) == 0 ? special[draw.Next(10)] : draw.Next(9)).ToArray();
+        for (int i = 0; i < calls; ++i)
+        {
+            Kind kindA = (Kind)draw.Next(6), kindB = (Kind)draw.Next(6);
+            double[] first = some(kindA), second = some(kindB), output = new double[draw.Next(100)];
+            try
+            {
+                Shapes a = draw.Next(2) == 0 ? Shapes.Of(kindA, first) : Shapes.Columns(kindA, first);
+                Shapes b = draw.Next(9) == 0 ? null : Shapes.Of(kindB, second);
+                switch (draw.Next(9))
+                {
+                    case 0: Query.OverlapMany(a, b, new bool[draw.Next(100)]); break;
+                    case 1: Query.ContainsMatrix(a, b, new bool[draw.Next(100)]); break;
+                    case 2: Query.AreaMany(a, b, draw.Next(5) == 0 ? second : output); break;
+                    case 3: Query.IouMatrix(a, b, output); break;
+                    case 4: Query.DepthMany(a, b, default(Span<double>), output, default(Span<double>)); break;
+                    case 5: Query.Nms(a, new double[a.Count], special[draw.Next(10)]); break;
+                    case 6: using (var index = new ShapeIndex(a, b)) index.Join(index, (JoinQuery)draw.Next(5)); break;
+                    case 7: using (var index = new ShapeIndex(a)) index.NearestOfEach(draw.Next(4), special[draw.Next(10)], b, a); break;
+                    default: ShapeIndex.FromBytes(new byte[draw.Next(900)], a); break;
+                }
+                ++answered;
+            }
+            catch (ArgumentException)
+            {
+                // as it should be
+            }
+        }
+        Check(answered > calls / 20, answered + " of " + calls);
+    }
+
+    /// <summary>FILE of calls, and how many random calls; or nothing, to see whether the library is new enough.</summary>
+    private static int Main(string[] arguments)
+    {
+        if (arguments.Length == 0)
+        {
+            Console.WriteLine(Query.Overlap(Disc, Disc));
+            return 0;
+        }
+        Calls.Test(arguments[0]);
+        Refusals();
+        Layouts();
+        NothingIsCopied();
+        AnyArguments(arguments.Length > 1 ? int.Parse(arguments[1]) : 5000);
+        Console.WriteLine("arguments: as they should be");
+        return 0;
+    }
+}

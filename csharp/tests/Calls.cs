@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: Apache-2.0
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using Vesica;
+
+/// <summary>The calls that all packages answer alike (tests/ffi/calls.txt), and that wrong answers are found.</summary>
+internal sealed unsafe class Calls
+{
+    private static readonly string[] Kinds = { "point", "segment", "circle", "aabb", "rect", "ellipse" };
+
+    private readonly string function;
+    private readonly bool wide;
+    private readonly string[] arguments;
+    private double[] values = new double[0];
+
+    private Calls(string function, bool wide, string[] arguments)
+    {
+        this.function = function;
+        this.wide = wide;
+        this.arguments = arguments;
+    }
+
+    private static double PowerOfTwo(int exponent)
+    {
+        return BitConverter.Int64BitsToDouble(exponent < -1022 ? 1L << (exponent + 1074) : (long)(exponent + 1023) << 52);
+    }
+
+    /// <summary>A hexadecimal float of C's, or a decimal number.</summary>
+    private static double Number(string word)
+    {
+        if (word.EndsWith("nan")) return double.NaN;
+        if (word.EndsWith("inf")) return word[0] == '-' ? double.NegativeInfinity : double.PositiveInfinity;
+        int sign = word[0] == '-' ? -1 : 1;
+        string digits = word.TrimStart('-');
+        if (!digits.StartsWith("0x")) return double.Parse(word, CultureInfo.InvariantCulture);
+        string[] parts = digits.Substring(2).Split('p'), mantissa = parts[0].Split('.');
+        string fraction = mantissa.Length > 1 ? mantissa[1] : "";
+        long bits = long.Parse(mantissa[0] + fraction, NumberStyles.HexNumber);
+        // Of 0 the sign remains.
+        return sign * (double)bits * PowerOfTwo(int.Parse(parts[1], NumberStyles.AllowLeadingSign) - 4 * fraction.Length);
+    }
+
+    private static IEnumerable<string> Words(string argument)
+    {
+        return argument.Split(new[] { ' ' }, StringSplitOptions.RemoveEmptyEntries);
+    }
+
+    private static double[] Numbers(string argument)
+    {
+        return Words(argument).Where(word => !Kinds.Contains(word)).Select(Number).ToArray();
+    }
+
+    private static float[] Narrow(double[] numbers)
+    {
+        return numbers.Select(number => (float)number).ToArray();
+    }
+
+    private static Kind KindOf(string argument)
+    {
+        return (Kind)Array.IndexOf(Kinds, Words(argument).First());
+    }
+
+    private Shapes ShapesOf(string argument)
+    {
+        double[] numbers = Numbers(argument);
+        return wide ? Shapes.Of(KindOf(argument), numbers) : Shapes.Of(KindOf(argument), Narrow(numbers));
+    }
+
+    private AnyShape Single(string argument)
+    {
+        return new AnyShape(KindOf(argument), wide, Numbers(argument));
+    }
+
+    private long Gives(params double[] numbers)
+    {
+        values = numbers;
+        return 0;
+    }
+
+    private long Gives(ClosestPoints p)
+    {
+        return Gives(p.Distance, p.AX, p.AY, p.BX, p.BY);
+    }
+
+    private long OfOneOrTwo()
+    {
+        AnyShape a = Single(arguments[0]), b = Single(arguments.Last());
+        switch (function)
+        {
+            case "overlap": return Query.Overlap(a, b) ? 1 : 0;
+            case "relation": return (long)Query.Relation(a, b);
+            case "contains": return Query.Contains(a, b) ? 1 : 0;
+            case "nearest": return Gives(Query.Nearest(a, b));
+            case "boundary_distance": return Gives(Query.BoundaryDistance(a, b));
+            case "area": return Gives(Query.Area(a, b));
+            case "iou": return Gives(Query.Iou(a, b));
+            case "shape_area": return Gives(Query.ShapeArea(a));
+            case "depth":
+                Penetration depth = Query.Depth(a, b);
+                return Gives(depth.Depth, depth.X, depth.Y);
+            case "check":
+                Query.Check(a);
+                return 0;
+            case "bounds":
+                Aabb box = Query.Bounds(a);
+                return Gives(box.MinX, box.MinY, box.MaxX, box.MaxY);
+            case "crossings":
+                bool shared;
+                Point[] places = Query.Crossings(a, b, out shared);
+                values = new double[] { shared ? 1 : 0 }.Concat(places.SelectMany(p => new[] { p.X, p.Y })).ToArray();
+                return places.Length;
+            default: throw new InvalidOperationException(function);
+        }
+    }
+
+    private long Gives(IShape shape, int count)
+    {
+        double* numbers = stackalloc double[6];
+        shape.Write(numbers);
+        values = new double[count];
+        for (int i = 0; i < count; ++i) values[i] = numbers[i];
+        return 0;
+    }
+
+    private long Constructed()
+    {
+        double[] n = Numbers(arguments[0]);
+        if (!wide) return ConstructedInFloat(Narrow(n));
+        switch (function)
+        {
+            case "aabb_from_corners": return Gives(Make.Aabb(n[0], n[1], n[2], n[3]), 4);
+            case "rect_from_angle": return Gives(Make.Rect(n[0], n[1], n[2], n[3], n[4]), 6);
+            case "rect_from_corners": return Gives(Make.RectFromCorners(n), 6);
+            case "ellipse_from_angle": return Gives(Make.Ellipse(n[0], n[1], n[2], n[3], n[4]), 6);
+            case "ellipse_from_radius_vector":
+                return Gives(Make.EllipseFromRadiusVector(n[0], n[1], n[2], n[3], n[4]), 6);
+            case "ellipse_from_covariance":
+                return Gives(Make.EllipseFromCovariance(n[0], n[1], n[2], n[3], n[4], n[5]), 6);
+            default: return Gives(Make.EllipseFromMatrix(n[0], n[1], n[2], n[3], n[4]), 6);
+        }
+    }
+
+    /// <summary>The package makes doubles; the functions in float are there for whom wants them.</summary>
+    private long ConstructedInFloat(float[] n)
+    {
+        var all = new float[6];
+        int code;
+        fixed (float* numbers = n, made = all)
+            switch (function)
+            {
+                case "aabb_from_corners": code = Native.vesica_aabb_from_corners_f32(n[0], n[1], n[2], n[3], made); break;
+                case "rect_from_angle": code = Native.vesica_rect_from_angle_f32(n[0], n[1], n[2], n[3], n[4], made); break;
+                case "rect_from_corners": code = Native.vesica_rect_from_corners_f32(numbers, made); break;
+                case "ellipse_from_angle":
+                    code = Native.vesica_ellipse_from_angle_f32(n[0], n[1], n[2], n[3], n[4], made);
+                    break;
+                case "ellipse_from_radius_vector":
+                    code = Native.vesica_ellipse_from_radius_vector_f32(n[0], n[1], n[2], n[3], n[4], made);
+                    break;
+                case "ellipse_from_covariance":
+                    code = Native.vesica_ellipse_from_covariance_f32(n[0], n[1], n[2], n[3], n[4], n[5], made);
+                    break;
+                default: code = Native.vesica_ellipse_from_matrix_f32(n[0], n[1], n[2], n[3], n[4], made); break;
+            }
+        values = all.Take(function.StartsWith("aabb") ? 4 : 6).Select(number => (double)number).ToArray();
+        return Native.Checked(code);
+    }
+
+    private static double[] OfBools(bool[] bools)
+    {
+        return bools.Select(yes => yes ? 1.0 : 0.0).ToArray();
+    }
+
+    private static double[] OfItems(IEnumerable<long> items)
+    {
+        return items.Select(item => (double)item).ToArray();
+    }
+
+    private long OfArrays()
+    {
+        Shapes a = ShapesOf(arguments[0]), b = ShapesOf(arguments[1]);
+        var count = (int)(function.EndsWith("_matrix") ? a.Count * b.Count : Math.Max(a.Count, b.Count));
+        var yes = new bool[count];
+        var relations = new Relation[count];
+        try
+        {
+            switch (function)
+            {
+                case "overlap_many": return Query.OverlapMany(a, b, yes);
+                case "contains_many": return Query.ContainsMany(a, b, yes);
+                case "relation_many": return Query.RelationMany(a, b, relations);
+                case "overlap_matrix": return Query.OverlapMatrix(a, b, yes);
+                case "contains_matrix": return Query.ContainsMatrix(a, b, yes);
+                case "relation_matrix": return Query.RelationMatrix(a, b, relations);
+                default: return wide ? InDouble(a, b, count) : InFloat(a, b, count);
+            }
+        }
+        finally
+        {
+            if (function.StartsWith("relation")) values = relations.Select(relation => (double)relation).ToArray();
+            else if (function.StartsWith("overlap") || function.StartsWith("contains")) values = OfBools(yes);
+        }
+    }
+
+    private long InDouble(Shapes a, Shapes b, int count)
+    {
+        double[][] c = Enumerable.Range(0, 5).Select(i => new double[count]).ToArray();
+        int used = function == "depth_many" ? 3 : function.StartsWith("area") || function.StartsWith("iou") ? 1 : 5;
+        try
+        {
+            switch (function)
+            {
+                case "area_many": return Query.AreaMany(a, b, c[0]);
+                case "iou_many": return Query.IouMany(a, b, c[0]);
+                case "area_matrix": return Query.AreaMatrix(a, b, c[0]);
+                case "iou_matrix": return Query.IouMatrix(a, b, c[0]);
+                case "depth_many": return Query.DepthMany(a, b, c[0], c[1], c[2]);
+                case "nearest_many": return Query.NearestMany(a, b, c[0], c[1], c[2], c[3], c[4]);
+                case "boundary_distance_many": return Query.BoundaryDistanceMany(a, b, c[0], c[1], c[2], c[3], c[4]);
+                default: throw new InvalidOperationException(function);
+            }
+        }
+        finally
+        {
+            values = c.Take(used).SelectMany(column => column).ToArray();
+        }
+    }
+
+    private long InFloat(Shapes a, Shapes b, int count)
+    {
+        float[][] c = Enumerable.Range(0, 5).Select(i => new float[count]).ToArray();
+        int used = function == "depth_many" ? 3 : function.StartsWith("area") || function.StartsWith("iou") ? 1 : 5;
+        try
+        {
+            switch (function)
+            {
+                case "area_many": return Query.AreaMany(a, b, c[0]);
+                case "iou_many": return Query.IouMany(a, b, c[0]);
+                case "area_matrix": return Query.AreaMatrix(a, b, c[0]);
+                case "iou_matrix": return Query.IouMatrix(a, b, c[0]);
+                case "depth_many": return Query.DepthMany(a, b, c[0], c[1], c[2]);
+                case "nearest_many": return Query.NearestMany(a, b, c[0], c[1], c[2], c[3], c[4]);
+                case "boundary_distance_many": return Query.BoundaryDistanceMany(a, b, c[0], c[1], c[2], c[3], c[4]);
+                default: throw new InvalidOperationException(function);
+            }
+        }
+        finally
+        {
+            values = c.Take(used).SelectMany(column => column.Select(number => (double)number)).ToArray();
+        }
+    }
+
+    private long Items(long[] items)
+    {
+        values = OfItems(items);
+        return items.Length;
+    }
+
+    private long Suppression()
+    {
+        double[] scores = Numbers(arguments[1]);
+        double threshold = Numbers(arguments[2])[0];
+        Shapes shapes = ShapesOf(arguments[0]);
+        values = OfItems(wide ? Query.Nms(shapes, scores, threshold) : Query.Nms(shapes, Narrow(scores), threshold));
+        return 0;
+    }
+
+    private void Take(Neighbour[] found)
+    {
+        values = found.Select(each => (double)each.Item).Concat(found.Select(each => each.Distance)).ToArray();
+    }
+
+    private long OfIndexes()
+    {
+        int leading = function == "index_nearest" ? 2 : function == "index_select" || function.StartsWith("join") ? 1 : 0;
+        string[] rest = arguments.Skip(leading).ToArray();
+        Shapes[] setsA = rest.TakeWhile(text => text != "/").Select(ShapesOf).ToArray();
+        Shapes[] setsB = rest.SkipWhile(text => text != "/").Skip(1).Select(ShapesOf).ToArray();
+        using (var built = new ShapeIndex(setsA))
+        using (ShapeIndex a = ShapeIndex.FromBytes(built.ToBytes(), setsA), other = setsB.Length > 0 ? new ShapeIndex(setsB) : null)
+        {
+            ShapeIndex b = other ?? a;
+            switch (function)
+            {
+                case "index_bounds":
+                    Aabb box = a.Bounds();
+                    return Gives(box.MinX, box.MinY, box.MaxX, box.MaxY);
+                case "index_order": return Items(a.Order());
+                case "index_select": return Items(a.Select(Single(arguments[0])));
+                case "index_nearest":
+                    double[] how = Numbers(arguments[1]);
+                    Take(a.Nearest(Single(arguments[0]), (int)how[0], how[1]));
+                    return values.Length / 2;
+                case "join":
+                    var query = (JoinQuery)Number(arguments[0]);
+                    Pair[] pairs = a.Join(b, query);
+                    if (a.JoinCount(b, query) != pairs.Length) throw new InvalidOperationException("another count");
+                    values = pairs.SelectMany(pair => new double[] { pair.A, pair.B }).ToArray();
+                    return pairs.Length;
+                default:
+                    double[] of = Numbers(arguments[0]);
+                    Take(b.NearestOfEach((int)of[0], of[1], setsA));
+                    return values.Take(values.Length / 2).Count(item => item >= 0);
+            }
+        }
+    }
+
+    private long Answer()
+    {
+        if (function.Contains("_from_")) return Constructed();
+        if (function == "nms") return Suppression();
+        if (function == "overlap_select") return Items(Query.OverlapSelect(Single(arguments[0]), ShapesOf(arguments[1])));
+        if (function.StartsWith("index_") || function.StartsWith("join")) return OfIndexes();
+        if (function.EndsWith("_many") || function.EndsWith("_matrix")) return OfArrays();
+        return OfOneOrTwo();
+    }
+
+    private static string NameOf(ErrorCode code)
+    {
+        return "E" + string.Concat(code.ToString().Select(c => char.IsUpper(c) ? "_" + c : c.ToString().ToUpper()));
+    }
+
+    private bool Same(double[] expected)
+    {
+        Func<double, long> bits = number => double.IsNaN(number) ? -1 : BitConverter.DoubleToInt64Bits(number);
+        return values.Select(bits).SequenceEqual(expected.Select(bits));
+    }
+
+    private static bool IsRight(string line)
+    {
+        string[] sides = line.Split(new[] { " = " }, StringSplitOptions.None);
+        string[] parts = sides[0].Split(new[] { " | " }, StringSplitOptions.None), name = parts[0].Split(' ');
+        string[] right = sides[1].Split(' ');
+        double[] expected = right.Skip(1).Select(Number).ToArray();
+        var call = new Calls(name[0], name[1] == "f64", parts.Skip(1).ToArray());
+        try
+        {
+            return call.Answer().ToString() == right[0] && call.Same(expected);
+        }
+        catch (VesicaException e)
+        {
+            if (e.Result is long[]) call.values = OfItems((long[])e.Result);
+            if (e.Result is Neighbour[]) call.Take((Neighbour[])e.Result);
+            return right[0] == NameOf(e.Code) && (expected.Length == 0 || call.Same(expected));
+        }
+    }
+
+    internal static void Test(string file)
+    {
+        string[] lines = File.ReadLines(file).Where(line => !line.StartsWith("#")).ToArray();
+        string[] wrong = lines.Where(line => !IsRight(line)).ToArray();
+        if (wrong.Length > 0) throw new InvalidOperationException(string.Join("\n", wrong));
+        // The first call of each function, with its last word made what no call gives.
+        var functions = new HashSet<string>();
+        foreach (string line in lines)
+        {
+            string spoilt = line.Substring(0, line.LastIndexOf(' ')) + " 7.5";
+            if (functions.Add(line.Split(' ')[0]) && IsRight(spoilt)) throw new InvalidOperationException("taken for right: " + spoilt);
+        }
+        if (lines.Length < 400 || functions.Count < 40) throw new InvalidOperationException("too few");
+        Console.WriteLine(lines.Length + " calls of " + functions.Count + " functions");
+    }
+}

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+
+package vesica
+
+import (
+	"errors"
+	"math"
+	"math/rand"
+	"os"
+	"strconv"
+	"strings"
+	"testing"
+	"time"
+)
+
+func disc(cx, r float64) Circle[float64] { return Circle[float64]{CX: cx, R: r} }
+
+func refused(t *testing.T, err error, code Error, words string) {
+	t.Helper()
+	if !errors.Is(err, code) || !strings.Contains(err.Error(), words) {
+		t.Errorf("%v, not %q", err, words)
+	}
+}
+
+func TestInvalidShapes(t *testing.T) {
+	_, err := Overlap(disc(0, -1), disc(0, 1))
+	refused(t, err, ErrShape, "a shape is invalid")
+	refused(t, Check(disc(0, -1)), ErrNegativeSize, "negative")
+	discs, hits := Circles([]Circle[float64]{disc(0, 1), disc(0, -1), disc(9, 1), disc(1, math.NaN())}), []bool{true, true, true, true}
+	_, err = OverlapMany(discs, Circles([]Circle[float64]{disc(1, 1)}), hits)
+	refused(t, err, ErrShape, "invalid")
+	if !hits[0] || hits[1] || hits[2] || hits[3] {
+		t.Error(hits)
+	}
+}
+
+func TestArguments(t *testing.T) {
+	three := Circles([]Circle[float64]{disc(0, 1), disc(0, 1), disc(0, 1)})
+	_, err := OverlapMany(three, Circles([]Circle[float64]{disc(0, 1), disc(1, 1)}), make([]bool, 3))
+	refused(t, err, ErrArgument, "a has 3 shapes and b 2, as many are needed, or one of either")
+	_, err = OverlapMatrix(three, three, make([]bool, 8))
+	refused(t, err, ErrArgument, "out has 8 elements, where 9 are needed")
+	_, err = Overlap(disc(0, 1), Circle[float32]{R: 1})
+	refused(t, err, ErrArgument, "one shape has float64 numbers and one float32")
+	_, err = Packed(KindCircle, []float64{1, 2})
+	refused(t, err, ErrArgument, "2 numbers are no records of 3")
+	_, err = Packed(Kind(9), []float64{1, 2})
+	refused(t, err, ErrKind, "kind")
+	_, err = Overlap(Any[float64]{Kind: 9}, disc(0, 1))
+	refused(t, err, ErrKind, "kind")
+	_, err = Columns(KindPoint, []float64{1}, []float64{1, 2})
+	refused(t, err, ErrArgument, "columns of 1 and 2 numbers")
+	_, err = NearestMany(three, three, ClosestPointsColumns[float64]{})
+	refused(t, err, Error(-1), "")
+	numbers := make([]float64, 9)
+	own := must(Packed(KindCircle, numbers))
+	_, err = AreaMany(own, three, numbers[4:])
+	refused(t, err, ErrArgument, "out overlaps an input")
+	_, err = DepthMany(three, own, PenetrationColumns[float64]{X: numbers[6:]})
+	refused(t, err, ErrArgument, "out overlaps an input")
+	_, err = NMS(three, []float64{1}, 0.5)
+	refused(t, err, ErrArgument, "3 shapes need as many scores, not 1")
+	_, err = IndexFromBytes(make([]byte, 640), three)
+	refused(t, err, ErrIndex, "")
+	index := must(NewIndex(three))
+	_, err = IndexFromBytes(index.Bytes(), three, three)
+	refused(t, err, ErrArgument, "an index of 3 shapes cannot be that of 6")
+	_, err = index.Select(Circle[float32]{R: 1})
+	refused(t, err, ErrArgument, "float32")
+	_, err = index.JoinPart(index, JoinOverlap, 2, 2)
+	refused(t, err, ErrArgument, "")
+}
+
+func TestAnOlderLibraryIsRefused(t *testing.T) {
+	if err := newEnough(Version); err != nil {
+		t.Error(err)
+	}
+	if err := newEnough(99); err == nil || err.Error() != "libvesica 99 is older than 100, which this package needs: link a newer one" {
+		t.Error(err)
+	}
+}
+
+func TestNothingAtAll(t *testing.T) {
+	none := Circles([]Circle[float64]{})
+	if n, err := OverlapMany(none, none, nil); n != 0 || err != nil {
+		t.Error(n, err)
+	}
+	index := must(NewIndex(none))
+	if len(must(index.Select(disc(0, 1)))) != 0 || len(must(index.Join(index, JoinOverlap))) != 0 {
+		t.Error("something")
+	}
+	must(NewIndex[float64]())
+}
+
+func TestLayouts(t *testing.T) {
+	records := must(Records(KindCircle, []float64{0, 0, 1, 77, 5, 0, 1, 77}, 4))
+	columns := must(Columns(KindCircle, []float64{0, 5}, []float64{0, 0}, []float64{1, 1}))
+	relations := make([]Relation, 2)
+	if n, err := RelationMany(records, columns, relations); n != 2 || err != nil || relations[1] != RelationEqual {
+		t.Error(n, err, relations)
+	}
+}
+
+func TestNothingIsCopied(t *testing.T) {
+	shapes, out := make([]Rect[float64], 100_000), make([]bool, 100_000)
+	for i := range shapes {
+		shapes[i].UX = 1
+	}
+	array := Rects(shapes)
+	if array.view.field[0] != first(shapes) {
+		t.Error("another address")
+	}
+	var before = testing.AllocsPerRun(3, func() { must(OverlapMany(array, array, out)) })
+	if before > 2 {
+		t.Errorf("%g allocations", before)
+	}
+}
+
+// Whatever is passed, there is an answer or an error.
+func TestAnyArguments(t *testing.T) {
+	calls, seed := 5000, time.Now().UnixNano()
+	if text := os.Getenv("VESICA_CALLS"); text != "" {
+		calls = must(strconv.Atoi(text))
+	}
+	t.Log("seed", seed)
+	draw := rand.New(rand.NewSource(seed)).Intn
+	special := []float64{0, math.Copysign(0, -1), 1, -1, 0.5, math.NaN(), math.Inf(1), 5e-324, 1.7e308, 1e-200}
+	numbers := func(kind Kind) []float64 {
+		count := kind.Fields() * draw(6)
+		if draw(4) == 0 {
+			count = draw(40)
+		}
+		out := make([]float64, count)
+		for i := range out {
+			if out[i] = float64(draw(9)); draw(40) == 0 {
+				out[i] = special[draw(len(special))]
+			}
+		}
+		return out
+	}
+	answered := 0
+	for i := 0; i < calls; i++ {
+		kindA, kindB := Kind(draw(8)-1), Kind(draw(8)-1)
+		second := numbers(kindB)
+		a, errA := Records(kindA, numbers(kindA), kindA.Fields()+draw(3)/2)
+		b, errB := Packed(kindB, second)
+		if errA != nil || errB != nil {
+			continue
+		}
+		bools, out := make([]bool, draw(100)), make([]float64, draw(100))
+		var err error
+		switch draw(9) {
+		case 0:
+			_, err = OverlapMany(a, b, bools)
+		case 1:
+			_, err = ContainsMatrix(a, b, bools)
+		case 2:
+			_, err = AreaMany(a, b, out)
+		case 3:
+			_, err = IoUMatrix(a, b, out)
+		case 4:
+			_, err = DepthMany(a, b, PenetrationColumns[float64]{X: out})
+		case 5:
+			_, err = NMS(a, out, special[draw(10)])
+		case 6:
+			index, failed := NewIndex(a, b)
+			if err = failed; err == nil {
+				_, err = index.Join(index, JoinQuery(draw(6)-1))
+			}
+		case 7:
+			index, failed := NewIndex(a)
+			if err = failed; err == nil {
+				_, _, err = index.NearestOfEach(draw(5)-1, special[draw(10)], b, a)
+			}
+		default:
+			_, err = IndexFromBytes(make([]byte, draw(900)), a)
+		}
+		if err == nil {
+			answered++
+		}
+	}
+	if answered < calls/20 {
+		t.Errorf("%d of %d answered", answered, calls)
+	}
+}

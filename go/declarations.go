@@ -1,0 +1,568 @@
+// SPDX-License-Identifier: Apache-2.0
+// Written by capi/declare from capi/vesica.json: not to be edited.
+
+package vesica
+
+// #include "declarations.h"
+import "C"
+
+import "unsafe"
+
+// Version of this header: major * 10000 + minor * 100 + patch.
+const Version = 100
+
+// Kind is one of the six kinds of shapes.
+type Kind int32
+
+// Kind values.
+const (
+	// KindPoint: x y
+	KindPoint Kind = 0
+	// KindSegment: x0 y0 x1 y1
+	KindSegment Kind = 1
+	// KindCircle: cx cy r
+	KindCircle Kind = 2
+	// KindAABB: min_x min_y max_x max_y
+	KindAABB Kind = 3
+	// KindRect: cx cy ux uy hx hy
+	KindRect Kind = 4
+	// KindEllipse: cx cy ux uy a b
+	KindEllipse Kind = 5
+)
+
+// Relation is how a shape a relates to a shape b: the eight relations of RCC-8.
+type Relation uint8
+
+// Relation values.
+const (
+	// RelationDisjoint: a and b have no common point
+	RelationDisjoint Relation = 0
+	// RelationTouch: they have common points, but their insides have none
+	RelationTouch Relation = 1
+	// RelationCross: their insides meet, and neither shape contains the other
+	RelationCross Relation = 2
+	// RelationInside: b contains a, and a has no point of b's outline
+	RelationInside Relation = 3
+	// RelationInsideTouch: b contains a, and a has points of b's outline
+	RelationInsideTouch Relation = 4
+	// RelationContains: a contains b, and b has no point of a's outline
+	RelationContains Relation = 5
+	// RelationContainsTouch: a contains b, and b has points of a's outline
+	RelationContainsTouch Relation = 6
+	// RelationEqual: a and b are the same set of points
+	RelationEqual Relation = 7
+)
+
+// Error is an error code of the library.
+type Error int32
+
+// Error values.
+const (
+	// ErrNull: a pointer is NULL
+	ErrNull Error = -1
+	// ErrShape: a shape is invalid; vesica_check_f64 and _f32 tell why
+	ErrShape Error = -2
+	// ErrKind: a kind is not one of the six
+	ErrKind Error = -3
+	// ErrArgument: another argument is out of its documented range
+	ErrArgument Error = -4
+	// ErrNotFinite: a number is NaN or infinite
+	ErrNotFinite Error = -5
+	// ErrNegativeSize: a radius, half extent or half length is negative
+	ErrNegativeSize Error = -6
+	// ErrZeroAxis: the axis (ux, uy) is (0, 0)
+	ErrZeroAxis Error = -7
+	// ErrInverted: an AABB's min exceeds its max
+	ErrInverted Error = -8
+	// ErrRange: a number of the result would be beyond the finite numbers of its type
+	ErrRange Error = -9
+	// ErrIndex: bytes are not an index of this version, or are damaged
+	ErrIndex Error = -10
+)
+
+// JoinQuery is what makes a pair of a join.
+type JoinQuery int32
+
+// JoinQuery values.
+const (
+	// JoinOverlap: a and b share a point, as vesica_overlap_f64 tells
+	JoinOverlap JoinQuery = 0
+	// JoinBounds: their bounds in the indexes do: all pairs that overlap, and some that do not
+	JoinBounds JoinQuery = 1
+	// JoinContains: a contains b, as vesica_contains_f64 tells
+	JoinContains JoinQuery = 2
+	// JoinInside: b contains a
+	JoinInside JoinQuery = 3
+)
+
+// Point: A location.
+type Point[T Float] struct {
+	X T
+	Y T
+}
+
+func (s Point[T]) one() one { return oneOf[T](KindPoint, unsafe.Pointer(&s)) }
+
+// Points is an array of shapes: the slice itself, which is not copied.
+func Points[T Float](shapes []Point[T]) Array[T] {
+	return arrayOf[T](KindPoint, first(shapes), len(shapes))
+}
+
+// Segment: All points between two end points. If the two are the same, the segment is a point.
+type Segment[T Float] struct {
+	X0 T
+	Y0 T
+	X1 T
+	Y1 T
+}
+
+func (s Segment[T]) one() one { return oneOf[T](KindSegment, unsafe.Pointer(&s)) }
+
+// Segments is an array of shapes: the slice itself, which is not copied.
+func Segments[T Float](shapes []Segment[T]) Array[T] {
+	return arrayOf[T](KindSegment, first(shapes), len(shapes))
+}
+
+// Circle: A disc: centre and radius, r >= 0.
+type Circle[T Float] struct {
+	CX T
+	CY T
+	R  T
+}
+
+func (s Circle[T]) one() one { return oneOf[T](KindCircle, unsafe.Pointer(&s)) }
+
+// Circles is an array of shapes: the slice itself, which is not copied.
+func Circles[T Float](shapes []Circle[T]) Array[T] {
+	return arrayOf[T](KindCircle, first(shapes), len(shapes))
+}
+
+// AABB: A box along the coordinate axes, min_x <= max_x and min_y <= max_y.
+type AABB[T Float] struct {
+	MinX T
+	MinY T
+	MaxX T
+	MaxY T
+}
+
+func (s AABB[T]) one() one { return oneOf[T](KindAABB, unsafe.Pointer(&s)) }
+
+// AABBs is an array of shapes: the slice itself, which is not copied.
+func AABBs[T Float](shapes []AABB[T]) Array[T] {
+	return arrayOf[T](KindAABB, first(shapes), len(shapes))
+}
+
+// Rect: All points C + s u + t perp(u) with |s| <= hx and |t| <= hy, where C is (cx, cy); hx, hy >= 0 and u != (0, 0).
+type Rect[T Float] struct {
+	CX T
+	CY T
+	UX T
+	UY T
+	HX T
+	HY T
+}
+
+func (s Rect[T]) one() one { return oneOf[T](KindRect, unsafe.Pointer(&s)) }
+
+// Rects is an array of shapes: the slice itself, which is not copied.
+func Rects[T Float](shapes []Rect[T]) Array[T] {
+	return arrayOf[T](KindRect, first(shapes), len(shapes))
+}
+
+// Ellipse: All points C + s u + t perp(u) with (s/a)^2 + (t/b)^2 <= 1, where C is (cx, cy); a, b >= 0 and u != (0, 0).
+type Ellipse[T Float] struct {
+	CX T
+	CY T
+	UX T
+	UY T
+	A  T
+	B  T
+}
+
+func (s Ellipse[T]) one() one { return oneOf[T](KindEllipse, unsafe.Pointer(&s)) }
+
+// Ellipses is an array of shapes: the slice itself, which is not copied.
+func Ellipses[T Float](shapes []Ellipse[T]) Array[T] {
+	return arrayOf[T](KindEllipse, first(shapes), len(shapes))
+}
+
+// ClosestPoints: A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
+type ClosestPoints[T Float] struct {
+	Distance T
+	AX       T
+	AY       T
+	BX       T
+	BY       T
+}
+
+// CrossingPoints: Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if they have a stretch in common.
+type CrossingPoints[T Float] struct {
+	Count  int32
+	Shared int32
+	X      [8]T
+	Y      [8]T
+}
+
+// Penetration: The shortest move of b that ends its overlap with a: its length, and its unit direction (x, y).
+type Penetration[T Float] struct {
+	Depth T
+	X     T
+	Y     T
+}
+
+func cCheck(wide bool, kind C.int32_t, numbers C.vesica_go_numbers) C.int32_t {
+	if wide {
+		return C.go_check_f64(kind, numbers)
+	}
+	return C.go_check_f32(kind, numbers)
+}
+
+func cOverlap(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers) C.int32_t {
+	if wide {
+		return C.go_overlap_f64(kindA, numbersA, kindB, numbersB)
+	}
+	return C.go_overlap_f32(kindA, numbersA, kindB, numbersB)
+}
+
+func cRelation(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers) C.int32_t {
+	if wide {
+		return C.go_relation_f64(kindA, numbersA, kindB, numbersB)
+	}
+	return C.go_relation_f32(kindA, numbersA, kindB, numbersB)
+}
+
+func cContains(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers) C.int32_t {
+	if wide {
+		return C.go_contains_f64(kindA, numbersA, kindB, numbersB)
+	}
+	return C.go_contains_f32(kindA, numbersA, kindB, numbersB)
+}
+
+func cCrossings(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_crossings_f64(kindA, numbersA, kindB, numbersB, out)
+	}
+	return C.go_crossings_f32(kindA, numbersA, kindB, numbersB, out)
+}
+
+func cNearest(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_nearest_f64(kindA, numbersA, kindB, numbersB, out)
+	}
+	return C.go_nearest_f32(kindA, numbersA, kindB, numbersB, out)
+}
+
+func cBoundaryDistance(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_boundary_distance_f64(kindA, numbersA, kindB, numbersB, out)
+	}
+	return C.go_boundary_distance_f32(kindA, numbersA, kindB, numbersB, out)
+}
+
+func cDepth(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_depth_f64(kindA, numbersA, kindB, numbersB, out)
+	}
+	return C.go_depth_f32(kindA, numbersA, kindB, numbersB, out)
+}
+
+func cShapeArea(wide bool, kind C.int32_t, numbers C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_shape_area_f64(kind, numbers, out)
+	}
+	return C.go_shape_area_f32(kind, numbers, out)
+}
+
+func cArea(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_area_f64(kindA, numbersA, kindB, numbersB, out)
+	}
+	return C.go_area_f32(kindA, numbersA, kindB, numbersB, out)
+}
+
+func cIOU(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_iou_f64(kindA, numbersA, kindB, numbersB, out)
+	}
+	return C.go_iou_f32(kindA, numbersA, kindB, numbersB, out)
+}
+
+func cBounds(wide bool, kind C.int32_t, numbers C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_bounds_f64(kind, numbers, out)
+	}
+	return C.go_bounds_f32(kind, numbers, out)
+}
+
+func cAABBFromCorners(wide bool, x0 float64, y0 float64, x1 float64, y1 float64, out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_aabb_from_corners_f64(C.double(x0), C.double(y0), C.double(x1), C.double(y1), out)
+	}
+	return C.go_aabb_from_corners_f32(C.float(x0), C.float(y0), C.float(x1), C.float(y1), out)
+}
+
+func cRectFromAngle(wide bool, cx float64, cy float64, angle float64, width float64, height float64, out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_rect_from_angle_f64(C.double(cx), C.double(cy), C.double(angle), C.double(width), C.double(height), out)
+	}
+	return C.go_rect_from_angle_f32(C.float(cx), C.float(cy), C.float(angle), C.float(width), C.float(height), out)
+}
+
+func cRectFromCorners(wide bool, corners unsafe.Pointer, out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_rect_from_corners_f64(corners, out)
+	}
+	return C.go_rect_from_corners_f32(corners, out)
+}
+
+func cEllipseFromAngle(wide bool, cx float64, cy float64, angle float64, a float64, b float64, out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_ellipse_from_angle_f64(C.double(cx), C.double(cy), C.double(angle), C.double(a), C.double(b), out)
+	}
+	return C.go_ellipse_from_angle_f32(C.float(cx), C.float(cy), C.float(angle), C.float(a), C.float(b), out)
+}
+
+func cEllipseFromRadiusVector(wide bool, cx float64, cy float64, wx float64, wy float64, ratio float64, out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_ellipse_from_radius_vector_f64(C.double(cx), C.double(cy), C.double(wx), C.double(wy), C.double(ratio), out)
+	}
+	return C.go_ellipse_from_radius_vector_f32(C.float(cx), C.float(cy), C.float(wx), C.float(wy), C.float(ratio), out)
+}
+
+func cEllipseFromCovariance(wide bool, meanX float64, meanY float64, cxx float64, cxy float64, cyy float64, k float64, out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_ellipse_from_covariance_f64(C.double(meanX), C.double(meanY), C.double(cxx), C.double(cxy), C.double(cyy), C.double(k), out)
+	}
+	return C.go_ellipse_from_covariance_f32(C.float(meanX), C.float(meanY), C.float(cxx), C.float(cxy), C.float(cyy), C.float(k), out)
+}
+
+func cEllipseFromMatrix(wide bool, cx float64, cy float64, mxx float64, mxy float64, myy float64, out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_ellipse_from_matrix_f64(C.double(cx), C.double(cy), C.double(mxx), C.double(mxy), C.double(myy), out)
+	}
+	return C.go_ellipse_from_matrix_f32(C.float(cx), C.float(cy), C.float(mxx), C.float(mxy), C.float(myy), out)
+}
+
+func cOverlapMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_overlap_many_f64(a, b, out)
+	}
+	return C.go_overlap_many_f32(a, b, out)
+}
+
+func cRelationMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_relation_many_f64(a, b, out)
+	}
+	return C.go_relation_many_f32(a, b, out)
+}
+
+func cContainsMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_contains_many_f64(a, b, out)
+	}
+	return C.go_contains_many_f32(a, b, out)
+}
+
+func cNearestMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance unsafe.Pointer, ax unsafe.Pointer, ay unsafe.Pointer, bx unsafe.Pointer, by unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_nearest_many_f64(a, b, distance, ax, ay, bx, by)
+	}
+	return C.go_nearest_many_f32(a, b, distance, ax, ay, bx, by)
+}
+
+func cBoundaryDistanceMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance unsafe.Pointer, ax unsafe.Pointer, ay unsafe.Pointer, bx unsafe.Pointer, by unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_boundary_distance_many_f64(a, b, distance, ax, ay, bx, by)
+	}
+	return C.go_boundary_distance_many_f32(a, b, distance, ax, ay, bx, by)
+}
+
+func cDepthMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, depth unsafe.Pointer, x unsafe.Pointer, y unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_depth_many_f64(a, b, depth, x, y)
+	}
+	return C.go_depth_many_f32(a, b, depth, x, y)
+}
+
+func cAreaMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_area_many_f64(a, b, out)
+	}
+	return C.go_area_many_f32(a, b, out)
+}
+
+func cIOUMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_iou_many_f64(a, b, out)
+	}
+	return C.go_iou_many_f32(a, b, out)
+}
+
+func cOverlapMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer, rowStride C.ptrdiff_t) C.int64_t {
+	if wide {
+		return C.go_overlap_matrix_f64(a, b, out, rowStride)
+	}
+	return C.go_overlap_matrix_f32(a, b, out, rowStride)
+}
+
+func cRelationMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer, rowStride C.ptrdiff_t) C.int64_t {
+	if wide {
+		return C.go_relation_matrix_f64(a, b, out, rowStride)
+	}
+	return C.go_relation_matrix_f32(a, b, out, rowStride)
+}
+
+func cContainsMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer, rowStride C.ptrdiff_t) C.int64_t {
+	if wide {
+		return C.go_contains_matrix_f64(a, b, out, rowStride)
+	}
+	return C.go_contains_matrix_f32(a, b, out, rowStride)
+}
+
+func cAreaMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer, rowStride C.ptrdiff_t) C.int64_t {
+	if wide {
+		return C.go_area_matrix_f64(a, b, out, rowStride)
+	}
+	return C.go_area_matrix_f32(a, b, out, rowStride)
+}
+
+func cIOUMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer, rowStride C.ptrdiff_t) C.int64_t {
+	if wide {
+		return C.go_iou_matrix_f64(a, b, out, rowStride)
+	}
+	return C.go_iou_matrix_f32(a, b, out, rowStride)
+}
+
+func cOverlapSelect(wide bool, one C.vesica_go_view, many C.vesica_go_view, out unsafe.Pointer, capacity C.int64_t) C.int64_t {
+	if wide {
+		return C.go_overlap_select_f64(one, many, out, capacity)
+	}
+	return C.go_overlap_select_f32(one, many, out, capacity)
+}
+
+func cNMS(wide bool, shapes C.vesica_go_view, scores unsafe.Pointer, threshold float64, scratch unsafe.Pointer, scratchSize C.int64_t, keep unsafe.Pointer, kept unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_nms_f64(shapes, scores, C.double(threshold), scratch, scratchSize, keep, kept)
+	}
+	return C.go_nms_f32(shapes, scores, C.float(threshold), scratch, scratchSize, keep, kept)
+}
+
+func cIndexBuild(wide bool, sets C.vesica_go_sets, setCount C.int32_t, index unsafe.Pointer, indexSize C.int64_t, scratch unsafe.Pointer, scratchSize C.int64_t) C.int64_t {
+	if wide {
+		return C.go_index_build_f64(sets, setCount, index, indexSize, scratch, scratchSize)
+	}
+	return C.go_index_build_f32(sets, setCount, index, indexSize, scratch, scratchSize)
+}
+
+func cIndexSelect(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view, out unsafe.Pointer, capacity C.int64_t, state unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_index_select_f64(index, sets, setCount, one, out, capacity, state)
+	}
+	return C.go_index_select_f32(index, sets, setCount, one, out, capacity, state)
+}
+
+func cJoin(wide bool, query C.int32_t, indexA unsafe.Pointer, setsA C.vesica_go_sets, setCountA C.int32_t, indexB unsafe.Pointer, setsB C.vesica_go_sets, setCountB C.int32_t, part C.int64_t, parts C.int64_t, scratch unsafe.Pointer, scratchSize C.int64_t, outA unsafe.Pointer, outB unsafe.Pointer, capacity C.int64_t, state unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_join_f64(query, indexA, setsA, setCountA, indexB, setsB, setCountB, part, parts, scratch, scratchSize, outA, outB, capacity, state)
+	}
+	return C.go_join_f32(query, indexA, setsA, setCountA, indexB, setsB, setCountB, part, parts, scratch, scratchSize, outA, outB, capacity, state)
+}
+
+func cIndexNearest(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view, k C.int64_t, within float64, out unsafe.Pointer, distance unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_index_nearest_f64(index, sets, setCount, one, k, C.double(within), out, distance)
+	}
+	return C.go_index_nearest_f32(index, sets, setCount, one, k, C.float(within), out, distance)
+}
+
+func cJoinNearest(wide bool, setsA C.vesica_go_sets, setCountA C.int32_t, indexB unsafe.Pointer, setsB C.vesica_go_sets, setCountB C.int32_t, k C.int64_t, within float64, part C.int64_t, parts C.int64_t, out unsafe.Pointer, distance unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_join_nearest_f64(setsA, setCountA, indexB, setsB, setCountB, k, C.double(within), part, parts, out, distance)
+	}
+	return C.go_join_nearest_f32(setsA, setCountA, indexB, setsB, setCountB, k, C.float(within), part, parts, out, distance)
+}
+
+func cRatio(wide bool, ratio C.int32_t, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_ratio_f64(ratio, kindA, numbersA, kindB, numbersB, out)
+	}
+	return C.go_ratio_f32(ratio, kindA, numbersA, kindB, numbersB, out)
+}
+
+func cRatioMany(wide bool, ratio C.int32_t, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_ratio_many_f64(ratio, a, b, out)
+	}
+	return C.go_ratio_many_f32(ratio, a, b, out)
+}
+
+func cRatioMatrix(wide bool, ratio C.int32_t, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer, rowStride C.ptrdiff_t) C.int64_t {
+	if wide {
+		return C.go_ratio_matrix_f64(ratio, a, b, out, rowStride)
+	}
+	return C.go_ratio_matrix_f32(ratio, a, b, out, rowStride)
+}
+
+func cNearestMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer, rowStride C.ptrdiff_t) C.int64_t {
+	if wide {
+		return C.go_nearest_matrix_f64(a, b, out, rowStride)
+	}
+	return C.go_nearest_matrix_f32(a, b, out, rowStride)
+}
+
+func cBoundaryDistanceMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer, rowStride C.ptrdiff_t) C.int64_t {
+	if wide {
+		return C.go_boundary_distance_matrix_f64(a, b, out, rowStride)
+	}
+	return C.go_boundary_distance_matrix_f32(a, b, out, rowStride)
+}
+
+func cDepthMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer, rowStride C.ptrdiff_t) C.int64_t {
+	if wide {
+		return C.go_depth_matrix_f64(a, b, out, rowStride)
+	}
+	return C.go_depth_matrix_f32(a, b, out, rowStride)
+}
+
+func cSuppress(wide bool, shapes C.vesica_go_view, scores unsafe.Pointer, labels unsafe.Pointer, ratio C.int32_t, threshold float64, leastScore float64, most C.int64_t, scratch unsafe.Pointer, scratchSize C.int64_t, keep unsafe.Pointer, kept unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_suppress_f64(shapes, scores, labels, ratio, C.double(threshold), C.double(leastScore), most, scratch, scratchSize, keep, kept)
+	}
+	return C.go_suppress_f32(shapes, scores, labels, ratio, C.float(threshold), C.float(leastScore), most, scratch, scratchSize, keep, kept)
+}
+
+func cRectsFromBoxes(wide bool, boxes unsafe.Pointer, count C.int64_t, stride C.ptrdiff_t, angle C.int32_t, out unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_rects_from_boxes_f64(boxes, count, stride, angle, out)
+	}
+	return C.go_rects_from_boxes_f32(boxes, count, stride, angle, out)
+}
+
+func cEllipsesFromBoxes(wide bool, boxes unsafe.Pointer, count C.int64_t, stride C.ptrdiff_t, angle C.int32_t, out unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_ellipses_from_boxes_f64(boxes, count, stride, angle, out)
+	}
+	return C.go_ellipses_from_boxes_f32(boxes, count, stride, angle, out)
+}
+
+func cBoxesFromShapes(wide bool, shapes C.vesica_go_view, angle C.int32_t, boxes unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_boxes_from_shapes_f64(shapes, angle, boxes)
+	}
+	return C.go_boxes_from_shapes_f32(shapes, angle, boxes)
+}
+
+func cCornersOFShapes(wide bool, shapes C.vesica_go_view, corners unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_corners_of_shapes_f64(shapes, corners)
+	}
+	return C.go_corners_of_shapes_f32(shapes, corners)
+}
+
+func cBoundsMany(wide bool, shapes C.vesica_go_view, out unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_bounds_many_f64(shapes, out)
+	}
+	return C.go_bounds_many_f32(shapes, out)
+}

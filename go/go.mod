@@ -1,0 +1,3 @@
+module example.org/vesica
+
+go 1.19

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+package vesica;
+
+import static vesica.VesicaException.checked;
+
+import java.nio.ByteBuffer;
+import java.util.Arrays;
+
+/**
+ * An index over arrays of shapes laid end to end: item i is shape i of the first array, and the next array's items
+ * follow. It holds bounds: the numbers must stay as they were.
+ */
+public final class Index {
+  private static final int ALIGNMENT = 64;
+  private static final int PAIRS_A_CALL = 1 << 14;
+
+  private final Sets sets;
+  private final ByteBuffer memory;
+  private final boolean incomplete;
+
+  /** Items and their distances. */
+  public record Neighbours(long[] items, double[] distances) {}
+
+  /** Invalid shapes are left out; {@link #incomplete} tells. */
+  public Index(Shapes... shapes) {
+    sets = new Sets(shapes);
+    ByteBuffer room = aligned(checked(Native.indexSize(sets.count)));
+    ByteBuffer scratch = aligned(checked(Native.indexScratch(sets.count)));
+    long code = Native.indexBuild(sets.wide, sets, room, room.capacity(), scratch, scratch.capacity());
+    incomplete = code == ErrorCode.SHAPE.value;
+    if (!incomplete) checked(code);
+    int used = (int) checked(Native.indexBytes(room));
+    memory = aligned(used).put(0, room, 0, used);
+  }
+
+  private Index(byte[] bytes, Sets sets) {
+    this.sets = sets;
+    memory = aligned(bytes.length).put(0, bytes);
+    incomplete = false;
+    checked(Native.indexCheck(memory, bytes.length));
+    long builtOf = checked(Native.indexCount(memory));
+    if (builtOf != sets.count) {
+      throw new IllegalArgumentException("an index of " + builtOf + " shapes cannot be that of " + sets.count);
+    }
+  }
+
+  /** The index whose bytes were saved, over the same shapes. They are checked. */
+  public static Index fromBytes(byte[] bytes, Shapes... shapes) {
+    return new Index(bytes, new Sets(shapes));
+  }
+
+  private static ByteBuffer aligned(long size) {
+    int room = Math.toIntExact(Math.max(size, 1));
+    return ByteBuffer.allocateDirect(room + 2 * ALIGNMENT).alignedSlice(ALIGNMENT).slice(0, room);
+  }
+
+  /** A copy of the bytes, to be saved. */
+  public byte[] bytes() {
+    byte[] bytes = new byte[(int) checked(Native.indexBytes(memory))];
+    memory.get(0, bytes);
+    return bytes;
+  }
+
+  /** How many items there are, invalid shapes included. */
+  public long count() {
+    return sets.count;
+  }
+
+  /** Whether invalid shapes were left out. Bytes that were saved do not tell. */
+  public boolean incomplete() {
+    return incomplete;
+  }
+
+  /** A box around all valid shapes, a little larger than the smallest one. */
+  public Aabb bounds() {
+    double[] out = new double[4];
+    checked(Native.indexBounds(memory, out));
+    return Aabb.of(out);
+  }
+
+  /** The items in spatial order: arrays that are laid so are joined quicker. */
+  public long[] order() {
+    long[] out = new long[(int) sets.count];
+    return Arrays.copyOf(out, (int) checked(Native.indexOrder(memory, out, out.length)));
+  }
+
+  /** The items that a single shape overlaps, in the index's order. */
+  public long[] select(Shapes one) {
+    Vesica.alike(sets.wide, one.wide);
+    long found = checked(Native.indexSelect(sets.wide, memory, sets, one, null, 0, null));
+    long[] out = new long[(int) found];
+    if (found > 0) checked(Native.indexSelect(sets.wide, memory, sets, one, out, found, new long[4]));
+    return out;
+  }
+
+  /** The k items nearest to a single shape, at most {@code within} away; infinity asks for any. */
+  public Neighbours nearest(Shapes one, int k, double within) {
+    Vesica.alike(sets.wide, one.wide);
+    if (k < 0) throw new IllegalArgumentException("k is " + k + ", not a count");
+    int most = (int) Math.min(k, sets.count);
+    long[] items = new long[most];
+    Object distances = numbers(most);
+    int found = (int) checked(Native.indexNearest(sets.wide, memory, sets, one, most, within, items, distances));
+    return new Neighbours(Arrays.copyOf(items, Math.min(found, most)), Arrays.copyOf(doubles(distances), Math.min(found, most)));
+  }
+
+  /**
+   * Of each shape of some arrays, the k nearest items: rows of k, one after the other, filled up by -1 at distance
+   * infinity. Where a shape is invalid its row holds -1, and the exception has the result.
+   */
+  public Neighbours nearestOfEach(int k, double within, Shapes... shapes) {
+    Sets asked = new Sets(shapes);
+    Vesica.alike(sets.wide, asked.wide);
+    if (k < 1) throw new IllegalArgumentException("k is " + k + ", not 1 or more");
+    int rows = Math.toIntExact(Math.multiplyExact(asked.count, (long) k));
+    long[] items = new long[rows];
+    Object distances = numbers(rows);
+    long code = Native.joinNearest(sets.wide, asked, memory, sets, k, within, 0, 1, items, distances);
+    return VesicaException.finished(code, new Neighbours(items, doubles(distances)));
+  }
+
+  private Object numbers(int count) {
+    return sets.wide ? new double[count] : new float[count];
+  }
+
+  private static double[] doubles(Object numbers) {
+    if (numbers instanceof double[] doubles) return doubles;
+    float[] floats = (float[]) numbers;
+    double[] out = new double[floats.length];
+    for (int i = 0; i < out.length; i++) out[i] = floats[i];
+    return out;
+  }
+
+  /** All pairs a &lt; b of items of this index that overlap. */
+  public long[][] join() {
+    return join(this, JoinQuery.OVERLAP);
+  }
+
+  /** All pairs of an item of this index and one of another: two arrays of items. With itself the pairs a &lt; b. */
+  public long[][] join(Index other, JoinQuery query) {
+    return join(other, query, 0, 1);
+  }
+
+  /** One of some parts of a join, which threads may ask at the same time. One after the other they are the join. */
+  public long[][] join(Index other, JoinQuery query, long part, long parts) {
+    long[][] pairs = new long[2][PAIRS_A_CALL];
+    long[] a = new long[PAIRS_A_CALL], b = new long[PAIRS_A_CALL], state = new long[4];
+    int count = 0;
+    while (state[0] != -1) {
+      int found = (int) ask(other, query, part, parts, a, b, state);
+      for (int side = 0; side < 2; side++) {
+        if (count + found > pairs[side].length) pairs[side] = Arrays.copyOf(pairs[side], 2 * (count + found));
+        System.arraycopy(side == 0 ? a : b, 0, pairs[side], count, found);
+      }
+      count += found;
+    }
+    return new long[][] {Arrays.copyOf(pairs[0], count), Arrays.copyOf(pairs[1], count)};
+  }
+
+  /** How many pairs {@link #join} gives. */
+  public long joinCount(Index other, JoinQuery query) {
+    return ask(other, query, 0, 1, null, null, null);
+  }
+
+  private long ask(Index other, JoinQuery query, long part, long parts, long[] a, long[] b, long[] state) {
+    Vesica.alike(sets.wide, other.sets.wide);
+    ByteBuffer scratch = aligned(checked(Native.joinScratch()));
+    int room = a == null ? 0 : a.length;
+    return checked(
+        Native.join(sets.wide, query.value, memory, sets, other.memory, other.sets, part, parts, scratch,
+            scratch.capacity(), a, b, room, state));
+  }
+}

@@ -1,0 +1,2506 @@
+// SPDX-License-Identifier: Apache-2.0
+// Written by capi/declare from capi/vesica.json: not to be edited.
+package vesica;
+
+/** The functions of the C library, with their texts. Object is an array or a direct buffer. */
+final class Native {
+  /**
+   * of this header: major * 10000 + minor * 100 + patch
+   */
+  static final int VERSION = 100;
+
+  private Native() {}
+
+  static {
+    Library.load();
+  }
+
+  /**
+   * Version of the loaded library, to be compared with VESICA_VERSION: a smaller one is older than the header.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int version();
+
+  /**
+   * VESICA_VERSION_MAJOR of the loaded library.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int versionMajor();
+
+  /**
+   * VESICA_VERSION_MINOR of the loaded library.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int versionMinor();
+
+  /**
+   * VESICA_VERSION_PATCH of the loaded library.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int versionPatch();
+
+  /**
+   * What an error code means, as one English phrase without a final stop.
+   *
+   * <p>Returns: static text, never NULL: "success" for answers (&gt;= 0), "unknown error" for unknown codes.
+   *
+   * <p>Since: 0.1.
+   */
+  static native String strerror(int code);
+
+  /**
+   * How many numbers does a shape of this kind have?
+   *
+   * <p>Returns: 2, 4, 3, 4, 6, 6 for VESICA_POINT ... VESICA_ELLIPSE.
+   *
+   * <p>Errors: VESICA_E_KIND.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int fieldCount(int kind);
+
+  /**
+   * Name of a kind.
+   *
+   * <p>Returns: static text: "point", "segment", "circle", "aabb", "rect" or "ellipse"; NULL for an unknown kind.
+   *
+   * <p>Since: 0.1.
+   */
+  static native String kindName(int kind);
+
+  /**
+   * Is a shape valid, and if not, which rule does it break?
+   *
+   * <p>Returns: 0 for a valid shape, else the first rule broken: VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE,
+   * VESICA_E_ZERO_AXIS or VESICA_E_INVERTED.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND.
+   *
+   * <p>Cost: a few ns.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int checkF64(int kind, Object numbers);
+
+  /**
+   * Do two shapes share a point? Touching counts.
+   *
+   * <p>Returns: 1 if they do, 0 if not.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+   *
+   * <p>Accuracy: exact.
+   *
+   * <p>Cost: about 2 ns more than the function named after the two kinds.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int overlapF64(int kindA, Object numbersA, int kindB, Object numbersB);
+
+  /**
+   * How does a relate to b? The answer is one of the eight relations of the region connection calculus (RCC-8).
+   *
+   * <p>The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with one size zero,
+   * is its two end points. A point, or a shape without any size, has no outline. The inside is all but the outline. If
+   * several relations fit, VESICA_EQUAL comes first, then those of containment, then VESICA_CROSS. So a segment that ends
+   * on the middle of another touches it, two segments along one line that overlap in part cross, and a point on the rim
+   * of a disc is inside with touch. Exchanging the shapes always gives the converse relation.
+   *
+   * <p>Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+   *
+   * <p>Accuracy: exact.
+   *
+   * <p>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal, at worst 300.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int relationF64(int kindA, Object numbersA, int kindB, Object numbersB);
+
+  /**
+   * Does a contain all of b? A shape contains itself, and what touches its outline from inside.
+   *
+   * <p>Returns: 1 if vesica_relation_f64 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+   *
+   * <p>Accuracy: exact.
+   *
+   * <p>Cost: that of vesica_relation_f64.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int containsF64(int kindA, Object numbersA, int kindB, Object numbersB);
+
+  /**
+   * Where do the outlines of two shapes meet? Touching counts.
+   *
+   * <p>The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their own
+   * outlines. A contact of any order is one place. If straight outlines have a stretch in common, its two end points are
+   * places, and out-&gt;shared is 1. So equal boxes have their four corners. Equal curves have no single places: then the
+   * count is 0 and out-&gt;shared is 1.
+   * Places come in order along a's outline, counter-clockwise in the frame of its axis. The start is a box's corner
+   * C - hx u - hy perp(u), an ellipse's point C + a u, a circle's point C + (r, 0), or a segment's first end.
+   *
+   * <p>Returns: the number of places, 0 to 8.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   *
+   * <p>Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, however
+   * closely the outlines touch or coincide. Places closer to one another than that may come in either order or be equal.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   *
+   * <p>Cost: 1 to 10 us; at worst 300 us, where exponents are wildly unlike.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int crossingsF64(int kindA, Object numbersA, int kindB, Object numbersB, Object out);
+
+  /**
+   * How far apart are two solid shapes, and which of their points are closest?
+   *
+   * <p>If the shapes overlap (as vesica_overlap_f64 tells), the distance is 0 and both points are one common point. If not,
+   * the distance is &gt; 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes by the same
+   * exact amounts changes no bit of the distance.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   *
+   * <p>Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale. It is right
+   * to 2 u of itself if it is above 1e-10 scale (aspect ratios up to 1e6) or above 1e-14 scale (up to 1000). Before their
+   * coordinates are rounded, closest points are within 4 u scale of the outlines, and a common point is within 8 u scale
+   * of both shapes.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   *
+   * <p>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
+   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 300.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int nearestF64(int kindA, Object numbersA, int kindB, Object numbersB, Object out);
+
+  /**
+   * How far apart are the outlines of two shapes, and where do they come closest?
+   *
+   * <p>The outline of a shape with area is the curve around it. A point, a segment and a shape with a zero size are their
+   * own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If shapes are disjoint,
+   * the result is that of vesica_nearest_f64. If one is strictly inside the other, the distance is the least over the
+   * whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes exchanges the points
+   * and changes no bit. Moving both shapes by the same exact amounts changes no bit of the distance.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   *
+   * <p>Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u
+   * scale. At any, it is above 0 if outlines do not meet, and points are on them to 12 u scale before they are rounded.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   *
+   * <p>Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2 us
+   * for a common point, of needles as vesica_crossings_f64; 5 us more if exact arithmetic must tell; at worst 300 us.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int boundaryDistanceF64(int kindA, Object numbersA, int kindB, Object numbersB, Object out);
+
+  /**
+   * Penetration depth: how far and which way must b be moved until the two shapes only touch?
+   *
+   * <p>Moving b by out-&gt;depth along the unit vector (x, y) is the shortest translation after which a line separates the
+   * shapes: a on one side, b on the other, where both may touch the line. For disjoint shapes all three numbers are 0.
+   * Overlapping shapes always get a direction. Their depth is 0 if such a line is there already: if they touch from
+   * outside, if a point lies on an outline, or if points and segments lie along one line. Otherwise the depth is &gt; 0.
+   * Exchanging the shapes reverses the direction and changes no other bit, except for two equal shapes in one place.
+   * Moving both shapes by the same exact amounts changes no bit.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   *
+   * <p>Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; of two circles, and of a point and a circle, to
+   * its last place. The length of (x, y) is 1 but for 3 u, and it moves b clear but for 8 u scale. Whether the depth is 0
+   * is exact.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   *
+   * <p>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
+   * if only exact arithmetic can tell the depth from 0; at worst 300 us, where exponents are wildly unlike.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int depthF64(int kindA, Object numbersA, int kindB, Object numbersB, Object out);
+
+  /**
+   * Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   *
+   * <p>Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another never
+   * has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them.
+   *
+   * <p>Cost: about 20 ns.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int shapeAreaF64(int kind, Object numbers, Object out);
+
+  /**
+   * Area of the intersection of two shapes.
+   *
+   * <p>It is exactly 0 if shapes are disjoint, if they only touch, or if one has no area. If one contains the other, it is
+   * the vesica_shape_area_f64 of the inner one. It is never more than the area of either, and more than 0 if the insides
+   * of shapes with area meet, unless that underflows. Exchanging the shapes changes no bit. Scaling both by a power of
+   * two scales the area by its square.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   *
+   * <p>Accuracy: within 64 u of the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4, however
+   * near the outlines are to touching or coinciding and however different the sizes are.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   *
+   * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
+   * nearly touch or coincide, or if one shape is far larger; at worst 300 us, where exponents are wildly unlike.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int areaF64(int kindA, Object numbersA, int kindB, Object numbersB, Object out);
+
+  /**
+   * Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
+   *
+   * <p>It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Nothing overflows or underflows on the
+   * way, whatever the sizes. Exchanging the shapes, or scaling both by a power of two, changes no bit.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (neither shape has an area).
+   *
+   * <p>Accuracy: the bound of vesica_area_f64, over the area of the union.
+   *
+   * <p>Cost: that of vesica_area_f64 and of vesica_shape_area_f64 twice.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int iouF64(int kindA, Object numbersA, int kindB, Object numbersB, Object out);
+
+  /**
+   * Smallest box of representable numbers that contains a shape.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   *
+   * <p>Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
+   *
+   * <p>Cost: up to 80 ns; 1 to 3 us for magnitudes beyond 2^+-400, and for an ellipse with an oblique axis and representable
+   * sides; at worst 20 us.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int boundsF64(int kind, Object numbers, Object out);
+
+  /**
+   * Box with two opposite corners, in any order.
+   *
+   * <p>Returns: 0; the shape is valid.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE.
+   *
+   * <p>Accuracy: exact.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int aabbFromCornersF64(double x0, double y0, double x1, double y1, Object out);
+
+  /**
+   * Rectangle from centre, angle and full size: width along the angle, height across it.
+   *
+   * <p>Requires: the angle in radians, counter-clockwise from +x if y points up; width, height &gt;= 0.
+   *
+   * <p>Returns: 0; the shape is valid.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
+   *
+   * <p>Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No number is exactly a quarter turn, so the
+   * axis of one is parallel to a coordinate axis only to that rounding. Sizes are exact: if halving one would round (an
+   * odd multiple of the smallest subnormal number), the axis is halved instead.
+   *
+   * <p>Cost: about 40 ns.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int rectFromAngleF64(double cx, double cy, double angle, double width, double height, Object out);
+
+  /**
+   * Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
+   *
+   * <p>Corners that are not exactly a rectangle's give a rectangle near them, which need not contain them. The centre is the
+   * mean of the corners. The axis is a unit vector along the edge from corner 0 to corner 1, and hx belongs to that edge.
+   * Opposite edges are averaged; the longer pair gives the direction, and the shorter pair counts by its part across it.
+   * Two or four equal corners are legal: they give a segment, or a point with axis (1, 0).
+   *
+   * <p>Returns: 0; the shape is valid.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent overflows).
+   *
+   * <p>Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the longer one;
+   * the centre is right to 1 unit in its own. To both comes 2^-98 times the largest coordinate. The corners of an
+   * axis-parallel rectangle give exactly it if its centre and half extents are representable.
+   *
+   * <p>Cost: about 110 ns.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int rectFromCornersF64(Object corners, Object out);
+
+  /**
+   * Ellipse from centre, angle and half lengths: a along the angle, b across it.
+   *
+   * <p>Requires: the angle in radians, counter-clockwise from +x if y points up; a, b &gt;= 0.
+   *
+   * <p>Returns: 0; the shape is valid.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
+   *
+   * <p>Accuracy: the axis as that of vesica_rect_from_angle_f64; half lengths are exact.
+   *
+   * <p>Cost: about 40 ns.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int ellipseFromAngleF64(double cx, double cy, double angle, double a, double b, Object out);
+
+  /**
+   * Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx, wy).
+   *
+   * <p>A zero vector gives the point (cx, cy).
+   *
+   * <p>Requires: ratio &gt;= 0.
+   *
+   * <p>Returns: 0; the shape is valid.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
+   *
+   * <p>Accuracy: exact.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int ellipseFromRadiusVectorF64(double cx, double cy, double wx, double wy, double ratio, Object out);
+
+  /**
+   * Ellipse of the points within k standard deviations of a mean (Mahalanobis distance at most k).
+   *
+   * <p>A singular covariance, or k = 0, gives a segment or a point. The result has a &gt;= b. Its axis is a unit vector with
+   * x &gt;= 0, or (1, 0) for equal variances without correlation.
+   *
+   * <p>Requires: the covariance cxx, cxy, cyy (units squared) positive semidefinite: cxy^2 &lt;= cxx cyy as stored; k &gt;= 0.
+   *
+   * <p>Returns: 0; the shape is valid.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k &lt; 0), VESICA_E_ARGUMENT (not a covariance),
+   * VESICA_E_RANGE (a half length overflows).
+   *
+   * <p>Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, however near the
+   * matrix is to a singular one or to a circle's.
+   *
+   * <p>Cost: about 90 ns.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int ellipseFromCovarianceF64(double meanX, double meanY, double cxx, double cxy, double cyy, double k, Object out);
+
+  /**
+   * Ellipse of the points X with (X - C) . M (X - C) &lt;= 1, where M is symmetric with entries mxx, mxy, myy.
+   *
+   * <p>The result is that of vesica_ellipse_from_covariance_f64 for the inverse of M and k = 1.
+   *
+   * <p>Requires: M positive definite as stored.
+   *
+   * <p>Returns: 0; the shape is valid.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_ARGUMENT (not positive definite).
+   *
+   * <p>Accuracy: that of vesica_ellipse_from_covariance_f64; no half length overflows.
+   *
+   * <p>Cost: about 90 ns.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int ellipseFromMatrixF64(double cx, double cy, double mxx, double mxy, double myy, Object out);
+
+  /**
+   * Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f64.
+   *
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   *
+   * <p>Returns: how many are 1.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float (see README.md).
+   *
+   * <p>Since: 0.1.
+   */
+  static native long overlapManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+
+  /**
+   * How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f64.
+   *
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   *
+   * <p>Returns: how many are not VESICA_DISJOINT.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long relationManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+
+  /**
+   * Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f64.
+   *
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   *
+   * <p>Returns: how many are 1.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long containsManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+
+  /**
+   * How far apart are a[i] and b[i], and where? The columns are the fields of vesica_nearest_f64's result.
+   *
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   *
+   * <p>Returns: how many pairs overlap (distance 0).
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long nearestManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object distance, Object ax, Object ay, Object bx, Object by);
+
+  /**
+   * How far apart are the outlines of a[i] and b[i]? The columns are the fields of vesica_boundary_distance_f64's result.
+   *
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   *
+   * <p>Returns: how many pairs of outlines meet (distance 0).
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long boundaryDistanceManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object distance, Object ax, Object ay, Object bx, Object by);
+
+  /**
+   * How deep do a[i] and b[i] overlap? The columns are the fields of vesica_depth_f64's result.
+   *
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   *
+   * <p>Returns: how many depths are &gt; 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long depthManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object depth, Object x, Object y);
+
+  /**
+   * What area do a[i] and b[i] share? out[i] is the result of vesica_area_f64.
+   *
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   *
+   * <p>Returns: how many areas are &gt; 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long areaManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+
+  /**
+   * Intersection over union of a[i] and b[i]: out[i] is the result of vesica_iou_f64.
+   *
+   * <p>If neither of a pair has an area, out[i] is NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   *
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   *
+   * <p>Returns: how many are &gt; 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long iouManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+
+  /**
+   * Do a[i] and b[j] share a point? The elements of out are answers of vesica_overlap_f64.
+   *
+   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   *
+   * <p>Returns: how many are 1.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+   * beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Cost: that of one shape against many, however large the arrays are.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long overlapMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+
+  /**
+   * How does a[i] relate to b[j]? The elements of out are answers of vesica_relation_f64.
+   *
+   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   *
+   * <p>Returns: how many are not VESICA_DISJOINT.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+   * beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Cost: that of one shape against many, however large the arrays are.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long relationMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+
+  /**
+   * Does a[i] contain all of b[j]? The elements of out are answers of vesica_contains_f64.
+   *
+   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   *
+   * <p>Returns: how many are 1.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+   * beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Cost: that of one shape against many, however large the arrays are.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long containsMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+
+  /**
+   * What area do a[i] and b[j] share? The elements of out are results of vesica_area_f64.
+   *
+   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   *
+   * <p>Returns: how many are &gt; 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+   * beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Cost: that of one shape against many, however large the arrays are.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long areaMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+
+  /**
+   * Intersection over union of a[i] and b[j]. The elements of out are results of vesica_iou_f64.
+   *
+   * <p>If neither of a pair has an area, it gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   *
+   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   *
+   * <p>Returns: how many are &gt; 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+   * beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Cost: that of one shape against many, however large the arrays are.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long iouMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+
+  /**
+   * Which of many shapes overlap one? Their indices are written to out[0], out[1] ..., in ascending order.
+   *
+   * <p>Requires: one, an array of count 1; capacity, how many indices out has room for. It may be 0, and out then NULL.
+   *
+   * <p>Returns: how many there are, even if that is beyond the capacity. If room is left, the entry after the last is -1.
+   *
+   * <p>Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the indices of valid ones are written; -1 or
+   * the capacity ends them. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's count is
+   * not 1, a negative capacity, and as vesica_overlap_many_f64).
+   *
+   * <p>Accuracy: every answer is that of vesica_overlap_f64.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long overlapSelectF64(int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, int manyKind, long manyCount, long manyStride, long manyStep, Object manyBase, Object out, long capacity);
+
+  /**
+   * Bytes of scratch memory that vesica_nms_f64 and vesica_nms_f32 need for that many shapes.
+   *
+   * <p>Returns: about 97 bytes for each, and 380,416.
+   *
+   * <p>Errors: VESICA_E_ARGUMENT (a negative count, or one above 2147483647).
+   *
+   * <p>Since: 0.1.
+   */
+  static native long nmsScratch(long count);
+
+  /**
+   * Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one whose
+   * vesica_iou_f64 with every shape kept before is at most the threshold.
+   *
+   * <p>Equal scores go by index, and infinite scores are legal. At threshold 1 all shapes are kept.
+   *
+   * <p>Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to
+   * 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
+   *
+   * <p>Returns: 0. keep has the indices of the kept shapes in the order of their scores, and *kept how many they are. What
+   * follows them in keep is not written.
+   *
+   * <p>Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: the result is that without it, and is written.
+   * Before anything is written: VESICA_E_NULL (if there are no shapes, only shapes and kept are looked at), VESICA_E_KIND
+   * (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too little scratch).
+   *
+   * <p>Cost: an index, sorting, and an IoU where bounds and areas allow one above the threshold: 0.3 to 1.2 us a shape.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int nmsF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object scores, double threshold, Object scratch, long scratchSize, Object keep, Object kept);
+
+  /**
+   * Is a shape valid, and if not, which rule does it break?
+   *
+   * <p>Returns: 0 for a valid shape, else the first rule broken: VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE,
+   * VESICA_E_ZERO_AXIS or VESICA_E_INVERTED.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND.
+   *
+   * <p>Cost: a few ns.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int checkF32(int kind, Object numbers);
+
+  /**
+   * Do two shapes share a point? Touching counts.
+   *
+   * <p>Returns: 1 if they do, 0 if not.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+   *
+   * <p>Accuracy: exact.
+   *
+   * <p>Cost: about 2 ns more than the function named after the two kinds.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int overlapF32(int kindA, Object numbersA, int kindB, Object numbersB);
+
+  /**
+   * How does a relate to b? The answer is one of the eight relations of the region connection calculus (RCC-8).
+   *
+   * <p>The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with one size zero,
+   * is its two end points. A point, or a shape without any size, has no outline. The inside is all but the outline. If
+   * several relations fit, VESICA_EQUAL comes first, then those of containment, then VESICA_CROSS. So a segment that ends
+   * on the middle of another touches it, two segments along one line that overlap in part cross, and a point on the rim
+   * of a disc is inside with touch. Exchanging the shapes always gives the converse relation.
+   *
+   * <p>Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+   *
+   * <p>Accuracy: exact.
+   *
+   * <p>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal, at worst 300.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int relationF32(int kindA, Object numbersA, int kindB, Object numbersB);
+
+  /**
+   * Does a contain all of b? A shape contains itself, and what touches its outline from inside.
+   *
+   * <p>Returns: 1 if vesica_relation_f32 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+   *
+   * <p>Accuracy: exact.
+   *
+   * <p>Cost: that of vesica_relation_f32.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int containsF32(int kindA, Object numbersA, int kindB, Object numbersB);
+
+  /**
+   * Where do the outlines of two shapes meet? Touching counts.
+   *
+   * <p>The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their own
+   * outlines. A contact of any order is one place. If straight outlines have a stretch in common, its two end points are
+   * places, and out-&gt;shared is 1. So equal boxes have their four corners. Equal curves have no single places: then the
+   * count is 0 and out-&gt;shared is 1.
+   * Places come in order along a's outline, counter-clockwise in the frame of its axis. The start is a box's corner
+   * C - hx u - hy perp(u), an ellipse's point C + a u, a circle's point C + (r, 0), or a segment's first end.
+   *
+   * <p>Returns: the number of places, 0 to 8.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   *
+   * <p>Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, however
+   * closely the outlines touch or coincide. Places closer to one another than that may come in either order or be equal.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   *
+   * <p>Cost: 1 to 10 us; at worst 300 us, where exponents are wildly unlike.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int crossingsF32(int kindA, Object numbersA, int kindB, Object numbersB, Object out);
+
+  /**
+   * How far apart are two solid shapes, and which of their points are closest?
+   *
+   * <p>If the shapes overlap (as vesica_overlap_f32 tells), the distance is 0 and both points are one common point. If not,
+   * the distance is &gt; 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes by the same
+   * exact amounts changes no bit of the distance.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   *
+   * <p>Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale. It is right
+   * to 2 u of itself if it is above 1e-10 scale (aspect ratios up to 1e6) or above 1e-14 scale (up to 1000). Before their
+   * coordinates are rounded, closest points are within 4 u scale of the outlines, and a common point is within 8 u scale
+   * of both shapes.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   *
+   * <p>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
+   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 300.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int nearestF32(int kindA, Object numbersA, int kindB, Object numbersB, Object out);
+
+  /**
+   * How far apart are the outlines of two shapes, and where do they come closest?
+   *
+   * <p>The outline of a shape with area is the curve around it. A point, a segment and a shape with a zero size are their
+   * own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If shapes are disjoint,
+   * the result is that of vesica_nearest_f32. If one is strictly inside the other, the distance is the least over the
+   * whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes exchanges the points
+   * and changes no bit. Moving both shapes by the same exact amounts changes no bit of the distance.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   *
+   * <p>Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u
+   * scale. At any, it is above 0 if outlines do not meet, and points are on them to 12 u scale before they are rounded.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   *
+   * <p>Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2 us
+   * for a common point, of needles as vesica_crossings_f32; 5 us more if exact arithmetic must tell; at worst 300 us.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int boundaryDistanceF32(int kindA, Object numbersA, int kindB, Object numbersB, Object out);
+
+  /**
+   * Penetration depth: how far and which way must b be moved until the two shapes only touch?
+   *
+   * <p>Moving b by out-&gt;depth along the unit vector (x, y) is the shortest translation after which a line separates the
+   * shapes: a on one side, b on the other, where both may touch the line. For disjoint shapes all three numbers are 0.
+   * Overlapping shapes always get a direction. Their depth is 0 if such a line is there already: if they touch from
+   * outside, if a point lies on an outline, or if points and segments lie along one line. Otherwise the depth is &gt; 0.
+   * Exchanging the shapes reverses the direction and changes no other bit, except for two equal shapes in one place.
+   * Moving both shapes by the same exact amounts changes no bit.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   *
+   * <p>Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; of two circles, and of a point and a circle, to
+   * its last place. The length of (x, y) is 1 but for 3 u, and it moves b clear but for 8 u scale. Whether the depth is 0
+   * is exact.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   *
+   * <p>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
+   * if only exact arithmetic can tell the depth from 0; at worst 300 us, where exponents are wildly unlike.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int depthF32(int kindA, Object numbersA, int kindB, Object numbersB, Object out);
+
+  /**
+   * Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   *
+   * <p>Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another never
+   * has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   *
+   * <p>Cost: about 20 ns.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int shapeAreaF32(int kind, Object numbers, Object out);
+
+  /**
+   * Area of the intersection of two shapes.
+   *
+   * <p>It is exactly 0 if shapes are disjoint, if they only touch, or if one has no area. If one contains the other, it is
+   * the vesica_shape_area_f32 of the inner one. It is never more than the area of either, and more than 0 if the insides
+   * of shapes with area meet, unless that underflows. Exchanging the shapes changes no bit. Scaling both by a power of
+   * two scales the area by its square.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   *
+   * <p>Accuracy: within 64 u of the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4, however
+   * near the outlines are to touching or coinciding and however different the sizes are.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   *
+   * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
+   * nearly touch or coincide, or if one shape is far larger; at worst 300 us, where exponents are wildly unlike.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int areaF32(int kindA, Object numbersA, int kindB, Object numbersB, Object out);
+
+  /**
+   * Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
+   *
+   * <p>It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Nothing overflows or underflows on the
+   * way, whatever the sizes. Exchanging the shapes, or scaling both by a power of two, changes no bit.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (neither shape has an area).
+   *
+   * <p>Accuracy: the bound of vesica_area_f32, over the area of the union.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   *
+   * <p>Cost: that of vesica_area_f32 and of vesica_shape_area_f32 twice.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int iouF32(int kindA, Object numbersA, int kindB, Object numbersB, Object out);
+
+  /**
+   * Smallest box of representable numbers that contains a shape.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   *
+   * <p>Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
+   *
+   * <p>Cost: up to 80 ns; 1 to 3 us for magnitudes beyond 2^+-400, and for an ellipse with an oblique axis and representable
+   * sides; at worst 20 us.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int boundsF32(int kind, Object numbers, Object out);
+
+  /**
+   * Box with two opposite corners, in any order.
+   *
+   * <p>Returns: 0; the shape is valid.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE.
+   *
+   * <p>Accuracy: exact.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int aabbFromCornersF32(float x0, float y0, float x1, float y1, Object out);
+
+  /**
+   * Rectangle from centre, angle and full size: width along the angle, height across it.
+   *
+   * <p>Requires: the angle in radians, counter-clockwise from +x if y points up; width, height &gt;= 0.
+   *
+   * <p>Returns: 0; the shape is valid.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
+   *
+   * <p>Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No number is exactly a quarter turn, so the
+   * axis of one is parallel to a coordinate axis only to that rounding. Sizes are exact: if halving one would round (an
+   * odd multiple of the smallest subnormal number), the axis is halved instead.
+   *
+   * <p>Cost: about 40 ns.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int rectFromAngleF32(float cx, float cy, float angle, float width, float height, Object out);
+
+  /**
+   * Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
+   *
+   * <p>Corners that are not exactly a rectangle's give a rectangle near them, which need not contain them. The centre is the
+   * mean of the corners. The axis is a unit vector along the edge from corner 0 to corner 1, and hx belongs to that edge.
+   * Opposite edges are averaged; the longer pair gives the direction, and the shorter pair counts by its part across it.
+   * Two or four equal corners are legal: they give a segment, or a point with axis (1, 0).
+   *
+   * <p>Returns: 0; the shape is valid.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent overflows).
+   *
+   * <p>Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the longer one;
+   * the centre is right to 1 unit in its own. To both comes 2^-98 times the largest coordinate. The corners of an
+   * axis-parallel rectangle give exactly it if its centre and half extents are representable.
+   *
+   * <p>Cost: about 110 ns.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int rectFromCornersF32(Object corners, Object out);
+
+  /**
+   * Ellipse from centre, angle and half lengths: a along the angle, b across it.
+   *
+   * <p>Requires: the angle in radians, counter-clockwise from +x if y points up; a, b &gt;= 0.
+   *
+   * <p>Returns: 0; the shape is valid.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
+   *
+   * <p>Accuracy: the axis as that of vesica_rect_from_angle_f32; half lengths are exact.
+   *
+   * <p>Cost: about 40 ns.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int ellipseFromAngleF32(float cx, float cy, float angle, float a, float b, Object out);
+
+  /**
+   * Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx, wy).
+   *
+   * <p>A zero vector gives the point (cx, cy).
+   *
+   * <p>Requires: ratio &gt;= 0.
+   *
+   * <p>Returns: 0; the shape is valid.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
+   *
+   * <p>Accuracy: exact.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int ellipseFromRadiusVectorF32(float cx, float cy, float wx, float wy, float ratio, Object out);
+
+  /**
+   * Ellipse of the points within k standard deviations of a mean (Mahalanobis distance at most k).
+   *
+   * <p>A singular covariance, or k = 0, gives a segment or a point. The result has a &gt;= b. Its axis is a unit vector with
+   * x &gt;= 0, or (1, 0) for equal variances without correlation.
+   *
+   * <p>Requires: the covariance cxx, cxy, cyy (units squared) positive semidefinite: cxy^2 &lt;= cxx cyy as stored; k &gt;= 0.
+   *
+   * <p>Returns: 0; the shape is valid.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k &lt; 0), VESICA_E_ARGUMENT (not a covariance),
+   * VESICA_E_RANGE (a half length overflows).
+   *
+   * <p>Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, however near the
+   * matrix is to a singular one or to a circle's.
+   *
+   * <p>Cost: about 90 ns.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int ellipseFromCovarianceF32(float meanX, float meanY, float cxx, float cxy, float cyy, float k, Object out);
+
+  /**
+   * Ellipse of the points X with (X - C) . M (X - C) &lt;= 1, where M is symmetric with entries mxx, mxy, myy.
+   *
+   * <p>The result is that of vesica_ellipse_from_covariance_f32 for the inverse of M and k = 1.
+   *
+   * <p>Requires: M positive definite as stored.
+   *
+   * <p>Returns: 0; the shape is valid.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_ARGUMENT (not positive definite).
+   *
+   * <p>Accuracy: that of vesica_ellipse_from_covariance_f32; no half length overflows.
+   *
+   * <p>Cost: about 90 ns.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int ellipseFromMatrixF32(float cx, float cy, float mxx, float mxy, float myy, Object out);
+
+  /**
+   * Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f32.
+   *
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   *
+   * <p>Returns: how many are 1.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float (see README.md).
+   *
+   * <p>Since: 0.1.
+   */
+  static native long overlapManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+
+  /**
+   * How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f32.
+   *
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   *
+   * <p>Returns: how many are not VESICA_DISJOINT.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long relationManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+
+  /**
+   * Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f32.
+   *
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   *
+   * <p>Returns: how many are 1.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long containsManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+
+  /**
+   * How far apart are a[i] and b[i], and where? The columns are the fields of vesica_nearest_f32's result.
+   *
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   *
+   * <p>Returns: how many pairs overlap (distance 0).
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long nearestManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object distance, Object ax, Object ay, Object bx, Object by);
+
+  /**
+   * How far apart are the outlines of a[i] and b[i]? The columns are the fields of vesica_boundary_distance_f32's result.
+   *
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   *
+   * <p>Returns: how many pairs of outlines meet (distance 0).
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long boundaryDistanceManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object distance, Object ax, Object ay, Object bx, Object by);
+
+  /**
+   * How deep do a[i] and b[i] overlap? The columns are the fields of vesica_depth_f32's result.
+   *
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   *
+   * <p>Returns: how many depths are &gt; 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long depthManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object depth, Object x, Object y);
+
+  /**
+   * What area do a[i] and b[i] share? out[i] is the result of vesica_area_f32.
+   *
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   *
+   * <p>Returns: how many areas are &gt; 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long areaManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+
+  /**
+   * Intersection over union of a[i] and b[i]: out[i] is the result of vesica_iou_f32.
+   *
+   * <p>If neither of a pair has an area, out[i] is NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   *
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   *
+   * <p>Returns: how many are &gt; 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
+   * that is beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long iouManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+
+  /**
+   * Do a[i] and b[j] share a point? The elements of out are answers of vesica_overlap_f32.
+   *
+   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   *
+   * <p>Returns: how many are 1.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+   * beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Cost: that of one shape against many, however large the arrays are.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long overlapMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+
+  /**
+   * How does a[i] relate to b[j]? The elements of out are answers of vesica_relation_f32.
+   *
+   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   *
+   * <p>Returns: how many are not VESICA_DISJOINT.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+   * beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Cost: that of one shape against many, however large the arrays are.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long relationMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+
+  /**
+   * Does a[i] contain all of b[j]? The elements of out are answers of vesica_contains_f32.
+   *
+   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   *
+   * <p>Returns: how many are 1.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+   * beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Cost: that of one shape against many, however large the arrays are.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long containsMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+
+  /**
+   * What area do a[i] and b[j] share? The elements of out are results of vesica_area_f32.
+   *
+   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   *
+   * <p>Returns: how many are &gt; 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+   * beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Cost: that of one shape against many, however large the arrays are.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long areaMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+
+  /**
+   * Intersection over union of a[i] and b[j]. The elements of out are results of vesica_iou_f32.
+   *
+   * <p>If neither of a pair has an area, it gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   *
+   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
+   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   *
+   * <p>Returns: how many are &gt; 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+   * beyond the address space).
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Cost: that of one shape against many, however large the arrays are.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long iouMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+
+  /**
+   * Which of many shapes overlap one? Their indices are written to out[0], out[1] ..., in ascending order.
+   *
+   * <p>Requires: one, an array of count 1; capacity, how many indices out has room for. It may be 0, and out then NULL.
+   *
+   * <p>Returns: how many there are, even if that is beyond the capacity. If room is left, the entry after the last is -1.
+   *
+   * <p>Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the indices of valid ones are written; -1 or
+   * the capacity ends them. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's count is
+   * not 1, a negative capacity, and as vesica_overlap_many_f32).
+   *
+   * <p>Accuracy: every answer is that of vesica_overlap_f32.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long overlapSelectF32(int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, int manyKind, long manyCount, long manyStride, long manyStep, Object manyBase, Object out, long capacity);
+
+  /**
+   * Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one whose
+   * vesica_iou_f32 with every shape kept before is at most the threshold.
+   *
+   * <p>Equal scores go by index, and infinite scores are legal. At threshold 1 all shapes are kept.
+   *
+   * <p>Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to
+   * 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
+   *
+   * <p>Returns: 0. keep has the indices of the kept shapes in the order of their scores, and *kept how many they are. What
+   * follows them in keep is not written.
+   *
+   * <p>Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: the result is that without it, and is written.
+   * Before anything is written: VESICA_E_NULL (if there are no shapes, only shapes and kept are looked at), VESICA_E_KIND
+   * (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32, threshold, too little scratch).
+   *
+   * <p>Cost: an index, sorting, and an IoU where bounds and areas allow one above the threshold: 0.3 to 1.2 us a shape.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int nmsF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object scores, float threshold, Object scratch, long scratchSize, Object keep, Object kept);
+
+  /**
+   * How many bytes suffice for an index of `count` shapes, of any kinds?
+   *
+   * <p>Returns: 17 bytes a shape and 64 KiB. A built index takes fewer, mostly 13 a shape: vesica_index_bytes tells.
+   *
+   * <p>Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
+   *
+   * <p>Since: 0.1.
+   */
+  static native long indexSize(long count);
+
+  /**
+   * How many bytes of scratch does building an index of `count` shapes need?
+   *
+   * <p>Returns: about 18 bytes a shape, and a constant.
+   *
+   * <p>Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
+   *
+   * <p>Since: 0.1.
+   */
+  static native long indexScratch(long count);
+
+  /**
+   * How many bytes of scratch does a join need, whatever its indexes?
+   *
+   * <p>Returns: at most 1 MiB.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long joinScratch();
+
+  /**
+   * Are these bytes an index that queries can read?
+   *
+   * <p>Ask it once of bytes that come from elsewhere. They may be short, foreign or damaged, or from a machine of the other
+   * byte order. What passes is safe to read.
+   *
+   * <p>Requires: size is the number of bytes there. The index may be shorter.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (it is none).
+   *
+   * <p>Cost: it reads all bytes once.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int indexCheck(Object index, long size);
+
+  /**
+   * How many bytes does a built index take? So many are to be saved.
+   *
+   * <p>Returns: the bytes, a multiple of 64.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (its header is none).
+   *
+   * <p>Since: 0.1.
+   */
+  static native long indexBytes(Object index);
+
+  /**
+   * How many shapes was an index built from?
+   *
+   * <p>Returns: the number of its items, invalid shapes included.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (its header is none).
+   *
+   * <p>Since: 0.1.
+   */
+  static native long indexCount(Object index);
+
+  /**
+   * A box around all valid shapes of an index.
+   *
+   * <p>Indexes whose boxes are disjoint have no pairs.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (its header is none).
+   *
+   * <p>Accuracy: the box is a little larger than the smallest one. It is infinite where that exceeds the finite numbers.
+   * Without valid shapes min is infinity and max is -infinity.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int indexBounds(Object index, Object out);
+
+  /**
+   * The items of an index in spatial order: shapes that are near to each other stand near to each other.
+   *
+   * <p>A join is faster if the arrays of shapes have this order, for then it reads them from near to near.
+   *
+   * <p>Requires: out has room for `capacity` items. It may be NULL if that is 0.
+   *
+   * <p>Returns: how many items there are, without the invalid shapes. The first `capacity` of them are written.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned, capacity &lt; 0), VESICA_E_INDEX.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long indexOrder(Object index, Object out, long capacity);
+
+  /**
+   * Builds the index of some sets of shapes.
+   *
+   * <p>Invalid shapes are left out. The call then returns VESICA_E_SHAPE, and the index of all others is complete. After any
+   * other error nothing is written. Shapes that moved need a new index.
+   *
+   * <p>Requires: index_size &gt;= vesica_index_size(items) and scratch_size &gt;= vesica_index_scratch(items). The scratch is free
+   * again after the call.
+   *
+   * <p>Returns: the bytes of the index that are used.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a count, a size or an alignment), VESICA_E_SHAPE.
+   *
+   * <p>Cost: 30 to 50 ns a shape.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long indexBuildF64(int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, Object index, long indexSize, Object scratch, long scratchSize);
+
+  /**
+   * Which items of an index does one shape overlap? They come in the index's order.
+   *
+   * <p>Many shapes are better joined: index them too.
+   *
+   * <p>Requires: sets are those of the index. NULL with set_count 0 asks for the items whose bounds meet those of the shape.
+   * one is a single shape (count 1). out has room for `capacity` items. With capacity 0, out and state may be NULL.
+   *
+   * <p>Returns: the number of items written; with capacity 0, how many there are.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number or
+   * a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this call).
+   *
+   * <p>Accuracy: exact, if there are sets.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long indexSelectF64(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, Object out, long capacity, Object state);
+
+  /**
+   * All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+   *
+   * <p>If both indexes are the same pointer, pairs are those of two different items a &lt; b. Pair i is out_a[i] and out_b[i].
+   * The order of pairs depends on the bytes of the indexes and the query alone.
+   * Work may be shared out: each part of `parts` is about as much work as any other, and may run at the same time with a
+   * scratch of its own. The pairs of all parts, one part after the other, are the pairs of part 0 of 1.
+   *
+   * <p>Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes; with
+   * VESICA_JOIN_BOUNDS they are not looked at. 0 &lt;= part &lt; parts. scratch_size &gt;= vesica_join_scratch(); the scratch is
+   * free between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and state may be NULL.
+   *
+   * <p>Returns: the number of pairs written; with capacity 0, how many the whole part has.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (as above, and for an unknown query).
+   *
+   * <p>Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
+   *
+   * <p>Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long joinF64(int query, Object indexA, int[] setsAKinds, long[] setsACounts, long[] setsAStrides, long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides, long[] setsBSteps, Object[] setsBBases, long part, long parts, Object scratch, long scratchSize, Object outA, Object outB, long capacity, Object state);
+
+  /**
+   * Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.
+   *
+   * <p>An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is not found.
+   *
+   * <p>Requires: sets are those of the index. one is a single shape (count 1). k &gt;= 0, and out and distance have room for k
+   * each. With k = 0 they may be NULL. within &gt;= 0 is the largest distance asked for; infinity asks for any.
+   *
+   * <p>Returns: how many items were found and written; with k = 0, how many there are within the distance.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number or
+   * a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this call).
+   *
+   * <p>Accuracy: distances are those of vesica_nearest_f64, bit for bit.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long indexNearestF64(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, long k, double within, Object out, Object distance);
+
+  /**
+   * Which items of index_b are nearest to each item of sets_a? Row i is out[i * k] ... out[i * k + k - 1].
+   *
+   * <p>A row is what vesica_index_nearest_f64 says of item i, followed by -1, with distance infinity, up to k. Of one set
+   * with itself each item finds itself too, at distance 0. If an item of sets_a is invalid, its row holds -1, all other
+   * rows are right, and the call returns VESICA_E_SHAPE.
+   * Each of `parts` is a run of about as many items as any other, and only its rows are written.
+   *
+   * <p>Requires: sets_b are those of index_b. k &gt;= 1, and out and distance have room for k items a row. 0 &lt;= part &lt; parts.
+   * within &gt;= 0 is the largest distance asked for; infinity asks for any.
+   *
+   * <p>Returns: how many items were found in all rows of the part.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number or
+   * a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this call).
+   *
+   * <p>Accuracy: distances are those of vesica_nearest_f64, bit for bit.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long joinNearestF64(int[] setsAKinds, long[] setsACounts, long[] setsAStrides, long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides, long[] setsBSteps, Object[] setsBBases, long k, double within, long part, long parts, Object out, Object distance);
+
+  /**
+   * Builds the index of some sets of shapes.
+   *
+   * <p>Invalid shapes are left out. The call then returns VESICA_E_SHAPE, and the index of all others is complete. After any
+   * other error nothing is written. Shapes that moved need a new index.
+   *
+   * <p>Requires: index_size &gt;= vesica_index_size(items) and scratch_size &gt;= vesica_index_scratch(items). The scratch is free
+   * again after the call.
+   *
+   * <p>Returns: the bytes of the index that are used.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a count, a size or an alignment), VESICA_E_SHAPE.
+   *
+   * <p>Cost: 30 to 50 ns a shape.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long indexBuildF32(int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, Object index, long indexSize, Object scratch, long scratchSize);
+
+  /**
+   * Which items of an index does one shape overlap? They come in the index's order.
+   *
+   * <p>Many shapes are better joined: index them too.
+   *
+   * <p>Requires: sets are those of the index. NULL with set_count 0 asks for the items whose bounds meet those of the shape.
+   * one is a single shape (count 1). out has room for `capacity` items. With capacity 0, out and state may be NULL.
+   *
+   * <p>Returns: the number of items written; with capacity 0, how many there are.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number or
+   * a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this call).
+   *
+   * <p>Accuracy: exact, if there are sets.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long indexSelectF32(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, Object out, long capacity, Object state);
+
+  /**
+   * All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+   *
+   * <p>If both indexes are the same pointer, pairs are those of two different items a &lt; b. Pair i is out_a[i] and out_b[i].
+   * The order of pairs depends on the bytes of the indexes and the query alone.
+   * Work may be shared out: each part of `parts` is about as much work as any other, and may run at the same time with a
+   * scratch of its own. The pairs of all parts, one part after the other, are the pairs of part 0 of 1.
+   *
+   * <p>Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes; with
+   * VESICA_JOIN_BOUNDS they are not looked at. 0 &lt;= part &lt; parts. scratch_size &gt;= vesica_join_scratch(); the scratch is
+   * free between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and state may be NULL.
+   *
+   * <p>Returns: the number of pairs written; with capacity 0, how many the whole part has.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (as above, and for an unknown query).
+   *
+   * <p>Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
+   *
+   * <p>Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long joinF32(int query, Object indexA, int[] setsAKinds, long[] setsACounts, long[] setsAStrides, long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides, long[] setsBSteps, Object[] setsBBases, long part, long parts, Object scratch, long scratchSize, Object outA, Object outB, long capacity, Object state);
+
+  /**
+   * Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.
+   *
+   * <p>An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is not found.
+   *
+   * <p>Requires: sets are those of the index. one is a single shape (count 1). k &gt;= 0, and out and distance have room for k
+   * each. With k = 0 they may be NULL. within &gt;= 0 is the largest distance asked for; infinity asks for any.
+   *
+   * <p>Returns: how many items were found and written; with k = 0, how many there are within the distance.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number or
+   * a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this call).
+   *
+   * <p>Accuracy: distances are those of vesica_nearest_f32, bit for bit.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long indexNearestF32(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, long k, float within, Object out, Object distance);
+
+  /**
+   * Which items of index_b are nearest to each item of sets_a? Row i is out[i * k] ... out[i * k + k - 1].
+   *
+   * <p>A row is what vesica_index_nearest_f32 says of item i, followed by -1, with distance infinity, up to k. Of one set
+   * with itself each item finds itself too, at distance 0. If an item of sets_a is invalid, its row holds -1, all other
+   * rows are right, and the call returns VESICA_E_SHAPE.
+   * Each of `parts` is a run of about as many items as any other, and only its rows are written.
+   *
+   * <p>Requires: sets_b are those of index_b. k &gt;= 1, and out and distance have room for k items a row. 0 &lt;= part &lt; parts.
+   * within &gt;= 0 is the largest distance asked for; infinity asks for any.
+   *
+   * <p>Returns: how many items were found in all rows of the part.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number or
+   * a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this call).
+   *
+   * <p>Accuracy: distances are those of vesica_nearest_f32, bit for bit.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long joinNearestF32(int[] setsAKinds, long[] setsACounts, long[] setsAStrides, long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides, long[] setsBSteps, Object[] setsBBases, long k, float within, long part, long parts, Object out, Object distance);
+
+  /**
+   * What share of a's area does b cover, or of b's area a? And other ratios by which detections are compared.
+   *
+   * <p>The first four are from 0 to 1. One over a shape is 0 if no area is shared, and 1 if the other shape contains it. The
+   * last three are at most the IoU, and at least -1, for CIoU -2. The angle of a shape in CIoU is that of the vector
+   * (half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging the shapes exchanges
+   * OVER_FIRST and OVER_SECOND, and changes no bit of the others.
+   *
+   * <p>Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the shape whose
+   * area divides has none; for the others, neither shape has one).
+   *
+   * <p>Accuracy: within 8 u of what follows from the shared area or the IoU, which are right as vesica_area_f64 and
+   * vesica_iou_f64 tell, for half lengths from 2^-200 to 2^200.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   *
+   * <p>Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; 40 to 100 in arrays.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int ratioF64(int ratio, int kindA, Object numbersA, int kindB, Object numbersB, Object out);
+
+  /**
+   * A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
+   *
+   * <p>Arrays and errors are those of vesica_iou_many_f64. If a pair has no ratio since an area is 0, out[i] is NaN, and the
+   * call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   *
+   * <p>Returns: how many are &gt; 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
+   *
+   * <p>Accuracy: every result has the bits of vesica_ratio_f64, on every instruction set and in every layout.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long ratioManyF64(int ratio, int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+
+  /**
+   * A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f64.
+   *
+   * <p>Arrays, row_stride and errors are those of vesica_iou_matrix_f64. If a pair has no ratio since an area is 0, it gets
+   * NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   *
+   * <p>Returns: how many are &gt; 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
+   *
+   * <p>Accuracy: every result has the bits of vesica_ratio_f64, on every instruction set and in every layout.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long ratioMatrixF64(int ratio, int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+
+  /**
+   * How far apart are a[i] and b[j]? The elements of out are distances of vesica_nearest_f64.
+   *
+   * <p>Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64.
+   *
+   * <p>Returns: how many pairs overlap (distance 0).
+   *
+   * <p>Errors: as vesica_iou_matrix_f64.
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long nearestMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+
+  /**
+   * How far apart are the outlines of a[i] and b[j]? The elements of out are distances of vesica_boundary_distance_f64.
+   *
+   * <p>Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64.
+   *
+   * <p>Returns: how many pairs of outlines meet (distance 0).
+   *
+   * <p>Errors: as vesica_iou_matrix_f64.
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long boundaryDistanceMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+
+  /**
+   * How deep do a[i] and b[j] overlap? The elements of out are depths of vesica_depth_f64.
+   *
+   * <p>Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64.
+   *
+   * <p>Returns: how many depths are &gt; 0.
+   *
+   * <p>Errors: as vesica_iou_matrix_f64.
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long depthMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+
+  /**
+   * Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
+   *
+   * <p>Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape kept before, of
+   * the same label, is at most the threshold. Shapes whose score is below least_score are not looked at.
+   *
+   * <p>Requires: shapes, scores, threshold, scratch and keep as vesica_nms_f64; labels, one for each, or NULL if all are
+   * alike; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be -infinity; most, how many
+   * are kept at most: keep needs room for no more.
+   *
+   * <p>Returns: 0, and keep and *kept as vesica_nms_f64.
+   *
+   * <p>Errors: as vesica_nms_f64; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative most.
+   *
+   * <p>Cost: that of vesica_nms_f64; ratios other than IoU cost 0.1 us more a comparison.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int suppressF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object scores, Object labels, int ratio, double threshold, double leastScore, long most, Object scratch, long scratchSize, Object keep, Object kept);
+
+  /**
+   * What share of a's area does b cover, or of b's area a? And other ratios by which detections are compared.
+   *
+   * <p>The first four are from 0 to 1. One over a shape is 0 if no area is shared, and 1 if the other shape contains it. The
+   * last three are at most the IoU, and at least -1, for CIoU -2. The angle of a shape in CIoU is that of the vector
+   * (half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging the shapes exchanges
+   * OVER_FIRST and OVER_SECOND, and changes no bit of the others.
+   *
+   * <p>Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the shape whose
+   * area divides has none; for the others, neither shape has one).
+   *
+   * <p>Accuracy: within 8 u of what follows from the shared area or the IoU, which are right as vesica_area_f32 and
+   * vesica_iou_f32 tell, for half lengths from 2^-200 to 2^200.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   *
+   * <p>Cost: that of vesica_area_f32 or vesica_iou_f32, and 100 to 150 ns more; 40 to 100 in arrays.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int ratioF32(int ratio, int kindA, Object numbersA, int kindB, Object numbersB, Object out);
+
+  /**
+   * A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
+   *
+   * <p>Arrays and errors are those of vesica_iou_many_f32. If a pair has no ratio since an area is 0, out[i] is NaN, and the
+   * call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   *
+   * <p>Returns: how many are &gt; 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
+   *
+   * <p>Accuracy: every result has the bits of vesica_ratio_f32, on every instruction set and in every layout.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long ratioManyF32(int ratio, int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+
+  /**
+   * A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f32.
+   *
+   * <p>Arrays, row_stride and errors are those of vesica_iou_matrix_f32. If a pair has no ratio since an area is 0, it gets
+   * NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   *
+   * <p>Returns: how many are &gt; 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
+   *
+   * <p>Accuracy: every result has the bits of vesica_ratio_f32, on every instruction set and in every layout.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long ratioMatrixF32(int ratio, int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+
+  /**
+   * How far apart are a[i] and b[j]? The elements of out are distances of vesica_nearest_f32.
+   *
+   * <p>Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32.
+   *
+   * <p>Returns: how many pairs overlap (distance 0).
+   *
+   * <p>Errors: as vesica_iou_matrix_f32.
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long nearestMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+
+  /**
+   * How far apart are the outlines of a[i] and b[j]? The elements of out are distances of vesica_boundary_distance_f32.
+   *
+   * <p>Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32.
+   *
+   * <p>Returns: how many pairs of outlines meet (distance 0).
+   *
+   * <p>Errors: as vesica_iou_matrix_f32.
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long boundaryDistanceMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+
+  /**
+   * How deep do a[i] and b[j] overlap? The elements of out are depths of vesica_depth_f32.
+   *
+   * <p>Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32.
+   *
+   * <p>Returns: how many depths are &gt; 0.
+   *
+   * <p>Errors: as vesica_iou_matrix_f32.
+   *
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long depthMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+
+  /**
+   * Greedy non-maximum suppression as vesica_nms_f32, by any ratio and among like labels.
+   *
+   * <p>Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape kept before, of
+   * the same label, is at most the threshold. Shapes whose score is below least_score are not looked at.
+   *
+   * <p>Requires: shapes, scores, threshold, scratch and keep as vesica_nms_f32; labels, one for each, or NULL if all are
+   * alike; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be -infinity; most, how many
+   * are kept at most: keep needs room for no more.
+   *
+   * <p>Returns: 0, and keep and *kept as vesica_nms_f32.
+   *
+   * <p>Errors: as vesica_nms_f32; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative most.
+   *
+   * <p>Cost: that of vesica_nms_f32; ratios other than IoU cost 0.1 us more a comparison.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int suppressF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object scores, Object labels, int ratio, float threshold, float leastScore, long most, Object scratch, long scratchSize, Object keep, Object kept);
+
+  /**
+   * Rectangles from boxes.
+   *
+   * <p>Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   *
+   * <p>Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
+   * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
+   *
+   * <p>Cost: about 40 ns a box.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long rectsFromBoxesF64(Object boxes, long count, long stride, int angle, Object out);
+
+  /**
+   * Ellipses from the boxes about them, whose sides they touch in the middle.
+   *
+   * <p>Requires: as vesica_rects_from_boxes_f64.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   *
+   * <p>Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
+   *
+   * <p>Cost: about 40 ns a box.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long ellipsesFromBoxesF64(Object boxes, long count, long stride, int angle, Object out);
+
+  /**
+   * Boxes from rectangles, or about ellipses: the way back.
+   *
+   * <p>An angle is from -180 to 180 degrees.
+   *
+   * <p>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   *
+   * <p>Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
+   * quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
+   *
+   * <p>Cost: about 60 ns a shape.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long boxesFromShapesF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, int angle, Object boxes);
+
+  /**
+   * The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+   *
+   * <p>Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
+   *
+   * <p>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   *
+   * <p>Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
+   *
+   * <p>Cost: about 20 ns a shape.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long cornersOfShapesF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object corners);
+
+  /**
+   * The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.
+   *
+   * <p>Requires: out, room for `count`.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   *
+   * <p>Accuracy: that of vesica_bounds_f64.
+   *
+   * <p>Cost: that of vesica_bounds_f64.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long boundsManyF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object out);
+
+  /**
+   * Rectangles from boxes.
+   *
+   * <p>Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   *
+   * <p>Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
+   * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   *
+   * <p>Cost: about 40 ns a box.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long rectsFromBoxesF32(Object boxes, long count, long stride, int angle, Object out);
+
+  /**
+   * Ellipses from the boxes about them, whose sides they touch in the middle.
+   *
+   * <p>Requires: as vesica_rects_from_boxes_f32.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   *
+   * <p>Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   *
+   * <p>Cost: about 40 ns a box.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long ellipsesFromBoxesF32(Object boxes, long count, long stride, int angle, Object out);
+
+  /**
+   * Boxes from rectangles, or about ellipses: the way back.
+   *
+   * <p>An angle is from -180 to 180 degrees.
+   *
+   * <p>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   *
+   * <p>Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
+   * quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   *
+   * <p>Cost: about 60 ns a shape.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long boxesFromShapesF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, int angle, Object boxes);
+
+  /**
+   * The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+   *
+   * <p>Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
+   *
+   * <p>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   *
+   * <p>Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   *
+   * <p>Cost: about 20 ns a shape.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long cornersOfShapesF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object corners);
+
+  /**
+   * The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.
+   *
+   * <p>Requires: out, room for `count`.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   *
+   * <p>Accuracy: that of vesica_bounds_f32.
+   *
+   * <p>Cost: that of vesica_bounds_f32.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long boundsManyF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object out);
+
+  static int check(boolean wide, int kind, Object numbers) {
+    return wide
+        ? checkF64(kind, numbers)
+        : checkF32(kind, numbers);
+  }
+
+  static int overlap(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB) {
+    return wide
+        ? overlapF64(kindA, numbersA, kindB, numbersB)
+        : overlapF32(kindA, numbersA, kindB, numbersB);
+  }
+
+  static int relation(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB) {
+    return wide
+        ? relationF64(kindA, numbersA, kindB, numbersB)
+        : relationF32(kindA, numbersA, kindB, numbersB);
+  }
+
+  static int contains(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB) {
+    return wide
+        ? containsF64(kindA, numbersA, kindB, numbersB)
+        : containsF32(kindA, numbersA, kindB, numbersB);
+  }
+
+  static int crossings(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB, Object out) {
+    return wide
+        ? crossingsF64(kindA, numbersA, kindB, numbersB, out)
+        : crossingsF32(kindA, numbersA, kindB, numbersB, out);
+  }
+
+  static int nearest(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB, Object out) {
+    return wide
+        ? nearestF64(kindA, numbersA, kindB, numbersB, out)
+        : nearestF32(kindA, numbersA, kindB, numbersB, out);
+  }
+
+  static int boundaryDistance(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB, Object out) {
+    return wide
+        ? boundaryDistanceF64(kindA, numbersA, kindB, numbersB, out)
+        : boundaryDistanceF32(kindA, numbersA, kindB, numbersB, out);
+  }
+
+  static int depth(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB, Object out) {
+    return wide
+        ? depthF64(kindA, numbersA, kindB, numbersB, out)
+        : depthF32(kindA, numbersA, kindB, numbersB, out);
+  }
+
+  static int shapeArea(boolean wide, int kind, Object numbers, Object out) {
+    return wide
+        ? shapeAreaF64(kind, numbers, out)
+        : shapeAreaF32(kind, numbers, out);
+  }
+
+  static int area(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB, Object out) {
+    return wide
+        ? areaF64(kindA, numbersA, kindB, numbersB, out)
+        : areaF32(kindA, numbersA, kindB, numbersB, out);
+  }
+
+  static int iou(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB, Object out) {
+    return wide
+        ? iouF64(kindA, numbersA, kindB, numbersB, out)
+        : iouF32(kindA, numbersA, kindB, numbersB, out);
+  }
+
+  static int bounds(boolean wide, int kind, Object numbers, Object out) {
+    return wide
+        ? boundsF64(kind, numbers, out)
+        : boundsF32(kind, numbers, out);
+  }
+
+  static int aabbFromCorners(boolean wide, double x0, double y0, double x1, double y1, Object out) {
+    return wide
+        ? aabbFromCornersF64(x0, y0, x1, y1, out)
+        : aabbFromCornersF32((float) x0, (float) y0, (float) x1, (float) y1, out);
+  }
+
+  static int rectFromAngle(boolean wide, double cx, double cy, double angle, double width, double height, Object out) {
+    return wide
+        ? rectFromAngleF64(cx, cy, angle, width, height, out)
+        : rectFromAngleF32((float) cx, (float) cy, (float) angle, (float) width, (float) height, out);
+  }
+
+  static int rectFromCorners(boolean wide, Object corners, Object out) {
+    return wide
+        ? rectFromCornersF64(corners, out)
+        : rectFromCornersF32(corners, out);
+  }
+
+  static int ellipseFromAngle(boolean wide, double cx, double cy, double angle, double a, double b, Object out) {
+    return wide
+        ? ellipseFromAngleF64(cx, cy, angle, a, b, out)
+        : ellipseFromAngleF32((float) cx, (float) cy, (float) angle, (float) a, (float) b, out);
+  }
+
+  static int ellipseFromRadiusVector(boolean wide, double cx, double cy, double wx, double wy, double ratio, Object out) {
+    return wide
+        ? ellipseFromRadiusVectorF64(cx, cy, wx, wy, ratio, out)
+        : ellipseFromRadiusVectorF32((float) cx, (float) cy, (float) wx, (float) wy, (float) ratio, out);
+  }
+
+  static int ellipseFromCovariance(boolean wide, double meanX, double meanY, double cxx, double cxy, double cyy, double k, Object out) {
+    return wide
+        ? ellipseFromCovarianceF64(meanX, meanY, cxx, cxy, cyy, k, out)
+        : ellipseFromCovarianceF32((float) meanX, (float) meanY, (float) cxx, (float) cxy, (float) cyy, (float) k, out);
+  }
+
+  static int ellipseFromMatrix(boolean wide, double cx, double cy, double mxx, double mxy, double myy, Object out) {
+    return wide
+        ? ellipseFromMatrixF64(cx, cy, mxx, mxy, myy, out)
+        : ellipseFromMatrixF32((float) cx, (float) cy, (float) mxx, (float) mxy, (float) myy, out);
+  }
+
+  static long overlapMany(boolean wide, Shapes a, Shapes b, Object out) {
+    return wide
+        ? overlapManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out)
+        : overlapManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out);
+  }
+
+  static long relationMany(boolean wide, Shapes a, Shapes b, Object out) {
+    return wide
+        ? relationManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out)
+        : relationManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out);
+  }
+
+  static long containsMany(boolean wide, Shapes a, Shapes b, Object out) {
+    return wide
+        ? containsManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out)
+        : containsManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out);
+  }
+
+  static long nearestMany(boolean wide, Shapes a, Shapes b, Object distance, Object ax, Object ay, Object bx, Object by) {
+    return wide
+        ? nearestManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, distance, ax, ay, bx, by)
+        : nearestManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, distance, ax, ay, bx, by);
+  }
+
+  static long boundaryDistanceMany(boolean wide, Shapes a, Shapes b, Object distance, Object ax, Object ay, Object bx, Object by) {
+    return wide
+        ? boundaryDistanceManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, distance, ax, ay, bx, by)
+        : boundaryDistanceManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, distance, ax, ay, bx, by);
+  }
+
+  static long depthMany(boolean wide, Shapes a, Shapes b, Object depth, Object x, Object y) {
+    return wide
+        ? depthManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, depth, x, y)
+        : depthManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, depth, x, y);
+  }
+
+  static long areaMany(boolean wide, Shapes a, Shapes b, Object out) {
+    return wide
+        ? areaManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out)
+        : areaManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out);
+  }
+
+  static long iouMany(boolean wide, Shapes a, Shapes b, Object out) {
+    return wide
+        ? iouManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out)
+        : iouManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out);
+  }
+
+  static long overlapMatrix(boolean wide, Shapes a, Shapes b, Object out, long rowStride) {
+    return wide
+        ? overlapMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride)
+        : overlapMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride);
+  }
+
+  static long relationMatrix(boolean wide, Shapes a, Shapes b, Object out, long rowStride) {
+    return wide
+        ? relationMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride)
+        : relationMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride);
+  }
+
+  static long containsMatrix(boolean wide, Shapes a, Shapes b, Object out, long rowStride) {
+    return wide
+        ? containsMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride)
+        : containsMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride);
+  }
+
+  static long areaMatrix(boolean wide, Shapes a, Shapes b, Object out, long rowStride) {
+    return wide
+        ? areaMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride)
+        : areaMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride);
+  }
+
+  static long iouMatrix(boolean wide, Shapes a, Shapes b, Object out, long rowStride) {
+    return wide
+        ? iouMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride)
+        : iouMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride);
+  }
+
+  static long overlapSelect(boolean wide, Shapes one, Shapes many, Object out, long capacity) {
+    return wide
+        ? overlapSelectF64(one.kind, one.count, one.stride, one.step, one.base, many.kind, many.count, many.stride, many.step, many.base, out, capacity)
+        : overlapSelectF32(one.kind, one.count, one.stride, one.step, one.base, many.kind, many.count, many.stride, many.step, many.base, out, capacity);
+  }
+
+  static int nms(boolean wide, Shapes shapes, Object scores, double threshold, Object scratch, long scratchSize, Object keep, Object kept) {
+    return wide
+        ? nmsF64(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, threshold, scratch, scratchSize, keep, kept)
+        : nmsF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, (float) threshold, scratch, scratchSize, keep, kept);
+  }
+
+  static long indexBuild(boolean wide, Sets sets, Object index, long indexSize, Object scratch, long scratchSize) {
+    return wide
+        ? indexBuildF64(sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, index, indexSize, scratch, scratchSize)
+        : indexBuildF32(sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, index, indexSize, scratch, scratchSize);
+  }
+
+  static long indexSelect(boolean wide, Object index, Sets sets, Shapes one, Object out, long capacity, Object state) {
+    return wide
+        ? indexSelectF64(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count, one.stride, one.step, one.base, out, capacity, state)
+        : indexSelectF32(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count, one.stride, one.step, one.base, out, capacity, state);
+  }
+
+  static long join(boolean wide, int query, Object indexA, Sets setsA, Object indexB, Sets setsB, long part, long parts, Object scratch, long scratchSize, Object outA, Object outB, long capacity, Object state) {
+    return wide
+        ? joinF64(query, indexA, setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds, setsB.counts, setsB.strides, setsB.steps, setsB.bases, part, parts, scratch, scratchSize, outA, outB, capacity, state)
+        : joinF32(query, indexA, setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds, setsB.counts, setsB.strides, setsB.steps, setsB.bases, part, parts, scratch, scratchSize, outA, outB, capacity, state);
+  }
+
+  static long indexNearest(boolean wide, Object index, Sets sets, Shapes one, long k, double within, Object out, Object distance) {
+    return wide
+        ? indexNearestF64(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count, one.stride, one.step, one.base, k, within, out, distance)
+        : indexNearestF32(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count, one.stride, one.step, one.base, k, (float) within, out, distance);
+  }
+
+  static long joinNearest(boolean wide, Sets setsA, Object indexB, Sets setsB, long k, double within, long part, long parts, Object out, Object distance) {
+    return wide
+        ? joinNearestF64(setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds, setsB.counts, setsB.strides, setsB.steps, setsB.bases, k, within, part, parts, out, distance)
+        : joinNearestF32(setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds, setsB.counts, setsB.strides, setsB.steps, setsB.bases, k, (float) within, part, parts, out, distance);
+  }
+
+  static int ratio(boolean wide, int ratio, int kindA, Object numbersA, int kindB, Object numbersB, Object out) {
+    return wide
+        ? ratioF64(ratio, kindA, numbersA, kindB, numbersB, out)
+        : ratioF32(ratio, kindA, numbersA, kindB, numbersB, out);
+  }
+
+  static long ratioMany(boolean wide, int ratio, Shapes a, Shapes b, Object out) {
+    return wide
+        ? ratioManyF64(ratio, a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out)
+        : ratioManyF32(ratio, a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out);
+  }
+
+  static long ratioMatrix(boolean wide, int ratio, Shapes a, Shapes b, Object out, long rowStride) {
+    return wide
+        ? ratioMatrixF64(ratio, a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride)
+        : ratioMatrixF32(ratio, a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride);
+  }
+
+  static long nearestMatrix(boolean wide, Shapes a, Shapes b, Object out, long rowStride) {
+    return wide
+        ? nearestMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride)
+        : nearestMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride);
+  }
+
+  static long boundaryDistanceMatrix(boolean wide, Shapes a, Shapes b, Object out, long rowStride) {
+    return wide
+        ? boundaryDistanceMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride)
+        : boundaryDistanceMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride);
+  }
+
+  static long depthMatrix(boolean wide, Shapes a, Shapes b, Object out, long rowStride) {
+    return wide
+        ? depthMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride)
+        : depthMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride);
+  }
+
+  static int suppress(boolean wide, Shapes shapes, Object scores, Object labels, int ratio, double threshold, double leastScore, long most, Object scratch, long scratchSize, Object keep, Object kept) {
+    return wide
+        ? suppressF64(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, labels, ratio, threshold, leastScore, most, scratch, scratchSize, keep, kept)
+        : suppressF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, labels, ratio, (float) threshold, (float) leastScore, most, scratch, scratchSize, keep, kept);
+  }
+
+  static long rectsFromBoxes(boolean wide, Object boxes, long count, long stride, int angle, Object out) {
+    return wide
+        ? rectsFromBoxesF64(boxes, count, stride, angle, out)
+        : rectsFromBoxesF32(boxes, count, stride, angle, out);
+  }
+
+  static long ellipsesFromBoxes(boolean wide, Object boxes, long count, long stride, int angle, Object out) {
+    return wide
+        ? ellipsesFromBoxesF64(boxes, count, stride, angle, out)
+        : ellipsesFromBoxesF32(boxes, count, stride, angle, out);
+  }
+
+  static long boxesFromShapes(boolean wide, Shapes shapes, int angle, Object boxes) {
+    return wide
+        ? boxesFromShapesF64(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, angle, boxes)
+        : boxesFromShapesF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, angle, boxes);
+  }
+
+  static long cornersOfShapes(boolean wide, Shapes shapes, Object corners) {
+    return wide
+        ? cornersOfShapesF64(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, corners)
+        : cornersOfShapesF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, corners);
+  }
+
+  static long boundsMany(boolean wide, Shapes shapes, Object out) {
+    return wide
+        ? boundsManyF64(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, out)
+        : boundsManyF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, out);
+  }
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+package vesica;
+
+import java.nio.Buffer;
+import java.nio.ByteOrder;
+import java.nio.DoubleBuffer;
+import java.nio.FloatBuffer;
+
+/**
+ * An array of shapes of one kind, in double or float: numbers that lie in an array or a direct buffer of the caller's.
+ * Nothing is copied, and changes of the numbers are seen.
+ *
+ * <p>While a call lasts, arrays keep the collector waiting. For calls of seconds use direct buffers.
+ */
+public final class Shapes {
+  private static final int[] FIELDS = {2, 4, 3, 4, 6, 6};
+
+  final int kind;
+  final long count;
+  final long stride;
+  final long step;
+  final Object base;
+  final boolean wide;
+
+  private Shapes(Kind kind, long count, long stride, long step, Object base) {
+    this.kind = kind.value;
+    this.count = count;
+    this.base = base;
+    wide = base instanceof double[] || base instanceof DoubleBuffer;
+    int size = wide ? Double.BYTES : Float.BYTES;
+    this.stride = stride * size;
+    this.step = step * size;
+  }
+
+  /** How many numbers a shape of a kind has. */
+  public static int fields(Kind kind) {
+    return FIELDS[kind.value];
+  }
+
+  /**
+   * Shapes whose numbers follow one another.
+   *
+   * @param numbers a double[], float[], or direct DoubleBuffer or FloatBuffer of the machine's byte order
+   */
+  public static Shapes of(Kind kind, Object numbers) {
+    return records(kind, numbers, fields(kind));
+  }
+
+  /** The same from single shapes, whose numbers are copied once. */
+  public static Shapes of(Kind kind, Shape... shapes) {
+    int fields = fields(kind);
+    double[] numbers = new double[fields * shapes.length];
+    for (int i = 0; i < shapes.length; i++) {
+      if (shapes[i].kind() != kind) {
+        throw new IllegalArgumentException("shape " + i + " is a " + shapes[i].kind() + ", not a " + kind);
+      }
+      System.arraycopy(shapes[i].numbers(), 0, numbers, i * fields, fields);
+    }
+    return of(kind, numbers);
+  }
+
+  /** Records of {@code size} numbers each, of which the first are a shape's. */
+  public static Shapes records(Kind kind, Object numbers, int size) {
+    int length = length(numbers, "numbers");
+    if (size < fields(kind) || length % size != 0) {
+      throw new IllegalArgumentException(
+          length + " numbers are no records of " + size + ", of which " + fields(kind) + " are a " + kind + "'s");
+    }
+    return new Shapes(kind, length / size, size, 1, numbers);
+  }
+
+  /** A column for each number of the kind, one after the other. */
+  public static Shapes columns(Kind kind, Object numbers) {
+    int length = length(numbers, "numbers");
+    if (length % fields(kind) != 0) {
+      throw new IllegalArgumentException(length + " numbers are no " + fields(kind) + " columns of a " + kind);
+    }
+    long count = length / fields(kind);
+    return new Shapes(kind, count, 1, count, numbers);
+  }
+
+  /** How many shapes there are. */
+  public long count() {
+    return count;
+  }
+
+  private static native long address(Object buffer);
+
+  /** Whether an output of so many numbers lies where these do. */
+  boolean meets(Object out, long needed) {
+    if (out == base) return true;
+    if (!(out instanceof Buffer && base instanceof Buffer)) return false;
+    long size = wide ? Double.BYTES : Float.BYTES, start = address(base), to = address(out);
+    return start < to + needed * size && to < start + ((Buffer) base).limit() * size;
+  }
+
+  /** How many numbers an operand or an output has; an error if it is none. */
+  static int length(Object numbers, String name) {
+    if (numbers instanceof double[] doubles) return doubles.length;
+    if (numbers instanceof float[] floats) return floats.length;
+    ByteOrder order =
+        numbers instanceof DoubleBuffer doubles ? doubles.order() : numbers instanceof FloatBuffer floats ? floats.order() : null;
+    if (order == ByteOrder.nativeOrder() && ((Buffer) numbers).isDirect()) {
+      Buffer buffer = (Buffer) numbers;
+      if (buffer.position() == 0) return buffer.limit();
+      throw new IllegalArgumentException(name + " is a buffer at position " + buffer.position() + ": take its slice()");
+    }
+    throw new IllegalArgumentException(
+        name + " is " + (numbers == null ? "null" : numbers.getClass().getSimpleName())
+            + ": a double[], a float[], or a direct DoubleBuffer or FloatBuffer of nativeOrder() is needed");
+  }
+}

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+package vesica;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.DoubleBuffer;
+import java.util.Arrays;
+import java.util.Random;
+
+/** What is refused, what memory is taken, that nothing is copied, and that any arguments are survived. */
+final class Arguments {
+  private static final Shapes THREE = Shapes.of(Kind.CIRCLE, new double[] {0, 0, 1, 0, 0, 1, 0, 0, 1});
+
+  private static void refused(Class<? extends Exception> kind, String words, Runnable call) {
+    try {
+      call.run();
+    } catch (RuntimeException e) {
+      if (kind.isInstance(e) && e.getMessage() != null && e.getMessage().contains(words)) return;
+      throw new AssertionError("not '" + words + "'", e);
+    }
+    throw new AssertionError("not refused: " + words);
+  }
+
+  private static void check(boolean holds, String what) {
+    if (!holds) throw new AssertionError(what);
+  }
+
+  private static void refusals() {
+    Class<? extends Exception> argument = IllegalArgumentException.class;
+    refused(VesicaException.class, "a shape is invalid", () -> Vesica.overlap(new Circle(0, 0, -1), new Point(0, 0)));
+    refused(VesicaException.class, "negative", () -> Vesica.check(new Circle(0, 0, -1)));
+    refused(argument, "CIRCLE has 3 numbers, not 2", () -> Shape.of(Kind.CIRCLE, 1, 2));
+    refused(argument, "2 numbers are no records of 3", () -> Shapes.of(Kind.CIRCLE, new double[2]));
+    refused(argument, "numbers is int[]: a double[], a float[]", () -> Shapes.of(Kind.CIRCLE, new int[3]));
+    refused(argument, "numbers is null", () -> Shapes.of(Kind.CIRCLE, (Object) null));
+    refused(argument, "numbers is HeapDoubleBuffer", () -> Shapes.of(Kind.POINT, DoubleBuffer.allocate(2)));
+    refused(argument, "shape 1 is a POINT, not a CIRCLE", () -> Shapes.of(Kind.CIRCLE, new Circle(0, 0, 1), new Point(0, 0)));
+    Shapes two = Shapes.of(Kind.CIRCLE, new double[6]), narrow = Shapes.of(Kind.CIRCLE, new float[9]);
+    refused(argument, "a has 3 shapes and b 2", () -> Vesica.overlapMany(THREE, two, new boolean[3]));
+    refused(argument, "one array of shapes has double", () -> Vesica.overlapMany(THREE, narrow, new boolean[3]));
+    refused(argument, "out has 8 elements, where 9 are needed", () -> Vesica.overlapMatrix(THREE, THREE, new boolean[8]));
+    refused(argument, "one array of shapes has double", () -> Vesica.areaMany(THREE, THREE, new float[3]));
+    refused(argument, "out is String", () -> Vesica.areaMany(THREE, THREE, "text"));
+    double[] numbers = new double[6];
+    Shapes own = Shapes.of(Kind.CIRCLE, numbers);
+    refused(argument, "out overlaps an input", () -> Vesica.areaMany(own, own, numbers));
+    refused(argument, "columns 0 and 1 are the same", () -> Vesica.depthMany(THREE, THREE, numbers, numbers, null));
+    refused(VesicaException.class, "NULL", () -> Vesica.depthMany(THREE, THREE, null, null, null));
+    refused(argument, "3 shapes need as many scores, not 1", () -> Vesica.nms(THREE, new double[1], 0.5));
+    refused(argument, "1 to 64 are needed", () -> new Index());
+    refused(VesicaException.class, "index", () -> Index.fromBytes(new byte[640], THREE));
+    refused(argument, "an index of 3 shapes cannot be that of 6", () -> Index.fromBytes(new Index(THREE).bytes(), THREE, THREE));
+    refused(VesicaException.class, "", () -> new Index(THREE).join(new Index(THREE), JoinQuery.OVERLAP, 2, 2));
+    refused(argument, "k is 0", () -> new Index(THREE).nearestOfEach(0, 1, THREE));
+    refused(NullPointerException.class, "null", () -> Vesica.overlap(null, new Point(0, 0)));
+    Shapes none = Shapes.of(Kind.RECT, new double[0]);
+    check(Vesica.overlapMany(none, none, new boolean[0]) == 0, "an empty array");
+    check(new Index(none).join()[0].length == 0, "an empty index");
+  }
+
+  private static DoubleBuffer direct(double... numbers) {
+    DoubleBuffer buffer = ByteBuffer.allocateDirect(8 * numbers.length).order(ByteOrder.nativeOrder()).asDoubleBuffer();
+    return buffer.put(0, numbers);
+  }
+
+  private static void layouts() {
+    Shapes records = Shapes.records(Kind.CIRCLE, new double[] {0, 0, 1, 77, 5, 0, 1, 77}, 4);
+    Shapes columns = Shapes.columns(Kind.CIRCLE, direct(0, 5, 0, 0, 1, 1));
+    byte[] relations = new byte[2];
+    check(Vesica.relationMany(records, columns, relations) == 2, "records and columns");
+    check(Relation.of(relations[1]) == Relation.EQUAL, "relation");
+    DoubleBuffer out = direct(0, 0);
+    Vesica.areaMany(records, columns, out);
+    check(out.get(0) == Math.PI && out.get(1) == Math.PI, "a direct buffer");
+    DoubleBuffer inside = direct(0, 0, 1, 0, 0, 1);
+    Shapes own = Shapes.of(Kind.CIRCLE, inside);
+    refused(IllegalArgumentException.class, "out overlaps an input", () -> Vesica.areaMany(records, own, inside.slice(4, 2)));
+    try {
+      Vesica.areaMany(records, columns, out.asReadOnlyBuffer());
+      throw new AssertionError("wrote to a read-only buffer");
+    } catch (java.nio.ReadOnlyBufferException e) {
+      // as it should be
+    }
+  }
+
+  /** The numbers of two million rectangles in a heap that has no room for a second copy of them. */
+  private static void nothingIsCopied() {
+    int count = 2_000_000;
+    double[] numbers = new double[6 * count];
+    for (int i = 0; i < count; i++) numbers[6 * i + 2] = 1;
+    boolean[] out = new boolean[count];
+    Shapes shapes = Shapes.of(Kind.RECT, numbers);
+    check(Runtime.getRuntime().maxMemory() < 2L * 8 * numbers.length, "-Xmx is too large for this test");
+    check(Vesica.overlapMany(shapes, shapes, out) == count, "all");
+  }
+
+  private static void anyArguments(int calls) {
+    long seed = System.nanoTime();
+    System.out.println("seed " + seed);
+    Random draw = new Random(seed);
+    double[] special = {0, -0.0, 1, -1, 0.5, Double.NaN, Double.POSITIVE_INFINITY, 5e-324, 1.7e308, 1e-200};
+    int answered = 0;
+    for (int i = 0; i < calls; i++) {
+      Kind kindA = Kind.of(draw.nextInt(6)), kindB = Kind.of(draw.nextInt(6));
+      double[] first = some(draw, kindA, special), second = some(draw, kindB, special);
+      try {
+        Shapes a = draw.nextBoolean() ? Shapes.of(kindA, first) : Shapes.columns(kindA, direct(first));
+        Shapes b = Shapes.of(kindB, second);
+        double[] out = new double[draw.nextInt(100)];
+        switch (draw.nextInt(9)) {
+          case 0 -> Vesica.overlapMany(a, b, new boolean[draw.nextInt(100)]);
+          case 1 -> Vesica.containsMatrix(a, b, new boolean[draw.nextInt(100)]);
+          case 2 -> Vesica.areaMany(a, b, draw.nextInt(5) == 0 ? second : out);
+          case 3 -> Vesica.iouMatrix(a, b, direct(out));
+          case 4 -> Vesica.depthMany(a, b, null, out, draw.nextBoolean() ? null : out);
+          case 5 -> Vesica.nms(a, out.length < 50 ? new double[(int) a.count()] : out, special[draw.nextInt(10)]);
+          case 6 -> new Index(a, b).join(new Index(b), JoinQuery.of(draw.nextInt(5)));
+          case 7 -> new Index(a).nearestOfEach(draw.nextInt(4), special[draw.nextInt(10)], b, a);
+          default -> Index.fromBytes(new byte[draw.nextInt(900)], a);
+        }
+        answered++;
+      } catch (IllegalArgumentException | NullPointerException e) {
+        // as it should be
+      }
+    }
+    check(answered > calls / 20, answered + " of " + calls);
+  }
+
+  private static double[] some(Random draw, Kind kind, double[] special) {
+    double[] out = new double[draw.nextInt(4) == 0 ? draw.nextInt(40) : Shapes.fields(kind) * draw.nextInt(6)];
+    Arrays.setAll(out, i -> draw.nextInt(40) == 0 ? special[draw.nextInt(special.length)] : draw.nextInt(9));
+    return out;
+  }
+
+  public static void main(String[] arguments) {
+    refusals();
+    layouts();
+    nothingIsCopied();
+    anyArguments(arguments.length > 0 ? Integer.parseInt(arguments[0]) : 5000);
+    System.out.println("arguments: as they should be");
+  }
+}

@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The calls that all packages answer alike (tests/ffi/calls.txt), and that wrong answers among them are found."""
+import ctypes
+import math
+import pathlib
+import unittest
+
+import numpy
+import vesica
+from vesica import Kind
+
+LINES = [
+    line
+    for line in pathlib.Path(__file__).with_name("calls.txt").read_text().splitlines()
+    if not line.startswith("#")
+]
+DTYPES = {"f64": numpy.float64, "f32": numpy.float32}
+ERRORS = {
+    -1: "E_NULL",
+    -2: "E_SHAPE",
+    -3: "E_KIND",
+    -4: "E_ARGUMENT",
+    -5: "E_NOT_FINITE",
+    -6: "E_NEGATIVE_SIZE",
+    -7: "E_ZERO_AXIS",
+    -8: "E_INVERTED",
+    -9: "E_RANGE",
+    -10: "E_INDEX",
+}
+QUERIES = list(vesica.index._QUERIES)
+
+
+def number(word):
+    return float.fromhex(word) if "x" in word else float(word)
+
+
+class Call:
+    def __init__(self, left):
+        name, *self.arguments = left.split(" | ")
+        self.function, self.scalar = name.split()
+        self.dtype = DTYPES[self.scalar]
+
+    def numbers(self, i):
+        return [number(word) for word in self.arguments[i].split()]
+
+    def shapes(self, argument):
+        kind, *words = argument.split()
+        kind = Kind[kind.upper()]
+        rows = numpy.array([number(word) for word in words], self.dtype).reshape(-1, len(vesica.FIELDS[kind]))
+        return vesica.shapes(kind, rows)
+
+    def single(self, i):
+        return self.shapes(self.arguments[i])[0]
+
+    def answer(self):
+        """(result or None, values): a call that gives an array does not tell how many of it hold."""
+        name = self.function
+        if "_from_" in name:
+            return self.constructed()
+        if name.startswith(("index_", "join")):
+            return self.of_indexes()
+        if name == "nms":
+            scores, (threshold,) = self.numbers(1), self.numbers(2)
+            return 0, vesica.nms(self.shapes(self.arguments[0]), scores, threshold)
+        if name == "overlap_select":
+            found = vesica.overlap_select(self.single(0), self.shapes(self.arguments[1]))
+            return len(found), found
+        if name.endswith("_many"):
+            return None, flat(getattr(vesica, name[:-5])(*map(self.shapes, self.arguments)))
+        if name.endswith("_matrix"):
+            return None, getattr(vesica, name)(*map(self.shapes, self.arguments)).ravel()
+        return self.of_one_or_two()
+
+    def of_one_or_two(self):
+        shapes = [self.single(i) for i in range(len(self.arguments))]
+        if self.function == "bounds":
+            return 0, vesica.bounds(*shapes).numbers
+        given = getattr(vesica, self.function)(*shapes)
+        if self.function in ("overlap", "relation", "contains"):
+            return int(given), []
+        if self.function == "crossings":
+            return len(given.places), [given.shared, *given.places.ravel()]
+        return 0, [] if given is None else flat(given)
+
+    def constructed(self):
+        """The package makes arrays, by functions of its own; those of the library for one shape are in vesica.c."""
+        scalar = {"f64": ctypes.c_double, "f32": ctypes.c_float}[self.scalar]
+        given, made = self.numbers(0), (scalar * (4 if self.function.startswith("aabb") else 6))()
+        function = getattr(vesica.c, f"vesica_{self.function}_{self.scalar}")
+        if self.function == "rect_from_corners":
+            given = [(scalar * 8)(*given)]
+        code = function(*given, made)
+        if code < 0:
+            raise vesica.VesicaError(code)
+        return code, list(made)
+
+    def of_indexes(self):
+        leading = {"index_nearest": 2, "index_select": 1, "join": 1, "join_nearest": 1}.get(self.function, 0)
+        rest = self.arguments[leading:]
+        slash = rest.index("/") if "/" in rest else len(rest)
+        sets_a, sets_b = ([self.shapes(text) for text in part] for part in (rest[:slash], rest[slash + 1 :]))
+        a = vesica.Index(*sets_a)
+        a = vesica.Index.from_bytes(a.bytes, *sets_a)
+        b = vesica.Index(*sets_b) if sets_b else a
+        if self.function == "index_bounds":
+            return 0, a.bounds()
+        if self.function == "index_order":
+            return len(a.order()), a.order()
+        if self.function == "index_select":
+            return len(a.select(self.single(0))), a.select(self.single(0))
+        if self.function == "index_nearest":
+            k, within = self.numbers(1)
+            items, distances = a.nearest(self.single(0), int(k), within)
+            return len(items), [*items, *distances]
+        if self.function == "join":
+            query = QUERIES[int(self.arguments[0])]
+            pairs = a.join(b, query)
+            return a.join_count(b, query), numpy.array(pairs).T.ravel()
+        k, within = self.numbers(0)
+        items, distances = b.nearest_of_each(*sets_a, k=int(k), within=within)
+        return int((items >= 0).sum()), flat((items, distances))
+
+
+def flat(given):
+    """A number, an array, or a tuple of columns, as values."""
+    return numpy.concatenate([numpy.ravel(column) for column in (given if isinstance(given, tuple) else (given,))])
+
+
+def same(values, words):
+    values, expected = [float(value) for value in values], [number(word) for word in words]
+    return len(values) == len(expected) and all(
+        a == b and math.copysign(1, a) == math.copysign(1, b) or a != a and b != b for a, b in zip(values, expected)
+    )
+
+
+def is_right(line):
+    left, right = line.split(" = ")
+    expected, *words = right.split()
+    try:
+        result, values = Call(left).answer()
+    except vesica.VesicaError as error:
+        written = [] if error.result is None else flat(error.result)
+        return expected == ERRORS[error.code] and (not words or same(written, words))
+    return (result is None or str(result) == expected) and same(values, words)
+
+
+class Calls(unittest.TestCase):
+    def test_every_call_is_right(self):
+        self.assertGreater(len(LINES), 400)
+        self.assertEqual([line for line in LINES if not is_right(line)], [])
+
+    def test_wrong_answers_are_found(self):
+        """The first call of each function, with its last word made what no call gives."""
+        first = {line.split()[0]: line for line in reversed(LINES)}
+        self.assertGreaterEqual(len(first), 40)
+        for line in first.values():
+            self.assertFalse(is_right(line.rsplit(" ", 1)[0] + " 7.5"), line)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+//! Shapes from other descriptions. [`sys`](crate::sys) has the whole text of each.
+use crate::error::filled;
+use crate::{Aabb, Ellipse, Error, Rect, Scalar};
+
+macro_rules! constructors {
+    ($($(#[$text:meta])* $name:ident($($number:ident),*) -> $shape:ident: $function:ident;)*) => {$(
+        $(#[$text])*
+        pub fn $name<T: Scalar>($($number: T),*) -> Result<$shape<T>, Error> {
+            filled($shape::default(), |out| unsafe { T::$function($($number,)* out) })
+        }
+    )*};
+}
+
+constructors! {
+    /// Box with two opposite corners, in any order.
+    aabb(x0, y0, x1, y1) -> Aabb: aabb_from_corners;
+    /// Rectangle from centre, angle in radians, and whole sizes: width along the angle, height across it.
+    rect(cx, cy, angle, width, height) -> Rect: rect_from_angle;
+    /// Ellipse from centre, angle in radians, and half lengths: a along the angle, b across it.
+    ellipse(cx, cy, angle, a, b) -> Ellipse: ellipse_from_angle;
+    /// Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other ratio times its perpendicular.
+    ellipse_from_radius_vector(cx, cy, wx, wy, ratio) -> Ellipse: ellipse_from_radius_vector;
+    /// Ellipse of the points within k standard deviations of a mean.
+    ellipse_from_covariance(mean_x, mean_y, cxx, cxy, cyy, k) -> Ellipse: ellipse_from_covariance;
+    /// Ellipse of the points X with (X - C) . M (X - C) <= 1.
+    ellipse_from_matrix(cx, cy, mxx, mxy, myy) -> Ellipse: ellipse_from_matrix;
+}
+
+/// Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline.
+pub fn rect_from_corners<T: Scalar>(corners: &[T; 8]) -> Result<Rect<T>, Error> {
+    filled(Rect::default(), |out| unsafe { T::rect_from_corners(corners.as_ptr(), out) })
+}

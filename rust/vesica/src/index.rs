@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+//! All pairs among millions: an index of shapes, joins, windows and nearest shapes.
+use crate::error::answer;
+use crate::{Aabb, Error, Scalar, Shape, Shapes};
+use alloc::vec;
+use alloc::vec::Vec;
+use core::{ptr, slice};
+use vesica_sys as sys;
+
+/// What makes a pair of a join.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(i32)]
+pub enum JoinQuery {
+    /// a and b share a point.
+    Overlap = sys::VESICA_JOIN_OVERLAP,
+    /// Their bounds meet: all pairs that overlap, and some that do not.
+    Bounds = sys::VESICA_JOIN_BOUNDS,
+    /// a contains b.
+    Contains = sys::VESICA_JOIN_CONTAINS,
+    /// b contains a.
+    Inside = sys::VESICA_JOIN_INSIDE,
+}
+
+/// What an index and its scratch are aligned to.
+#[repr(C, align(64))]
+#[derive(Clone, Copy)]
+struct Line([u8; 64]);
+
+fn lines(bytes: usize) -> Vec<Line> {
+    vec![Line([0; 64]); (bytes + 63) / 64]
+}
+
+fn size(lines: &[Line]) -> i64 {
+    (lines.len() * 64) as i64
+}
+
+/// An index over sets of shapes laid end to end: item i is shape i of the first set, and the next set's items follow.
+///
+/// The sets may be of any kinds. The index borrows them.
+pub struct Index<'a, T> {
+    sets: Vec<Shapes<'a, T>>,
+    memory: Vec<Line>,
+    incomplete: bool,
+}
+
+fn count_of<T: Scalar>(sets: &[Shapes<'_, T>]) -> usize {
+    sets.iter().map(Shapes::len).sum()
+}
+
+/// Shapes is a transparent struct around the library's view.
+fn views<T>(sets: &[Shapes<'_, T>]) -> (*const sys::Shapes<T>, i32) {
+    (sets.as_ptr().cast(), sets.len() as i32)
+}
+
+impl<'a, T: Scalar> Index<'a, T> {
+    /// Invalid shapes are left out; [`incomplete`](Index::incomplete) tells.
+    pub fn new(sets: &[Shapes<'a, T>]) -> Result<Self, Error> {
+        let sets = sets.to_vec();
+        let count = count_of(&sets) as i64;
+        let mut memory = lines(answer(|| unsafe { sys::vesica_index_size(count) })?);
+        let mut scratch = lines(answer(|| unsafe { sys::vesica_index_scratch(count) })?);
+        let ((view, sets_count), bytes, room) = (views(&sets), size(&memory), size(&scratch));
+        let (to, with) = (memory.as_mut_ptr().cast(), scratch.as_mut_ptr().cast());
+        let built = answer(|| unsafe { T::index_build(view, sets_count, to, bytes, with, room) });
+        let incomplete = built == Err(Error::Shape);
+        if !incomplete {
+            built?;
+        }
+        let used = answer(|| unsafe { sys::vesica_index_bytes(memory.as_ptr().cast()) })?;
+        memory.truncate(used / 64);
+        memory.shrink_to_fit();
+        Ok(Index { sets, memory, incomplete })
+    }
+
+    /// The index whose bytes were saved, over the same shapes. They are checked and copied.
+    pub fn from_bytes(bytes: &[u8], sets: &[Shapes<'a, T>]) -> Result<Self, Error> {
+        let mut memory = lines(bytes.len());
+        unsafe { ptr::copy_nonoverlapping(bytes.as_ptr(), memory.as_mut_ptr().cast(), bytes.len()) };
+        answer(|| unsafe { sys::vesica_index_check(memory.as_ptr().cast(), bytes.len() as i64) })?;
+        let built_of = answer(|| unsafe { sys::vesica_index_count(memory.as_ptr().cast()) })?;
+        if built_of != count_of(sets) {
+            return Err(Error::Counts(built_of, count_of(sets)));
+        }
+        Ok(Index { sets: sets.to_vec(), memory, incomplete: false })
+    }
+
+    /// The bytes to save.
+    pub fn as_bytes(&self) -> &[u8] {
+        unsafe { slice::from_raw_parts(self.memory.as_ptr().cast(), self.memory.len() * 64) }
+    }
+
+    fn address(&self) -> *const core::ffi::c_void {
+        self.memory.as_ptr().cast()
+    }
+
+    /// How many items there are, invalid shapes included.
+    pub fn len(&self) -> usize {
+        count_of(&self.sets)
+    }
+
+    /// Whether it has no items.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Whether invalid shapes were left out. Bytes that were saved do not tell.
+    pub fn incomplete(&self) -> bool {
+        self.incomplete
+    }
+
+    /// A box around all valid shapes, a little larger than the smallest one.
+    pub fn bounds(&self) -> Result<Aabb<f64>, Error> {
+        crate::error::filled(Aabb::default(), |out| unsafe { sys::vesica_index_bounds(self.address(), out) })
+    }
+
+    /// The items in spatial order: arrays that are laid so are joined quicker.
+    pub fn order(&self) -> Result<Vec<i64>, Error> {
+        let mut out = vec![0; self.len()];
+        let (to, room) = (out.as_mut_ptr(), out.len() as i64);
+        let valid = answer(|| unsafe { sys::vesica_index_order(self.address(), to, room) })?;
+        out.truncate(valid);
+        Ok(out)
+    }
+
+    /// The items that one shape overlaps, in the index's order.
+    pub fn select<S: Shape<Scalar = T> + ?Sized>(&self, one: &S) -> Result<Vec<i64>, Error> {
+        let one = Shapes::packed(one.kind(), one.numbers())?;
+        let (sets, count) = views(&self.sets);
+        let ask = |out: &mut [i64], state: *mut i64| {
+            let (to, room) = (if out.is_empty() { ptr::null_mut() } else { out.as_mut_ptr() }, out.len() as i64);
+            answer(|| unsafe { T::index_select(self.address(), sets, count, &one.view, to, room, state) })
+        };
+        let mut out = vec![0; ask(&mut [], ptr::null_mut())?];
+        if !out.is_empty() {
+            ask(&mut out, [0; 4].as_mut_ptr())?;
+        }
+        Ok(out)
+    }
+
+    /// The k items nearest to one shape, at most `within` away, each with its distance; infinity asks for any.
+    pub fn nearest<S>(&self, one: &S, k: usize, within: T) -> Result<Vec<(i64, T)>, Error>
+    where
+        S: Shape<Scalar = T> + ?Sized,
+    {
+        let one = Shapes::packed(one.kind(), one.numbers())?;
+        let k = k.min(self.len());
+        let (mut items, mut distances) = (vec![0; k], vec![T::default(); k]);
+        let (sets, count) = views(&self.sets);
+        let (to, far) = (items.as_mut_ptr(), distances.as_mut_ptr());
+        let found =
+            answer(|| unsafe { T::index_nearest(self.address(), sets, count, &one.view, k as i64, within, to, far) })?;
+        Ok(items.into_iter().zip(distances).take(found.min(k)).collect())
+    }
+
+    /// All pairs of an item of this index and one of another; with itself the pairs a < b. Each pair once.
+    pub fn join(&self, other: &Index<'_, T>, query: JoinQuery) -> Result<Vec<(i64, i64)>, Error> {
+        self.join_part(other, query, 0, 1)
+    }
+
+    /// One of `parts` parts of a join, which threads may ask at the same time. One after the other they are the join.
+    pub fn join_part(
+        &self,
+        other: &Index<'_, T>,
+        query: JoinQuery,
+        part: usize,
+        parts: usize,
+    ) -> Result<Vec<(i64, i64)>, Error> {
+        const ROOM: usize = 1 << 14;
+        let (mut a, mut b, mut state) = (vec![0; ROOM], vec![0; ROOM], [0; 4]);
+        let mut pairs = Vec::new();
+        while state[0] != -1 {
+            let out = (a.as_mut_ptr(), b.as_mut_ptr(), ROOM as i64, state.as_mut_ptr());
+            let found = self.ask_join(other, query, part, parts, out)?;
+            pairs.extend(a[..found].iter().copied().zip(b[..found].iter().copied()));
+        }
+        Ok(pairs)
+    }
+
+    /// How many pairs [`join`](Index::join) gives.
+    pub fn join_count(&self, other: &Index<'_, T>, query: JoinQuery) -> Result<usize, Error> {
+        self.ask_join(other, query, 0, 1, (ptr::null_mut(), ptr::null_mut(), 0, ptr::null_mut()))
+    }
+
+    fn ask_join(
+        &self,
+        other: &Index<'_, T>,
+        query: JoinQuery,
+        part: usize,
+        parts: usize,
+        (out_a, out_b, room, state): (*mut i64, *mut i64, i64, *mut i64),
+    ) -> Result<usize, Error> {
+        let mut scratch = lines(answer(|| unsafe { sys::vesica_join_scratch() })?);
+        let ((sets_a, count_a), (sets_b, count_b)) = (views(&self.sets), views(&other.sets));
+        let (with, with_size) = (scratch.as_mut_ptr().cast(), size(&scratch));
+        let (query, part, parts, index_b) = (query as i32, part as i64, parts as i64, other.address());
+        answer(|| unsafe {
+            T::join(
+                query,
+                self.address(),
+                sets_a,
+                count_a,
+                index_b,
+                sets_b,
+                count_b,
+                part,
+                parts,
+                with,
+                with_size,
+                out_a,
+                out_b,
+                room,
+                state,
+            )
+        })
+    }
+}
+
+/// Of each shape of some sets, the k items of an index that are nearest, and their distances: rows of k, one after the
+/// other, filled up by -1 at distance infinity.
+///
+/// Returns how many were found. If a shape is invalid its row holds -1, all others are written, and it is an error.
+pub fn nearest_of_each<T: Scalar>(
+    sets: &[Shapes<'_, T>],
+    index: &Index<'_, T>,
+    k: usize,
+    within: T,
+    items: &mut [i64],
+    distances: &mut [T],
+) -> Result<usize, Error> {
+    let needed = count_of(sets).saturating_mul(k);
+    if items.len() < needed || distances.len() < needed {
+        return Err(Error::Room { needed, given: items.len().min(distances.len()) });
+    }
+    let ((asked, asked_count), (view, count)) = (views(sets), views(&index.sets));
+    let (to, far) = (items.as_mut_ptr(), distances.as_mut_ptr());
+    answer(|| unsafe {
+        T::join_nearest(asked, asked_count, index.address(), view, count, k as i64, within, 0, 1, to, far)
+    })
+}

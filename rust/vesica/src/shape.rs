@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+//! One shape, and arrays of shapes as the library sees them.
+use crate::{Error, Scalar};
+use core::marker::PhantomData;
+use core::slice;
+use vesica_sys::{self as sys, Aabb, Circle, Ellipse, Point, Rect, Segment};
+
+/// The six kinds of shapes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+#[repr(i32)]
+pub enum Kind {
+    Point = sys::VESICA_POINT,
+    Segment = sys::VESICA_SEGMENT,
+    Circle = sys::VESICA_CIRCLE,
+    Aabb = sys::VESICA_AABB,
+    Rect = sys::VESICA_RECT,
+    Ellipse = sys::VESICA_ELLIPSE,
+}
+
+impl Kind {
+    /// How many numbers a shape of this kind has.
+    pub const fn fields(self) -> usize {
+        match self {
+            Kind::Point => 2,
+            Kind::Circle => 3,
+            Kind::Segment | Kind::Aabb => 4,
+            Kind::Rect | Kind::Ellipse => 6,
+        }
+    }
+}
+
+/// One shape: a struct of the library's, or [`AnyShape`].
+///
+/// # Safety
+/// `numbers` has at least as many numbers as the kind has.
+pub unsafe trait Shape {
+    /// `f64` or `f32`.
+    type Scalar: Scalar;
+    /// Its kind.
+    fn kind(&self) -> Kind;
+    /// Its numbers, in the order of its struct.
+    fn numbers(&self) -> &[Self::Scalar];
+}
+
+/// A shape whose type says its kind, so that slices of it are arrays of shapes.
+pub trait KnownKind: Shape + Copy {
+    /// Its kind.
+    const KIND: Kind;
+}
+
+macro_rules! shapes {
+    ($($name:ident)*) => {$(
+        unsafe impl<T: Scalar> Shape for $name<T> {
+            type Scalar = T;
+            fn kind(&self) -> Kind {
+                Kind::$name
+            }
+            fn numbers(&self) -> &[T] {
+                // repr(C), and all fields are of type T.
+                unsafe { slice::from_raw_parts((self as *const Self).cast(), Kind::$name.fields()) }
+            }
+        }
+        impl<T: Scalar> KnownKind for $name<T> {
+            const KIND: Kind = Kind::$name;
+        }
+    )*};
+}
+shapes! { Point Segment Circle Aabb Rect Ellipse }
+
+/// A shape whose kind is known at run time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AnyShape<T> {
+    kind: Kind,
+    numbers: [T; 6],
+}
+
+impl<T: Scalar> AnyShape<T> {
+    /// From a kind and as many numbers as it has.
+    pub fn new(kind: Kind, numbers: &[T]) -> Result<Self, Error> {
+        if numbers.len() != kind.fields() {
+            return Err(Error::Room { needed: kind.fields(), given: numbers.len() });
+        }
+        let mut shape = AnyShape { kind, numbers: [T::default(); 6] };
+        shape.numbers[..numbers.len()].copy_from_slice(numbers);
+        Ok(shape)
+    }
+}
+
+unsafe impl<T: Scalar> Shape for AnyShape<T> {
+    type Scalar = T;
+    fn kind(&self) -> Kind {
+        self.kind
+    }
+    fn numbers(&self) -> &[T] {
+        &self.numbers[..self.kind.fields()]
+    }
+}
+
+/// An array of shapes of one kind, however it lies in memory. It borrows the memory and copies nothing.
+///
+/// Functions take a slice of structs, or a reference to one shape, in its place.
+#[derive(Clone, Copy, Debug)]
+#[repr(transparent)]
+pub struct Shapes<'a, T> {
+    pub(crate) view: sys::Shapes<T>,
+    memory: PhantomData<&'a T>,
+}
+
+impl<'a, T: Scalar> Shapes<'a, T> {
+    /// Shapes whose numbers follow one another, a shape after the other.
+    pub fn packed(kind: Kind, numbers: &'a [T]) -> Result<Self, Error> {
+        Self::records(kind, numbers, kind.fields())
+    }
+
+    /// Records of `step` numbers each, of which the first are a shape's.
+    pub fn records(kind: Kind, numbers: &'a [T], step: usize) -> Result<Self, Error> {
+        if step < kind.fields() || numbers.len() % step != 0 {
+            return Err(Error::Room { needed: kind.fields().max(step), given: numbers.len() });
+        }
+        Ok(Self::at(kind, numbers.as_ptr(), numbers.len() / step, step))
+    }
+
+    /// A column for each number of the kind, in its order, all of one length.
+    pub fn columns(kind: Kind, columns: &[&'a [T]]) -> Result<Self, Error> {
+        if columns.len() != kind.fields() {
+            return Err(Error::Room { needed: kind.fields(), given: columns.len() });
+        }
+        let count = columns[0].len();
+        let mut shapes = Self::at(kind, columns[0].as_ptr(), count, 1);
+        for (field, column) in shapes.view.field.iter_mut().zip(columns) {
+            if column.len() != count {
+                return Err(Error::Counts(count, column.len()));
+            }
+            *field = column.as_ptr();
+        }
+        Ok(shapes)
+    }
+
+    /// `step` counts numbers. Fields lie one after the other.
+    fn at(kind: Kind, first: *const T, count: usize, step: usize) -> Self {
+        let mut field = [first; 6];
+        for (i, place) in field.iter_mut().enumerate() {
+            *place = first.wrapping_add(i);
+        }
+        let stride = (step * core::mem::size_of::<T>()) as isize;
+        let view = sys::Shapes { kind: kind as i32, reserved: 0, count: count as i64, stride, field };
+        Shapes { view, memory: PhantomData }
+    }
+
+    /// How many shapes there are.
+    pub fn len(&self) -> usize {
+        self.view.count as usize
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.view.count == 0
+    }
+}
+
+impl<'a, S: KnownKind> From<&'a [S]> for Shapes<'a, S::Scalar> {
+    fn from(shapes: &'a [S]) -> Self {
+        Shapes::at(S::KIND, shapes.as_ptr().cast(), shapes.len(), S::KIND.fields())
+    }
+}
+
+impl<'a, S: KnownKind> From<&'a S> for Shapes<'a, S::Scalar> {
+    fn from(shape: &'a S) -> Self {
+        core::slice::from_ref(shape).into()
+    }
+}
+
+impl<'a, S: KnownKind, const N: usize> From<&'a [S; N]> for Shapes<'a, S::Scalar> {
+    fn from(shapes: &'a [S; N]) -> Self {
+        shapes.as_slice().into()
+    }
+}
+
+impl<'a, T: Scalar> From<&'a AnyShape<T>> for Shapes<'a, T> {
+    fn from(shape: &'a AnyShape<T>) -> Self {
+        Shapes::at(shape.kind, shape.numbers.as_ptr(), 1, 6)
+    }
+}
+
+// What a view points to is only read.
+unsafe impl<T: Sync> Send for Shapes<'_, T> {}
+unsafe impl<T: Sync> Sync for Shapes<'_, T> {}

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+//! What is refused, what layouts are taken, that nothing is copied, and that any arguments are survived.
+use vesica::*;
+
+fn disc(cx: f64, r: f64) -> Circle<f64> {
+    Circle { cx, cy: 0.0, r }
+}
+
+#[test]
+fn invalid_shapes() {
+    let bad = disc(0.0, -1.0);
+    assert_eq!(overlap(&bad, &disc(0.0, 1.0)), Err(Error::Shape));
+    assert_eq!(check(&bad), Err(Error::NegativeSize));
+    assert!(Error::Shape.to_string().starts_with("a shape is invalid"));
+    let discs = [disc(0.0, 1.0), bad, disc(9.0, 1.0), disc(1.0, f64::NAN)];
+    let mut hits = [true; 4];
+    assert_eq!(overlap_many(&discs, &disc(1.0, 1.0), &mut hits), Err(Error::Shape));
+    assert_eq!(hits, [true, false, false, false]);
+}
+
+#[test]
+fn counts_and_room() {
+    let three = [disc(0.0, 1.0); 3];
+    let mut hits = [false; 3];
+    let error = overlap_many(&three, &three[..2], &mut hits).unwrap_err();
+    assert_eq!(error, Error::Counts(3, 2));
+    assert_eq!(error.to_string(), "3 shapes and 2: as many are needed, or one of either");
+    let error = overlap_matrix(&three, &three, &mut hits).unwrap_err();
+    assert_eq!(error, Error::Room { needed: 9, given: 3 });
+    assert_eq!(error.to_string(), "an output of 3 elements, where 9 are needed");
+    assert!(Shapes::packed(Kind::Circle, &[1.0, 2.0]).is_err());
+    assert!(Shapes::columns(Kind::Point, &[&[1.0], &[1.0, 2.0]]).is_err());
+    assert!(AnyShape::new(Kind::Point, &[1.0]).is_err());
+    assert!(nearest_many(&three, &three, ClosestPointsColumns::default()).is_err());
+    assert_eq!(nms(&three, &[1.0], 0.5, &mut [], &mut []), Err(Error::Counts(3, 1)));
+    assert_eq!(nms(&three, &[1.0; 3], 0.5, &mut [], &mut [0; 3]).err().map(Error::code), Some(-4));
+}
+
+#[test]
+fn nothing_at_all() {
+    let none: [Circle<f64>; 0] = [];
+    assert_eq!(overlap_many(&none, &disc(0.0, 1.0), &mut []), Ok(0));
+    assert_eq!(overlap_matrix(&none, &none, &mut []), Ok(0));
+    let index = Index::new(&[Shapes::from(&none)]).unwrap();
+    assert!(index.is_empty());
+    assert_eq!(index.select(&disc(0.0, 1.0)), Ok(vec![]));
+    assert_eq!(index.nearest(&disc(0.0, 1.0), 3, f64::INFINITY), Ok(vec![]));
+    assert_eq!(index.join(&index, JoinQuery::Overlap), Ok(vec![]));
+    assert!(Index::<f64>::new(&[]).unwrap().is_empty());
+}
+
+#[test]
+fn layouts() {
+    let records = [0.0, 0.0, 1.0, 77.0, 5.0, 0.0, 1.0, 77.0];
+    let by_records = Shapes::records(Kind::Circle, &records, 4).unwrap();
+    let by_columns = Shapes::columns(Kind::Circle, &[&[0.0, 5.0], &[0.0, 0.0], &[1.0, 1.0]]).unwrap();
+    let mut relations = [Relation::Disjoint; 2];
+    assert_eq!(relation_many(by_records, by_columns, &mut relations), Ok(2));
+    assert_eq!(relations, [Relation::Equal; 2]);
+    let mut distances = [0.0; 2];
+    let only = ClosestPointsColumns { distance: &mut distances, ..Default::default() };
+    assert_eq!(nearest_many(by_records, &disc(2.5, 1.0), only), Ok(0));
+    assert_eq!(distances, [0.5; 2]);
+}
+
+#[test]
+fn indexes_refuse_foreign_bytes_and_other_sets() {
+    let discs = [disc(0.0, 1.0), disc(1.0, 1.0), disc(9.0, -1.0)];
+    let index = Index::new(&[Shapes::from(&discs)]).unwrap();
+    assert!(index.incomplete());
+    assert_eq!(index.join(&index, JoinQuery::Overlap), Ok(vec![(0, 1)]));
+    let sets = [Shapes::from(&discs)];
+    assert_eq!(Index::from_bytes(&[1; 640], &sets).err(), Some(Error::Index));
+    let (bytes, fewer) = (index.as_bytes(), [Shapes::from(&discs[..2])]);
+    assert_eq!(Index::from_bytes(&bytes[..bytes.len() - 64], &sets).err(), Some(Error::Index));
+    assert_eq!(Index::from_bytes(bytes, &fewer).err(), Some(Error::Counts(3, 2)));
+    assert_eq!(index.join_part(&index, JoinQuery::Overlap, 2, 2), Err(Error::Argument));
+}
+
+/// Whatever is passed, there is an answer or an error.
+#[test]
+fn any_arguments() {
+    let calls: usize = std::env::var("VESICA_CALLS").map_or(5_000, |text| text.parse().unwrap());
+    let special = [0.0, -0.0, 1.0, -1.0, 0.5, f64::NAN, f64::INFINITY, 5e-324, 1.7e308, 1e-200];
+    let kinds = [Kind::Point, Kind::Segment, Kind::Circle, Kind::Aabb, Kind::Rect, Kind::Ellipse];
+    let seed = std::process::id() as u64;
+    println!("seed {seed}");
+    let mut state = seed;
+    let mut draw = move |below: usize| {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (state >> 33) as usize % below
+    };
+    let mut answered = 0;
+    for _ in 0..calls {
+        let (kind_a, kind_b, room, step) = (kinds[draw(6)], kinds[draw(6)], draw(100), draw(9));
+        let mut numbers = |kind: Kind| -> Vec<f64> {
+            let count = if draw(4) == 0 { draw(40) } else { kind.fields() * draw(6) };
+            (0..count).map(|_| if draw(40) == 0 { special[draw(special.len())] } else { draw(9) as f64 }).collect()
+        };
+        let (first, second) = (numbers(kind_a), numbers(kind_b));
+        let a = if draw(3) > 0 { Shapes::packed(kind_a, &first) } else { Shapes::records(kind_a, &first, step) };
+        let (a, b) = match (a, Shapes::packed(kind_b, &second)) {
+            (Ok(a), Ok(b)) => (a, b),
+            _ => continue,
+        };
+        let (mut bools, mut out, mut items) = (vec![false; room], vec![0.0; room], vec![0; room]);
+        let code = match draw(10) {
+            0 => overlap_many(a, b, &mut bools),
+            1 => contains_matrix(a, b, &mut bools),
+            2 => area_many(a, b, &mut out),
+            3 => iou_matrix(a, b, &mut out),
+            4 => depth_many(a, b, PenetrationColumns { depth: &mut out, ..Default::default() }),
+            5 => nearest_many(a, b, ClosestPointsColumns { by: &mut out, ..Default::default() }),
+            6 => nms(a, &second, special[draw(10)], &mut vec![0; draw(500_000)], &mut items),
+            7 => Index::new(&[a, b]).and_then(|index| index.join_count(&index, JoinQuery::Contains)),
+            8 => Index::new(&[a]).and_then(|index| nearest_of_each(&[b], &index, step, 1e300, &mut items, &mut out)),
+            _ => Index::from_bytes(&vec![draw(255) as u8; draw(900)], &[a])
+                .and_then(|index| index.join_count(&index, JoinQuery::Bounds)),
+        };
+        answered += code.is_ok() as usize;
+    }
+    assert!(answered > calls / 20, "{answered} of {calls}");
+}

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: Apache-2.0
+//! The calls that all packages answer alike (tests/ffi/calls.txt), and that wrong answers among them are found.
+use std::collections::HashSet;
+use vesica::*;
+
+/// What a call gives: its result, or its error's code, and the values.
+type Outcome = Result<(i64, Vec<f64>), (i32, Vec<f64>)>;
+
+trait Number: Scalar + Into<f64> {
+    fn of(number: f64) -> Self;
+}
+impl Number for f64 {
+    fn of(number: f64) -> f64 {
+        number
+    }
+}
+impl Number for f32 {
+    fn of(number: f64) -> f32 {
+        number as f32
+    }
+}
+
+fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(if exponent < -1022 { 1 << (exponent + 1074) } else { ((exponent + 1023) as u64) << 52 })
+}
+
+/// A hexadecimal float of C's, or whatever Rust reads.
+fn number(word: &str) -> f64 {
+    let (sign, digits) = word.strip_prefix('-').map_or((1.0, word), |rest| (-1.0, rest));
+    let (mantissa, exponent) = match digits.strip_prefix("0x").and_then(|hex| hex.split_once('p')) {
+        Some(parts) => parts,
+        None => return word.parse().unwrap(),
+    };
+    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let bits = u64::from_str_radix(&format!("{whole}{fraction}"), 16).unwrap();
+    let exponent = exponent.parse::<i32>().unwrap() - 4 * fraction.len() as i32;
+    sign * bits as f64 * power_of_two(exponent)
+}
+
+struct Call<'a> {
+    function: &'a str,
+    arguments: Vec<&'a str>,
+}
+
+fn kind_of(word: &str) -> Option<Kind> {
+    let names = ["point", "segment", "circle", "aabb", "rect", "ellipse"];
+    let kinds = [Kind::Point, Kind::Segment, Kind::Circle, Kind::Aabb, Kind::Rect, Kind::Ellipse];
+    names.iter().position(|name| *name == word).map(|i| kinds[i])
+}
+
+fn numbers<T: Number>(text: &str) -> Vec<T> {
+    text.split_whitespace().filter(|word| kind_of(word).is_none()).map(|word| T::of(number(word))).collect()
+}
+
+fn values<T: Number>(numbers: &[T]) -> Vec<f64> {
+    numbers.iter().map(|&number| number.into()).collect()
+}
+
+/// The numbers of several sets, for as long as their shapes are in use.
+struct Sets<T>(Vec<(Kind, Vec<T>)>);
+
+impl<T: Number> Sets<T> {
+    fn of(arguments: &[&str]) -> Self {
+        Sets(arguments.iter().map(|text| (kind_of(first_word(text)).unwrap(), numbers(text))).collect())
+    }
+    fn shapes(&self) -> Vec<Shapes<'_, T>> {
+        self.0.iter().map(|(kind, numbers)| Shapes::packed(*kind, numbers).unwrap()).collect()
+    }
+    fn single(&self, i: usize) -> AnyShape<T> {
+        AnyShape::new(self.0[i].0, &self.0[i].1).unwrap()
+    }
+}
+
+fn first_word(text: &str) -> &str {
+    text.split_whitespace().next().unwrap()
+}
+
+/// A result that is all there is, or nothing: of calls that write nothing on error.
+fn whole(result: Result<(i64, Vec<f64>), Error>) -> Outcome {
+    result.map_err(|error| (error.code(), vec![]))
+}
+
+/// A count or an error, and columns that are written either way.
+fn written(result: Result<usize, Error>, values: Vec<f64>) -> Outcome {
+    match result {
+        Ok(count) => Ok((count as i64, values)),
+        Err(error) => Err((error.code(), values)),
+    }
+}
+
+fn of_one_or_two<T: Number>(call: &Call) -> Option<Outcome> {
+    let sets = Sets::<T>::of(&call.arguments);
+    let a = sets.single(0);
+    let b = if call.arguments.len() > 1 { sets.single(1) } else { a };
+    let closest =
+        |points: ClosestPoints<T>| (0, values(&[points.distance, points.ax, points.ay, points.bx, points.by]));
+    Some(whole(match call.function {
+        "overlap" => overlap(&a, &b).map(|yes| (yes.into(), vec![])),
+        "relation" => relation(&a, &b).map(|relation| (relation as i64, vec![])),
+        "contains" => contains(&a, &b).map(|yes| (yes.into(), vec![])),
+        "nearest" => nearest(&a, &b).map(closest),
+        "boundary_distance" => boundary_distance(&a, &b).map(closest),
+        "depth" => depth(&a, &b).map(|depth| (0, values(&[depth.depth, depth.x, depth.y]))),
+        "area" => area(&a, &b).map(|area| (0, values(&[area]))),
+        "iou" => iou(&a, &b).map(|iou| (0, values(&[iou]))),
+        "check" => check(&a).map(|()| (0, vec![])),
+        "shape_area" => shape_area(&a).map(|area| (0, values(&[area]))),
+        "bounds" => bounds(&a).map(|b| (0, values(&[b.min_x, b.min_y, b.max_x, b.max_y]))),
+        "crossings" => crossings(&a, &b).map(|places| {
+            let count = places.count as usize;
+            let each = (0..count).flat_map(|i| [places.x[i].into(), places.y[i].into()]);
+            (places.count.into(), [places.shared.into()].into_iter().chain(each).collect())
+        }),
+        _ => return None,
+    }))
+}
+
+fn constructor<T: Number>(call: &Call) -> Option<Outcome> {
+    let n = numbers::<T>(call.arguments[0]);
+    let made = |shape: &dyn Shape<Scalar = T>| (0, values(shape.numbers()));
+    Some(whole(match call.function {
+        "aabb_from_corners" => aabb(n[0], n[1], n[2], n[3]).map(|shape| made(&shape)),
+        "rect_from_angle" => rect(n[0], n[1], n[2], n[3], n[4]).map(|shape| made(&shape)),
+        "rect_from_corners" => rect_from_corners(n[..].try_into().unwrap()).map(|shape| made(&shape)),
+        "ellipse_from_angle" => ellipse(n[0], n[1], n[2], n[3], n[4]).map(|shape| made(&shape)),
+        "ellipse_from_radius_vector" => {
+            ellipse_from_radius_vector(n[0], n[1], n[2], n[3], n[4]).map(|shape| made(&shape))
+        }
+        "ellipse_from_covariance" => {
+            ellipse_from_covariance(n[0], n[1], n[2], n[3], n[4], n[5]).map(|shape| made(&shape))
+        }
+        "ellipse_from_matrix" => ellipse_from_matrix(n[0], n[1], n[2], n[3], n[4]).map(|shape| made(&shape)),
+        _ => return None,
+    }))
+}
+
+fn of_arrays<T: Number>(call: &Call) -> Option<Outcome> {
+    let sets = Sets::<T>::of(&call.arguments);
+    let (a, b) = (sets.shapes()[0], sets.shapes()[1]);
+    let is_matrix = call.function.ends_with("_matrix");
+    let count = if is_matrix { a.len() * b.len() } else { a.len().max(b.len()) };
+    let (mut bools, mut relations) = (vec![false; count], vec![Relation::Disjoint; count]);
+    let mut columns = vec![T::of(0.0); 5 * count];
+    let yes = |result, bools: Vec<bool>| written(result, bools.into_iter().map(|yes| f64::from(yes as u8)).collect());
+    let how = |result, relations: Vec<Relation>| {
+        written(result, relations.into_iter().map(|relation| f64::from(relation as u8)).collect())
+    };
+    let mut column = columns.chunks_mut(count);
+    let mut next = || column.next().unwrap();
+    let (result, used) = match call.function {
+        "overlap_many" => return Some(yes(overlap_many(a, b, &mut bools), bools)),
+        "contains_many" => return Some(yes(contains_many(a, b, &mut bools), bools)),
+        "relation_many" => return Some(how(relation_many(a, b, &mut relations), relations)),
+        "overlap_matrix" => return Some(yes(overlap_matrix(a, b, &mut bools), bools)),
+        "contains_matrix" => return Some(yes(contains_matrix(a, b, &mut bools), bools)),
+        "relation_matrix" => return Some(how(relation_matrix(a, b, &mut relations), relations)),
+        "area_many" => (area_many(a, b, next()), 1),
+        "iou_many" => (iou_many(a, b, next()), 1),
+        "area_matrix" => (area_matrix(a, b, next()), 1),
+        "iou_matrix" => (iou_matrix(a, b, next()), 1),
+        "depth_many" => (depth_many(a, b, PenetrationColumns { depth: next(), x: next(), y: next() }), 3),
+        "nearest_many" | "boundary_distance_many" => {
+            let out = ClosestPointsColumns { distance: next(), ax: next(), ay: next(), bx: next(), by: next() };
+            let result = if call.function == "nearest_many" {
+                nearest_many(a, b, out)
+            } else {
+                boundary_distance_many(a, b, out)
+            };
+            (result, 5)
+        }
+        "overlap_select" => {
+            let mut out = vec![-1; b.len() + 1];
+            let result = overlap_select(&sets.single(0), b, &mut out);
+            let indices = out.iter().take_while(|&&i| i >= 0);
+            return Some(written(result, indices.map(|&i| i as f64).collect()));
+        }
+        _ => return None,
+    };
+    Some(written(result, values(&columns[..used * count])))
+}
+
+fn suppression<T: Number>(call: &Call) -> Outcome {
+    let sets = Sets::<T>::of(&call.arguments[..1]);
+    let (shapes, scores) = (sets.shapes()[0], numbers::<T>(call.arguments[1]));
+    let mut scratch = vec![0; nms_scratch(shapes.len()).unwrap()];
+    let mut keep = vec![-1; shapes.len()];
+    let result = nms(shapes, &scores, numbers(call.arguments[2])[0], &mut scratch, &mut keep);
+    let kept = keep.iter().take_while(|&&i| i >= 0).map(|&i| i as f64).collect();
+    written(result.map(|_| 0), kept)
+}
+
+fn k_and_within<T: Number>(text: &str) -> (usize, T) {
+    let numbers = numbers::<T>(text);
+    (numbers[0].into() as usize, numbers[1])
+}
+
+fn of_indexes<T: Number>(call: &Call) -> Option<Outcome> {
+    let (leading, rest) = match call.function {
+        "index_select" | "join" | "join_nearest" => call.arguments.split_at(1),
+        "index_nearest" => call.arguments.split_at(2),
+        "index_bounds" | "index_order" => call.arguments.split_at(0),
+        _ => return None,
+    };
+    let parts: Vec<Vec<&str>> = rest.split(|text| *text == "/").map(<[_]>::to_vec).collect();
+    let (sets_a, sets_b) = (Sets::<T>::of(&parts[0]), Sets::<T>::of(parts.get(1).map_or(&[][..], |part| part)));
+    let a = Index::new(&sets_a.shapes()).unwrap();
+    let a = Index::from_bytes(a.as_bytes(), &sets_a.shapes()).unwrap();
+    let items = |items: Vec<i64>| (items.len() as i64, items.into_iter().map(|i| i as f64).collect());
+    Some(match call.function {
+        "index_bounds" => whole(a.bounds().map(|b| (0, vec![b.min_x, b.min_y, b.max_x, b.max_y]))),
+        "index_order" => whole(a.order().map(items)),
+        "index_select" => whole(a.select(&Sets::<T>::of(leading).single(0)).map(items)),
+        "index_nearest" => {
+            let (k, within) = k_and_within::<T>(leading[1]);
+            whole(a.nearest(&Sets::<T>::of(&leading[..1]).single(0), k, within).map(|found| {
+                let items = found.iter().map(|&(item, _)| item as f64);
+                (found.len() as i64, items.chain(found.iter().map(|&(_, distance)| distance.into())).collect())
+            }))
+        }
+        "join" => {
+            let queries = [JoinQuery::Overlap, JoinQuery::Bounds, JoinQuery::Contains, JoinQuery::Inside];
+            let query = queries[number(leading[0]) as usize];
+            let b = Index::new(&sets_b.shapes()).unwrap();
+            let b = if sets_b.0.is_empty() { &a } else { &b };
+            assert_eq!(a.join_count(b, query), a.join(b, query).map(|pairs| pairs.len()));
+            whole(
+                a.join(b, query).map(|pairs| {
+                    (pairs.len() as i64, pairs.into_iter().flat_map(|(a, b)| [a as f64, b as f64]).collect())
+                }),
+            )
+        }
+        _ => {
+            let (k, within) = k_and_within::<T>(leading[0]);
+            let b = Index::new(&sets_b.shapes()).unwrap();
+            let (mut out, mut distances) = (vec![0; a.len() * k], vec![T::of(0.0); a.len() * k]);
+            let result = nearest_of_each(&sets_a.shapes(), &b, k, within, &mut out, &mut distances);
+            written(result, out.iter().map(|&i| i as f64).chain(values(&distances)).collect())
+        }
+    })
+}
+
+fn answer<T: Number>(call: &Call) -> Outcome {
+    if call.function.contains("_from_") {
+        return constructor::<T>(call).unwrap();
+    }
+    if call.function == "nms" {
+        return suppression::<T>(call);
+    }
+    let many = ["_many", "_matrix", "_select"].iter().any(|end| call.function.ends_with(end));
+    let by_index = of_indexes::<T>(call);
+    by_index.or_else(|| if many { of_arrays::<T>(call) } else { of_one_or_two::<T>(call) }).expect(call.function)
+}
+
+fn code_of(word: &str) -> Option<i32> {
+    let names = [
+        "E_NULL",
+        "E_SHAPE",
+        "E_KIND",
+        "E_ARGUMENT",
+        "E_NOT_FINITE",
+        "E_NEGATIVE_SIZE",
+        "E_ZERO_AXIS",
+        "E_INVERTED",
+        "E_RANGE",
+        "E_INDEX",
+    ];
+    names.iter().position(|name| *name == word).map(|i| -1 - i as i32)
+}
+
+fn same(a: &[f64], b: &[f64]) -> bool {
+    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan()))
+}
+
+fn is_right(line: &str) -> bool {
+    let (left, right) = line.split_once(" = ").unwrap();
+    let mut parts = left.split(" | ");
+    let (function, scalar) = parts.next().unwrap().split_once(' ').unwrap();
+    let call = Call { function, arguments: parts.collect() };
+    let outcome = if scalar == "f64" { answer::<f64>(&call) } else { answer::<f32>(&call) };
+    let mut words = right.split_whitespace();
+    let result = words.next().unwrap();
+    let expected: Vec<f64> = words.map(number).collect();
+    match outcome {
+        Ok((code, values)) => result.parse() == Ok(code as f64) && same(&values, &expected),
+        Err((code, values)) => code_of(result) == Some(code) && (same(&values, &expected) || expected.is_empty()),
+    }
+}
+
+fn lines() -> Vec<String> {
+    let path = std::env::var("VESICA_CALLS_FILE")
+        .unwrap_or_else(|_| concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/ffi/calls.txt").into());
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
+    text.lines().filter(|line| !line.starts_with('#')).map(String::from).collect()
+}
+
+#[test]
+fn every_call_is_right() {
+    let lines = lines();
+    let wrong: Vec<_> = lines.iter().filter(|line| !is_right(line)).collect();
+    assert!(wrong.is_empty(), "{wrong:#?}");
+    assert!(lines.len() > 400);
+}
+
+/// The first call of each function, with its last word made what no call gives.
+#[test]
+fn wrong_answers_are_found() {
+    let mut functions = HashSet::new();
+    for line in lines() {
+        if functions.insert(line.split(' ').next().unwrap().to_owned()) {
+            let spoilt = format!("{} 7.5", line.rsplit_once(' ').unwrap().0);
+            assert!(!is_right(&spoilt), "{spoilt}");
+        }
+    }
+    assert!(functions.len() >= 40);
+}
