@@ -10,10 +10,10 @@ import unittest
 
 import numpy
 import vesica
-from vesica import Kind, Relation
+from vesica import Kind, Ratio, Relation
 
 QUERIES = ("overlap", "relation", "contains", "nearest", "boundary_distance", "depth", "area", "iou")
-MATRICES = ("overlap", "relation", "contains", "area", "iou")
+MATRICES = ("overlap", "relation", "contains", "area", "iou", "nearest", "boundary_distance", "depth")
 
 
 def random_shapes(kind, count, generator, dtype):
@@ -43,7 +43,10 @@ class Consistent(unittest.TestCase):
                     continue  # the union has no area
                 rows = matrix(a, b)
                 for i in range(7):
-                    numpy.testing.assert_array_equal(rows[i], many(a[i], b))
+                    row = many(a[i], b)
+                    numpy.testing.assert_array_equal(rows[i], row[0] if isinstance(row, tuple) else row)
+            if kind_a >= Kind.CIRCLE and kind_b >= Kind.CIRCLE:
+                self.compare_ratios(a, b)
             for i in range(7):
                 self.assertEqual(vesica.overlap_select(a[i], b).tolist(), numpy.flatnonzero(vesica.overlap(a[i], b)).tolist())
 
@@ -61,6 +64,13 @@ class Consistent(unittest.TestCase):
         function(a, b, out=out if isinstance(many, tuple) else out[0])
         for column, given in zip(columns, out):
             numpy.testing.assert_array_equal(column, given)
+
+    def compare_ratios(self, a, b):
+        for which in Ratio:
+            many, rows = vesica.ratio(which, a, b), vesica.ratio_matrix(which, a, b)
+            for i in range(len(a)):
+                self.assertEqual(vesica.ratio(which, a[i], b[i]), many[i])
+                numpy.testing.assert_array_equal(rows[i], vesica.ratio(which, a[i], b))
 
     def test_threads(self):
         generator = numpy.random.default_rng(1)
@@ -122,6 +132,49 @@ class Known(unittest.TestCase):
             vesica.nms(boxes, [1, 2, 3], 1.5)
         with self.assertRaises(vesica.VesicaError):
             vesica.nms(vesica.points([[1, 2]]), [1])
+
+
+    def test_suppression_by_labels(self):
+        boxes = vesica.aabbs([[0, 0, 4, 4], [0, 0, 2, 2], [0, 0, 4, 3], [9, 9, 10, 10]])
+        scores = [4, 3, 2, 1]
+        self.assertEqual(vesica.nms(boxes, scores).tolist(), [0, 1, 3])
+        self.assertEqual(vesica.nms(boxes, scores, ratio=Ratio.OVER_SMALLER).tolist(), [0, 3])
+        self.assertEqual(vesica.nms(boxes, scores, labels=[0, 0, 7, 0]).tolist(), [0, 1, 2, 3])
+        self.assertEqual(vesica.nms(boxes, scores, least_score=2).tolist(), [0, 1])
+        self.assertEqual(vesica.nms(boxes, scores, most=1).tolist(), [0])
+        with self.assertRaisesRegex(TypeError, "labels are whole numbers"):
+            vesica.nms(boxes, scores, labels=[0.5, 1, 2, 3])
+        with self.assertRaisesRegex(ValueError, "4 boxes need as many labels"):
+            vesica.nms(boxes, scores, labels=[0, 1])
+        for ratio in (Ratio.OVER_FIRST, Ratio.OVER_SECOND):
+            with self.assertRaises(vesica.VesicaError):
+                vesica.nms(boxes, scores, ratio=ratio)
+
+    def test_ratios(self):
+        wanted = [1 / 7, 1 / 4, 1 / 4, 1 / 4, 1 / 7 - 2 / 9, 1 / 7 - 1 / 9, 1 / 7 - 1 / 9]
+        for which, number in zip(Ratio, wanted):
+            self.assertAlmostEqual(vesica.ratio(which, self.a, self.b), number, 15)
+        flat = vesica.aabbs([0, 0, 0, 2])
+        self.assertEqual(vesica.ratio(Ratio.OVER_SECOND, flat, self.a), 0)
+        with self.assertRaises(vesica.VesicaError):
+            vesica.ratio(Ratio.OVER_FIRST, flat, self.a)
+        with self.assertRaises(ValueError):
+            vesica.ratio(7, self.a, self.b)
+
+    def test_corners(self):
+        rects = vesica.rects([[10, 20, 6, 4, 90], [0, 0, 2, 2, 0]], degrees=True)
+        turned = [[12, 17], [12, 23], [8, 23], [8, 17]]
+        self.assertEqual(vesica.corners(rects).tolist(), [turned, [[-1, -1], [1, -1], [1, 1], [-1, 1]]])
+        self.assertEqual(vesica.corners(rects[0]).tolist(), turned)
+        with self.assertRaises(vesica.VesicaError):
+            vesica.corners(self.away)
+
+    def test_matrices_of_distances(self):
+        both = vesica.aabbs([[0, 0, 2, 2], [1, 1, 3, 3]])
+        apart = vesica.circles([[6, 1, 1], [1, 1, 0.5]])
+        self.assertEqual(vesica.nearest_matrix(both, apart).tolist(), [[3, 0], [2, 0]])
+        self.assertEqual(vesica.boundary_distance_matrix(both, apart)[0].tolist(), [3, 0.5])
+        self.assertEqual(vesica.depth_matrix(both, both).tolist(), [[2, 1], [1, 2]])
 
 
 class Vectors(unittest.TestCase):

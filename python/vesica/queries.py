@@ -24,6 +24,18 @@ class Relation(enum.IntEnum):
     EQUAL = _declarations.EQUAL
 
 
+class Ratio(enum.IntEnum):
+    """What a shared area is compared with; the last three take from IoU what else is unlike."""
+
+    OVER_UNION = _declarations.RATIO_OVER_UNION  # IoU
+    OVER_FIRST = _declarations.RATIO_OVER_FIRST  # IoF
+    OVER_SECOND = _declarations.RATIO_OVER_SECOND  # IoA
+    OVER_SMALLER = _declarations.RATIO_OVER_SMALLER  # IoS
+    GENERALIZED = _declarations.RATIO_GENERALIZED  # GIoU
+    DISTANCE = _declarations.RATIO_DISTANCE  # DIoU
+    COMPLETE = _declarations.RATIO_COMPLETE  # CIoU
+
+
 class ClosestPoints(NamedTuple):
     """A distance, the point (ax, ay) of a and the point (bx, by) of b: floats, or arrays."""
 
@@ -95,8 +107,9 @@ def _finish(code, result, **operands):
 class _Query:
     """A question about two shapes: its C functions and the types of its results."""
 
-    def __init__(self, name, dtypes=None, convert=None, result=None, record=None):
+    def __init__(self, name, dtypes=None, convert=None, result=None, record=None, first=()):
         self.one, self.many = by_scalar(name), by_scalar(f"{name}_many")
+        self.first = first  # arguments before the shapes
         self.dtypes = dtypes  # of codes; numbers have the shapes' own
         self.convert = convert  # a single code
         self.result, self.record = result, record  # a named tuple, and the C struct it comes from
@@ -115,7 +128,7 @@ class _Query:
                 raise ValueError(f"out has an array, or None, for each of {' '.join(self.result._fields)}")
             columns = [_output(column, (count,), (a.dtype,), (a, b)) for column in given]
             result, addresses = self.result(*columns), [column.ctypes.data for column in columns]
-        code = self.many[letter](ctypes.byref(a.view), ctypes.byref(b.view), *addresses)
+        code = self.many[letter](*self.first, ctypes.byref(a.view), ctypes.byref(b.view), *addresses)
         return _finish(code, result, a=a, b=b)
 
     def _single(self, letter, a, b, out):
@@ -125,7 +138,7 @@ class _Query:
         if self.convert is not None:
             return self.convert(checked(function(a.kind, a.record, b.kind, b.record)))
         record = self.record[letter]()
-        checked(function(a.kind, a.record, b.kind, b.record, ctypes.byref(record)))
+        checked(function(*self.first, a.kind, a.record, b.kind, b.record, ctypes.byref(record)))
         if self.result is None:
             return record.value
         return self.result(*(getattr(record, field) for field in self.result._fields))
@@ -134,17 +147,16 @@ class _Query:
 class _Matrix:
     """The same question of every pair of two arrays."""
 
-    def __init__(self, name, dtypes=None):
-        self.function, self.dtypes = by_scalar(f"{name}_matrix"), dtypes
+    def __init__(self, name, dtypes=None, first=()):
+        self.function, self.dtypes, self.first = by_scalar(f"{name}_matrix"), dtypes, first
 
     def __call__(self, a, b, out):
         letter = same_scalar(a, b)
         shape = (len(a.columns[0]), len(b.columns[0]))
         result = _output(out, shape, self.dtypes or (a.dtype,), (a, b))
         row = result.strides[0] // result.itemsize if result.size else shape[1]
-        code = self.function[letter](ctypes.byref(a.view), ctypes.byref(b.view), result.ctypes.data, row)
+        code = self.function[letter](*self.first, ctypes.byref(a.view), ctypes.byref(b.view), result.ctypes.data, row)
         return _finish(code, result, a=a, b=b)
-
 
 
 def _structs(name):
@@ -164,9 +176,13 @@ _IOU = _Query("iou", record=_NUMBER)
 _OVERLAP_MATRIX, _CONTAINS_MATRIX = _Matrix("overlap", _BYTES), _Matrix("contains", _BYTES)
 _RELATION_MATRIX = _Matrix("relation", (numpy.uint8,))
 _AREA_MATRIX, _IOU_MATRIX = _Matrix("area"), _Matrix("iou")
-_SELECT, _NMS = by_scalar("overlap_select"), by_scalar("nms")
+_NEAREST_MATRIX, _BOUNDARY_DISTANCE_MATRIX = _Matrix("nearest"), _Matrix("boundary_distance")
+_DEPTH_MATRIX = _Matrix("depth")
+_RATIO = {which: _Query("ratio", record=_NUMBER, first=(which,)) for which in Ratio}
+_RATIO_MATRIX = {which: _Matrix("ratio", first=(which,)) for which in Ratio}
+_SELECT, _SUPPRESS = by_scalar("overlap_select"), by_scalar("suppress")
 _CROSSINGS, _CROSSING_POINTS = by_scalar("crossings"), _structs("crossing_points")
-_SHAPE_AREA, _BOUNDS, _AABB = by_scalar("shape_area"), by_scalar("bounds"), _structs("aabb")
+_SHAPE_AREA, _BOUNDS, _CORNERS = by_scalar("shape_area"), by_scalar("bounds_many"), by_scalar("corners_of_shapes")
 
 # Every question takes shapes a and b. Two single shapes give a number. Arrays in step give an array; of one shape and
 # an array, the one is repeated. `out` is a contiguous array to write to. All are float64, or all float32.
@@ -218,14 +234,29 @@ def nearest(a, b, out=None):
     return _NEAREST(a, b, out)
 
 
+def nearest_matrix(a, b, out=None):
+    """(len(a), len(b)): the distance of each of a from each of b; 0 where they overlap."""
+    return _NEAREST_MATRIX(a, b, out)
+
+
 def boundary_distance(a, b, out=None):
     """How far are the outlines apart, that of a shape inside another too? ClosestPoints; out has five arrays."""
     return _BOUNDARY_DISTANCE(a, b, out)
 
 
+def boundary_distance_matrix(a, b, out=None):
+    """(len(a), len(b)): the distance of the outline of each of a from that of each of b."""
+    return _BOUNDARY_DISTANCE_MATRIX(a, b, out)
+
+
 def depth(a, b, out=None):
     """How far and in which direction must b move until it only touches a? Penetration; out has three arrays."""
     return _DEPTH(a, b, out)
+
+
+def depth_matrix(a, b, out=None):
+    """(len(a), len(b)): how far each of b must move until it only touches each of a; 0 where they do not overlap."""
+    return _DEPTH_MATRIX(a, b, out)
 
 
 def area(a, b, out=None):
@@ -248,6 +279,20 @@ def iou_matrix(a, b, out=None):
     return _IOU_MATRIX(a, b, out)
 
 
+def ratio(which, a, b, out=None):
+    """A Ratio of a and b: what share of one is covered by the other, GIoU, DIoU or CIoU.
+
+    The last three are with the box along the coordinate axes about both shapes. Two shapes whose areas leave nothing to
+    divide by are a VesicaError (NaN in its `result`).
+    """
+    return _RATIO[Ratio(which)](a, b, out)
+
+
+def ratio_matrix(which, a, b, out=None):
+    """(len(a), len(b)): a Ratio of each of a and each of b."""
+    return _RATIO_MATRIX[Ratio(which)](a, b, out)
+
+
 def crossings(a, b):
     """The places where the outlines of two single shapes meet, in order along a's. Their number is exact."""
     letter = same_scalar(a, b)
@@ -265,7 +310,21 @@ def shape_area(shape):
 
 def bounds(shape):
     """The smallest boxes that surely contain shapes, as aabbs."""
-    return shapes(Kind.AABB, _each(shape, _BOUNDS, 4))
+    return shapes(Kind.AABB, _numbers_of(shape, _BOUNDS, 4))
+
+
+def corners(shape):
+    """The corners of rectangles, or of the boxes about ellipses: (n, 4, 2), or (4, 2) of a single one."""
+    numbers = _numbers_of(shape, _CORNERS, 8)
+    return numbers.reshape(numbers.shape[:-1] + (4, 2))
+
+
+def _numbers_of(shape, functions, numbers):
+    """Some numbers of each shape, by a C function of arrays."""
+    the_shapes(shape, "shape")
+    out = numpy.empty((len(shape.columns[0]), numbers), shape.dtype)
+    result = out[0] if shape.single else out
+    return _finish(functions[shape.letter](ctypes.byref(shape.view), out.ctypes.data), result, shape=shape)
 
 
 def _each(shape, functions, numbers):
@@ -282,24 +341,39 @@ def _each(shape, functions, numbers):
     return out[0] if shape.single else out
 
 
-def nms(boxes, scores, threshold=0.5):
+def nms(boxes, scores, threshold=0.5, *, labels=None, ratio=Ratio.OVER_UNION, least_score=None, most=None):
     """Greedy suppression: the indices of the boxes kept, best score first.
 
-    Each box kept has an intersection over union of at most `threshold` with every better one that was kept. boxes:
-    circles, aabbs, rects or ellipses; scores: a number each.
+    Each box kept has a ratio of at most `threshold` with every better one that was kept, and has the same label. boxes:
+    circles, aabbs, rects or ellipses; scores: a number each; labels: a whole number each; ratio: any but OVER_FIRST and
+    OVER_SECOND; least_score: boxes below it are left out; most: how many are kept at most.
     """
-    scores = numpy.ascontiguousarray(scores, the_shapes(boxes, "boxes").dtype)
-    if scores.shape != (len(boxes),):
-        raise ValueError(f"{len(boxes)} boxes need as many scores, not an array of shape {scores.shape}")
-    keep, kept = numpy.empty(len(boxes), numpy.int64), ctypes.c_int64()
+    scores = _one_each("scores", scores, the_shapes(boxes, "boxes").dtype, boxes)
+    labels = None if labels is None else _one_each("labels", labels, numpy.int32, boxes)
+    room = len(boxes) if most is None else min(int(most), len(boxes))
+    keep, kept = numpy.empty(max(room, 0), numpy.int64), ctypes.c_int64()
     scratch = numpy.empty(checked(library.vesica_nms_scratch(len(boxes))), numpy.uint8)
-    code = _NMS[boxes.letter](
+    code = _SUPPRESS[boxes.letter](
         ctypes.byref(boxes.view),
         scores.ctypes.data,
+        None if labels is None else labels.ctypes.data,
+        Ratio(ratio),
         float(threshold),
+        -numpy.inf if least_score is None else float(least_score),
+        room,
         scratch.ctypes.data,
         len(scratch),
         keep.ctypes.data,
         ctypes.byref(kept),
     )
     return _finish(code, keep[: kept.value], boxes=boxes)
+
+
+def _one_each(name, values, dtype, boxes):
+    """A contiguous array of a number for each box."""
+    values = numpy.asarray(values)
+    if values.shape != (len(boxes),):
+        raise ValueError(f"{len(boxes)} boxes need as many {name}, not an array of shape {values.shape}")
+    if dtype == numpy.int32 and values.dtype.kind not in "iub":
+        raise TypeError(f"{name} are whole numbers, not {values.dtype}")
+    return numpy.ascontiguousarray(values, dtype)
