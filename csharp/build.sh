@@ -27,7 +27,7 @@ cd "$work/fresh"
 unzip -q "$directory/vesica-csharp-$version.zip"
 cp vesica-csharp/Vesica.dll vesica-csharp/libvesica.so .
 compile -r:Vesica.dll -out:VesicaTests.exe "$here"/tests/*.cs
-mono VesicaTests.exe "$here/../tests/ffi/calls.txt" ${VESICA_CALLS:-}
+mono VesicaTests.exe "$here/../tests/ffi/calls.txt" "${VESICA_CALLS:-5000}"
 
 if [ -n "${VESICA_OLDER:-}" ]; then
   cp "$VESICA_OLDER/libvesica.so.0" libvesica.so

@@ -26,7 +26,8 @@ func TestInvalidShapes(t *testing.T) {
 	_, err := Overlap(disc(0, -1), disc(0, 1))
 	refused(t, err, ErrShape, "a shape is invalid")
 	refused(t, Check(disc(0, -1)), ErrNegativeSize, "negative")
-	discs, hits := Circles([]Circle[float64]{disc(0, 1), disc(0, -1), disc(9, 1), disc(1, math.NaN())}), []bool{true, true, true, true}
+	discs := Circles([]Circle[float64]{disc(0, 1), disc(0, -1), disc(9, 1), disc(1, math.NaN())})
+	hits := []bool{true, true, true, true}
 	_, err = OverlapMany(discs, Circles([]Circle[float64]{disc(1, 1)}), hits)
 	refused(t, err, ErrShape, "invalid")
 	if !hits[0] || hits[1] || hits[2] || hits[3] {
@@ -75,7 +76,8 @@ func TestAnOlderLibraryIsRefused(t *testing.T) {
 	if err := newEnough(Version); err != nil {
 		t.Error(err)
 	}
-	if err := newEnough(99); err == nil || err.Error() != "libvesica 99 is older than 100, which this package needs: link a newer one" {
+	words := "libvesica 99 is older than 100, which this package needs: link a newer one"
+	if err := newEnough(99); err == nil || err.Error() != words {
 		t.Error(err)
 	}
 }

@@ -103,7 +103,8 @@ func inStep[T Float](a, b Array[T]) (int, error) {
 	case a.Len() == 1:
 		return b.Len(), nil
 	}
-	return 0, fmt.Errorf("a has %d shapes and b %d, as many are needed, or one of either: %w", a.Len(), b.Len(), ErrArgument)
+	return 0, fmt.Errorf("a has %d shapes and b %d, as many are needed, or one of either: %w", a.Len(), b.Len(),
+		ErrArgument)
 }
 
 // extent is where the numbers of an array lie: from an address up to another.

@@ -34,7 +34,7 @@ mkdir "$work/fresh"
 cd "$work/fresh"
 javac -Xlint:all -Werror -cp "$directory/vesica-$version.jar" -d . "$here"/tests/vesica/*.java
 java -Xcheck:jni -cp "$directory/vesica-$version.jar:." vesica.Calls "$here/../tests/ffi/calls.txt"
-java -Xcheck:jni -Xmx150m -cp "$directory/vesica-$version.jar:." vesica.Arguments ${VESICA_CALLS:-}
+java -Xcheck:jni -Xmx150m -cp "$directory/vesica-$version.jar:." vesica.Arguments "${VESICA_CALLS:-5000}"
 
 if [ -n "${VESICA_OLDER:-}" ]; then
   native older.so -L "$VESICA_OLDER" -lvesica "-Wl,-rpath,$VESICA_OLDER"

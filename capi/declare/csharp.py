@@ -67,7 +67,8 @@ def struct(entry, suffix):
         shape = (
             f"\n        /// <inheritdoc/>\n        public Kind Kind {{ get {{ return Kind.{camel(entry.stem)}; }} }}\n\n"
             f"        /// <inheritdoc/>\n        public bool IsDouble {{ get {{ return {wide}; }} }}\n\n"
-            f"        unsafe void IShape.Write(void* numbers)\n        {{\n            var to = ({number}*)numbers;\n{writes}        }}\n"
+            f"        unsafe void IShape.Write(void* numbers)\n        {{\n"
+            f"            var to = ({number}*)numbers;\n{writes}        }}\n"
         )
     base = " : IShape" if entry.stem in SHAPES else ""
     return (
@@ -91,7 +92,8 @@ def result(entry):
 def imported(entry):
     parameters = ", ".join(f"{type_of(each)} {local(each.name)}" for each in entry.parameters)
     return (
-        f"{summary(entry.paragraphs, '        ')}        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]\n"
+        f"{summary(entry.paragraphs, '        ')}"
+        "        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]\n"
         f"        internal static extern {result(entry)} {entry.name}({parameters});\n\n"
     )
 

@@ -10,7 +10,7 @@ OPENING = "".join(f"// {line}\n" for line in HEAD)
 # The texts of groups of constants, the type, and the prefix of each name.
 GROUPS = {
     "KINDS": ("Kind is one of the six kinds of shapes.", "Kind", "int32", "Kind"),
-    "RELATIONS": ("Relation is how a shape a relates to a shape b: the eight relations of RCC-8.", "Relation", "uint8", "Relation"),
+    "RELATIONS": ("Relation is how a shape a relates to a shape b: one of RCC-8's eight.", "Relation", "uint8", "Relation"),
     "ERRORS": ("Error is an error code of the library.", "Error", "int32", "Err"),
     "JOINS": ("JoinQuery is what makes a pair of a join.", "JoinQuery", "int32", "Join"),
 }
@@ -47,7 +47,8 @@ typedef struct {
 def name_of(name, first=True):
     """As Go writes names: cx is CX, min_x MinX, aabb AABB."""
     words = name.lower().split("_")
-    capital = [word.upper() if len(word) <= 2 or word in ("aabb", "iou", "nms") else word.capitalize() for word in words]
+    short = ("aabb", "iou", "nms")
+    capital = [word.upper() if len(word) <= 2 or word in short else word.capitalize() for word in words]
     return "".join(capital) if first else words[0] + "".join(capital[1:])
 
 
@@ -62,12 +63,14 @@ def constants(description, group):
         own = entry.short.removeprefix("E_").removeprefix("JOIN_")
         name = prefix + name_of(own)
         lines += [f"\t// {name}: {entry.comment}", f"\t{name} {kind} = {entry.value}"]
-    return f"{comment(about)}type {kind} {base}\n\n// {about.split()[0]} values.\nconst (\n" + "\n".join(lines) + "\n)\n\n"
+    values = "\n".join(lines)
+    return f"{comment(about)}type {kind} {base}\n\n// {kind} values.\nconst (\n{values}\n)\n\n"
 
 
 def field(declaration, width):
     base = "T" if declaration.base in SCALARS.values() else declaration.base.removesuffix("_t")
-    return f"\t{name_of(declaration.name):{width}} " + (f"[{declaration.count}]{base}" if declaration.count else base) + "\n"
+    array = f"[{declaration.count}]" if declaration.count else ""
+    return f"\t{name_of(declaration.name):{width}} {array}{base}\n"
 
 
 def struct(entry):

@@ -10,7 +10,17 @@ OPENING = "".join(f"// {line}\n" for line in HEAD)
 PACKAGE = OPENING + "package vesica;\n\n"
 SHAPES = ("point", "segment", "circle", "aabb", "rect", "ellipse")
 JAVA = {"int32_t": "int", "int64_t": "long", "ptrdiff_t": "long", "double": "double", "float": "float"}
-JNI = {"int": "jint", "long": "jlong", "double": "jdouble", "float": "jfloat", "Object": "jobject", "String": "jstring"}
+JNI = {
+    "int": "jint",
+    "long": "jlong",
+    "double": "jdouble",
+    "float": "jfloat",
+    "Object": "jobject",
+    "String": "jstring",
+    "int[]": "jintArray",
+    "long[]": "jlongArray",
+    "Object[]": "jobjectArray",
+}
 VIEW = (("int", "Kind"), ("long", "Count"), ("long", "Stride"), ("long", "Step"), ("Object", "Base"))
 SETS = (("int[]", "Kinds"), ("long[]", "Counts"), ("long[]", "Strides"), ("long[]", "Steps"), ("Object[]", "Bases"))
 ENUMS = {
@@ -22,7 +32,9 @@ ENUMS = {
 
 
 def escaped(text):
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("@", "&#64;").replace("*/", "*&#47;")
+    for character, entity in (("&", "&amp;"), ("<", "&lt;"), (">", "&gt;"), ("@", "&#64;"), ("*/", "*&#47;")):
+        text = text.replace(character, entity)
+    return text
 
 
 def javadoc(text, indent=""):
@@ -106,7 +118,8 @@ def result_in_java(entry):
 
 
 def parameters_in_java(entry):
-    return ", ".join(f"{kind} {name}" for each in entry.parameters if not is_set_count(each) for kind, name in expanded(each))
+    given = [each for each in entry.parameters if not is_set_count(each)]
+    return ", ".join(f"{kind} {name}" for each in given for kind, name in expanded(each))
 
 
 def native_method(entry):
@@ -142,56 +155,71 @@ def dispatcher(entry):
     )
 
 
-def function_in_c(entry):
-    parameters, prepare, made, passed, held = [], [], [], [], 0
-    sets = [each for each in entry.parameters if each.is_sets]
-    for each in entry.parameters:
-        if is_set_count(each):
-            continue
-        name = local(each.name)
-        for kind, part in expanded(each):
-            parameters.append(f"{JNI.get(kind) or {'int[]': 'jintArray', 'long[]': 'jlongArray'}.get(kind, 'jobjectArray')} {part}")
-        if each.is_sets:
-            i = sets.index(each)
-            prepare.append(f"  ok = prepare_sets(env, {name}Kinds, {name}Counts, {name}Strides, {name}Steps, {name}Bases, &lent_to[{i}]) && ok;\n")
-            made.append(f"    vesica_shapes_{entry.scalar} {name}[MAX_SETS];\n    SETS({name}, lent_to[{i}], {SCALARS[entry.scalar]});\n")
-            passed += [name, f"lent_to[{i}].count"]
-        elif each.is_shapes:
-            prepare.append(f"  prepare(env, {name}Base, &held[{held}]);\n")
-            made.append(
-                f"    vesica_shapes_{entry.scalar} {name};\n    VIEW({name}, {name}Kind, {name}Count, {name}Stride, {name}Step, "
-                f"held[{held}].address, {SCALARS[entry.scalar]});\n"
+class Body:
+    """What is between the braces of a function in C: memory is prepared, lent, seen as arrays of shapes, passed."""
+
+    def __init__(self):
+        self.held = self.sets = 0
+        self.prepare, self.views, self.passed = [], [], []
+
+    def take(self, declaration, scalar):
+        name = local(declaration.name)
+        number = SCALARS.get(scalar)
+        if declaration.is_sets:
+            lent = f"lent_to[{self.sets}]"
+            parts = ", ".join(name + part for _, part in SETS)
+            self.prepare.append(f"  ok = prepare_sets(env, {parts}, &{lent}) && ok;\n")
+            self.views.append(f"    vesica_shapes_{scalar} {name}[MAX_SETS];\n    SETS({name}, {lent}, {number});\n")
+            self.passed += [name, f"{lent}.count"]
+            self.sets += 1
+        elif declaration.is_shapes:
+            parts = ", ".join(name + part for _, part in VIEW[:-1])
+            address = self.hold(f"{name}Base")
+            self.views.append(
+                f"    vesica_shapes_{scalar} {name};\n    VIEW({name}, {parts}, {address}, {number});\n"
             )
-            passed.append(f"&{name}")
-            held += 1
-        elif is_pointer(each):
-            prepare.append(f"  prepare(env, {name}, &held[{held}]);\n")
-            passed.append(f"held[{held}].address")
-            held += 1
+            self.passed.append(f"&{name}")
+        elif is_pointer(declaration):
+            self.passed.append(self.hold(name))
         else:
-            passed.append(name)
-    head = (
-        f"JNIEXPORT {JNI[result_in_java(entry)]} JNICALL Java_vesica_Native_{native_name(entry)}("
-        f"{', '.join(['JNIEnv* env', 'jclass type', *parameters])}) {{\n"
-    )
-    call = f"{entry.name}({', '.join(passed)})"
+            self.passed.append(name)
+
+    def hold(self, name):
+        """Memory that one object lends: its address in the call."""
+        self.prepare.append(f"  prepare(env, {name}, &held[{self.held}]);\n")
+        self.held += 1
+        return f"held[{self.held - 1}].address"
+
+    def text(self, returns, call):
+        """What sets lend is taken first and given back last."""
+        sets = [f"env, lent_to[{i}].held, lent_to[{i}].count" for i in range(self.sets)]
+        all_lent = sets + [f"env, held, {self.held}"] * (self.held > 0)
+        lend = " && ".join(["ok"] * (self.sets > 0) + [f"lend({each})" for each in all_lent])
+        back = "".join(f"  give_back({each});\n" for each in all_lent[self.sets :] + sets)
+        return (
+            f"  lent held[{self.held}];\n" * (self.held > 0)
+            + f"  lent_sets lent_to[{self.sets}];\n  int ok = 1;\n" * (self.sets > 0)
+            + f"  {returns} answer = NOT_LENT;\n  (void)type;\n"
+            + "".join(self.prepare)
+            + f"  if ({lend}) {{\n{''.join(self.views)}    answer = {call};\n  }}\n{back}  return answer;\n"
+        )
+
+
+def function_in_c(entry):
+    body, parameters = Body(), ["JNIEnv* env", "jclass type"]
+    for each in entry.parameters:
+        if not is_set_count(each):
+            parameters += [f"{JNI[kind]} {name}" for kind, name in expanded(each)]
+            body.take(each, entry.scalar)
+    call = f"{entry.name}({', '.join(body.passed)})"
     if entry.returns.is_pointer:
-        return f"{head}  (void)type;\n  return (*env)->NewStringUTF(env, {call});\n}}\n\n"
-    if not held and not sets:
-        return f"{head}  (void)env, (void)type;\n  return {call};\n}}\n\n"
-    # What a set lends is taken first and given back last.
-    lend = " && ".join([*(["ok"] if sets else []), *(f"lend(env, lent_to[{i}].held, lent_to[{i}].count)" for i in range(len(sets))), *([f"lend(env, held, {held})"] if held else [])])
-    back = (f"  give_back(env, held, {held});\n" if held else "") + "".join(
-        f"  give_back(env, lent_to[{i}].held, lent_to[{i}].count);\n" for i in range(len(sets))
-    )
-    return (
-        head
-        + (f"  lent held[{held}];\n" if held else "")
-        + (f"  lent_sets lent_to[{len(sets)}];\n  int ok = 1;\n" if sets else "")
-        + f"  {entry.returns.base} answer = NOT_LENT;\n  (void)type;\n"
-        + "".join(prepare)
-        + f"  if ({lend}) {{\n{''.join(made)}    answer = {call};\n  }}\n{back}  return answer;\n}}\n\n"
-    )
+        text = f"  (void)type;\n  return (*env)->NewStringUTF(env, {call});\n"
+    elif not body.held and not body.sets:
+        text = f"  (void)env, (void)type;\n  return {call};\n"
+    else:
+        text = body.text(entry.returns.base, call)
+    returns = JNI[result_in_java(entry)]
+    return f"JNIEXPORT {returns} JNICALL Java_vesica_Native_{native_name(entry)}({', '.join(parameters)}) {{\n{text}}}\n\n"
 
 
 def called(description):
