@@ -845,6 +845,6 @@ VESICA_API int32_t vesica_nms_f32(const vesica_shapes_f32 *shapes, const float *
 #if !defined(__cplusplus) && defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
 #include "vesica_generic.h"
 #endif
-#include "vesica_index.h" /* index and join, for the pairs among millions of shapes */
+#include "vesica_motion.h" /* shapes that move; it includes vesica_index.h: index and join among millions of shapes */
 
 #endif /* VESICA_H */

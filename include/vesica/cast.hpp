@@ -39,7 +39,7 @@ constexpr Impact<T> no_impact() noexcept {
 template <class T>
 bool rounded_to(const Impact<double>& i, Impact<T>& out) noexcept {
   T minus_t;
-  if (!arithmetic::round_up_to(-i.t, minus_t) || -minus_t > std::numeric_limits<T>::max()) return false;
+  if (i.t > static_cast<double>(std::numeric_limits<T>::max()) || !arithmetic::round_up_to(-i.t, minus_t)) return false;
   const Impact<T> r{T(0) - minus_t, static_cast<T>(i.x), static_cast<T>(i.y), static_cast<T>(i.nx),
                     static_cast<T>(i.ny)};
   if (!all_finite(r.x, r.y)) return false;

@@ -12,6 +12,7 @@
 #include <vesica/area.hpp>
 #include <vesica/boundary_distance.hpp>
 #include <vesica/bounds.hpp>
+#include <vesica/cast.hpp>
 #include <vesica/check.hpp>
 #include <vesica/construct.hpp>
 #include <vesica/crossings.hpp>
