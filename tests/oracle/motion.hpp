@@ -4,9 +4,11 @@
 
 namespace oracle {
 
-/// b's place after the time high + low at a velocity, the product being exact; an infinite time leads beyond all shapes.
+/// From b's place to that after a time at a velocity, the product being exact. An infinite time leads beyond all shapes. With
+/// less > 0 it ends before that, by 2^-less of the time.
 struct Way {
-  double vx, vy, high, low;
+  double vx, vy, time;
+  int less = 0;
 };
 
 /// Do two valid shapes share a point at any time while b goes all of the way? Otherwise as overlap() in oracle.hpp.

@@ -104,13 +104,11 @@ RegionPair regions(int kind_a, const double* a, int kind_b, const double* b) {
 }
 
 MovingPair regions_on_way(int kind_a, const double* a, int kind_b, const double* b, const Way& way) {
-  const bool endless = std::isinf(way.high);
+  const bool endless = std::isinf(way.time);
   const std::vector<Dyadic> lengths_a = lengths(kind_a, a), lengths_b = lengths(kind_b, b);
-  std::vector<Dyadic> steps;
-  for (const double time : {endless ? 1.0 : way.high, endless ? 0.0 : way.low}) {
-    steps.push_back(dyadic(way.vx) * dyadic(time));
-    steps.push_back(dyadic(way.vy) * dyadic(time));
-  }
+  const Dyadic time = dyadic(endless ? 1.0 : way.time), last{time.mantissa, time.exponent - way.less};
+  const std::vector<Dyadic> steps{dyadic(way.vx) * time, dyadic(way.vy) * time, dyadic(way.vx) * last,
+                                  dyadic(way.vy) * last};
   long unit = LONG_MAX;
   for (const auto& numbers : {lengths_a, lengths_b, steps}) {
     for (const Dyadic& d : numbers) unit = std::min(unit, d.exponent);
@@ -124,7 +122,8 @@ MovingPair regions_on_way(int kind_a, const double* a, int kind_b, const double*
       for (const mpz_class& x : numbers) reach += 8 * abs(x);
     }
   }
-  return {region(kind_a, of_a), region(kind_b, of_b), {(by[0] + by[2]) * reach, (by[1] + by[3]) * reach}};
+  Vector whole{by[0] * reach, by[1] * reach};
+  return {region(kind_a, of_a), region(kind_b, of_b), way.less > 0 ? whole - Vector{by[2], by[3]} : whole};
 }
 
 bool contains(const Corners& c, const Vector& x) {

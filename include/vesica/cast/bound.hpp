@@ -41,7 +41,7 @@ struct Scene {
   double speed() const noexcept { return abs(vx) + abs(vy); }
 };
 
-VESICA_COLD inline nearest::Form form_times(const Body& body, double k) noexcept {
+inline nearest::Form form_times(const Body& body, double k) noexcept {
   return with_shape(body, [k](const auto& s) { return nearest::form_times(s, k); });
 }
 
@@ -56,7 +56,7 @@ inline bool is_faithful(const nearest::Form& f, const nearest::Placed& p) noexce
   return f.curved == p.curved && (f.radius == 0 || p.radius >= nearest::smallest);
 }
 
-VESICA_COLD inline Scene scene(const Body& a, const Body& b, const Motion& motion) noexcept {
+VESICA_COLD inline Scene scaled_scene(const Body& a, const Body& b, const Motion& motion) noexcept {
   nearest::Form fa = form_times(a, 1), fb = form_times(b, 1);
   int eighths = 0;
   if (overflowed(fa, fb)) {
@@ -68,6 +68,35 @@ VESICA_COLD inline Scene scene(const Body& a, const Body& b, const Motion& motio
   const double vx = arithmetic::scale_far(motion.vx, -speed), vy = arithmetic::scale_far(motion.vy, -speed);
   const bool faithful = is_faithful(fa, p.a) && is_faithful(fb, p.b) && eighths == 0;
   return {side(p.a), side(p.b), p.d, vx, vy, p.size, length, length - speed, faithful};
+}
+
+inline Side side(const nearest::Form& f) noexcept {
+  if (f.radius > 0) return {{{1, 0}, {0, 0}}, {f.radius, 0}, {f.radius, 0}, true};
+  return {f.box.u, f.box.hx, f.box.hy, f.curved};
+}
+
+/// Numbers whose products of up to twelve neither overflow nor underflow, and sizes that are not too unlike for that.
+inline constexpr double least_moderate = 0x1p-60, most_moderate = 0x1p60;
+inline bool is_moderate(double x) noexcept { return x >= least_moderate && x <= most_moderate; }
+inline bool is_moderate(const Side& s) noexcept {
+  const double a = s.hx.high, b = s.hy.high, longer = lane::max(a, b), shorter = lane::min(a, b);
+  const bool sizes = longer <= most_moderate && (shorter == 0 || shorter >= least_moderate) &&
+                     (longer == 0 || longer >= least_moderate) && (!s.round || shorter > nearest::thinnest * longer);
+  return sizes && is_moderate(abs(s.u.x.high) + abs(s.u.y.high));
+}
+inline double reach(const Side& s) noexcept {
+  return (s.hx.high + s.hy.high) * (abs(s.u.x.high) + abs(s.u.y.high));
+}
+
+/// As they are, where all numbers are moderate. All that is computed of a scene is the same then, times powers of two.
+inline Scene scene(const Body& a, const Body& b, const Motion& motion) noexcept {
+  const nearest::Form fa = form_times(a, 1), fb = form_times(b, 1);
+  const auto x = form::twice_offset_x(fa.place, fb.place, 1), y = form::twice_offset_y(fa.place, fb.place, 1);
+  Scene s{side(fa), side(fb), {{0.5 * x.high, 0.5 * x.low}, {0.5 * y.high, 0.5 * y.low}}, motion.vx, motion.vy, 0, 0, 0, true};
+  const double distance = abs(x.high) + abs(y.high);
+  s.size = distance + (reach(s.a) + reach(s.b));
+  const bool moderate = is_moderate(s.a) && is_moderate(s.b) && is_moderate(s.speed()) && is_moderate(distance);
+  return moderate ? s : scaled_scene(a, b, motion);
 }
 
 /// t0 is at least `value` - `error`, and if that is certain, at most `value` + `error` + `gain`. To within rounding, s should
@@ -131,7 +160,7 @@ inline SideSupport support_of(const Side& s, const VectorFactor& n, const Vector
 inline bool finite(double x) noexcept { return x - x == 0; }
 
 /// t0 as n tells it. n: -v + s perp(v), or any multiple where it is the normal of an edge.
-VESICA_COLD inline TimeBounds time_bounds(const Scene& scene, const Vector& normal) noexcept {
+inline TimeBounds time_bounds(const Scene& scene, const Vector& normal) noexcept {
   using arithmetic::factor;
   const auto n = factor(normal), d = factor(scene.d);
   const VectorFactor v{factor(Twofold<double>{scene.vx, 0}), factor(Twofold<double>{scene.vy, 0})};

@@ -226,7 +226,7 @@ inline Found polished(const Scene& scene, double s) noexcept {
 }
 
 /// steps: how many the search of two ellipses took, which tests look at.
-VESICA_COLD inline Found latest_direction(const Scene& scene, int& steps) noexcept {
+inline Found latest_direction(const Scene& scene, int& steps) noexcept {
   steps = 0;
   if (!scene.a.round && !scene.b.round) return latest_axis(scene);
   if (scene.a.round && scene.b.round) return polished(scene, maximum_of_ellipses(scene, steps));

@@ -85,7 +85,7 @@ VESICA_COLD inline std::int32_t exact_floor(const ExactPair& pair, double estima
 }
 
 /// The time in units of the scene, and what it means.
-VESICA_COLD inline Impact<double> impact(const Body& a, const Scene& scene, const Vector& normal, double t) noexcept {
+inline Impact<double> impact(const Body& a, const Scene& scene, const Vector& normal, double t) noexcept {
   const double in_scene = arithmetic::scale_far(t, -scene.time);
   const Offset offset{scene.d.x.high + in_scene * scene.vx, scene.d.y.high + in_scene * scene.vy};
   const Offset at = located(a, touching_point(scene, normal, offset), scene.length);
@@ -95,7 +95,7 @@ VESICA_COLD inline Impact<double> impact(const Body& a, const Scene& scene, cons
 
 /// For shapes that do not overlap at the start, and a line that meets M after it. late: whether the witness comes after the
 /// end, so that there may be contact only then.
-VESICA_COLD inline std::int32_t first_contact(const Body& a, const Body& b, const Motion& motion, bool late,
+[[gnu::noinline]] inline std::int32_t first_contact(const Body& a, const Body& b, const Motion& motion, bool late,
                                               const Graze& graze, Impact<double>& out) noexcept {
   int steps;
   const Scene seen = scene(a, b, motion);

@@ -50,7 +50,7 @@ inline Offset touching_point(const Scene& scene, const Vector& normal, const Off
 }
 
 /// The point at an offset, in units of 2^exponent, from a body's centre.
-VESICA_COLD inline Offset located(const Body& body, const Offset& offset, int exponent) noexcept {
+inline Offset located(const Body& body, const Offset& offset, int exponent) noexcept {
   return with_shape(body, [&](const auto& s) {
     const auto p = form::corners(form::of(s).place);
     return Offset{
