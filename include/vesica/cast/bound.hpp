@@ -119,12 +119,21 @@ struct SideSupport {
   double edge, bend, steepness, error, room;
 };
 
+/// Of a box.
+inline Twofold<double> height_of(const Side& s, const VectorFactor& n) noexcept {
+  using arithmetic::factor;
+  const auto u = factor(s.u);
+  const Twofold<double> p = factor(s.hx) * factor(renormalised(dot(u, n)));
+  const Twofold<double> q = factor(s.hy) * factor(renormalised(cross(u, n)));
+  return magnitude(p) + magnitude(q);
+}
+
 /// Right to 2^-99 of |n| size, and `beside` to `error`.
 inline SideSupport support_of(const Side& s, const VectorFactor& n, const VectorFactor& v, double n_size) noexcept {
   using arithmetic::factor;
   const auto u = factor(s.u);
   const auto hx = factor(s.hx), hy = factor(s.hy);
-  // u.n and u x n; u.perp(v) = u x v with a sign, and perp(u).perp(v) = u.v.
+  // u.n and u x n; u.perp(v) = -(u x v), and perp(u).perp(v) = u.v.
   const Twofold<double> p = renormalised(dot(u, n)), q = renormalised(cross(u, n));
   const Twofold<double> k = -cross(u, v), c = dot(u, v);
   const Twofold<double> hp = hx * factor(p), hq = hy * factor(q), hk = hx * factor(k), hc = hy * factor(c);
@@ -159,25 +168,36 @@ inline SideSupport support_of(const Side& s, const VectorFactor& n, const Vector
 
 inline bool finite(double x) noexcept { return x - x == 0; }
 
-/// t0 as n tells it. n: -v + s perp(v), or any multiple where it is the normal of an edge.
-inline TimeBounds time_bounds(const Scene& scene, const Vector& normal) noexcept {
+/// T(n) by the support function of both shapes.
+inline TimeBounds lower_bound(const Scene& scene, const VectorFactor& n, const VectorFactor& v,
+                              const Twofold<double>& height) noexcept {
   using arithmetic::factor;
-  const auto n = factor(normal), d = factor(scene.d);
-  const VectorFactor v{factor(Twofold<double>{scene.vx, 0}), factor(Twofold<double>{scene.vy, 0})};
-  const double n_size = abs(normal.x.high) + abs(normal.y.high), speed = scene.speed();
-  const SideSupport a = support_of(scene.a, n, v, n_size), b = support_of(scene.b, n, v, n_size);
-  const Twofold<double> room = renormalised(dot(n, d) - (a.h + b.h)), approach = renormalised(-dot(n, v));
-  TimeBounds out{{0, 0}, 0, 0, 0, false};
-  out.certain = is_zero(approach);
+  const double n_size = abs(n.x.high) + abs(n.y.high), speed = scene.speed(), unit = 0x1p-97 * n_size;
+  const Twofold<double> room = renormalised(dot(n, factor(scene.d)) - height), approach = renormalised(-dot(n, v));
+  TimeBounds out{{0, 0}, 0, 0, 0, is_zero(approach)};
   if (!(approach.high > 0x1p-40 * n_size * speed)) return out;
   const double first = room.high / approach.high;
-  const Twofold<double> rest = room - factor(Twofold<double>{first, 0}) * factor(approach);
+  const Twofold<double> rest = room - factor(first) * factor(approach);
   out.value = {first, arithmetic::rounded(rest) / approach.high};
-  const double unit = 0x1p-97 * n_size;
   out.error = 2 * (unit * scene.size + unit * speed * abs(first)) / approach.high + 0x1p-100 * abs(first) + 0x1p-800;
+  return out;
+}
 
-  const Twofold<double> w = cross(v, d);
-  const double beside = arithmetic::rounded(w - (a.beside + b.beside));
+inline VectorFactor factor_of_v(const Scene& scene) noexcept {
+  return {arithmetic::factor(Twofold<double>{scene.vx, 0}), arithmetic::factor(Twofold<double>{scene.vy, 0})};
+}
+
+/// t0 as n tells it. n: -v + s perp(v), or any multiple where it is the normal of an edge.
+inline TimeBounds time_bounds(const Scene& scene, const Vector& normal) noexcept {
+  const auto n = arithmetic::factor(normal);
+  const VectorFactor v = factor_of_v(scene);
+  const double n_size = abs(n.x.high) + abs(n.y.high);
+  const SideSupport a = support_of(scene.a, n, v, n_size), b = support_of(scene.b, n, v, n_size);
+  TimeBounds out = lower_bound(scene, n, v, a.h + b.h);
+  if (!out.tells()) return out;
+  out.certain = false;
+  const Twofold<double> w = cross(v, arithmetic::factor(scene.d));
+  const double beside = arithmetic::rounded(w - (a.beside + b.beside)), speed = scene.speed();
   const double slope = abs(beside) + a.error + b.error + 0x1p-96 * speed * scene.size, edge = a.edge + b.edge;
   if (edge > 0) {
     out.certain = slope < edge * (1 - 0x1p-40);

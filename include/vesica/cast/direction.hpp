@@ -58,10 +58,6 @@ inline Vector against(const Scene& scene, const Vector& n) noexcept {
   return forward.high > 0 ? opposite(n) : n;
 }
 
-inline VectorFactor factor_of_v(const Scene& scene) noexcept {
-  return {arithmetic::factor(Twofold<double>{scene.vx, 0}), arithmetic::factor(Twofold<double>{scene.vy, 0})};
-}
-
 /// -v + s perp(v).
 inline Vector direction(const Scene& scene, double s) noexcept {
   const auto by = arithmetic::factor(s);
@@ -183,28 +179,66 @@ inline bool preferred(const Scene& scene, const Vector& n, const Vector& m) noex
   return length(n) > length(m);
 }
 
+/// A normal of two boxes and its time in double, with errors.
+struct Axis {
+  Vector normal;
+  double least, most;
+};
+
+/// 16u covers four products and as many sums of each term.
+inline Axis axis(const Scene& scene, const Vector& normal) noexcept {
+  const Vector n = against(scene, normal);
+  const double nx = n.x.high, ny = n.y.high, approach = -(nx * scene.vx + ny * scene.vy), n_size = abs(nx) + abs(ny);
+  double height = 0;
+  for (const Side* s : {&scene.a, &scene.b}) {
+    const double ux = s->u.x.high, uy = s->u.y.high;
+    height += s->hx.high * abs(ux * nx + uy * ny) + s->hy.high * abs(ux * ny - uy * nx);
+  }
+  const double t = (nx * scene.d.x.high + ny * scene.d.y.high - height) / approach;
+  const double error = 16 * 0x1p-53 * n_size * (scene.size + scene.speed() * abs(t)) / approach;
+  return {n, t - error, t + error};
+}
+
+inline bool has_no_size(const Side& s) noexcept { return s.hx.high == 0 && s.hy.high == 0; }
+
 /// Two boxes: the latest of the times at which an axis separates no more. An axis across v separates always or never, and the
-/// line test has told which.
+/// line test has told which. Double tells which axes may be the latest, mostly one.
 inline Found latest_axis(const Scene& scene) noexcept {
+  Axis axes[4];
+  int count = 0;
+  double least = 0;
+  const Vector &u = scene.a.u, &w = scene.b.u;
+  const bool same = u.x.high == w.x.high && u.y.high == w.y.high && u.x.low == w.x.low && u.y.low == w.y.low;
+  // The axes of a point are none of the sum's, and those of two that are parallel are the same.
+  const bool only_a = same || has_no_size(scene.b), only_b = !same && has_no_size(scene.a);
+  for (const Side* side : {&scene.a, &scene.b}) {
+    if (side == &scene.a ? only_b : only_a && !only_b) continue;
+    for (const Vector& n : {side->u, perpendicular(side->u)}) {
+      axes[count] = axis(scene, n);
+      least = lane::max(axes[count++].least, least);
+    }
+  }
   Found best{};
   bool found = false, certain = true;
   double error = 0;
-  for (const Side* side : {&scene.a, &scene.b}) {
-    for (const Vector& axis : {side->u, perpendicular(side->u)}) {
-      const Vector n = against(scene, axis);
-      const TimeBounds time = time_bounds(scene, n);
-      if (!time.tells()) {
-        certain = certain && time.certain;
-        continue;
-      }
-      error = lane::max(time.error, error);
-      const bool same = found && time.value.high == best.time.value.high && time.value.low == best.time.value.low;
-      if (!found || (same ? preferred(scene, n, best.normal) : later(time.value, best.time.value))) best = {n, time};
-      found = true;
+  const VectorFactor v = factor_of_v(scene);
+  for (int i = 0; i < count; ++i) {
+    if (axes[i].most < least) continue;
+    const Vector& normal = axes[i].normal;
+    const auto n = arithmetic::factor(normal);
+    const TimeBounds time = lower_bound(scene, n, v, height_of(scene.a, n) + height_of(scene.b, n));
+    if (!time.tells()) {
+      certain = certain && time.certain;
+      continue;
     }
+    error = lane::max(time.error, error);
+    const bool equal = found && time.value.high == best.time.value.high && time.value.low == best.time.value.low;
+    if (!found || (equal ? preferred(scene, normal, best.normal) : later(time.value, best.time.value))) {
+      best = {normal, time};
+    }
+    found = true;
   }
   best.time.error = error;
-  best.time.gain = 0;
   best.time.certain = certain && found;
   return best;
 }
