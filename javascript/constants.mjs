@@ -62,3 +62,9 @@ export const JOIN_BOUNDS = 1;
 export const JOIN_CONTAINS = 2;
 /** b contains a */
 export const JOIN_INSIDE = 3;
+/** no contact from 0 to t_end */
+export const CAST_MISS = 0;
+/** contact, the first after t = 0 */
+export const CAST_HIT = 1;
+/** the shapes overlap at t = 0, as vesica_overlap_f64 tells */
+export const CAST_START = 2;

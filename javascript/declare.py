@@ -12,7 +12,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 DESCRIPTION = HERE.parent / "capi" / "vesica.json"
 # The named methods are another library, which the module does not have.
-HEADERS = ("vesica.h", "vesica_index.h")
+HEADERS = ("vesica.h", "vesica_index.h", "vesica_motion.h")
 HEAD = "// SPDX-License-Identifier: Apache-2.0\n// Written by declare.py from capi/vesica.json: not to be edited.\n"
 
 

@@ -13,7 +13,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 DESCRIPTION = HERE.parent / "capi" / "vesica.json"
 DECLARATIONS = HERE / "vesica" / "_declarations.py"
 # The named methods are another library, which this package does not have.
-HEADERS = ("vesica.h", "vesica_index.h")
+HEADERS = ("vesica.h", "vesica_index.h", "vesica_motion.h")
 NUMBERS = {
     "uint8_t": "c_uint8",
     "int32_t": "c_int32",
@@ -25,7 +25,7 @@ NUMBERS = {
 
 HEAD = '''# SPDX-License-Identifier: Apache-2.0
 # Written by declare.py from capi/vesica.json: not to be edited.
-"""The constants, structs and functions of vesica.h and vesica_index.h for ctypes. help() of a function has its text."""
+"""The constants, structs and functions of vesica.h and the headers it includes for ctypes. help() of a function has its text."""
 from ctypes import Structure, c_char_p, c_double, c_float, c_int32, c_int64, c_ssize_t, c_uint8, c_void_p
 
 '''

@@ -14,7 +14,7 @@ ffi = cffi.FFI()
 ffi.cdef((CAPI / "vesica.cdef").read_text())
 ffi.cdef((CAPI / "vesica_methods.cdef").read_text())
 vesica, methods = [ffi.dlopen(path) for path in sys.argv[1:3]]
-of_header = {"vesica.h": vesica, "vesica_index.h": vesica, "vesica_methods.h": methods}
+of_header = {"vesica.h": vesica, "vesica_index.h": vesica, "vesica_motion.h": vesica, "vesica_methods.h": methods}
 description = json.loads((CAPI / "vesica.json").read_text())
 
 for entry in description["constants"]:

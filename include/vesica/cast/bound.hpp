@@ -100,7 +100,7 @@ inline Scene scene(const Body& a, const Body& b, const Motion& motion) noexcept 
 }
 
 /// t0 is at least `value` - `error`, and if that is certain, at most `value` + `error` + `gain`. To within rounding, s should
-/// change by `step`. An error of 0 stands for a direction that tells nothing: it is about across v, and certainly so or not.
+/// change by `step`. An error of 0 stands for a direction that tells nothing: it is across v, certainly or about.
 struct TimeBounds {
   Twofold<double> value;
   double error, gain, step;
@@ -175,7 +175,7 @@ inline TimeBounds lower_bound(const Scene& scene, const VectorFactor& n, const V
   const double n_size = abs(n.x.high) + abs(n.y.high), speed = scene.speed(), unit = 0x1p-97 * n_size;
   const Twofold<double> room = renormalised(dot(n, factor(scene.d)) - height), approach = renormalised(-dot(n, v));
   TimeBounds out{{0, 0}, 0, 0, 0, is_zero(approach)};
-  if (!(approach.high > 0x1p-40 * n_size * speed)) return out;
+  if (!(approach.high > 0x1p-80 * n_size * speed)) return out;
   const double first = room.high / approach.high;
   const Twofold<double> rest = room - factor(first) * factor(approach);
   out.value = {first, arithmetic::rounded(rest) / approach.high};

@@ -9,6 +9,7 @@
 ///     a box: p = hx |k| at s = -c / k, the normal perp(u), and p = hy |c| at s = k / c, the normal u.
 #pragma once
 
+#include <limits>
 #include <vesica/cast/bound.hpp>
 
 namespace vesica::detail::cast {
@@ -189,6 +190,8 @@ struct Axis {
 inline Axis axis(const Scene& scene, const Vector& normal) noexcept {
   const Vector n = against(scene, normal);
   const double nx = n.x.high, ny = n.y.high, approach = -(nx * scene.vx + ny * scene.vy), n_size = abs(nx) + abs(ny);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!(approach > 0x1p-40 * n_size * scene.speed())) return {n, -infinity, infinity};
   double height = 0;
   for (const Side* s : {&scene.a, &scene.b}) {
     const double ux = s->u.x.high, uy = s->u.y.high;
@@ -210,9 +213,10 @@ inline Found latest_axis(const Scene& scene) noexcept {
   const Vector &u = scene.a.u, &w = scene.b.u;
   const bool same = u.x.high == w.x.high && u.y.high == w.y.high && u.x.low == w.x.low && u.y.low == w.y.low;
   // The axes of a point are none of the sum's, and those of two that are parallel are the same.
-  const bool only_a = same || has_no_size(scene.b), only_b = !same && has_no_size(scene.a);
+  const bool no_a = has_no_size(scene.a), no_b = has_no_size(scene.b);
+  const bool only_a = same || (no_b && !no_a), only_b = !same && no_a && !no_b;
   for (const Side* side : {&scene.a, &scene.b}) {
-    if (side == &scene.a ? only_b : only_a && !only_b) continue;
+    if (side == &scene.a ? only_b : only_a) continue;
     for (const Vector& n : {side->u, perpendicular(side->u)}) {
       axes[count] = axis(scene, n);
       least = lane::max(axes[count++].least, least);
@@ -229,6 +233,7 @@ inline Found latest_axis(const Scene& scene) noexcept {
     const TimeBounds time = lower_bound(scene, n, v, height_of(scene.a, n) + height_of(scene.b, n));
     if (!time.tells()) {
       certain = certain && time.certain;
+      if (!found && !time.certain) best.normal = normal;
       continue;
     }
     error = lane::max(time.error, error);
