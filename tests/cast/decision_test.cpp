@@ -32,7 +32,7 @@ class Decision : public testing::TestWithParam<properties::Kinds> {
   double next(double t) const { return properties::at_ordinal(scalar(), properties::ordinal(scalar(), t) + 1); }
 
   void check(const Pair& p, const Motion& m, bool with_time) {
-    SCOPED_TRACE(properties::describe(p) + " v " + std::to_string(m.vx) + ' ' + std::to_string(m.vy));
+    SCOPED_TRACE(describe(p, m));
     const Answer r = cast(scalar(), p, m);
     ++cases_;
     if (r.code < 0) {

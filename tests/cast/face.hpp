@@ -7,7 +7,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
+#include <string>
 
 #include "properties/pair.hpp"
 
@@ -27,6 +29,13 @@ struct Answer {
   std::int32_t code;
   double t, x, y, nx, ny;
 };
+
+/// Both shapes and the motion with hexadecimal numbers.
+inline std::string describe(const Pair& p, const Motion& m) {
+  char text[100];
+  std::snprintf(text, sizeof text, " v %a %a end %g", m.vx, m.vy, m.end);
+  return properties::describe(p) + text;
+}
 
 inline Answer cast(Scalar scalar, const Pair& p, const Motion& m) {
   if (scalar == Scalar::f64) {

@@ -164,8 +164,8 @@ struct Found {
   TimeBounds time;
 };
 
-inline bool later(const Twofold<double>& a, const Twofold<double>& b) noexcept {
-  return (a.high - b.high) + (a.low - b.low) > 0;
+inline double difference(const Twofold<double>& a, const Twofold<double>& b) noexcept {
+  return (a.high - b.high) + (a.low - b.low);
 }
 
 /// Of two normals that tell the same time that which is more against v; of mirror images that to the left of v; of the same
@@ -237,13 +237,12 @@ inline Found latest_axis(const Scene& scene) noexcept {
       continue;
     }
     error = lane::max(time.error, error);
-    const bool equal = found && time.value.high == best.time.value.high && time.value.low == best.time.value.low;
-    if (!found || (equal ? preferred(scene, normal, best.normal) : later(time.value, best.time.value))) {
-      best = {normal, time};
-    }
+    const double later = found ? difference(time.value, best.time.value) : 0;
+    const bool equal = found && abs(later) <= 2 * (time.error + best.time.error);
+    if (!found || (equal ? preferred(scene, normal, best.normal) : later > 0)) best = {normal, time};
     found = true;
   }
-  best.time.error = error;
+  best.time.error = 6 * error;  // the normal that is preferred may tell a time that little earlier
   best.time.certain = certain && found;
   return best;
 }
