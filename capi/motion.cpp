@@ -114,7 +114,7 @@ struct Moving {
                                  {motion.vx, motion.vy, end}, out);
   }
   static int32_t ask(const void* context, std::uint32_t item, double end, double& t) {
-    Impact<T> impact;
+    Impact<T> impact{};
     const int32_t code = static_cast<const Moving*>(context)->impact(item, end, impact);
     t = static_cast<double>(impact.t);
     return code;

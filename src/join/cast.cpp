@@ -17,39 +17,55 @@ inline constexpr double never = std::numeric_limits<double>::infinity(), largest
 class SweptBox {
  public:
   SweptBox(const double (&box)[4], double vx, double vy, double end) noexcept
-      : x_{box[0], box[2], vx, inverse(vx)}, y_{box[1], box[3], vy, inverse(vy)}, end_(end) {}
+      : x_(box[0], box[2], vx), y_(box[1], box[3], vy), end_(end) {}
 
-  /// No later than any contact with what the box holds; `never` where there is none by `limit`.
-  double entry(double min_x, double min_y, double max_x, double max_y, double limit) const noexcept {
-    double in = 0, out = limit < end_ ? limit : end_;
-    x_.cut(min_x, max_x, in, out);
-    y_.cut(min_y, max_y, in, out);
-    return in <= out ? in : never;
+  /// Sides of boxes, in rows: row[i] is a number of box i.
+  template <class Row>
+  struct Sides {
+    Row min_x, min_y, max_x, max_y;
+  };
+
+  /// time[i] is no later than any contact with what box i holds; `never` where there is none by `limit`.
+  template <class Row>
+  void entries(const Sides<Row>& sides, int n, double limit, double* time) const noexcept {
+    const Row near_x = x_.forward ? sides.min_x : sides.max_x, far_x = x_.forward ? sides.max_x : sides.min_x;
+    const Row near_y = y_.forward ? sides.min_y : sides.max_y, far_y = y_.forward ? sides.max_y : sides.min_y;
+    const double last = limit < end_ ? limit : end_;
+    for (int i = 0; i < n; ++i) {
+      double in = 0, out = last;
+      x_.cut(near_x[i], far_x[i], in, out);
+      y_.cut(near_y[i], far_y[i], in, out);
+      time[i] = in <= out ? in : never;
+    }
   }
 
  private:
   static constexpr double slack = 0x1p-50;
 
-  /// NaN where it is not usable: then the axis excludes nothing.
-  static double inverse(double v) noexcept {
-    const double speed = v < 0 ? -v : v;
-    return speed >= 0x1p-1000 && speed <= 0x1p1000 ? 1 / v : std::numeric_limits<double>::quiet_NaN();
-  }
-
+  /// The side of the moving box that meets others first, and that which leaves them last. Without a velocity the inverse is
+  /// infinite: then boxes are met always or never, and a product that is NaN says nothing. Nor does that with an inverse that
+  /// is not usable.
   struct Axis {
-    double low, high, v, inverse;
+    bool forward;
+    double front, back, inverse, greatest;
 
-    void cut(double min, double max, double& in, double& out) const noexcept {
-      // How far the moving interval may go until it meets the other, and until it leaves it.
-      const double first = v >= 0 ? min - high : max - low, last = v >= 0 ? max - low : min - high;
-      if (v == 0) {
-        if (first > 0 || last < 0) out = -1;
-        return;
-      }
-      double from = first * inverse, to = last * inverse;
-      from = from > largest ? largest : from;
-      from -= slack * (from < 0 ? -from : from) + 0x1p-1070;
-      to += slack * (to < 0 ? -to : to) + 0x1p-1070;
+    Axis(double low, double high, double v) noexcept
+        : forward(v >= 0),
+          front(v >= 0 ? high : low),
+          back(v >= 0 ? low : high),
+          inverse(v == 0 ? never : usable_inverse(v)),
+          greatest(v == 0 ? never : largest) {}
+
+    static double usable_inverse(double v) noexcept {
+      const double speed = v < 0 ? -v : v;
+      return speed >= 0x1p-1000 && speed <= 0x1p1000 ? 1 / v : std::numeric_limits<double>::quiet_NaN();
+    }
+
+    void cut(double near, double far, double& in, double& out) const noexcept {
+      double from = (near - front) * inverse;
+      from = from > greatest ? greatest : from;
+      from = from * (1 - slack) - 0x1p-1070;
+      const double to = (far - back) * inverse * (1 + slack) + 0x1p-1070;
       in = from > in ? from : in;
       out = to < out ? to : out;
     }
@@ -59,22 +75,31 @@ class SweptBox {
   double end_;
 };
 
-/// Sides of a grid's columns, as exact doubles.
-class GridSides {
- public:
-  explicit GridSides(const Frame& f) noexcept
-      : x_(power_of_two(f.p[0])), y_(power_of_two(f.p[1])), k_{f.k[0], f.k[1]} {}
+/// A row of columns of a grid as exact doubles; `by` is 1 for the far sides of columns, as k is below 2^50.
+struct GridRow {
+  const std::uint16_t* column;
+  double by, scale;
 
-  double entry(const SweptBox& swept, std::uint16_t min_x, std::uint16_t min_y, std::uint16_t max_x,
-               std::uint16_t max_y, double limit) const noexcept {
-    return swept.entry(static_cast<double>(min_x + k_[0]) * x_, static_cast<double>(min_y + k_[1]) * y_,
-                       static_cast<double>(max_x + 1 + k_[0]) * x_, static_cast<double>(max_y + 1 + k_[1]) * y_, limit);
-  }
-
- private:
-  double x_, y_;
-  std::int64_t k_[2];
+  double operator[](int i) const noexcept { return (static_cast<double>(column[i]) + by) * scale; }
 };
+
+SweptBox::Sides<GridRow> grid_sides(const Frame& f, const std::uint16_t* min_x, const std::uint16_t* min_y,
+                                    const std::uint16_t* max_x, const std::uint16_t* max_y) noexcept {
+  const double x = power_of_two(f.p[0]), y = power_of_two(f.p[1]);
+  const auto kx = static_cast<double>(f.k[0]), ky = static_cast<double>(f.k[1]);
+  return {{min_x, kx, x}, {min_y, ky, y}, {max_x, kx + 1, x}, {max_y, ky + 1, y}};
+}
+SweptBox::Sides<GridRow> leaf_sides(const Block& block) noexcept {
+  return grid_sides(block.frame, leaf_boxes(block, 0), leaf_boxes(block, 1), leaf_boxes(block, 2),
+                    leaf_boxes(block, 3));
+}
+SweptBox::Sides<GridRow> item_sides(const Frame& frame, const Leaf& leaf) noexcept {
+  return grid_sides(frame, leaf.min_x, leaf.min_y, leaf.max_x, leaf.max_y);
+}
+SweptBox::Sides<const double*> child_sides(const Node& node) noexcept {
+  return {node.min_x, node.min_y, node.max_x, node.max_y};
+}
+bool is_there(const Node& node, int child) noexcept { return node.min_x[child] <= node.max_x[child]; }
 
 /// Numbers in the order of their times.
 template <int Most>
@@ -112,11 +137,11 @@ class First {
  private:
   void visit(int level, std::int64_t number) noexcept {
     const Node& node = view_.node(level, number);
+    double time[node_children];
+    swept_.entries(child_sides(node), node_children, limit_, time);
     ByTime<node_children> order;
     for (int i = 0; i < node_children; ++i) {
-      if (!(node.min_x[i] <= node.max_x[i])) continue;
-      const double t = swept_.entry(node.min_x[i], node.min_y[i], node.max_x[i], node.max_y[i], limit_);
-      if (t < never) order.insert(t, static_cast<std::uint32_t>(i));
+      if (time[i] < never && is_there(node, i)) order.insert(time[i], static_cast<std::uint32_t>(i));
     }
     for (int i = 0; i < order.count && order.time[i] <= limit_; ++i) {
       const std::int64_t child = number * node_children + order.value[i];
@@ -129,25 +154,24 @@ class First {
   }
 
   void visit_block(const Block& block) noexcept {
-    const GridSides sides(block.frame);
-    const std::uint16_t *min_x = leaf_boxes(block, 0), *min_y = leaf_boxes(block, 1), *max_x = leaf_boxes(block, 2),
-                        *max_y = leaf_boxes(block, 3);
+    double time[block_leaves];
+    swept_.entries(leaf_sides(block), block.leaves, limit_, time);
     ByTime<block_leaves> order;
     for (int l = 0; l < block.leaves; ++l) {
-      const double t = sides.entry(swept_, min_x[l], min_y[l], max_x[l], max_y[l], limit_);
-      if (t < never) order.insert(t, static_cast<std::uint32_t>(l));
+      if (time[l] < never) order.insert(time[l], static_cast<std::uint32_t>(l));
     }
     for (int i = 0; i < order.count && order.time[i] <= limit_; ++i) {
       const auto leaf = static_cast<std::int32_t>(order.value[i]);
-      visit_leaf(sides, leaves_of(block)[leaf], items_of_leaf(block, leaf));
+      visit_leaf(block.frame, leaves_of(block)[leaf], items_of_leaf(block, leaf));
     }
   }
 
-  void visit_leaf(const GridSides& sides, const Leaf& leaf, int n) noexcept {
+  void visit_leaf(const Frame& frame, const Leaf& leaf, int n) noexcept {
+    double time[leaf_items];
+    swept_.entries(item_sides(frame, leaf), n, limit_, time);
     ByTime<leaf_items> order;
     for (int i = 0; i < n; ++i) {
-      const double t = sides.entry(swept_, leaf.min_x[i], leaf.min_y[i], leaf.max_x[i], leaf.max_y[i], limit_);
-      if (t < never) order.insert(t, leaf.item[i]);
+      if (time[i] < never) order.insert(time[i], leaf.item[i]);
     }
     for (int i = 0; i < order.count && order.time[i] <= limit_; ++i) ask(order.value[i]);
   }
@@ -211,10 +235,11 @@ class All {
     const Node& node = view_.node(level, number);
     std::int64_t blocks = 1;
     for (int i = 0; i < level; ++i) blocks *= node_children;
+    double time[node_children];
+    swept_.entries(child_sides(node), node_children, never, time);
     for (int i = 0; i < node_children && !is_over(); ++i) {
       const std::int64_t child = number * node_children + i;
-      if (!(node.min_x[i] <= node.max_x[i]) || (child + 1) * blocks <= from_) continue;
-      if (!(swept_.entry(node.min_x[i], node.min_y[i], node.max_x[i], node.max_y[i], never) < never)) continue;
+      if (!(time[i] < never) || !is_there(node, i) || (child + 1) * blocks <= from_) continue;
       if (level > 0) {
         visit(level - 1, child);
       } else if (child < view_.blocks()) {
@@ -225,17 +250,17 @@ class All {
 
   void visit_block(std::int64_t number) noexcept {
     const Block& block = view_.block(number);
-    const GridSides sides(block.frame);
     const std::int64_t skip = number == from_ ? skip_ : 0;
     std::int64_t in_block = 0;
+    double time[block_leaves], of_item[leaf_items];
+    swept_.entries(leaf_sides(block), block.leaves, never, time);
     for (std::int32_t l = 0; l < block.leaves; ++l) {
-      if (!(sides.entry(swept_, leaf_boxes(block, 0)[l], leaf_boxes(block, 1)[l], leaf_boxes(block, 2)[l],
-                        leaf_boxes(block, 3)[l], never) < never)) {
-        continue;
-      }
+      if (!(time[l] < never)) continue;
       const Leaf& leaf = leaves_of(block)[l];
-      for (int i = 0; i < items_of_leaf(block, l); ++i) {
-        if (!(sides.entry(swept_, leaf.min_x[i], leaf.min_y[i], leaf.max_x[i], leaf.max_y[i], never) < never)) continue;
+      const int n = items_of_leaf(block, l);
+      swept_.entries(item_sides(block.frame, leaf), n, never, of_item);
+      for (int i = 0; i < n; ++i) {
+        if (!(of_item[i] < never)) continue;
         if (!is_hit(leaf.item[i])) {
           if (error_ != 0) return;
           continue;
