@@ -18,7 +18,8 @@ namespace index = vesica::index;
 
 static_assert(vesica::cast_miss == VESICA_CAST_MISS && vesica::cast_hit == VESICA_CAST_HIT &&
               vesica::cast_start == VESICA_CAST_START);
-static_assert(sizeof(Impact<double>) == sizeof(vesica_impact_f64) && sizeof(Impact<float>) == sizeof(vesica_impact_f32));
+static_assert(sizeof(Impact<double>) == sizeof(vesica_impact_f64) &&
+              sizeof(Impact<float>) == sizeof(vesica_impact_f32));
 
 template <class Out, class T>
 void write(const Impact<T>& impact, Out* out) noexcept {
@@ -61,8 +62,8 @@ int64_t many(const CShapesOf<T>* a, const CShapesOf<T>* b, const T* vx, const T*
   const int64_t n = pairs_in_step(*a, *b);
   if (n > 0 && (vx == nullptr || vy == nullptr)) return VESICA_E_NULL;
   if (n < 0 || !addressable(n, stride) || !(end >= 0)) return VESICA_E_ARGUMENT;
-  const vesica::batch::CastTally tally = vesica::batch::cast_many<T>(view<T>(*a), view<T>(*b), n, {vx, vy, stride},
-                                                                    static_cast<double>(end), columns);
+  const vesica::batch::CastTally tally =
+      vesica::batch::cast_many<T>(view<T>(*a), view<T>(*b), n, {vx, vy, stride}, static_cast<double>(end), columns);
   return tally.error != 0 ? tally.error : tally.hits;
 }
 
@@ -156,48 +157,49 @@ int64_t index_first(const void* from, const CShapesOf<T>* sets, int32_t set_coun
                     T end, Out* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT((index_first<T, Out>), from, sets, set_count, one, vx, vy, end, out);
   if (out == nullptr) return VESICA_E_NULL;
-  return through_index<T>(from, sets, set_count, one, motion_of(vx, vy, end), [&](const auto& cast, const auto& moving) {
-    const index::FirstItem found = index::find_first_hit(cast);
-    Impact<T> impact = vesica::detail::cast::no_impact<T>();
-    int32_t error = found.error;
-    if (error == 0 && found.item != index::View(from).items()) {
-      const int32_t code = moving.impact(static_cast<std::uint32_t>(found.item), moving.motion.end, impact);
-      error = code < 0 ? code : 0;
-    }
-    if (error != 0) return int64_t{error};
-    write(impact, out);
-    return found.item;
-  });
+  return through_index<T>(
+      from, sets, set_count, one, motion_of(vx, vy, end), [&](const auto& cast, const auto& moving) {
+        const index::FirstItem found = index::find_first_hit(cast);
+        Impact<T> impact = vesica::detail::cast::no_impact<T>();
+        int32_t error = found.error;
+        if (error == 0 && found.item != index::View(from).items()) {
+          const int32_t code = moving.impact(static_cast<std::uint32_t>(found.item), moving.motion.end, impact);
+          error = code < 0 ? code : 0;
+        }
+        if (error != 0) return int64_t{error};
+        write(impact, out);
+        return found.item;
+      });
 }
 
 }  // namespace
 
-#define VESICA_MOTION(scalar, T)                                                                                       \
-  int32_t vesica_cast_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b, T vx, T vy,     \
-                               T t_end, vesica_impact_##scalar* out) {                                                 \
-    return cast(kind_a, numbers_a, kind_b, numbers_b, vx, vy, t_end, out);                                             \
-  }                                                                                                                    \
-  int64_t vesica_cast_many_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, const T* vx,     \
-                                    const T* vy, ptrdiff_t stride, T t_end, T* t, T* x, T* y, T* nx, T* ny) {          \
-    return many_columns<T>(a, b, vx, vy, stride, t_end, t, x, y, nx, ny);                                              \
-  }                                                                                                                    \
-  int64_t vesica_cast_first_##scalar(const vesica_shapes_##scalar* many, const vesica_shapes_##scalar* one, T vx,      \
-                                     T vy, T t_end, vesica_impact_##scalar* out) {                                     \
-    return first<T>(many, one, vx, vy, t_end, out);                                                                    \
-  }                                                                                                                    \
-  int32_t vesica_sweep_bounds_##scalar(int32_t kind, const T* numbers, T vx, T vy, T t_end,                            \
-                                       vesica_aabb_##scalar* out) {                                                    \
-    return sweep_bounds(kind, numbers, vx, vy, t_end, out);                                                            \
-  }                                                                                                                    \
-  int64_t vesica_index_cast_##scalar(const void* index, const vesica_shapes_##scalar* sets, int32_t set_count,         \
-                                     const vesica_shapes_##scalar* one, T vx, T vy, T t_end, int64_t* out,             \
-                                     int64_t capacity, int64_t* state) {                                               \
-    return index_all<T>(index, sets, set_count, one, vx, vy, t_end, out, capacity, state);                             \
-  }                                                                                                                    \
-  int64_t vesica_index_cast_first_##scalar(const void* index, const vesica_shapes_##scalar* sets, int32_t set_count,   \
-                                           const vesica_shapes_##scalar* one, T vx, T vy, T t_end,                     \
-                                           vesica_impact_##scalar* out) {                                              \
-    return index_first<T>(index, sets, set_count, one, vx, vy, t_end, out);                                            \
+#define VESICA_MOTION(scalar, T)                                                                                     \
+  int32_t vesica_cast_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b, T vx, T vy,   \
+                               T t_end, vesica_impact_##scalar* out) {                                               \
+    return cast(kind_a, numbers_a, kind_b, numbers_b, vx, vy, t_end, out);                                           \
+  }                                                                                                                  \
+  int64_t vesica_cast_many_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, const T* vx,   \
+                                    const T* vy, ptrdiff_t stride, T t_end, T* t, T* x, T* y, T* nx, T* ny) {        \
+    return many_columns<T>(a, b, vx, vy, stride, t_end, t, x, y, nx, ny);                                            \
+  }                                                                                                                  \
+  int64_t vesica_cast_first_##scalar(const vesica_shapes_##scalar* many, const vesica_shapes_##scalar* one, T vx,    \
+                                     T vy, T t_end, vesica_impact_##scalar* out) {                                   \
+    return first<T>(many, one, vx, vy, t_end, out);                                                                  \
+  }                                                                                                                  \
+  int32_t vesica_sweep_bounds_##scalar(int32_t kind, const T* numbers, T vx, T vy, T t_end,                          \
+                                       vesica_aabb_##scalar* out) {                                                  \
+    return sweep_bounds(kind, numbers, vx, vy, t_end, out);                                                          \
+  }                                                                                                                  \
+  int64_t vesica_index_cast_##scalar(const void* index, const vesica_shapes_##scalar* sets, int32_t set_count,       \
+                                     const vesica_shapes_##scalar* one, T vx, T vy, T t_end, int64_t* out,           \
+                                     int64_t capacity, int64_t* state) {                                             \
+    return index_all<T>(index, sets, set_count, one, vx, vy, t_end, out, capacity, state);                           \
+  }                                                                                                                  \
+  int64_t vesica_index_cast_first_##scalar(const void* index, const vesica_shapes_##scalar* sets, int32_t set_count, \
+                                           const vesica_shapes_##scalar* one, T vx, T vy, T t_end,                   \
+                                           vesica_impact_##scalar* out) {                                            \
+    return index_first<T>(index, sets, set_count, one, vx, vy, t_end, out);                                          \
   }
 
 VESICA_MOTION(f64, double)

@@ -166,7 +166,8 @@ void rays(const Aim& aim) {
 
 void alone(std::int32_t kind_a, std::int32_t kind_b, const Aim& aim) {
   const std::string name = std::string(vesica_kind_name(kind_a)) + '_' + vesica_kind_name(kind_b);
-  contest(name, kind_a, kind_b, aim, false, [](const auto&) {}, [](const Pair&, std::size_t) { return false; });
+  contest(
+      name, kind_a, kind_b, aim, false, [](const auto&) {}, [](const Pair&, std::size_t) { return false; });
 }
 
 void beside_box2d([[maybe_unused]] const Aim& aim) {
@@ -227,7 +228,8 @@ void through_an_index() {
 int main() {
   using namespace vesica::bench;
   std::printf(
-      "Nanoseconds a call by kind through the shared library, medians over passes on fresh pairs; ratio: the median over\n"
+      "Nanoseconds a call by kind through the shared library, medians over passes on fresh pairs; ratio: the median "
+      "over\n"
       "passes of the library's time to the other's; wrong: answers of the other that are not right.\n\n"
       "%-42s %6s %9s %9s %7s %12s\n",
       "pair / other, workload", "hits", "vesica", "other", "ratio", "wrong");

@@ -80,6 +80,8 @@ void draw_graze(Svg& svg) {
   const auto zoomed = [&](double x, double y) {
     return corner + Point{wide / 2 + x / 4e-8 * wide / 2, high / 2 - y / unit * 22};
   };
+  svg.unclip();
+  svg.clip(corner, {wide, high});
   std::vector<Point> cap;
   for (int i = -40; i <= 40; ++i) cap.push_back(zoomed(i * 1e-9, -0.5 * (i * 1e-9) * (i * 1e-9)));
   svg.path(cap, false, {blue, 2});

@@ -127,7 +127,11 @@ int items_of_leaf(const Block& block, std::int32_t leaf) noexcept {
 class First {
  public:
   explicit First(const Cast& cast) noexcept
-      : cast_(cast), view_(cast.index), swept_(cast.box, cast.vx, cast.vy, cast.end), limit_(cast.end), best_{view_.items(), cast.end, 0} {}
+      : cast_(cast),
+        view_(cast.index),
+        swept_(cast.box, cast.vx, cast.vy, cast.end),
+        limit_(cast.end),
+        best_{view_.items(), cast.end, 0} {}
 
   FirstItem run() noexcept {
     if (view_.levels() != 0) visit(view_.levels() - 1, 0);

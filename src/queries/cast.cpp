@@ -32,8 +32,8 @@ std::int32_t start(const Body& a, const Body& b, Impact<double>& out) noexcept {
 namespace queries {
 
 [[gnu::noinline]] std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<double>& out) noexcept {
-  const std::int32_t code =
-      detail::cast::cast_bodies(a, b, motion, [&] { return answer(overlap, a, b, nullptr); }, out);
+  const std::int32_t code = detail::cast::cast_bodies(
+      a, b, motion, [&] { return answer(overlap, a, b, nullptr); }, out);
   return code == cast_start ? start(a, b, out) : code;
 }
 
@@ -116,10 +116,10 @@ FirstHit cast_first(const Shapes<T>& many, const Shapes<T>& one, const Motion& m
   return first;
 }
 
-#define VESICA_CASTS(T)                                                                                       \
-  template Body body_at(const Shapes<T>&, std::int64_t) noexcept;                                             \
+#define VESICA_CASTS(T)                                                                                        \
+  template Body body_at(const Shapes<T>&, std::int64_t) noexcept;                                              \
   template CastTally cast_many(const Shapes<T>&, const Shapes<T>&, std::int64_t, const Velocities<T>&, double, \
-                               T* const (&)[5]) noexcept;                                                     \
+                               T* const(&)[5]) noexcept;                                                       \
   template FirstHit cast_first(const Shapes<T>&, const Shapes<T>&, const Motion&, Impact<T>&) noexcept;
 VESICA_CASTS(double)
 VESICA_CASTS(float)

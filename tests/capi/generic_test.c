@@ -98,14 +98,14 @@ static void test_float(void) {
     EXPECT(query(a, &generic), query##_##scalar(KIND_A, (const T*)(a), &direct)); \
     EXPECT(memcmp(&generic, &direct, sizeof direct), 0);                          \
   } while (0)
-#define EXPECT_CAST(scalar, T, a, KIND_A, b, KIND_B)                                                              \
-  do {                                                                                                            \
-    vesica_impact_##scalar generic, direct;                                                                       \
-    memset(&generic, 0xaa, sizeof generic);                                                                       \
-    memset(&direct, 0x55, sizeof direct);                                                                         \
-    EXPECT(vesica_cast(a, b, 1, 2, 3, &generic),                                                                  \
-           vesica_cast_##scalar(KIND_A, (const T*)(a), KIND_B, (const T*)(b), 1, 2, 3, &direct));                 \
-    EXPECT(memcmp(&generic, &direct, sizeof direct), 0);                                                          \
+#define EXPECT_CAST(scalar, T, a, KIND_A, b, KIND_B)                                              \
+  do {                                                                                            \
+    vesica_impact_##scalar generic, direct;                                                       \
+    memset(&generic, 0xaa, sizeof generic);                                                       \
+    memset(&direct, 0x55, sizeof direct);                                                         \
+    EXPECT(vesica_cast(a, b, 1, 2, 3, &generic),                                                  \
+           vesica_cast_##scalar(KIND_A, (const T*)(a), KIND_B, (const T*)(b), 1, 2, 3, &direct)); \
+    EXPECT(memcmp(&generic, &direct, sizeof direct), 0);                                          \
   } while (0)
 #define EXPECT_PAIR(scalar, T, a, KIND_A, b, KIND_B)                                                          \
   do {                                                                                                        \

@@ -16,7 +16,8 @@ using namespace cast_test;
 double size_of(int kind, const Numbers& n) {
   if (kind == VESICA_POINT) return 0;
   if (kind == VESICA_CIRCLE) return n[2];
-  if (kind == VESICA_SEGMENT || kind == VESICA_AABB) return std::max(std::fabs(n[2] - n[0]), std::fabs(n[3] - n[1])) / 2;
+  if (kind == VESICA_SEGMENT || kind == VESICA_AABB)
+    return std::max(std::fabs(n[2] - n[0]), std::fabs(n[3] - n[1])) / 2;
   return std::hypot(n[2], n[3]) * std::max(n[4], n[5]);
 }
 
@@ -32,9 +33,8 @@ TEST(Accuracy, OfThePoint) {
   constexpr double u = 0x1p-53;
   double worst = 0;
   int hits = 0;
-  for (const properties::Workload workload :
-       {properties::Workload::random, properties::Workload::grid, properties::Workload::degenerate,
-        properties::Workload::thin}) {
+  for (const properties::Workload workload : {properties::Workload::random, properties::Workload::grid,
+                                              properties::Workload::degenerate, properties::Workload::thin}) {
     for (int a = 0; a < properties::kinds; ++a) {
       for (int b = 0; b < properties::kinds; ++b) {
         properties::Stream stream(workload, a, b, Scalar::f64, properties::seed() + 41);

@@ -58,8 +58,8 @@ void check_many(Arrays<T>& s, T end) {
   std::int64_t expected = 0, worst = 0;
   for (std::size_t i = 0; i < n; ++i) {
     typename Face<T>::Impact one;
-    const std::int32_t code = Face<T>::cast(s.shapes_a.kind, s.a[i].data(), s.shapes_b.kind, s.b[i].data(), s.v[i][0],
-                                            s.v[i][1], end, &one);
+    const std::int32_t code =
+        Face<T>::cast(s.shapes_a.kind, s.a[i].data(), s.shapes_b.kind, s.b[i].data(), s.v[i][0], s.v[i][1], end, &one);
     expected += code > 0;
     if (code < 0) {
       worst = worst == VESICA_E_SHAPE ? worst : code;

@@ -40,15 +40,13 @@ inline std::string describe(const Pair& p, const Motion& m) {
 inline Answer cast(Scalar scalar, const Pair& p, const Motion& m) {
   if (scalar == Scalar::f64) {
     vesica_impact_f64 out{};
-    const std::int32_t code =
-        vesica_cast_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data(), m.vx, m.vy, m.end, &out);
+    const std::int32_t code = vesica_cast_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data(), m.vx, m.vy, m.end, &out);
     return {code, out.t, out.x, out.y, out.nx, out.ny};
   }
   vesica_impact_f32 out{};
   const auto a = properties::narrow(p.a), b = properties::narrow(p.b);
-  const std::int32_t code =
-      vesica_cast_f32(p.kind_a, a.data(), p.kind_b, b.data(), static_cast<float>(m.vx), static_cast<float>(m.vy),
-                      static_cast<float>(m.end), &out);
+  const std::int32_t code = vesica_cast_f32(p.kind_a, a.data(), p.kind_b, b.data(), static_cast<float>(m.vx),
+                                            static_cast<float>(m.vy), static_cast<float>(m.end), &out);
   const auto wide = [](float x) { return static_cast<double>(x); };
   return {code, wide(out.t), wide(out.x), wide(out.y), wide(out.nx), wide(out.ny)};
 }

@@ -54,8 +54,9 @@ class Laws : public testing::TestWithParam<properties::Kinds> {
     const auto a = properties::scaled_exactly({p.kind_a, p.a}, scalar(), exponent, false);
     const auto b = properties::scaled_exactly({p.kind_b, p.b}, scalar(), exponent, false);
     const Motion scaled{std::ldexp(m.vx, exponent), std::ldexp(m.vy, exponent), m.end};
-    const bool exact = properties::representable(scalar(), scaled.vx) && properties::representable(scalar(), scaled.vy) &&
-                       std::ldexp(scaled.vx, -exponent) == m.vx && std::ldexp(scaled.vy, -exponent) == m.vy;
+    const bool exact = properties::representable(scalar(), scaled.vx) &&
+                       properties::representable(scalar(), scaled.vy) && std::ldexp(scaled.vx, -exponent) == m.vx &&
+                       std::ldexp(scaled.vy, -exponent) == m.vy;
     if (!a || !b || !exact) return;
     const Answer s = ask(as_pair(*a, *b), scaled);
     ++scales_;
@@ -66,7 +67,8 @@ class Laws : public testing::TestWithParam<properties::Kinds> {
   void check_time(const Pair& p, const Motion& m, const Answer& r) {
     const Motion half{0.5 * m.vx, 0.5 * m.vy, 2 * m.end};
     const bool exact = 2 * half.vx == m.vx && 2 * half.vy == m.vy && properties::representable(scalar(), half.vx) &&
-                       properties::representable(scalar(), half.vy) && r.t < (scalar() == Scalar::f64 ? 0x1p1022 : 0x1p126);
+                       properties::representable(scalar(), half.vy) &&
+                       r.t < (scalar() == Scalar::f64 ? 0x1p1022 : 0x1p126);
     const bool normal = r.t > (scalar() == Scalar::f64 ? 0x1p-1020 : 0x1p-120);
     if (r.code == VESICA_CAST_HIT && exact && normal) {
       const Answer s = ask(p, half);

@@ -333,11 +333,9 @@ Bytes ask_join(const Inputs& inputs) {
         {"iou_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_iou_matrix_##s>},                                   \
         {"overlap_select", ask_select<T, vesica_shapes_##s, vesica_overlap_select_##s>},                              \
         {"nms", ask_nms<T, vesica_shapes_##s, vesica_nms_##s>},                                                       \
-        {"casts",                                                                                                     \
-         ask_casts<T, vesica_shapes_##s, vesica_impact_##s, vesica_cast_many_##s, vesica_cast_first_##s>},            \
-        {"index",                                                                                                     \
-         ask_index<T, vesica_shapes_##s, vesica_impact_##s, vesica_index_build_##s, vesica_index_select_##s,          \
-                   vesica_index_nearest_##s, vesica_index_cast_##s, vesica_index_cast_first_##s>},                    \
+        {"casts", ask_casts<T, vesica_shapes_##s, vesica_impact_##s, vesica_cast_many_##s, vesica_cast_first_##s>},   \
+        {"index", ask_index<T, vesica_shapes_##s, vesica_impact_##s, vesica_index_build_##s, vesica_index_select_##s, \
+                            vesica_index_nearest_##s, vesica_index_cast_##s, vesica_index_cast_first_##s>},           \
         {"join", ask_join<T, vesica_shapes_##s, vesica_index_build_##s, vesica_join_##s, vesica_join_nearest_##s>},   \
   }
 

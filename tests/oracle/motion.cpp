@@ -113,7 +113,8 @@ struct Pencil {
     const mpz_class area = cross(p, q) * radius;
     c0 = {mpz_class(-1)};
     c1 = mm + Polynomial{mpz_class(-pp - qq)};
-    c2 = Polynomial{mpz_class(pq * pq - pp * qq)} + Polynomial{mpz_class(pp + qq)} * mm + -1 * (pm * pm) + -1 * (qm * qm);
+    c2 = Polynomial{mpz_class(pq * pq - pp * qq)} + Polynomial{mpz_class(pp + qq)} * mm + -1 * (pm * pm) +
+         -1 * (qm * qm);
     c3 = {mpz_class(-area * area)};
     centre_at_start = mm.front();
     centre_at_end = value_at_one(mm);
@@ -126,9 +127,7 @@ struct Pencil {
     strip_power_of_two(f);
     return centre <= 0 || distinct_positive_roots(f) < 2;
   }
-  bool overlap_at_start() const {
-    return overlap(centre_at_start, {c0.front(), c1.front(), c2.front(), c3.front()});
-  }
+  bool overlap_at_start() const { return overlap(centre_at_start, {c0.front(), c1.front(), c2.front(), c3.front()}); }
   bool overlap_at_end() const {
     return overlap(centre_at_end, {value_at_one(c0), value_at_one(c1), value_at_one(c2), value_at_one(c3)});
   }

@@ -84,15 +84,14 @@ inline bool is_moderate(const Side& s) noexcept {
                      (longer == 0 || longer >= least_moderate) && (!s.round || shorter > nearest::thinnest * longer);
   return sizes && is_moderate(abs(s.u.x.high) + abs(s.u.y.high));
 }
-inline double reach(const Side& s) noexcept {
-  return (s.hx.high + s.hy.high) * (abs(s.u.x.high) + abs(s.u.y.high));
-}
+inline double reach(const Side& s) noexcept { return (s.hx.high + s.hy.high) * (abs(s.u.x.high) + abs(s.u.y.high)); }
 
 /// As they are, where all numbers are moderate. All that is computed of a scene is the same then, times powers of two.
 inline Scene scene(const Body& a, const Body& b, const Motion& motion) noexcept {
   const nearest::Form fa = form_times(a, 1), fb = form_times(b, 1);
   const auto x = form::twice_offset_x(fa.place, fb.place, 1), y = form::twice_offset_y(fa.place, fb.place, 1);
-  Scene s{side(fa), side(fb), {{0.5 * x.high, 0.5 * x.low}, {0.5 * y.high, 0.5 * y.low}}, motion.vx, motion.vy, 0, 0, 0, true};
+  Scene s{side(fa), side(fb), {{0.5 * x.high, 0.5 * x.low}, {0.5 * y.high, 0.5 * y.low}}, motion.vx, motion.vy, 0, 0,
+          0,        true};
   const double distance = abs(x.high) + abs(y.high);
   s.size = distance + (reach(s.a) + reach(s.b));
   const bool moderate = is_moderate(s.a) && is_moderate(s.b) && is_moderate(s.speed()) && is_moderate(distance);
@@ -157,13 +156,13 @@ inline SideSupport support_of(const Side& s, const VectorFactor& n, const Vector
   }
   const Twofold<double> h = renormalised(root(square(factor(hp)) + square(factor(hq))).value);
   const Twofold<double> over_h = inverse(h);
-  const Twofold<double> beside =
-      factor(factor(hp) * factor(hk) + factor(hq) * factor(hc)) * factor(over_h);
+  const Twofold<double> beside = factor(factor(hp) * factor(hk) + factor(hq) * factor(hc)) * factor(over_h);
   const double area = (s.hx.high * s.hy.high) * (s.u.x.high * s.u.x.high + s.u.y.high * s.u.y.high);
   const double vv = v.x.high * v.x.high + v.y.high * v.y.high, ratio = area * vv * over_h.high;
   const double across = sqrt(hk.high * hk.high + hc.high * hc.high);
   const double thin = size * n_size * over_h.high;
-  return {h, beside, 0, ratio * ratio * over_h.high, across * over_h.high, 0x1p-96 * size * speed * (1 + thin), 0x1p1000};
+  return {h,       beside, 0, ratio * ratio * over_h.high, across * over_h.high, 0x1p-96 * size * speed * (1 + thin),
+          0x1p1000};
 }
 
 inline bool finite(double x) noexcept { return x - x == 0; }

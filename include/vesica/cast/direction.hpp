@@ -34,9 +34,7 @@ struct Curve {
   double width() const noexcept { return sqrt(de) / reach; }
 };
 
-inline double dot_of(const Scene& scene, const Vector& u) noexcept {
-  return u.x.high * scene.vx + u.y.high * scene.vy;
-}
+inline double dot_of(const Scene& scene, const Vector& u) noexcept { return u.x.high * scene.vx + u.y.high * scene.vy; }
 inline double cross_of(const Scene& scene, const Vector& u) noexcept {
   return u.x.high * scene.vy - u.y.high * scene.vx;
 }
@@ -54,8 +52,8 @@ inline Vector opposite(const Vector& u) noexcept { return {-u.x, -u.y}; }
 
 /// The normal turned against v.
 inline Vector against(const Scene& scene, const Vector& n) noexcept {
-  const Twofold<double> forward = arithmetic::renormalised(
-      arithmetic::factor(n.x) * arithmetic::factor(scene.vx) + arithmetic::factor(n.y) * arithmetic::factor(scene.vy));
+  const Twofold<double> forward = arithmetic::renormalised(arithmetic::factor(n.x) * arithmetic::factor(scene.vx) +
+                                                           arithmetic::factor(n.y) * arithmetic::factor(scene.vy));
   return forward.high > 0 ? opposite(n) : n;
 }
 

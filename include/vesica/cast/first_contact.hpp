@@ -57,7 +57,8 @@ inline Found grazing(const Scene& scene, int side) noexcept {
   // Turned by a quarter `beside` is x.v, and `edge` what lies along v.
   const VectorFactor turned{factor(Twofold<double>{scene.vy, 0}), factor(Twofold<double>{-scene.vx, 0})};
   const auto n = factor(across);
-  const SideSupport a = support_of(scene.a, n, turned, scene.speed()), b = support_of(scene.b, n, turned, scene.speed());
+  const SideSupport a = support_of(scene.a, n, turned, scene.speed()),
+                    b = support_of(scene.b, n, turned, scene.speed());
   const VectorFactor v = factor_of_v(scene);
   const Twofold<double> way = a.beside + b.beside - dot(factor(scene.d), v);
   const double vv = scene.vx * scene.vx + scene.vy * scene.vy;
@@ -96,7 +97,7 @@ inline Impact<double> impact(const Body& a, const Scene& scene, const Vector& no
 /// For shapes that do not overlap at the start, and a line that meets M after it. late: whether the witness comes after the
 /// end, so that there may be contact only then.
 [[gnu::noinline]] inline std::int32_t first_contact(const Body& a, const Body& b, const Motion& motion, bool late,
-                                              const Graze& graze, Impact<double>& out) noexcept {
+                                                    const Graze& graze, Impact<double>& out) noexcept {
   int steps;
   const Scene seen = scene(a, b, motion);
   const Found found = graze.grazes ? grazing(seen, graze.side) : latest_direction(seen, steps);
@@ -125,7 +126,8 @@ inline Impact<double> impact(const Body& a, const Scene& scene, const Vector& no
 }
 
 /// What the filter left open, exactly.
-VESICA_COLD inline std::int32_t decide(const Body& a, const Body& b, const Motion& motion, Impact<double>& out) noexcept {
+VESICA_COLD inline std::int32_t decide(const Body& a, const Body& b, const Motion& motion,
+                                       Impact<double>& out) noexcept {
   bool late;
   Graze graze;
   {

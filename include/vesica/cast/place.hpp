@@ -53,9 +53,8 @@ inline Offset touching_point(const Scene& scene, const Vector& normal, const Off
 inline Offset located(const Body& body, const Offset& offset, int exponent) noexcept {
   return with_shape(body, [&](const auto& s) {
     const auto p = form::corners(form::of(s).place);
-    return Offset{
-        support_minimum::located_coordinate(p.x0, p.x1, arithmetic::scale_far(offset.x, exponent)) + 0.0,
-        support_minimum::located_coordinate(p.y0, p.y1, arithmetic::scale_far(offset.y, exponent)) + 0.0};
+    return Offset{support_minimum::located_coordinate(p.x0, p.x1, arithmetic::scale_far(offset.x, exponent)) + 0.0,
+                  support_minimum::located_coordinate(p.y0, p.y1, arithmetic::scale_far(offset.y, exponent)) + 0.0};
   });
 }
 
