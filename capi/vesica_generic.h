@@ -10,8 +10,8 @@
  *     vesica_closest_points_f64 out;
  *     int32_t error = vesica_nearest(&car, &person, &out);
  *
- * Every argument is a pointer to a shape or to a result, or a number. Each is evaluated once. Double and float cannot be mixed: such
- * a call does not compile. Results and errors are those of the functions, such as vesica_nearest_f64.
+ * Every argument is a pointer to a shape or to a result, or a number. Each is evaluated once. Double and float cannot
+ * be mixed: such a call does not compile. Results and errors are those of the functions, such as vesica_nearest_f64.
  */
 #ifndef VESICA_GENERIC_H
 #define VESICA_GENERIC_H

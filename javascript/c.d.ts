@@ -1753,41 +1753,45 @@ export interface C {
   /**
    * Does b touch a while it moves, when first, and where?
    *
-   * The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge there;
-   * where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of what they share.
-   * Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of vesica_nearest_f64. So
-   * shapes that only touch, with a normal that does not point against the velocity, are moving apart.
-   * Exchanging the shapes and turning the velocity round changes neither the time nor, but for its sign, the normal.
+   * The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
+   * there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of what
+   * they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of
+   * vesica_nearest_f64. So shapes that only touch, with a normal that does not point against the velocity, are moving
+   * apart. Exchanging the shapes and turning the velocity round changes neither the time nor, but for its sign, the
+   * normal.
    *
    * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
    * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
-   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative or NaN),
-   * VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed the finite numbers; or the digits of
-   * a place at some time span more than 2000 bits, which takes exponents that are wildly unlike).
-   * Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along that it
-   * may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative or
+   * NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed the finite numbers; or the
+   * digits of a place at some time span more than 2000 bits, which takes exponents that are wildly unlike).
+   * Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along that
+   * it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
-   * Cost: 20 to 60 ns for a miss, 0.3 to 1 us for a hit; 1 to 20 us for contact that only exact arithmetic can decide; at worst
-   * 10 ms, where exponents are wildly unlike.
+   * Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can decide;
+   * at worst 2 ms, where exponents are wildly unlike.
    * Since: 0.1.
    */
   vesica_cast_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
-   * When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of vesica_cast_f64's result.
+   * When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of vesica_cast_f64's
+   * result.
    *
    * Velocity i is at vx and vy + i * stride bytes; stride 0 repeats one.
    *
    * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
    * the larger count. Some, but not all, may be NULL.
    * Returns: how many touch, those that overlap at the start included.
-   * Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of range has NaN for its
-   * numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there is an invalid shape, else the error.
+   * Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of range has NaN
+   * for its numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there is an invalid shape,
+   * else the error.
    * Accuracy: every result has the bits of vesica_cast_f64.
    * Since: 0.1.
    */
   vesica_cast_many_f64(a: number, b: number, vx: number, vy: number, stride: number, t_end: number, t: number, x: number, y: number, nx: number, ny: number): bigint;
   /**
-   * Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest number.
+   * Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
+   * number.
    *
    * Requires: one is a single shape (count 1).
    * Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.
@@ -1801,16 +1805,16 @@ export interface C {
    * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
    * Returns: 0.
    * Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.
-   * Accuracy: a side that does not move is that of vesica_bounds_f64; one that does is at most two steps between numbers too far
-   * out.
+   * Accuracy: a side that does not move is that of vesica_bounds_f64; one that does is at most two steps between numbers
+   * too far out.
    * Since: 0.1.
    */
   vesica_sweep_bounds_f64(kind: number, numbers: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
    * Which items of an index does one moving shape touch? They come in the index's order.
    *
-   * Requires: sets are those of the index. one is a single shape (count 1). out has room for `capacity` items. With capacity 0,
-   * out and state may be NULL.
+   * Requires: sets are those of the index. one is a single shape (count 1). out has room for `capacity` items. With
+   * capacity 0, out and state may be NULL.
    * Returns: the number of items written; with capacity 0, how many there are.
    * Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a pointer that is not
    * aligned, or a state that is not of this call. Invalid items are never touched.
@@ -1830,41 +1834,45 @@ export interface C {
   /**
    * Does b touch a while it moves, when first, and where?
    *
-   * The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge there;
-   * where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of what they share.
-   * Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32 and the point of vesica_nearest_f32. So
-   * shapes that only touch, with a normal that does not point against the velocity, are moving apart.
-   * Exchanging the shapes and turning the velocity round changes neither the time nor, but for its sign, the normal.
+   * The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
+   * there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of what
+   * they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32 and the point of
+   * vesica_nearest_f32. So shapes that only touch, with a normal that does not point against the velocity, are moving
+   * apart. Exchanging the shapes and turning the velocity round changes neither the time nor, but for its sign, the
+   * normal.
    *
    * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
    * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
-   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative or NaN),
-   * VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed the finite numbers; or the digits of
-   * a place at some time span more than 2000 bits, which takes exponents that are wildly unlike).
-   * Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along that it
-   * may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative or
+   * NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed the finite numbers; or the
+   * digits of a place at some time span more than 2000 bits, which takes exponents that are wildly unlike).
+   * Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along that
+   * it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
-   * Cost: 20 to 60 ns for a miss, 0.3 to 1 us for a hit; 1 to 20 us for contact that only exact arithmetic can decide; at worst
-   * 10 ms, where exponents are wildly unlike.
+   * Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can decide;
+   * at worst 2 ms, where exponents are wildly unlike.
    * Since: 0.1.
    */
   vesica_cast_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
-   * When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of vesica_cast_f32's result.
+   * When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of vesica_cast_f32's
+   * result.
    *
    * Velocity i is at vx and vy + i * stride bytes; stride 0 repeats one.
    *
    * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
    * the larger count. Some, but not all, may be NULL.
    * Returns: how many touch, those that overlap at the start included.
-   * Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of range has NaN for its
-   * numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there is an invalid shape, else the error.
+   * Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of range has NaN
+   * for its numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there is an invalid shape,
+   * else the error.
    * Accuracy: every result has the bits of vesica_cast_f32.
    * Since: 0.1.
    */
   vesica_cast_many_f32(a: number, b: number, vx: number, vy: number, stride: number, t_end: number, t: number, x: number, y: number, nx: number, ny: number): bigint;
   /**
-   * Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest number.
+   * Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
+   * number.
    *
    * Requires: one is a single shape (count 1).
    * Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.
@@ -1878,16 +1886,16 @@ export interface C {
    * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
    * Returns: 0.
    * Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.
-   * Accuracy: a side that does not move is that of vesica_bounds_f32; one that does is at most two steps between numbers too far
-   * out.
+   * Accuracy: a side that does not move is that of vesica_bounds_f32; one that does is at most two steps between numbers
+   * too far out.
    * Since: 0.1.
    */
   vesica_sweep_bounds_f32(kind: number, numbers: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
    * Which items of an index does one moving shape touch? They come in the index's order.
    *
-   * Requires: sets are those of the index. one is a single shape (count 1). out has room for `capacity` items. With capacity 0,
-   * out and state may be NULL.
+   * Requires: sets are those of the index. one is a single shape (count 1). out has room for `capacity` items. With
+   * capacity 0, out and state may be NULL.
    * Returns: the number of items written; with capacity 0, how many there are.
    * Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a pointer that is not
    * aligned, or a state that is not of this call. Invalid items are never touched.

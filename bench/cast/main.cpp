@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Casts by kind through the shared library, beside textbook rays that are inlined and check nothing, and beside Box2D; then
-/// a ray through an index of a million shapes. Each contestant meets pairs that it has not seen, in the same buffers, and who
-/// goes first takes turns.
+/// Casts by kind through the shared library, beside textbook rays that are inlined and check nothing, and beside Box2D;
+/// then a ray through an index of a million shapes. Each contestant meets pairs that it has not seen, in the same
+/// buffers, and who goes first takes turns.
 #include <vesica.h>
 
 #include <algorithm>
@@ -26,8 +26,8 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t pairs_per_pass = 256;
 constexpr int passes = 300;
 
-/// How velocities are drawn: of any direction (few hits), towards the other shape (half of them), at a relative distance
-/// inside or outside of a line that only grazes.
+/// How velocities are drawn: of any direction (few hits), towards the other shape (half of them), at a relative
+/// distance inside or outside of a line that only grazes.
 struct Aim {
   const char* name;
   double spread, graze;

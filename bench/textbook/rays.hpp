@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Rays as textbooks have them: quadratics and slabs in double, nothing checked, nothing exact. Each returns the first t in
-/// [0, end] at which p + t v is in the shape, or infinity.
+/// Rays as textbooks have them: quadratics and slabs in double, nothing checked, nothing exact. Each returns the first
+/// t in [0, end] at which p + t v is in the shape, or infinity.
 #pragma once
 
 #include <vesica.h>

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-/// cast(a, b, vx, vy, t_end): a is at rest, b moves by v t. Does b touch a while t runs from 0 to t_end, when first, where and
-/// along which normal? A ray is a point that moves; t_end may be infinite.
+/// cast(a, b, vx, vy, t_end): a is at rest, b moves by v t. Does b touch a while t runs from 0 to t_end, when first,
+/// where and along which normal? A ray is a point that moves; t_end may be infinite.
 ///
-/// Whether there is contact is exact for every valid input, touching included. The time is the greatest number of its type
-/// with no contact before it: the true time, rounded down. So b moved by v t, were that exact, overlaps nothing before t.
+/// Whether there is contact is exact for every valid input, touching included. The time is the greatest number of its
+/// type with no contact before it: the true time, rounded down. So b moved by v t, were that exact, overlaps nothing
+/// before t.
 ///
-/// Accuracy, u = 2^-53, scale the largest coordinate of the offset of centres or half length: the point is within 8u scale of
-/// a's outline, before the rounding of its coordinates. Along the outline it is off by what t and the normal are, times
-/// 1 / |n.v| for unit n and v. The normal is a unit vector to 4u. Where a corner meets a corner it is that of one of the
-/// edges there; where b only slides along a it is across v. Shapes that overlap at the start have the direction of depth() for
-/// a normal and the point of nearest(): at depth 0 with n.v >= 0 they part again.
+/// Accuracy, u = 2^-53, scale the largest coordinate of the offset of centres or half length: the point is within 8u
+/// scale of a's outline, before the rounding of its coordinates. Along the outline it is off by what t and the normal
+/// are, times 1 / |n.v| for unit n and v. The normal is a unit vector to 4u. Where a corner meets a corner it is that
+/// of one of the edges there; where b only slides along a it is across v. Shapes that overlap at the start have the
+/// direction of depth() for a normal and the point of nearest(): at depth 0 with n.v >= 0 they part again.
 ///
-/// Laws, each tested: cast(b, a, -v) has the same time and the opposite normal; moving both shapes by exact amounts changes
-/// neither, nor does turning by quarters, mirroring or scaling by powers of two; half the velocity takes twice the time; a hit
-/// stays one for a later end, at the same time; the start is told iff the shapes overlap.
+/// Laws, each tested: cast(b, a, -v) has the same time and the opposite normal; moving both shapes by exact amounts
+/// changes neither, nor does turning by quarters, mirroring or scaling by powers of two; half the velocity takes twice
+/// the time; a hit stays one for a later end, at the same time; the start is told iff the shapes overlap.
 #pragma once
 
 #include <limits>
@@ -49,9 +50,10 @@ bool rounded_to(const Impact<double>& i, Impact<T>& out) noexcept {
 
 }  // namespace detail::cast
 
-/// The checked form: cast_miss, cast_hit or cast_start (see CastAnswer), error_argument for a velocity that is not finite or
-/// a t_end that is NaN or negative, error_shape when either shape is invalid, or error_range: see vesica_motion.h. Writes the
-/// contact; after a miss t is infinite and the rest NaN. On error `out` is untouched. Any kinds, in either order.
+/// The checked form: cast_miss, cast_hit or cast_start (see CastAnswer), error_argument for a velocity that is not
+/// finite or a t_end that is NaN or negative, error_shape when either shape is invalid, or error_range: see
+/// vesica_motion.h. Writes the contact; after a miss t is infinite and the rest NaN. On error `out` is untouched. Any
+/// kinds, in either order.
 template <template <class> class A, template <class> class B, class T>
 std::int32_t cast_or_error(const A<T>& a, const B<T>& b, T vx, T vy, T t_end, Impact<T>& out) noexcept {
   const detail::cast::Motion motion{static_cast<double>(vx), static_cast<double>(vy), static_cast<double>(t_end)};
@@ -82,9 +84,9 @@ Impact<T> cast(const A<T>& a, const B<T>& b, T vx, T vy, T t_end) noexcept {
   return out;
 }
 
-/// A box that holds a shape throughout its motion by v t, t from 0 to t_end: its bounds, and those of its end rounded outward.
-/// Returns 0, error_shape, error_argument as cast_or_error() does, or error_range when a side would be beyond the finite
-/// numbers; on error `out` is untouched.
+/// A box that holds a shape throughout its motion by v t, t from 0 to t_end: its bounds, and those of its end rounded
+/// outward. Returns 0, error_shape, error_argument as cast_or_error() does, or error_range when a side would be beyond
+/// the finite numbers; on error `out` is untouched.
 template <template <class> class Shape, class T>
 int sweep_bounds(const Shape<T>& s, T vx, T vy, T t_end, Aabb<T>& out) noexcept {
   const detail::cast::Motion motion{static_cast<double>(vx), static_cast<double>(vy), static_cast<double>(t_end)};

@@ -12,8 +12,8 @@ namespace {
 inline constexpr std::int64_t cast_mark = 0xca57;
 inline constexpr double never = std::numeric_limits<double>::infinity(), largest = std::numeric_limits<double>::max();
 
-/// When a moving box meets boxes that are at rest. Entry times are rounded down, and below the library's own times, which
-/// are rounded once: 2^-50 of each number is more than the rounding of three operations.
+/// When a moving box meets boxes that are at rest. Entry times are rounded down, and below the library's own times,
+/// which are rounded once: 2^-50 of each number is more than the rounding of three operations.
 class SweptBox {
  public:
   SweptBox(const double (&box)[4], double vx, double vy, double end) noexcept
@@ -42,9 +42,9 @@ class SweptBox {
  private:
   static constexpr double slack = 0x1p-50;
 
-  /// The side of the moving box that meets others first, and that which leaves them last. Without a velocity the inverse is
-  /// infinite: then boxes are met always or never, and a product that is NaN says nothing. Nor does that with an inverse that
-  /// is not usable.
+  /// The side of the moving box that meets others first, and that which leaves them last. Without a velocity the
+  /// inverse is infinite: then boxes are met always or never, and a product that is NaN says nothing. Nor does that
+  /// with an inverse that is not usable.
   struct Axis {
     bool forward;
     double front, back, inverse, greatest;

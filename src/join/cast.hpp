@@ -8,8 +8,8 @@
 
 namespace vesica::index {
 
-/// Answers about items. ask() tells whether the moving shape hits an item by the time `end`, and writes that time, rounded
-/// down: more than 0, 0, or an error.
+/// Answers about items. ask() tells whether the moving shape hits an item by the time `end`, and writes that time,
+/// rounded down: more than 0, 0, or an error.
 struct Targets {
   const void* context;
   std::int32_t (*ask)(const void* context, std::uint32_t item, double end, double& t);
@@ -34,8 +34,8 @@ FirstItem find_first_hit(const Cast& cast) noexcept;
 
 bool cast_state_is_sound(const Cast& cast, const std::int64_t* state) noexcept;
 
-/// Writes the items that are hit, in the index's order, and returns how many, or an error. With capacity 0 all are counted,
-/// and there is no state.
+/// Writes the items that are hit, in the index's order, and returns how many, or an error. With capacity 0 all are
+/// counted, and there is no state.
 std::int64_t write_hits(const Cast& cast, std::int64_t* out, std::int64_t capacity, std::int64_t* state) noexcept;
 
 }  // namespace vesica::index

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Hit or miss, and the time, against the oracle: over every workload, and at the very numbers at which a hit becomes a miss.
+/// Hit or miss, and the time, against the oracle: over every workload, and at the very numbers at which a hit becomes a
+/// miss.
 #include <gtest/gtest.h>
 
 #include <cmath>

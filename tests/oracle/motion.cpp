@@ -8,8 +8,8 @@
 #include "oracle/polynomial.hpp"
 #include "oracle/region.hpp"
 
-// The library tests a line and one point of it. Here the moving shape's whole way is laid out: against polygons as the hull
-// of its two ends, between ellipses as a polynomial in time whose roots are the times of tangency.
+// The library tests a line and one point of it. Here the moving shape's whole way is laid out: against polygons as the
+// hull of its two ends, between ellipses as a polynomial in time whose roots are the times of tangency.
 
 namespace oracle {
 namespace {
@@ -98,9 +98,9 @@ mpz_class value_at_one(const Polynomial& f) {
   return sum;
 }
 
-/// det(x A + B), its coefficients being polynomials in the share t of the way. In the frame where the first ellipse is the
-/// disc of radius r about the origin, the second is m + s p + t q, (s, t) in the unit disc; A is the first's conic in (s, t),
-/// B that of the unit disc.
+/// det(x A + B), its coefficients being polynomials in the share t of the way. In the frame where the first ellipse is
+/// the disc of radius r about the origin, the second is m + s p + t q, (s, t) in the unit disc; A is the first's conic
+/// in (s, t), B that of the unit disc.
 struct Pencil {
   Polynomial c0, c1, c2, c3;
 
@@ -122,7 +122,8 @@ struct Pencil {
 
   mpz_class centre_at_start, centre_at_end;
 
-  /// Two distinct positive roots: Wang, Wang and Kim, "An algebraic condition for the separation of two ellipsoids" (2001).
+  /// Two distinct positive roots: Wang, Wang and Kim, "An algebraic condition for the separation of two ellipsoids"
+  /// (2001).
   static bool overlap(const mpz_class& centre, Polynomial f) {
     strip_power_of_two(f);
     return centre <= 0 || distinct_positive_roots(f) < 2;

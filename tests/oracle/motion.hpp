@@ -4,8 +4,8 @@
 
 namespace oracle {
 
-/// From b's place to that after a time at a velocity, the product being exact. An infinite time leads beyond all shapes. With
-/// less > 0 it ends before that, by 2^-less of the time.
+/// From b's place to that after a time at a velocity, the product being exact. An infinite time leads beyond all
+/// shapes. With less > 0 it ends before that, by 2^-less of the time.
 struct Way {
   double vx, vy, time;
   int less = 0;

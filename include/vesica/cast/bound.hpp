@@ -3,14 +3,14 @@
 ///
 ///     T(n) = (n.D - h(n)) / -(n.v),    h = h_a + h_b the support function of M
 ///
-/// so T(n) is a lower bound of t0, and t0 is the greatest of them. With n = -v + s perp(v) the slope of v.v T(n) in s is
-/// w - perp(v).x, x being the point of M farthest along n: how far beside x the line passes. It falls with s.
+/// so T(n) is a lower bound of t0, and t0 is the greatest of them. With n = -v + s perp(v) the slope of v.v T(n) in s
+/// is w - perp(v).x, x being the point of M farthest along n: how far beside x the line passes. It falls with s.
 ///
 ///   - If n is the normal of an edge of M, x may be any point of it. If one of them lies on the line, T(n) = t0.
-///   - Else the slope falls by bend = sum of (a b u.u v.v)^2 / h_i^3 over the ellipses. Let d = |slope| / bend be below h_i /
-///     (8 r_i) for each, r_i being the reach across v. No h_i changes by more than a quarter within 2d, for |h_i'| <= r_i. So
-///     bend stays above its half there, and if no vertex gives way to another, the greatest T lies within 2d and t0 <= T(n) +
-///     slope^2 / (bend v.v).
+///   - Else the slope falls by bend = sum of (a b u.u v.v)^2 / h_i^3 over the ellipses. Let d = |slope| / bend be below
+///     h_i / (8 r_i) for each, r_i being the reach across v. No h_i changes by more than a quarter within 2d, for
+///     |h_i'| <= r_i. So bend stays above its half there, and if no vertex gives way to another, the greatest T lies
+///     within 2d and t0 <= T(n) + slope^2 / (bend v.v).
 #pragma once
 
 #include <vesica/cast/body.hpp>
@@ -29,8 +29,8 @@ struct Side {
   bool round;
 };
 
-/// A pair and its motion in a common unit of length 2^length and of time 2^time. The largest length, and the longer component
-/// of each axis and of v, are about 1. `faithful`: nothing but underflow, below 2^-900, was lost.
+/// A pair and its motion in a common unit of length 2^length and of time 2^time. The largest length, and the longer
+/// component of each axis and of v, are about 1. `faithful`: nothing but underflow, below 2^-900, was lost.
 struct Scene {
   Side a, b;
   Vector d;
@@ -50,8 +50,8 @@ inline Side side(const nearest::Placed& p) noexcept {
   return {p.box.u, p.box.hx, p.box.hy, p.curved};
 }
 
-/// An ellipse smaller than 2^-120 of the pair is taken for a point, a thin one for a segment (nearest/placed.hpp). A circle's
-/// squares must not underflow either.
+/// An ellipse smaller than 2^-120 of the pair is taken for a point, a thin one for a segment (nearest/placed.hpp). A
+/// circle's squares must not underflow either.
 inline bool is_faithful(const nearest::Form& f, const nearest::Placed& p) noexcept {
   return f.curved == p.curved && (f.radius == 0 || p.radius >= nearest::smallest);
 }
@@ -98,8 +98,9 @@ inline Scene scene(const Body& a, const Body& b, const Motion& motion) noexcept 
   return moderate ? s : scaled_scene(a, b, motion);
 }
 
-/// t0 is at least `value` - `error`, and if that is certain, at most `value` + `error` + `gain`. To within rounding, s should
-/// change by `step`. An error of 0 stands for a direction that tells nothing: it is across v, certainly or about.
+/// t0 is at least `value` - `error`, and if that is certain, at most `value` + `error` + `gain`. To within rounding, s
+/// should change by `step`. An error of 0 stands for a direction that tells nothing: it is across v, certainly or
+/// about.
 struct TimeBounds {
   Twofold<double> value;
   double error, gain, step;

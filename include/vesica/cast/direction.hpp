@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The direction n along which the shapes are separated longest, found in double. What cancels where the line grazes M is
-/// taken in twofold arithmetic. How good n is bound.hpp tells afterwards.
+/// The direction n along which the shapes are separated longest, found in double. What cancels where the line grazes M
+/// is taken in twofold arithmetic. How good n is bound.hpp tells afterwards.
 ///
 /// With n = -v + s perp(v) and q = D.v it maximises the concave g(s) = v.v T(n) + q,
 ///
 ///     g(s) = w s - sum of p_j |s - k_j| - sum of sqrt(al_i (s - s_i)^2 + de_i)
-///     an ellipse with c = u.v, k = u x v: al = (a k)^2 + (b c)^2, s_i = (b^2 - a^2) c k / al, de = (a b u.u v.v)^2 / al
+///     an ellipse with c = u.v, k = u x v:
+///         al = (a k)^2 + (b c)^2, s_i = (b^2 - a^2) c k / al, de = (a b u.u v.v)^2 / al
 ///     a box: p = hx |k| at s = -c / k, the normal perp(u), and p = hy |c| at s = k / c, the normal u.
 #pragma once
 
@@ -123,9 +124,9 @@ inline Tail tail(const Curve& e, double s) noexcept {
   return {rest, h, e.al * (e.de / (h * h * h))};
 }
 
-/// Where the slopes of two curves have the sum w >= 0: each rest falls from twice its reach to 0, and both together are the
-/// gap. Newton's method on the power -1/2 of their sum, which is nearly straight where the line grazes; within a bracket, the
-/// places at which either alone has its share of w.
+/// Where the slopes of two curves have the sum w >= 0: each rest falls from twice its reach to 0, and both together are
+/// the gap. Newton's method on the power -1/2 of their sum, which is nearly straight where the line grazes; within a
+/// bracket, the places at which either alone has its share of w.
 inline double maximum_of_two(const Curve& a, const Curve& b, double gap, int& steps) noexcept {
   const double sum = a.reach + b.reach, share = 1 - gap / sum, far = share / sqrt((gap / sum) * (1 + share));
   const double at_a = a.s + a.width() * far, at_b = b.s + b.width() * far;
@@ -166,8 +167,8 @@ inline double difference(const Twofold<double>& a, const Twofold<double>& b) noe
   return (a.high - b.high) + (a.low - b.low);
 }
 
-/// Of two normals that tell the same time that which is more against v; of mirror images that to the left of v; of the same
-/// direction the longer. So exchanging the shapes changes nothing.
+/// Of two normals that tell the same time that which is more against v; of mirror images that to the left of v; of the
+/// same direction the longer. So exchanging the shapes changes nothing.
 inline bool preferred(const Scene& scene, const Vector& n, const Vector& m) noexcept {
   const auto length = [](const Vector& x) { return x.x.high * x.x.high + x.y.high * x.y.high; };
   const double forward_n = dot_of(scene, n), forward_m = dot_of(scene, m);
@@ -202,8 +203,8 @@ inline Axis axis(const Scene& scene, const Vector& normal) noexcept {
 
 inline bool has_no_size(const Side& s) noexcept { return s.hx.high == 0 && s.hy.high == 0; }
 
-/// Two boxes: the latest of the times at which an axis separates no more. An axis across v separates always or never, and the
-/// line test has told which. Double tells which axes may be the latest, mostly one.
+/// Two boxes: the latest of the times at which an axis separates no more. An axis across v separates always or never,
+/// and the line test has told which. Double tells which axes may be the latest, mostly one.
 inline Found latest_axis(const Scene& scene) noexcept {
   Axis axes[4];
   int count = 0;

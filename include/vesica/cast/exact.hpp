@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Moving shapes, exactly. All shapes are symmetric about their centres. So a and b, moved by v t, share a point iff
-/// D + v t lies in M, the Minkowski sum of both about the origin; D leads from a's centre to b's. M is convex: the times
+/// Moving shapes, exactly. All shapes are symmetric about their centres. So a and b, moved by v t, share a point iff D
+/// + v t lies in M, the Minkowski sum of both about the origin; D leads from a's centre to b's. M is convex: the times
 /// of contact are an interval, or there are none.
 ///
-/// With w = v x D, q = D.v and H the reach of M across v: the line of D + v t meets M iff |w| <= H. Then it is in M at the
-/// witness t_w = (w X / H - q) / v.v, where X = x.v of a point x of M that lies farthest across v: x scaled by w / H lies on
-/// the line, and M holds it with 0 and x. Of H = 0 the witness is -q / v.v. So whether there is contact within [0, e] takes
-/// the signs of |w| - H, of t_w and of t_w - e, and two overlap tests, at 0 and at e. No root is isolated.
+/// With w = v x D, q = D.v and H the reach of M across v: the line of D + v t meets M iff |w| <= H. Then it is in M at
+/// the witness t_w = (w X / H - q) / v.v, where X = x.v of a point x of M that lies farthest across v: x scaled by w /
+/// H lies on the line, and M holds it with 0 and x. Of H = 0 the witness is -q / v.v. So whether there is contact
+/// within [0, e] takes the signs of |w| - H, of t_w and of t_w - e, and two overlap tests, at 0 and at e. No root is
+/// isolated.
 #pragma once
 
 #include <vesica/cast/body.hpp>
@@ -124,8 +125,8 @@ class Window {
   std::int32_t limbs_ = 0;
 };
 
-/// What contact is at a time: none, of outlines alone, or of insides. `beyond` where the place has more digits than exact
-/// numbers hold.
+/// What contact is at a time: none, of outlines alone, or of insides. `beyond` where the place has more digits than
+/// exact numbers hold.
 enum class Contact { none, touch, inside, beyond };
 
 /// A pair and its motion, v != 0, in exact numbers.
@@ -173,9 +174,9 @@ class ExactPair {
     return b.round ? contact(a.box, b.ellipse()) : contact(a.box, b.box);
   }
 
-  /// Whether there is contact before t, given that there is some after 0: 1, 0, or error_range where that is beyond exact
-  /// numbers. The witness is in the inside of the interval of contact unless the line grazes. So up to it contact of
-  /// outlines is the first. A line that grazes meets M in an edge along v, with the witness in its middle.
+  /// Whether there is contact before t, given that there is some after 0: 1, 0, or error_range where that is beyond
+  /// exact numbers. The witness is in the inside of the interval of contact unless the line grazes. So up to it contact
+  /// of outlines is the first. A line that grazes meets M in an edge along v, with the witness in its middle.
   int contact_before(double t) const noexcept {
     if (!(t > 0)) return 0;
     if (line_grazes()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The decision of exact.hpp in double, with bounds on its errors. u = 2^-53 in comments; constants in the code leave room
-/// for terms of higher order.
+/// The decision of exact.hpp in double, with bounds on its errors. u = 2^-53 in comments; constants in the code leave
+/// room for terms of higher order.
 #pragma once
 
 #include <limits>
@@ -9,8 +9,8 @@
 
 namespace vesica::detail::cast {
 
-/// A body's numbers, each with a relative error of at most u, and whether they are usable: valid, and in a range in which
-/// products neither overflow nor lose what counts.
+/// A body's numbers, each with a relative error of at most u, and whether they are usable: valid, and in a range in
+/// which products neither overflow nor lose what counts.
 struct Sketch {
   form::Corners<double> place;
   double ux, uy, hx, hy;
@@ -35,10 +35,10 @@ VESICA_INLINE Sketch sketch(const Body& body) noexcept {
 
 /// Reach across v and x.v as in exact.hpp, the reach along v, and errors.
 ///
-/// c and k have an error of 3u A V, A and V being the sums of components, so of a box h has one of 6u R, R = (hx + hy) A V.
-/// The sign of k or c may be wrong. Then the point x lies at the other end of an edge that is nearly along v: the true reach
-/// of that end is within 6u R of h. That end will do, so this counts in the error of h alone. Of an ellipse h has an error of
-/// 8u R, m one of 8u R^2.
+/// c and k have an error of 3u A V, A and V being the sums of components, so of a box h has one of 6u R, R = (hx + hy)
+/// A V. The sign of k or c may be wrong. Then the point x lies at the other end of an edge that is nearly along v: the
+/// true reach of that end is within 6u R of h. That end will do, so this counts in the error of h alone. Of an ellipse
+/// h has an error of 8u R, m one of 8u R^2.
 struct Reach {
   double h, h_error, along, along_error, forward, size;
 };
@@ -57,8 +57,8 @@ VESICA_INLINE Reach reach(const Sketch& s, const Motion& v, double speed) noexce
   return {h, 12 * u * size, along, along_error, sqrt(p_along * p_along + q_along * q_along), size};
 }
 
-/// What the filter knows for certain. `reached` is contact within the time, `missed` none after the start, `passed` none but
-/// perhaps at the start; `late` contact, and a witness after the end.
+/// What the filter knows for certain. `reached` is contact within the time, `missed` none after the start, `passed`
+/// none but perhaps at the start; `late` contact, and a witness after the end.
 enum class Verdict { undecided, missed, passed, reached, late };
 
 /// Offset of the centres. Of shapes that store two points it is rounded too; the error is below u |D| + u R / V.

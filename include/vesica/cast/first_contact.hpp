@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The first contact of two shapes that are apart at the start: the greatest double with no contact before it, the point and
-/// the normal.
+/// The first contact of two shapes that are apart at the start: the greatest double with no contact before it, the
+/// point and the normal.
 ///
 /// The bounds of bound.hpp mostly have no double between them, which then is the time. Otherwise, and where numbers are
 /// wildly unlike, doubles are tried: whether there is contact before one of them is exact.
@@ -94,8 +94,8 @@ inline Impact<double> impact(const Body& a, const Scene& scene, const Vector& no
   return {t, at.x, at.y, x / length + 0.0, y / length + 0.0};
 }
 
-/// For shapes that do not overlap at the start, and a line that meets M after it. late: whether the witness comes after the
-/// end, so that there may be contact only then.
+/// For shapes that do not overlap at the start, and a line that meets M after it. late: whether the witness comes after
+/// the end, so that there may be contact only then.
 [[gnu::noinline]] inline std::int32_t first_contact(const Body& a, const Body& b, const Motion& motion, bool late,
                                                     const Graze& graze, Impact<double>& out) noexcept {
   int steps;

@@ -35,8 +35,8 @@ inline Foremost foremost(const Side& s, const Vector& normal) noexcept {
   return out;
 }
 
-/// The point of the first shape where the second, at an offset, touches it: its vertex or the point of its round outline; on
-/// an edge of it the other's vertex, or the middle of the stretch that two edges share.
+/// The point of the first shape where the second, at an offset, touches it: its vertex or the point of its round
+/// outline; on an edge of it the other's vertex, or the middle of the stretch that two edges share.
 inline Offset touching_point(const Scene& scene, const Vector& normal, const Offset& offset) noexcept {
   const Foremost a = foremost(scene.a, normal), b = foremost(scene.b, {-normal.x, -normal.y});
   if (!a.is_edge()) return a.middle;
