@@ -21,10 +21,9 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 # Each header's library, without its version, and the version script of what that exports.
-LIBRARIES = {"vesica.h": "libvesica", "vesica_index.h": "libvesica", "vesica_measures.h": "libvesica", "vesica_boxes.h": "libvesica",
-             "vesica_methods.h": "libvesica-methods"}
-MAPS = {"vesica.h": "vesica.map", "vesica_index.h": "vesica.map", "vesica_measures.h": "vesica.map", "vesica_boxes.h": "vesica.map",
-        "vesica_methods.h": "methods.map"}
+QUESTIONS = ("vesica.h", "vesica_boxes.h", "vesica_index.h", "vesica_measures.h", "vesica_motion.h")
+LIBRARIES = {**dict.fromkeys(QUESTIONS, "libvesica"), "vesica_methods.h": "libvesica-methods"}
+MAPS = {**dict.fromkeys(QUESTIONS, "vesica.map"), "vesica_methods.h": "methods.map"}
 HEADERS = tuple(LIBRARIES)
 # Each library's file of declarations: it has all headers of the library.
 CDEFS = {"libvesica": "vesica.cdef", "libvesica-methods": "vesica_methods.cdef"}
@@ -34,7 +33,7 @@ PARTS = ("Requires", "Returns", "Errors", "Accuracy", "Cost", "Since")
 POINTER_SIZE = 8
 SIZES = {"uint8_t": 1, "int32_t": 4, "float": 4, "int64_t": 8, "double": 8, "ptrdiff_t": 8}
 # Macros without a value that are not constants: the include guards, and what marks an exported function.
-NOT_CONSTANTS = {"VESICA_H", "VESICA_INDEX_H", "VESICA_MEASURES_H", "VESICA_BOXES_H", "VESICA_METHODS_H", "VESICA_API"}
+NOT_CONSTANTS = {header.upper().replace(".", "_") for header in HEADERS} | {"VESICA_API"}
 
 PART = re.compile(r"^(" + "|".join(PARTS) + "): ", re.M)
 HEADING = re.compile(r"/\* ---- (?P<title>.*?) ----(?P<parts>.*?)\*/", re.S)

@@ -210,6 +210,17 @@ type Penetration[T Float] struct {
 	Y     T
 }
 
+// Impact: A first contact: when, where and along which normal.
+//
+// (nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are NaN.
+type Impact[T Float] struct {
+	T  T
+	X  T
+	Y  T
+	NX T
+	NY T
+}
+
 func cCheck(wide bool, kind C.int32_t, numbers C.vesica_go_numbers) C.int32_t {
 	if wide {
 		return C.go_check_f64(kind, numbers)
@@ -448,6 +459,41 @@ func cNMS(wide bool, shapes C.vesica_go_view, scores unsafe.Pointer, threshold f
 	return C.go_nms_f32(shapes, scores, C.float(threshold), scratch, scratchSize, keep, kept)
 }
 
+func cRectsFromBoxes(wide bool, boxes unsafe.Pointer, count C.int64_t, stride C.ptrdiff_t, angle C.int32_t, out unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_rects_from_boxes_f64(boxes, count, stride, angle, out)
+	}
+	return C.go_rects_from_boxes_f32(boxes, count, stride, angle, out)
+}
+
+func cEllipsesFromBoxes(wide bool, boxes unsafe.Pointer, count C.int64_t, stride C.ptrdiff_t, angle C.int32_t, out unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_ellipses_from_boxes_f64(boxes, count, stride, angle, out)
+	}
+	return C.go_ellipses_from_boxes_f32(boxes, count, stride, angle, out)
+}
+
+func cBoxesFromShapes(wide bool, shapes C.vesica_go_view, angle C.int32_t, boxes unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_boxes_from_shapes_f64(shapes, angle, boxes)
+	}
+	return C.go_boxes_from_shapes_f32(shapes, angle, boxes)
+}
+
+func cCornersOFShapes(wide bool, shapes C.vesica_go_view, corners unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_corners_of_shapes_f64(shapes, corners)
+	}
+	return C.go_corners_of_shapes_f32(shapes, corners)
+}
+
+func cBoundsMany(wide bool, shapes C.vesica_go_view, out unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_bounds_many_f64(shapes, out)
+	}
+	return C.go_bounds_many_f32(shapes, out)
+}
+
 func cIndexBuild(wide bool, sets C.vesica_go_sets, setCount C.int32_t, index unsafe.Pointer, indexSize C.int64_t, scratch unsafe.Pointer, scratchSize C.int64_t) C.int64_t {
 	if wide {
 		return C.go_index_build_f64(sets, setCount, index, indexSize, scratch, scratchSize)
@@ -532,37 +578,44 @@ func cSuppress(wide bool, shapes C.vesica_go_view, scores unsafe.Pointer, labels
 	return C.go_suppress_f32(shapes, scores, labels, ratio, C.float(threshold), C.float(leastScore), most, scratch, scratchSize, keep, kept)
 }
 
-func cRectsFromBoxes(wide bool, boxes unsafe.Pointer, count C.int64_t, stride C.ptrdiff_t, angle C.int32_t, out unsafe.Pointer) C.int64_t {
+func cCast(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers, vx float64, vy float64, tEnd float64, out unsafe.Pointer) C.int32_t {
 	if wide {
-		return C.go_rects_from_boxes_f64(boxes, count, stride, angle, out)
+		return C.go_cast_f64(kindA, numbersA, kindB, numbersB, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
-	return C.go_rects_from_boxes_f32(boxes, count, stride, angle, out)
+	return C.go_cast_f32(kindA, numbersA, kindB, numbersB, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cEllipsesFromBoxes(wide bool, boxes unsafe.Pointer, count C.int64_t, stride C.ptrdiff_t, angle C.int32_t, out unsafe.Pointer) C.int64_t {
+func cCastMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, vx unsafe.Pointer, vy unsafe.Pointer, stride C.ptrdiff_t, tEnd float64, t unsafe.Pointer, x unsafe.Pointer, y unsafe.Pointer, nx unsafe.Pointer, ny unsafe.Pointer) C.int64_t {
 	if wide {
-		return C.go_ellipses_from_boxes_f64(boxes, count, stride, angle, out)
+		return C.go_cast_many_f64(a, b, vx, vy, stride, C.double(tEnd), t, x, y, nx, ny)
 	}
-	return C.go_ellipses_from_boxes_f32(boxes, count, stride, angle, out)
+	return C.go_cast_many_f32(a, b, vx, vy, stride, C.float(tEnd), t, x, y, nx, ny)
 }
 
-func cBoxesFromShapes(wide bool, shapes C.vesica_go_view, angle C.int32_t, boxes unsafe.Pointer) C.int64_t {
+func cCastFirst(wide bool, many C.vesica_go_view, one C.vesica_go_view, vx float64, vy float64, tEnd float64, out unsafe.Pointer) C.int64_t {
 	if wide {
-		return C.go_boxes_from_shapes_f64(shapes, angle, boxes)
+		return C.go_cast_first_f64(many, one, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
-	return C.go_boxes_from_shapes_f32(shapes, angle, boxes)
+	return C.go_cast_first_f32(many, one, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cCornersOFShapes(wide bool, shapes C.vesica_go_view, corners unsafe.Pointer) C.int64_t {
+func cSweepBounds(wide bool, kind C.int32_t, numbers C.vesica_go_numbers, vx float64, vy float64, tEnd float64, out unsafe.Pointer) C.int32_t {
 	if wide {
-		return C.go_corners_of_shapes_f64(shapes, corners)
+		return C.go_sweep_bounds_f64(kind, numbers, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
-	return C.go_corners_of_shapes_f32(shapes, corners)
+	return C.go_sweep_bounds_f32(kind, numbers, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cBoundsMany(wide bool, shapes C.vesica_go_view, out unsafe.Pointer) C.int64_t {
+func cIndexCast(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view, vx float64, vy float64, tEnd float64, out unsafe.Pointer, capacity C.int64_t, state unsafe.Pointer) C.int64_t {
 	if wide {
-		return C.go_bounds_many_f64(shapes, out)
+		return C.go_index_cast_f64(index, sets, setCount, one, C.double(vx), C.double(vy), C.double(tEnd), out, capacity, state)
 	}
-	return C.go_bounds_many_f32(shapes, out)
+	return C.go_index_cast_f32(index, sets, setCount, one, C.float(vx), C.float(vy), C.float(tEnd), out, capacity, state)
+}
+
+func cIndexCastFirst(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view, vx float64, vy float64, tEnd float64, out unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_index_cast_first_f64(index, sets, setCount, one, C.double(vx), C.double(vy), C.double(tEnd), out)
+	}
+	return C.go_index_cast_first_f32(index, sets, setCount, one, C.float(vx), C.float(vy), C.float(tEnd), out)
 }

@@ -496,6 +496,58 @@ static inline int32_t go_nms_f32(vesica_go_view shapes, const void *scores, floa
     return vesica_nms_f32(&of_shapes, scores, threshold, scratch, scratch_size, keep, kept);
 }
 
+static inline int64_t go_rects_from_boxes_f64(const void *boxes, int64_t count, ptrdiff_t stride, int32_t angle, void *out) {
+    return vesica_rects_from_boxes_f64(boxes, count, stride, angle, out);
+}
+
+static inline int64_t go_rects_from_boxes_f32(const void *boxes, int64_t count, ptrdiff_t stride, int32_t angle, void *out) {
+    return vesica_rects_from_boxes_f32(boxes, count, stride, angle, out);
+}
+
+static inline int64_t go_ellipses_from_boxes_f64(const void *boxes, int64_t count, ptrdiff_t stride, int32_t angle, void *out) {
+    return vesica_ellipses_from_boxes_f64(boxes, count, stride, angle, out);
+}
+
+static inline int64_t go_ellipses_from_boxes_f32(const void *boxes, int64_t count, ptrdiff_t stride, int32_t angle, void *out) {
+    return vesica_ellipses_from_boxes_f32(boxes, count, stride, angle, out);
+}
+
+static inline int64_t go_boxes_from_shapes_f64(vesica_go_view shapes, int32_t angle, void *boxes) {
+    vesica_shapes_f64 of_shapes;
+    memcpy(&of_shapes, &shapes, sizeof of_shapes);
+    return vesica_boxes_from_shapes_f64(&of_shapes, angle, boxes);
+}
+
+static inline int64_t go_boxes_from_shapes_f32(vesica_go_view shapes, int32_t angle, void *boxes) {
+    vesica_shapes_f32 of_shapes;
+    memcpy(&of_shapes, &shapes, sizeof of_shapes);
+    return vesica_boxes_from_shapes_f32(&of_shapes, angle, boxes);
+}
+
+static inline int64_t go_corners_of_shapes_f64(vesica_go_view shapes, void *corners) {
+    vesica_shapes_f64 of_shapes;
+    memcpy(&of_shapes, &shapes, sizeof of_shapes);
+    return vesica_corners_of_shapes_f64(&of_shapes, corners);
+}
+
+static inline int64_t go_corners_of_shapes_f32(vesica_go_view shapes, void *corners) {
+    vesica_shapes_f32 of_shapes;
+    memcpy(&of_shapes, &shapes, sizeof of_shapes);
+    return vesica_corners_of_shapes_f32(&of_shapes, corners);
+}
+
+static inline int64_t go_bounds_many_f64(vesica_go_view shapes, void *out) {
+    vesica_shapes_f64 of_shapes;
+    memcpy(&of_shapes, &shapes, sizeof of_shapes);
+    return vesica_bounds_many_f64(&of_shapes, out);
+}
+
+static inline int64_t go_bounds_many_f32(vesica_go_view shapes, void *out) {
+    vesica_shapes_f32 of_shapes;
+    memcpy(&of_shapes, &shapes, sizeof of_shapes);
+    return vesica_bounds_many_f32(&of_shapes, out);
+}
+
 static inline int64_t go_index_build_f64(vesica_go_sets sets, int32_t set_count, void *index, int64_t index_size, void *scratch, int64_t scratch_size) {
     vesica_shapes_f64 of_sets[64];
     memcpy(of_sets, &sets, sizeof of_sets);
@@ -680,56 +732,96 @@ static inline int32_t go_suppress_f32(vesica_go_view shapes, const void *scores,
     return vesica_suppress_f32(&of_shapes, scores, labels, ratio, threshold, least_score, most, scratch, scratch_size, keep, kept);
 }
 
-static inline int64_t go_rects_from_boxes_f64(const void *boxes, int64_t count, ptrdiff_t stride, int32_t angle, void *out) {
-    return vesica_rects_from_boxes_f64(boxes, count, stride, angle, out);
+static inline int32_t go_cast_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b, vesica_go_numbers numbers_b, double vx, double vy, double t_end, void *out) {
+    double of_numbers_a[6];
+    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
+    double of_numbers_b[6];
+    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
+    return vesica_cast_f64(kind_a, of_numbers_a, kind_b, of_numbers_b, vx, vy, t_end, out);
 }
 
-static inline int64_t go_rects_from_boxes_f32(const void *boxes, int64_t count, ptrdiff_t stride, int32_t angle, void *out) {
-    return vesica_rects_from_boxes_f32(boxes, count, stride, angle, out);
+static inline int32_t go_cast_f32(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b, vesica_go_numbers numbers_b, float vx, float vy, float t_end, void *out) {
+    float of_numbers_a[6];
+    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
+    float of_numbers_b[6];
+    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
+    return vesica_cast_f32(kind_a, of_numbers_a, kind_b, of_numbers_b, vx, vy, t_end, out);
 }
 
-static inline int64_t go_ellipses_from_boxes_f64(const void *boxes, int64_t count, ptrdiff_t stride, int32_t angle, void *out) {
-    return vesica_ellipses_from_boxes_f64(boxes, count, stride, angle, out);
+static inline int64_t go_cast_many_f64(vesica_go_view a, vesica_go_view b, const void *vx, const void *vy, ptrdiff_t stride, double t_end, void *t, void *x, void *y, void *nx, void *ny) {
+    vesica_shapes_f64 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f64 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_cast_many_f64(&of_a, &of_b, vx, vy, stride, t_end, t, x, y, nx, ny);
 }
 
-static inline int64_t go_ellipses_from_boxes_f32(const void *boxes, int64_t count, ptrdiff_t stride, int32_t angle, void *out) {
-    return vesica_ellipses_from_boxes_f32(boxes, count, stride, angle, out);
+static inline int64_t go_cast_many_f32(vesica_go_view a, vesica_go_view b, const void *vx, const void *vy, ptrdiff_t stride, float t_end, void *t, void *x, void *y, void *nx, void *ny) {
+    vesica_shapes_f32 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f32 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_cast_many_f32(&of_a, &of_b, vx, vy, stride, t_end, t, x, y, nx, ny);
 }
 
-static inline int64_t go_boxes_from_shapes_f64(vesica_go_view shapes, int32_t angle, void *boxes) {
-    vesica_shapes_f64 of_shapes;
-    memcpy(&of_shapes, &shapes, sizeof of_shapes);
-    return vesica_boxes_from_shapes_f64(&of_shapes, angle, boxes);
+static inline int64_t go_cast_first_f64(vesica_go_view many, vesica_go_view one, double vx, double vy, double t_end, void *out) {
+    vesica_shapes_f64 of_many;
+    memcpy(&of_many, &many, sizeof of_many);
+    vesica_shapes_f64 of_one;
+    memcpy(&of_one, &one, sizeof of_one);
+    return vesica_cast_first_f64(&of_many, &of_one, vx, vy, t_end, out);
 }
 
-static inline int64_t go_boxes_from_shapes_f32(vesica_go_view shapes, int32_t angle, void *boxes) {
-    vesica_shapes_f32 of_shapes;
-    memcpy(&of_shapes, &shapes, sizeof of_shapes);
-    return vesica_boxes_from_shapes_f32(&of_shapes, angle, boxes);
+static inline int64_t go_cast_first_f32(vesica_go_view many, vesica_go_view one, float vx, float vy, float t_end, void *out) {
+    vesica_shapes_f32 of_many;
+    memcpy(&of_many, &many, sizeof of_many);
+    vesica_shapes_f32 of_one;
+    memcpy(&of_one, &one, sizeof of_one);
+    return vesica_cast_first_f32(&of_many, &of_one, vx, vy, t_end, out);
 }
 
-static inline int64_t go_corners_of_shapes_f64(vesica_go_view shapes, void *corners) {
-    vesica_shapes_f64 of_shapes;
-    memcpy(&of_shapes, &shapes, sizeof of_shapes);
-    return vesica_corners_of_shapes_f64(&of_shapes, corners);
+static inline int32_t go_sweep_bounds_f64(int32_t kind, vesica_go_numbers numbers, double vx, double vy, double t_end, void *out) {
+    double of_numbers[6];
+    memcpy(of_numbers, &numbers, sizeof of_numbers);
+    return vesica_sweep_bounds_f64(kind, of_numbers, vx, vy, t_end, out);
 }
 
-static inline int64_t go_corners_of_shapes_f32(vesica_go_view shapes, void *corners) {
-    vesica_shapes_f32 of_shapes;
-    memcpy(&of_shapes, &shapes, sizeof of_shapes);
-    return vesica_corners_of_shapes_f32(&of_shapes, corners);
+static inline int32_t go_sweep_bounds_f32(int32_t kind, vesica_go_numbers numbers, float vx, float vy, float t_end, void *out) {
+    float of_numbers[6];
+    memcpy(of_numbers, &numbers, sizeof of_numbers);
+    return vesica_sweep_bounds_f32(kind, of_numbers, vx, vy, t_end, out);
 }
 
-static inline int64_t go_bounds_many_f64(vesica_go_view shapes, void *out) {
-    vesica_shapes_f64 of_shapes;
-    memcpy(&of_shapes, &shapes, sizeof of_shapes);
-    return vesica_bounds_many_f64(&of_shapes, out);
+static inline int64_t go_index_cast_f64(const void *index, vesica_go_sets sets, int32_t set_count, vesica_go_view one, double vx, double vy, double t_end, void *out, int64_t capacity, void *state) {
+    vesica_shapes_f64 of_sets[64];
+    memcpy(of_sets, &sets, sizeof of_sets);
+    vesica_shapes_f64 of_one;
+    memcpy(&of_one, &one, sizeof of_one);
+    return vesica_index_cast_f64(index, of_sets, set_count, &of_one, vx, vy, t_end, out, capacity, state);
 }
 
-static inline int64_t go_bounds_many_f32(vesica_go_view shapes, void *out) {
-    vesica_shapes_f32 of_shapes;
-    memcpy(&of_shapes, &shapes, sizeof of_shapes);
-    return vesica_bounds_many_f32(&of_shapes, out);
+static inline int64_t go_index_cast_f32(const void *index, vesica_go_sets sets, int32_t set_count, vesica_go_view one, float vx, float vy, float t_end, void *out, int64_t capacity, void *state) {
+    vesica_shapes_f32 of_sets[64];
+    memcpy(of_sets, &sets, sizeof of_sets);
+    vesica_shapes_f32 of_one;
+    memcpy(&of_one, &one, sizeof of_one);
+    return vesica_index_cast_f32(index, of_sets, set_count, &of_one, vx, vy, t_end, out, capacity, state);
+}
+
+static inline int64_t go_index_cast_first_f64(const void *index, vesica_go_sets sets, int32_t set_count, vesica_go_view one, double vx, double vy, double t_end, void *out) {
+    vesica_shapes_f64 of_sets[64];
+    memcpy(of_sets, &sets, sizeof of_sets);
+    vesica_shapes_f64 of_one;
+    memcpy(&of_one, &one, sizeof of_one);
+    return vesica_index_cast_first_f64(index, of_sets, set_count, &of_one, vx, vy, t_end, out);
+}
+
+static inline int64_t go_index_cast_first_f32(const void *index, vesica_go_sets sets, int32_t set_count, vesica_go_view one, float vx, float vy, float t_end, void *out) {
+    vesica_shapes_f32 of_sets[64];
+    memcpy(of_sets, &sets, sizeof of_sets);
+    vesica_shapes_f32 of_one;
+    memcpy(&of_one, &one, sizeof of_one);
+    return vesica_index_cast_first_f32(index, of_sets, set_count, &of_one, vx, vy, t_end, out);
 }
 
 #endif

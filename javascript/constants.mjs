@@ -54,6 +54,12 @@ export const E_INVERTED = -8;
 export const E_RANGE = -9;
 /** bytes are not an index of this version, or are damaged */
 export const E_INDEX = -10;
+export const ANGLE_RADIANS = 0;
+export const ANGLE_DEGREES = 1;
+/** quarter turns */
+export const ANGLE_QUARTERS = 2;
+/** added to a unit: angles turn from +x away from +y */
+export const ANGLE_REVERSED = 4;
 /** a and b share a point, as vesica_overlap_f64 tells */
 export const JOIN_OVERLAP = 0;
 /** their bounds in the indexes do: all pairs that overlap, and some that do not */
@@ -76,9 +82,9 @@ export const RATIO_GENERALIZED = 4;
 export const RATIO_DISTANCE = 5;
 /** DIoU - v^2 / (1 - IoU + v), v = (difference of angles / 90 degrees)^2 (CIoU) */
 export const RATIO_COMPLETE = 6;
-export const ANGLE_RADIANS = 0;
-export const ANGLE_DEGREES = 1;
-/** quarter turns */
-export const ANGLE_QUARTERS = 2;
-/** added to a unit: angles turn from +x away from +y */
-export const ANGLE_REVERSED = 4;
+/** no contact from 0 to t_end */
+export const CAST_MISS = 0;
+/** contact, the first after t = 0 */
+export const CAST_HIT = 1;
+/** the shapes overlap at t = 0, as vesica_overlap_f64 tells */
+export const CAST_START = 2;

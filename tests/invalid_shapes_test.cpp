@@ -68,6 +68,10 @@ void expect_checked_forms_to_refuse(const A& a, const B& b) {
   Penetration<T> penetration{7, 7, 7};
   EXPECT_EQ(depth_or_error(a, b, penetration), error_shape);
   EXPECT_EQ(penetration.depth, 7);
+  Impact<T> impact{7, 7, 7, 7, 7};
+  EXPECT_EQ(cast_or_error(a, b, T(1), T(0), T(1), impact), error_shape);
+  EXPECT_EQ(cast_or_error(a, b, T(0), T(0), T(1), impact), error_shape);
+  EXPECT_EQ(impact.t, 7);
   T number = 7;
   EXPECT_EQ(area_or_error(a, b, number), error_shape);
   EXPECT_EQ(iou_or_error(a, b, number), error_shape);
@@ -88,6 +92,8 @@ void expect_nothing_in_common(const A& a, const B& b) {
   EXPECT_TRUE(std::isnan(nearest(a, b).bx));
   EXPECT_TRUE(std::isnan(boundary_distance(a, b).distance));
   EXPECT_TRUE(std::isnan(boundary_distance(a, b).ay));
+  using T = ScalarOf<A>;
+  EXPECT_TRUE(std::isnan(cast(a, b, T(1), T(1), T(9)).t));
   EXPECT_EQ(depth(a, b).depth, 0);
   EXPECT_EQ(depth(a, b).x, 0);
   EXPECT_EQ(area(a, b), 0);
@@ -135,6 +141,7 @@ void expect_measures_to_refuse(const Shape& invalid) {
     EXPECT_EQ(shape_area(invalid), 0);
     Aabb<double> box{7, 7, 7, 7};
     EXPECT_EQ(bounds(invalid, box), error_shape);
+    EXPECT_EQ(sweep_bounds(invalid, 1.0, 1.0, 1.0, box), error_shape);
     EXPECT_EQ(box.min_x, 7);
   }
 }

@@ -1111,6 +1111,168 @@ namespace Vesica
         internal static extern int vesica_nms_f32(void* shapes, void* scores, float threshold, void* scratch, long scratchSize, void* keep, void* kept);
 
         /// <summary>
+        /// <para>Rectangles from boxes.</para>
+        /// <para>Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.</para>
+        /// <para>Returns: 0.</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+        /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+        /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+        /// the address space, an unknown unit of angles).</para>
+        /// <para>Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
+        /// whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.</para>
+        /// <para>Cost: about 40 ns a box.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_rects_from_boxes_f64(void* boxes, long count, IntPtr stride, int angle, void* output);
+
+        /// <summary>
+        /// <para>Ellipses from the boxes about them, whose sides they touch in the middle.</para>
+        /// <para>Requires: as vesica_rects_from_boxes_f64.</para>
+        /// <para>Returns: 0.</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+        /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+        /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+        /// the address space, an unknown unit of angles).</para>
+        /// <para>Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.</para>
+        /// <para>Cost: about 40 ns a box.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_ellipses_from_boxes_f64(void* boxes, long count, IntPtr stride, int angle, void* output);
+
+        /// <summary>
+        /// <para>Boxes from rectangles, or about ellipses: the way back.</para>
+        /// <para>An angle is from -180 to 180 degrees.</para>
+        /// <para>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.</para>
+        /// <para>Returns: 0.</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+        /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+        /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+        /// the address space, an unknown unit of angles).</para>
+        /// <para>Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
+        /// quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.</para>
+        /// <para>Cost: about 60 ns a shape.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_boxes_from_shapes_f64(void* shapes, int angle, void* boxes);
+
+        /// <summary>
+        /// <para>The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.</para>
+        /// <para>Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).</para>
+        /// <para>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.</para>
+        /// <para>Returns: 0.</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+        /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+        /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+        /// the address space, an unknown unit of angles).</para>
+        /// <para>Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.</para>
+        /// <para>Cost: about 20 ns a shape.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_corners_of_shapes_f64(void* shapes, void* corners);
+
+        /// <summary>
+        /// <para>The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.</para>
+        /// <para>Requires: out, room for `count`.</para>
+        /// <para>Returns: 0.</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+        /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+        /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+        /// the address space, an unknown unit of angles).</para>
+        /// <para>Accuracy: that of vesica_bounds_f64.</para>
+        /// <para>Cost: that of vesica_bounds_f64.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_bounds_many_f64(void* shapes, void* output);
+
+        /// <summary>
+        /// <para>Rectangles from boxes.</para>
+        /// <para>Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.</para>
+        /// <para>Returns: 0.</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+        /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+        /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+        /// the address space, an unknown unit of angles).</para>
+        /// <para>Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
+        /// whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
+        /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
+        /// <para>Cost: about 40 ns a box.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_rects_from_boxes_f32(void* boxes, long count, IntPtr stride, int angle, void* output);
+
+        /// <summary>
+        /// <para>Ellipses from the boxes about them, whose sides they touch in the middle.</para>
+        /// <para>Requires: as vesica_rects_from_boxes_f32.</para>
+        /// <para>Returns: 0.</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+        /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+        /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+        /// the address space, an unknown unit of angles).</para>
+        /// <para>Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
+        /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
+        /// <para>Cost: about 40 ns a box.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_ellipses_from_boxes_f32(void* boxes, long count, IntPtr stride, int angle, void* output);
+
+        /// <summary>
+        /// <para>Boxes from rectangles, or about ellipses: the way back.</para>
+        /// <para>An angle is from -180 to 180 degrees.</para>
+        /// <para>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.</para>
+        /// <para>Returns: 0.</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+        /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+        /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+        /// the address space, an unknown unit of angles).</para>
+        /// <para>Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
+        /// quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
+        /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
+        /// <para>Cost: about 60 ns a shape.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_boxes_from_shapes_f32(void* shapes, int angle, void* boxes);
+
+        /// <summary>
+        /// <para>The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.</para>
+        /// <para>Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).</para>
+        /// <para>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.</para>
+        /// <para>Returns: 0.</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+        /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+        /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+        /// the address space, an unknown unit of angles).</para>
+        /// <para>Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
+        /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
+        /// <para>Cost: about 20 ns a shape.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_corners_of_shapes_f32(void* shapes, void* corners);
+
+        /// <summary>
+        /// <para>The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.</para>
+        /// <para>Requires: out, room for `count`.</para>
+        /// <para>Returns: 0.</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+        /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+        /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+        /// the address space, an unknown unit of angles).</para>
+        /// <para>Accuracy: that of vesica_bounds_f32.</para>
+        /// <para>Cost: that of vesica_bounds_f32.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_bounds_many_f32(void* shapes, void* output);
+
+        /// <summary>
         /// <para>How many bytes suffice for an index of `count` shapes, of any kinds?</para>
         /// <para>Returns: 17 bytes a shape and 64 KiB. A built index takes fewer, mostly 13 a shape: vesica_index_bytes tells.</para>
         /// <para>Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).</para>
@@ -1533,166 +1695,174 @@ namespace Vesica
         internal static extern int vesica_suppress_f32(void* shapes, void* scores, void* labels, int ratio, float threshold, float leastScore, long most, void* scratch, long scratchSize, void* keep, void* kept);
 
         /// <summary>
-        /// <para>Rectangles from boxes.</para>
-        /// <para>Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.</para>
-        /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-        /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-        /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-        /// the address space, an unknown unit of angles).</para>
-        /// <para>Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
-        /// whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.</para>
-        /// <para>Cost: about 40 ns a box.</para>
+        /// <para>Does b touch a while it moves, when first, and where?</para>
+        /// <para>The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
+        /// there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of what
+        /// they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of
+        /// vesica_nearest_f64. So shapes that only touch, with a normal that does not point against the velocity, are moving
+        /// apart. Exchanging the shapes and turning the velocity round changes neither the time nor, but for its sign, the
+        /// normal.</para>
+        /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
+        /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative or
+        /// NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed the finite numbers; or the
+        /// digits of a place at some time span more than 2000 bits, which takes exponents that are wildly unlike).</para>
+        /// <para>Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along that
+        /// it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.
+        /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.</para>
+        /// <para>Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can decide;
+        /// at worst 2 ms, where exponents are wildly unlike.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern long vesica_rects_from_boxes_f64(void* boxes, long count, IntPtr stride, int angle, void* output);
+        internal static extern int vesica_cast_f64(int kindA, void* numbersA, int kindB, void* numbersB, double vx, double vy, double tEnd, void* output);
 
         /// <summary>
-        /// <para>Ellipses from the boxes about them, whose sides they touch in the middle.</para>
-        /// <para>Requires: as vesica_rects_from_boxes_f64.</para>
-        /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-        /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-        /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-        /// the address space, an unknown unit of angles).</para>
-        /// <para>Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.</para>
-        /// <para>Cost: about 40 ns a box.</para>
+        /// <para>When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of vesica_cast_f64's
+        /// result.</para>
+        /// <para>Velocity i is at vx and vy + i * stride bytes; stride 0 repeats one.</para>
+        /// <para>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+        /// the larger count. Some, but not all, may be NULL.</para>
+        /// <para>Returns: how many touch, those that overlap at the start included.</para>
+        /// <para>Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of range has NaN
+        /// for its numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there is an invalid shape,
+        /// else the error.</para>
+        /// <para>Accuracy: every result has the bits of vesica_cast_f64.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern long vesica_ellipses_from_boxes_f64(void* boxes, long count, IntPtr stride, int angle, void* output);
+        internal static extern long vesica_cast_many_f64(void* a, void* b, void* vx, void* vy, IntPtr stride, double tEnd, void* t, void* x, void* y, void* nx, void* ny);
 
         /// <summary>
-        /// <para>Boxes from rectangles, or about ellipses: the way back.</para>
-        /// <para>An angle is from -180 to 180 degrees.</para>
-        /// <para>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.</para>
-        /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-        /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-        /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-        /// the address space, an unknown unit of angles).</para>
-        /// <para>Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
-        /// quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.</para>
-        /// <para>Cost: about 60 ns a shape.</para>
+        /// <para>Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
+        /// number.</para>
+        /// <para>Requires: one is a single shape (count 1).</para>
+        /// <para>Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.</para>
+        /// <para>Errors: as above. An invalid shape anywhere is one.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern long vesica_boxes_from_shapes_f64(void* shapes, int angle, void* boxes);
+        internal static extern long vesica_cast_first_f64(void* many, void* one, double vx, double vy, double tEnd, void* output);
 
         /// <summary>
-        /// <para>The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.</para>
-        /// <para>Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).</para>
-        /// <para>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.</para>
+        /// <para>A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.</para>
+        /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-        /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-        /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-        /// the address space, an unknown unit of angles).</para>
-        /// <para>Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.</para>
-        /// <para>Cost: about 20 ns a shape.</para>
+        /// <para>Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.</para>
+        /// <para>Accuracy: a side that does not move is that of vesica_bounds_f64; one that does is at most two steps between numbers
+        /// too far out.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern long vesica_corners_of_shapes_f64(void* shapes, void* corners);
+        internal static extern int vesica_sweep_bounds_f64(int kind, void* numbers, double vx, double vy, double tEnd, void* output);
 
         /// <summary>
-        /// <para>The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.</para>
-        /// <para>Requires: out, room for `count`.</para>
-        /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-        /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-        /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-        /// the address space, an unknown unit of angles).</para>
-        /// <para>Accuracy: that of vesica_bounds_f64.</para>
-        /// <para>Cost: that of vesica_bounds_f64.</para>
+        /// <para>Which items of an index does one moving shape touch? They come in the index's order.</para>
+        /// <para>Requires: sets are those of the index. one is a single shape (count 1). out has room for `capacity` items. With
+        /// capacity 0, out and state may be NULL.</para>
+        /// <para>Returns: the number of items written; with capacity 0, how many there are.</para>
+        /// <para>Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a pointer that is not
+        /// aligned, or a state that is not of this call. Invalid items are never touched.</para>
+        /// <para>Accuracy: exact.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern long vesica_bounds_many_f64(void* shapes, void* output);
+        internal static extern long vesica_index_cast_f64(void* index, void* sets, int setCount, void* one, double vx, double vy, double tEnd, void* output, long capacity, void* state);
 
         /// <summary>
-        /// <para>Rectangles from boxes.</para>
-        /// <para>Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.</para>
-        /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-        /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-        /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-        /// the address space, an unknown unit of angles).</para>
-        /// <para>Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
-        /// whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
-        /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
-        /// <para>Cost: about 40 ns a box.</para>
+        /// <para>Which item of an index does one moving shape touch first? Of several at one time the one with the lowest number.</para>
+        /// <para>Requires: sets are those of the index. one is a single shape (count 1).</para>
+        /// <para>Returns: the item, or the index's count if there is none. *out is its contact, the normal pointing to `one`.</para>
+        /// <para>Errors: those of vesica_index_cast_f64.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern long vesica_rects_from_boxes_f32(void* boxes, long count, IntPtr stride, int angle, void* output);
+        internal static extern long vesica_index_cast_first_f64(void* index, void* sets, int setCount, void* one, double vx, double vy, double tEnd, void* output);
 
         /// <summary>
-        /// <para>Ellipses from the boxes about them, whose sides they touch in the middle.</para>
-        /// <para>Requires: as vesica_rects_from_boxes_f32.</para>
-        /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-        /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-        /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-        /// the address space, an unknown unit of angles).</para>
-        /// <para>Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
-        /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
-        /// <para>Cost: about 40 ns a box.</para>
+        /// <para>Does b touch a while it moves, when first, and where?</para>
+        /// <para>The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
+        /// there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of what
+        /// they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32 and the point of
+        /// vesica_nearest_f32. So shapes that only touch, with a normal that does not point against the velocity, are moving
+        /// apart. Exchanging the shapes and turning the velocity round changes neither the time nor, but for its sign, the
+        /// normal.</para>
+        /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
+        /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative or
+        /// NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed the finite numbers; or the
+        /// digits of a place at some time span more than 2000 bits, which takes exponents that are wildly unlike).</para>
+        /// <para>Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along that
+        /// it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.
+        /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.</para>
+        /// <para>Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can decide;
+        /// at worst 2 ms, where exponents are wildly unlike.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern long vesica_ellipses_from_boxes_f32(void* boxes, long count, IntPtr stride, int angle, void* output);
+        internal static extern int vesica_cast_f32(int kindA, void* numbersA, int kindB, void* numbersB, float vx, float vy, float tEnd, void* output);
 
         /// <summary>
-        /// <para>Boxes from rectangles, or about ellipses: the way back.</para>
-        /// <para>An angle is from -180 to 180 degrees.</para>
-        /// <para>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.</para>
-        /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-        /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-        /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-        /// the address space, an unknown unit of angles).</para>
-        /// <para>Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
-        /// quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
-        /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
-        /// <para>Cost: about 60 ns a shape.</para>
+        /// <para>When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of vesica_cast_f32's
+        /// result.</para>
+        /// <para>Velocity i is at vx and vy + i * stride bytes; stride 0 repeats one.</para>
+        /// <para>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+        /// the larger count. Some, but not all, may be NULL.</para>
+        /// <para>Returns: how many touch, those that overlap at the start included.</para>
+        /// <para>Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of range has NaN
+        /// for its numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there is an invalid shape,
+        /// else the error.</para>
+        /// <para>Accuracy: every result has the bits of vesica_cast_f32.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern long vesica_boxes_from_shapes_f32(void* shapes, int angle, void* boxes);
+        internal static extern long vesica_cast_many_f32(void* a, void* b, void* vx, void* vy, IntPtr stride, float tEnd, void* t, void* x, void* y, void* nx, void* ny);
 
         /// <summary>
-        /// <para>The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.</para>
-        /// <para>Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).</para>
-        /// <para>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.</para>
-        /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-        /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-        /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-        /// the address space, an unknown unit of angles).</para>
-        /// <para>Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
-        /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
-        /// <para>Cost: about 20 ns a shape.</para>
+        /// <para>Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
+        /// number.</para>
+        /// <para>Requires: one is a single shape (count 1).</para>
+        /// <para>Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.</para>
+        /// <para>Errors: as above. An invalid shape anywhere is one.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern long vesica_corners_of_shapes_f32(void* shapes, void* corners);
+        internal static extern long vesica_cast_first_f32(void* many, void* one, float vx, float vy, float tEnd, void* output);
 
         /// <summary>
-        /// <para>The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.</para>
-        /// <para>Requires: out, room for `count`.</para>
+        /// <para>A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.</para>
+        /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-        /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-        /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-        /// the address space, an unknown unit of angles).</para>
-        /// <para>Accuracy: that of vesica_bounds_f32.</para>
-        /// <para>Cost: that of vesica_bounds_f32.</para>
+        /// <para>Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.</para>
+        /// <para>Accuracy: a side that does not move is that of vesica_bounds_f32; one that does is at most two steps between numbers
+        /// too far out.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern long vesica_bounds_many_f32(void* shapes, void* output);
+        internal static extern int vesica_sweep_bounds_f32(int kind, void* numbers, float vx, float vy, float tEnd, void* output);
+
+        /// <summary>
+        /// <para>Which items of an index does one moving shape touch? They come in the index's order.</para>
+        /// <para>Requires: sets are those of the index. one is a single shape (count 1). out has room for `capacity` items. With
+        /// capacity 0, out and state may be NULL.</para>
+        /// <para>Returns: the number of items written; with capacity 0, how many there are.</para>
+        /// <para>Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a pointer that is not
+        /// aligned, or a state that is not of this call. Invalid items are never touched.</para>
+        /// <para>Accuracy: exact.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_index_cast_f32(void* index, void* sets, int setCount, void* one, float vx, float vy, float tEnd, void* output, long capacity, void* state);
+
+        /// <summary>
+        /// <para>Which item of an index does one moving shape touch first? Of several at one time the one with the lowest number.</para>
+        /// <para>Requires: sets are those of the index. one is a single shape (count 1).</para>
+        /// <para>Returns: the item, or the index's count if there is none. *out is its contact, the normal pointing to `one`.</para>
+        /// <para>Errors: those of vesica_index_cast_f32.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_index_cast_first_f32(void* index, void* sets, int setCount, void* one, float vx, float vy, float tEnd, void* output);
 
         internal static int Check(bool wide, int kind, void* numbers)
         {
@@ -1932,6 +2102,41 @@ namespace Vesica
                 : vesica_nms_f32(shapes, scores, (float)threshold, scratch, scratchSize, keep, kept);
         }
 
+        internal static long RectsFromBoxes(bool wide, void* boxes, long count, IntPtr stride, int angle, void* output)
+        {
+            return wide
+                ? vesica_rects_from_boxes_f64(boxes, count, stride, angle, output)
+                : vesica_rects_from_boxes_f32(boxes, count, stride, angle, output);
+        }
+
+        internal static long EllipsesFromBoxes(bool wide, void* boxes, long count, IntPtr stride, int angle, void* output)
+        {
+            return wide
+                ? vesica_ellipses_from_boxes_f64(boxes, count, stride, angle, output)
+                : vesica_ellipses_from_boxes_f32(boxes, count, stride, angle, output);
+        }
+
+        internal static long BoxesFromShapes(bool wide, void* shapes, int angle, void* boxes)
+        {
+            return wide
+                ? vesica_boxes_from_shapes_f64(shapes, angle, boxes)
+                : vesica_boxes_from_shapes_f32(shapes, angle, boxes);
+        }
+
+        internal static long CornersOfShapes(bool wide, void* shapes, void* corners)
+        {
+            return wide
+                ? vesica_corners_of_shapes_f64(shapes, corners)
+                : vesica_corners_of_shapes_f32(shapes, corners);
+        }
+
+        internal static long BoundsMany(bool wide, void* shapes, void* output)
+        {
+            return wide
+                ? vesica_bounds_many_f64(shapes, output)
+                : vesica_bounds_many_f32(shapes, output);
+        }
+
         internal static long IndexBuild(bool wide, void* sets, int setCount, void* index, long indexSize, void* scratch, long scratchSize)
         {
             return wide
@@ -2016,39 +2221,46 @@ namespace Vesica
                 : vesica_suppress_f32(shapes, scores, labels, ratio, (float)threshold, (float)leastScore, most, scratch, scratchSize, keep, kept);
         }
 
-        internal static long RectsFromBoxes(bool wide, void* boxes, long count, IntPtr stride, int angle, void* output)
+        internal static int Cast(bool wide, int kindA, void* numbersA, int kindB, void* numbersB, double vx, double vy, double tEnd, void* output)
         {
             return wide
-                ? vesica_rects_from_boxes_f64(boxes, count, stride, angle, output)
-                : vesica_rects_from_boxes_f32(boxes, count, stride, angle, output);
+                ? vesica_cast_f64(kindA, numbersA, kindB, numbersB, vx, vy, tEnd, output)
+                : vesica_cast_f32(kindA, numbersA, kindB, numbersB, (float)vx, (float)vy, (float)tEnd, output);
         }
 
-        internal static long EllipsesFromBoxes(bool wide, void* boxes, long count, IntPtr stride, int angle, void* output)
+        internal static long CastMany(bool wide, void* a, void* b, void* vx, void* vy, IntPtr stride, double tEnd, void* t, void* x, void* y, void* nx, void* ny)
         {
             return wide
-                ? vesica_ellipses_from_boxes_f64(boxes, count, stride, angle, output)
-                : vesica_ellipses_from_boxes_f32(boxes, count, stride, angle, output);
+                ? vesica_cast_many_f64(a, b, vx, vy, stride, tEnd, t, x, y, nx, ny)
+                : vesica_cast_many_f32(a, b, vx, vy, stride, (float)tEnd, t, x, y, nx, ny);
         }
 
-        internal static long BoxesFromShapes(bool wide, void* shapes, int angle, void* boxes)
+        internal static long CastFirst(bool wide, void* many, void* one, double vx, double vy, double tEnd, void* output)
         {
             return wide
-                ? vesica_boxes_from_shapes_f64(shapes, angle, boxes)
-                : vesica_boxes_from_shapes_f32(shapes, angle, boxes);
+                ? vesica_cast_first_f64(many, one, vx, vy, tEnd, output)
+                : vesica_cast_first_f32(many, one, (float)vx, (float)vy, (float)tEnd, output);
         }
 
-        internal static long CornersOfShapes(bool wide, void* shapes, void* corners)
+        internal static int SweepBounds(bool wide, int kind, void* numbers, double vx, double vy, double tEnd, void* output)
         {
             return wide
-                ? vesica_corners_of_shapes_f64(shapes, corners)
-                : vesica_corners_of_shapes_f32(shapes, corners);
+                ? vesica_sweep_bounds_f64(kind, numbers, vx, vy, tEnd, output)
+                : vesica_sweep_bounds_f32(kind, numbers, (float)vx, (float)vy, (float)tEnd, output);
         }
 
-        internal static long BoundsMany(bool wide, void* shapes, void* output)
+        internal static long IndexCast(bool wide, void* index, void* sets, int setCount, void* one, double vx, double vy, double tEnd, void* output, long capacity, void* state)
         {
             return wide
-                ? vesica_bounds_many_f64(shapes, output)
-                : vesica_bounds_many_f32(shapes, output);
+                ? vesica_index_cast_f64(index, sets, setCount, one, vx, vy, tEnd, output, capacity, state)
+                : vesica_index_cast_f32(index, sets, setCount, one, (float)vx, (float)vy, (float)tEnd, output, capacity, state);
+        }
+
+        internal static long IndexCastFirst(bool wide, void* index, void* sets, int setCount, void* one, double vx, double vy, double tEnd, void* output)
+        {
+            return wide
+                ? vesica_index_cast_first_f64(index, sets, setCount, one, vx, vy, tEnd, output)
+                : vesica_index_cast_first_f32(index, sets, setCount, one, (float)vx, (float)vy, (float)tEnd, output);
         }
     }
 }

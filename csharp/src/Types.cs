@@ -781,4 +781,70 @@ namespace Vesica
             Y = y;
         }
     }
+
+    /// <summary>
+    /// <para>A first contact: when, where and along which normal.</para>
+    /// <para>(nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are NaN.</para>
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public struct Impact
+    {
+        /// <summary>t</summary>
+        public double T;
+
+        /// <summary>x</summary>
+        public double X;
+
+        /// <summary>y</summary>
+        public double Y;
+
+        /// <summary>nx</summary>
+        public double NX;
+
+        /// <summary>ny</summary>
+        public double NY;
+
+        /// <summary>From its numbers.</summary>
+        public Impact(double t, double x, double y, double nx, double ny)
+        {
+            T = t;
+            X = x;
+            Y = y;
+            NX = nx;
+            NY = ny;
+        }
+    }
+
+    /// <summary>
+    /// <para>A first contact: when, where and along which normal.</para>
+    /// <para>(nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are NaN.</para>
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public struct ImpactF
+    {
+        /// <summary>t</summary>
+        public float T;
+
+        /// <summary>x</summary>
+        public float X;
+
+        /// <summary>y</summary>
+        public float Y;
+
+        /// <summary>nx</summary>
+        public float NX;
+
+        /// <summary>ny</summary>
+        public float NY;
+
+        /// <summary>From its numbers.</summary>
+        public ImpactF(float t, float x, float y, float nx, float ny)
+        {
+            T = t;
+            X = x;
+            Y = y;
+            NX = nx;
+            NY = ny;
+        }
+    }
 }

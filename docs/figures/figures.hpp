@@ -13,6 +13,7 @@ std::string polygonal_sandwich();
 std::string minkowski_sum();
 std::string closest_features();
 std::string separating_lines();
+std::string first_contact();
 
 /// Ends the program with the message unless `holds`.
 void require(bool holds, const char* what);

@@ -37,6 +37,7 @@ constexpr Figure all[] = {
     {"minkowski_sum", figures::minkowski_sum},
     {"closest_features", figures::closest_features},
     {"separating_lines", figures::separating_lines},
+    {"first_contact", figures::first_contact},
 };
 
 }  // namespace

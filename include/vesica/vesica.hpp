@@ -13,6 +13,7 @@
 #include <vesica/boundary_distance.hpp>
 #include <vesica/bounds.hpp>
 #include <vesica/boxes.hpp>
+#include <vesica/cast.hpp>
 #include <vesica/check.hpp>
 #include <vesica/construct.hpp>
 #include <vesica/crossings.hpp>

@@ -1094,6 +1094,148 @@ JNIEXPORT jint JNICALL Java_vesica_Native_nmsF32(JNIEnv* env, jclass type, jint 
   return answer;
 }
 
+JNIEXPORT jlong JNICALL Java_vesica_Native_rectsFromBoxesF64(JNIEnv* env, jclass type, jobject boxes, jlong count, jlong stride, jint angle, jobject out) {
+  lent held[2];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, boxes, &held[0]);
+  prepare(env, out, &held[1]);
+  if (lend(env, held, 2)) {
+    answer = vesica_rects_from_boxes_f64(held[0].address, count, stride, angle, held[1].address);
+  }
+  give_back(env, held, 2);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_ellipsesFromBoxesF64(JNIEnv* env, jclass type, jobject boxes, jlong count, jlong stride, jint angle, jobject out) {
+  lent held[2];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, boxes, &held[0]);
+  prepare(env, out, &held[1]);
+  if (lend(env, held, 2)) {
+    answer = vesica_ellipses_from_boxes_f64(held[0].address, count, stride, angle, held[1].address);
+  }
+  give_back(env, held, 2);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_boxesFromShapesF64(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jint angle, jobject boxes) {
+  lent held[2];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, shapesBase, &held[0]);
+  prepare(env, boxes, &held[1]);
+  if (lend(env, held, 2)) {
+    vesica_shapes_f64 shapes;
+    VIEW(shapes, shapesKind, shapesCount, shapesStride, shapesStep, held[0].address, double);
+    answer = vesica_boxes_from_shapes_f64(&shapes, angle, held[1].address);
+  }
+  give_back(env, held, 2);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_cornersOfShapesF64(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject corners) {
+  lent held[2];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, shapesBase, &held[0]);
+  prepare(env, corners, &held[1]);
+  if (lend(env, held, 2)) {
+    vesica_shapes_f64 shapes;
+    VIEW(shapes, shapesKind, shapesCount, shapesStride, shapesStep, held[0].address, double);
+    answer = vesica_corners_of_shapes_f64(&shapes, held[1].address);
+  }
+  give_back(env, held, 2);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_boundsManyF64(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject out) {
+  lent held[2];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, shapesBase, &held[0]);
+  prepare(env, out, &held[1]);
+  if (lend(env, held, 2)) {
+    vesica_shapes_f64 shapes;
+    VIEW(shapes, shapesKind, shapesCount, shapesStride, shapesStep, held[0].address, double);
+    answer = vesica_bounds_many_f64(&shapes, held[1].address);
+  }
+  give_back(env, held, 2);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_rectsFromBoxesF32(JNIEnv* env, jclass type, jobject boxes, jlong count, jlong stride, jint angle, jobject out) {
+  lent held[2];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, boxes, &held[0]);
+  prepare(env, out, &held[1]);
+  if (lend(env, held, 2)) {
+    answer = vesica_rects_from_boxes_f32(held[0].address, count, stride, angle, held[1].address);
+  }
+  give_back(env, held, 2);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_ellipsesFromBoxesF32(JNIEnv* env, jclass type, jobject boxes, jlong count, jlong stride, jint angle, jobject out) {
+  lent held[2];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, boxes, &held[0]);
+  prepare(env, out, &held[1]);
+  if (lend(env, held, 2)) {
+    answer = vesica_ellipses_from_boxes_f32(held[0].address, count, stride, angle, held[1].address);
+  }
+  give_back(env, held, 2);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_boxesFromShapesF32(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jint angle, jobject boxes) {
+  lent held[2];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, shapesBase, &held[0]);
+  prepare(env, boxes, &held[1]);
+  if (lend(env, held, 2)) {
+    vesica_shapes_f32 shapes;
+    VIEW(shapes, shapesKind, shapesCount, shapesStride, shapesStep, held[0].address, float);
+    answer = vesica_boxes_from_shapes_f32(&shapes, angle, held[1].address);
+  }
+  give_back(env, held, 2);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_cornersOfShapesF32(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject corners) {
+  lent held[2];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, shapesBase, &held[0]);
+  prepare(env, corners, &held[1]);
+  if (lend(env, held, 2)) {
+    vesica_shapes_f32 shapes;
+    VIEW(shapes, shapesKind, shapesCount, shapesStride, shapesStep, held[0].address, float);
+    answer = vesica_corners_of_shapes_f32(&shapes, held[1].address);
+  }
+  give_back(env, held, 2);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_boundsManyF32(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject out) {
+  lent held[2];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, shapesBase, &held[0]);
+  prepare(env, out, &held[1]);
+  if (lend(env, held, 2)) {
+    vesica_shapes_f32 shapes;
+    VIEW(shapes, shapesKind, shapesCount, shapesStride, shapesStep, held[0].address, float);
+    answer = vesica_bounds_many_f32(&shapes, held[1].address);
+  }
+  give_back(env, held, 2);
+  return answer;
+}
+
 JNIEXPORT jlong JNICALL Java_vesica_Native_indexSize(JNIEnv* env, jclass type, jlong count) {
   (void)env, (void)type;
   return vesica_index_size(count);
@@ -1649,144 +1791,230 @@ JNIEXPORT jint JNICALL Java_vesica_Native_suppressF32(JNIEnv* env, jclass type, 
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_rectsFromBoxesF64(JNIEnv* env, jclass type, jobject boxes, jlong count, jlong stride, jint angle, jobject out) {
-  lent held[2];
+JNIEXPORT jint JNICALL Java_vesica_Native_castF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jdouble vx, jdouble vy, jdouble tEnd, jobject out) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, numbersA, &held[0]);
+  prepare(env, numbersB, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_cast_f64(kindA, held[0].address, kindB, held[1].address, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_castManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject vx, jobject vy, jlong stride, jdouble tEnd, jobject t, jobject x, jobject y, jobject nx, jobject ny) {
+  lent held[9];
   int64_t answer = NOT_LENT;
   (void)type;
-  prepare(env, boxes, &held[0]);
+  prepare(env, aBase, &held[0]);
+  prepare(env, bBase, &held[1]);
+  prepare(env, vx, &held[2]);
+  prepare(env, vy, &held[3]);
+  prepare(env, t, &held[4]);
+  prepare(env, x, &held[5]);
+  prepare(env, y, &held[6]);
+  prepare(env, nx, &held[7]);
+  prepare(env, ny, &held[8]);
+  if (lend(env, held, 9)) {
+    vesica_shapes_f64 a;
+    VIEW(a, aKind, aCount, aStride, aStep, held[0].address, double);
+    vesica_shapes_f64 b;
+    VIEW(b, bKind, bCount, bStride, bStep, held[1].address, double);
+    answer = vesica_cast_many_f64(&a, &b, held[2].address, held[3].address, stride, tEnd, held[4].address, held[5].address, held[6].address, held[7].address, held[8].address);
+  }
+  give_back(env, held, 9);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_castFirstF64(JNIEnv* env, jclass type, jint manyKind, jlong manyCount, jlong manyStride, jlong manyStep, jobject manyBase, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jdouble vx, jdouble vy, jdouble tEnd, jobject out) {
+  lent held[3];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, manyBase, &held[0]);
+  prepare(env, oneBase, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    vesica_shapes_f64 many;
+    VIEW(many, manyKind, manyCount, manyStride, manyStep, held[0].address, double);
+    vesica_shapes_f64 one;
+    VIEW(one, oneKind, oneCount, oneStride, oneStep, held[1].address, double);
+    answer = vesica_cast_first_f64(&many, &one, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_sweepBoundsF64(JNIEnv* env, jclass type, jint kind, jobject numbers, jdouble vx, jdouble vy, jdouble tEnd, jobject out) {
+  lent held[2];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, numbers, &held[0]);
   prepare(env, out, &held[1]);
   if (lend(env, held, 2)) {
-    answer = vesica_rects_from_boxes_f64(held[0].address, count, stride, angle, held[1].address);
+    answer = vesica_sweep_bounds_f64(kind, held[0].address, vx, vy, tEnd, held[1].address);
   }
   give_back(env, held, 2);
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_ellipsesFromBoxesF64(JNIEnv* env, jclass type, jobject boxes, jlong count, jlong stride, jint angle, jobject out) {
-  lent held[2];
+JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastF64(JNIEnv* env, jclass type, jobject index, jintArray setsKinds, jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jdouble vx, jdouble vy, jdouble tEnd, jobject out, jlong capacity, jobject state) {
+  lent held[4];
+  lent_sets lent_to[1];
+  int ok = 1;
   int64_t answer = NOT_LENT;
   (void)type;
-  prepare(env, boxes, &held[0]);
+  prepare(env, index, &held[0]);
+  ok = prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0]) && ok;
+  prepare(env, oneBase, &held[1]);
+  prepare(env, out, &held[2]);
+  prepare(env, state, &held[3]);
+  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, held, 4)) {
+    vesica_shapes_f64 sets[MAX_SETS];
+    SETS(sets, lent_to[0], double);
+    vesica_shapes_f64 one;
+    VIEW(one, oneKind, oneCount, oneStride, oneStep, held[1].address, double);
+    answer = vesica_index_cast_f64(held[0].address, sets, lent_to[0].count, &one, vx, vy, tEnd, held[2].address, capacity, held[3].address);
+  }
+  give_back(env, held, 4);
+  give_back(env, lent_to[0].held, lent_to[0].count);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastFirstF64(JNIEnv* env, jclass type, jobject index, jintArray setsKinds, jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jdouble vx, jdouble vy, jdouble tEnd, jobject out) {
+  lent held[3];
+  lent_sets lent_to[1];
+  int ok = 1;
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, index, &held[0]);
+  ok = prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0]) && ok;
+  prepare(env, oneBase, &held[1]);
+  prepare(env, out, &held[2]);
+  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, held, 3)) {
+    vesica_shapes_f64 sets[MAX_SETS];
+    SETS(sets, lent_to[0], double);
+    vesica_shapes_f64 one;
+    VIEW(one, oneKind, oneCount, oneStride, oneStep, held[1].address, double);
+    answer = vesica_index_cast_first_f64(held[0].address, sets, lent_to[0].count, &one, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
+  give_back(env, lent_to[0].held, lent_to[0].count);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_castF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jfloat vx, jfloat vy, jfloat tEnd, jobject out) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, numbersA, &held[0]);
+  prepare(env, numbersB, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_cast_f32(kindA, held[0].address, kindB, held[1].address, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_castManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject vx, jobject vy, jlong stride, jfloat tEnd, jobject t, jobject x, jobject y, jobject nx, jobject ny) {
+  lent held[9];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, aBase, &held[0]);
+  prepare(env, bBase, &held[1]);
+  prepare(env, vx, &held[2]);
+  prepare(env, vy, &held[3]);
+  prepare(env, t, &held[4]);
+  prepare(env, x, &held[5]);
+  prepare(env, y, &held[6]);
+  prepare(env, nx, &held[7]);
+  prepare(env, ny, &held[8]);
+  if (lend(env, held, 9)) {
+    vesica_shapes_f32 a;
+    VIEW(a, aKind, aCount, aStride, aStep, held[0].address, float);
+    vesica_shapes_f32 b;
+    VIEW(b, bKind, bCount, bStride, bStep, held[1].address, float);
+    answer = vesica_cast_many_f32(&a, &b, held[2].address, held[3].address, stride, tEnd, held[4].address, held[5].address, held[6].address, held[7].address, held[8].address);
+  }
+  give_back(env, held, 9);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_castFirstF32(JNIEnv* env, jclass type, jint manyKind, jlong manyCount, jlong manyStride, jlong manyStep, jobject manyBase, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jfloat vx, jfloat vy, jfloat tEnd, jobject out) {
+  lent held[3];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, manyBase, &held[0]);
+  prepare(env, oneBase, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    vesica_shapes_f32 many;
+    VIEW(many, manyKind, manyCount, manyStride, manyStep, held[0].address, float);
+    vesica_shapes_f32 one;
+    VIEW(one, oneKind, oneCount, oneStride, oneStep, held[1].address, float);
+    answer = vesica_cast_first_f32(&many, &one, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_sweepBoundsF32(JNIEnv* env, jclass type, jint kind, jobject numbers, jfloat vx, jfloat vy, jfloat tEnd, jobject out) {
+  lent held[2];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, numbers, &held[0]);
   prepare(env, out, &held[1]);
   if (lend(env, held, 2)) {
-    answer = vesica_ellipses_from_boxes_f64(held[0].address, count, stride, angle, held[1].address);
+    answer = vesica_sweep_bounds_f32(kind, held[0].address, vx, vy, tEnd, held[1].address);
   }
   give_back(env, held, 2);
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_boxesFromShapesF64(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jint angle, jobject boxes) {
-  lent held[2];
+JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastF32(JNIEnv* env, jclass type, jobject index, jintArray setsKinds, jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jfloat vx, jfloat vy, jfloat tEnd, jobject out, jlong capacity, jobject state) {
+  lent held[4];
+  lent_sets lent_to[1];
+  int ok = 1;
   int64_t answer = NOT_LENT;
   (void)type;
-  prepare(env, shapesBase, &held[0]);
-  prepare(env, boxes, &held[1]);
-  if (lend(env, held, 2)) {
-    vesica_shapes_f64 shapes;
-    VIEW(shapes, shapesKind, shapesCount, shapesStride, shapesStep, held[0].address, double);
-    answer = vesica_boxes_from_shapes_f64(&shapes, angle, held[1].address);
+  prepare(env, index, &held[0]);
+  ok = prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0]) && ok;
+  prepare(env, oneBase, &held[1]);
+  prepare(env, out, &held[2]);
+  prepare(env, state, &held[3]);
+  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, held, 4)) {
+    vesica_shapes_f32 sets[MAX_SETS];
+    SETS(sets, lent_to[0], float);
+    vesica_shapes_f32 one;
+    VIEW(one, oneKind, oneCount, oneStride, oneStep, held[1].address, float);
+    answer = vesica_index_cast_f32(held[0].address, sets, lent_to[0].count, &one, vx, vy, tEnd, held[2].address, capacity, held[3].address);
   }
-  give_back(env, held, 2);
+  give_back(env, held, 4);
+  give_back(env, lent_to[0].held, lent_to[0].count);
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_cornersOfShapesF64(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject corners) {
-  lent held[2];
+JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastFirstF32(JNIEnv* env, jclass type, jobject index, jintArray setsKinds, jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jfloat vx, jfloat vy, jfloat tEnd, jobject out) {
+  lent held[3];
+  lent_sets lent_to[1];
+  int ok = 1;
   int64_t answer = NOT_LENT;
   (void)type;
-  prepare(env, shapesBase, &held[0]);
-  prepare(env, corners, &held[1]);
-  if (lend(env, held, 2)) {
-    vesica_shapes_f64 shapes;
-    VIEW(shapes, shapesKind, shapesCount, shapesStride, shapesStep, held[0].address, double);
-    answer = vesica_corners_of_shapes_f64(&shapes, held[1].address);
+  prepare(env, index, &held[0]);
+  ok = prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0]) && ok;
+  prepare(env, oneBase, &held[1]);
+  prepare(env, out, &held[2]);
+  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, held, 3)) {
+    vesica_shapes_f32 sets[MAX_SETS];
+    SETS(sets, lent_to[0], float);
+    vesica_shapes_f32 one;
+    VIEW(one, oneKind, oneCount, oneStride, oneStep, held[1].address, float);
+    answer = vesica_index_cast_first_f32(held[0].address, sets, lent_to[0].count, &one, vx, vy, tEnd, held[2].address);
   }
-  give_back(env, held, 2);
-  return answer;
-}
-
-JNIEXPORT jlong JNICALL Java_vesica_Native_boundsManyF64(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject out) {
-  lent held[2];
-  int64_t answer = NOT_LENT;
-  (void)type;
-  prepare(env, shapesBase, &held[0]);
-  prepare(env, out, &held[1]);
-  if (lend(env, held, 2)) {
-    vesica_shapes_f64 shapes;
-    VIEW(shapes, shapesKind, shapesCount, shapesStride, shapesStep, held[0].address, double);
-    answer = vesica_bounds_many_f64(&shapes, held[1].address);
-  }
-  give_back(env, held, 2);
-  return answer;
-}
-
-JNIEXPORT jlong JNICALL Java_vesica_Native_rectsFromBoxesF32(JNIEnv* env, jclass type, jobject boxes, jlong count, jlong stride, jint angle, jobject out) {
-  lent held[2];
-  int64_t answer = NOT_LENT;
-  (void)type;
-  prepare(env, boxes, &held[0]);
-  prepare(env, out, &held[1]);
-  if (lend(env, held, 2)) {
-    answer = vesica_rects_from_boxes_f32(held[0].address, count, stride, angle, held[1].address);
-  }
-  give_back(env, held, 2);
-  return answer;
-}
-
-JNIEXPORT jlong JNICALL Java_vesica_Native_ellipsesFromBoxesF32(JNIEnv* env, jclass type, jobject boxes, jlong count, jlong stride, jint angle, jobject out) {
-  lent held[2];
-  int64_t answer = NOT_LENT;
-  (void)type;
-  prepare(env, boxes, &held[0]);
-  prepare(env, out, &held[1]);
-  if (lend(env, held, 2)) {
-    answer = vesica_ellipses_from_boxes_f32(held[0].address, count, stride, angle, held[1].address);
-  }
-  give_back(env, held, 2);
-  return answer;
-}
-
-JNIEXPORT jlong JNICALL Java_vesica_Native_boxesFromShapesF32(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jint angle, jobject boxes) {
-  lent held[2];
-  int64_t answer = NOT_LENT;
-  (void)type;
-  prepare(env, shapesBase, &held[0]);
-  prepare(env, boxes, &held[1]);
-  if (lend(env, held, 2)) {
-    vesica_shapes_f32 shapes;
-    VIEW(shapes, shapesKind, shapesCount, shapesStride, shapesStep, held[0].address, float);
-    answer = vesica_boxes_from_shapes_f32(&shapes, angle, held[1].address);
-  }
-  give_back(env, held, 2);
-  return answer;
-}
-
-JNIEXPORT jlong JNICALL Java_vesica_Native_cornersOfShapesF32(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject corners) {
-  lent held[2];
-  int64_t answer = NOT_LENT;
-  (void)type;
-  prepare(env, shapesBase, &held[0]);
-  prepare(env, corners, &held[1]);
-  if (lend(env, held, 2)) {
-    vesica_shapes_f32 shapes;
-    VIEW(shapes, shapesKind, shapesCount, shapesStride, shapesStep, held[0].address, float);
-    answer = vesica_corners_of_shapes_f32(&shapes, held[1].address);
-  }
-  give_back(env, held, 2);
-  return answer;
-}
-
-JNIEXPORT jlong JNICALL Java_vesica_Native_boundsManyF32(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject out) {
-  lent held[2];
-  int64_t answer = NOT_LENT;
-  (void)type;
-  prepare(env, shapesBase, &held[0]);
-  prepare(env, out, &held[1]);
-  if (lend(env, held, 2)) {
-    vesica_shapes_f32 shapes;
-    VIEW(shapes, shapesKind, shapesCount, shapesStride, shapesStep, held[0].address, float);
-    answer = vesica_bounds_many_f32(&shapes, held[1].address);
-  }
-  give_back(env, held, 2);
+  give_back(env, held, 3);
+  give_back(env, lent_to[0].held, lent_to[0].count);
   return answer;
 }

@@ -31,6 +31,10 @@ E_ZERO_AXIS = -7
 E_INVERTED = -8
 E_RANGE = -9
 E_INDEX = -10
+ANGLE_RADIANS = 0
+ANGLE_DEGREES = 1
+ANGLE_QUARTERS = 2
+ANGLE_REVERSED = 4
 JOIN_OVERLAP = 0
 JOIN_BOUNDS = 1
 JOIN_CONTAINS = 2
@@ -42,10 +46,9 @@ RATIO_OVER_SMALLER = 3
 RATIO_GENERALIZED = 4
 RATIO_DISTANCE = 5
 RATIO_COMPLETE = 6
-ANGLE_RADIANS = 0
-ANGLE_DEGREES = 1
-ANGLE_QUARTERS = 2
-ANGLE_REVERSED = 4
+CAST_MISS = 0
+CAST_HIT = 1
+CAST_START = 2
 
 
 class point_f64(Structure):
@@ -277,6 +280,34 @@ Fields beyond those of the kind are not looked at. Numbers need no alignment. re
         ("count", c_int64),
         ("stride", c_ssize_t),
         ("field", c_void_p * 6),
+    ]
+
+
+class impact_f64(Structure):
+    """A first contact: when, where and along which normal.
+
+(nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are NaN."""
+
+    _fields_ = [
+        ("t", c_double),
+        ("x", c_double),
+        ("y", c_double),
+        ("nx", c_double),
+        ("ny", c_double),
+    ]
+
+
+class impact_f32(Structure):
+    """A first contact: when, where and along which normal.
+
+(nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are NaN."""
+
+    _fields_ = [
+        ("t", c_float),
+        ("x", c_float),
+        ("y", c_float),
+        ("nx", c_float),
+        ("ny", c_float),
     ]
 
 
@@ -2134,6 +2165,192 @@ Before anything is written: VESICA_E_NULL (if there are no shapes, only shapes a
 Cost: an index, sorting, and an IoU where bounds and areas allow one above the threshold: 0.3 to 1.2 us a shape.
 Since: 0.1.""",
     ),
+    "vesica_rects_from_boxes_f64": (
+        c_int64,
+        (c_void_p, c_int64, c_ssize_t, c_int32, c_void_p,),
+        """vesica_rects_from_boxes_f64(boxes, count, stride, angle, out)
+
+Rectangles from boxes.
+
+Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
+Returns: 0.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+the address space, an unknown unit of angles).
+Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
+whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
+Cost: about 40 ns a box.
+Since: 0.1.""",
+    ),
+    "vesica_ellipses_from_boxes_f64": (
+        c_int64,
+        (c_void_p, c_int64, c_ssize_t, c_int32, c_void_p,),
+        """vesica_ellipses_from_boxes_f64(boxes, count, stride, angle, out)
+
+Ellipses from the boxes about them, whose sides they touch in the middle.
+
+Requires: as vesica_rects_from_boxes_f64.
+Returns: 0.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+the address space, an unknown unit of angles).
+Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
+Cost: about 40 ns a box.
+Since: 0.1.""",
+    ),
+    "vesica_boxes_from_shapes_f64": (
+        c_int64,
+        (c_void_p, c_int32, c_void_p,),
+        """vesica_boxes_from_shapes_f64(shapes, angle, boxes)
+
+Boxes from rectangles, or about ellipses: the way back.
+
+An angle is from -180 to 180 degrees.
+
+Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
+Returns: 0.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+the address space, an unknown unit of angles).
+Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
+quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
+Cost: about 60 ns a shape.
+Since: 0.1.""",
+    ),
+    "vesica_corners_of_shapes_f64": (
+        c_int64,
+        (c_void_p, c_void_p,),
+        """vesica_corners_of_shapes_f64(shapes, corners)
+
+The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+
+Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
+
+Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
+Returns: 0.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+the address space, an unknown unit of angles).
+Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
+Cost: about 20 ns a shape.
+Since: 0.1.""",
+    ),
+    "vesica_bounds_many_f64": (
+        c_int64,
+        (c_void_p, c_void_p,),
+        """vesica_bounds_many_f64(shapes, out)
+
+The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.
+
+Requires: out, room for `count`.
+Returns: 0.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+the address space, an unknown unit of angles).
+Accuracy: that of vesica_bounds_f64.
+Cost: that of vesica_bounds_f64.
+Since: 0.1.""",
+    ),
+    "vesica_rects_from_boxes_f32": (
+        c_int64,
+        (c_void_p, c_int64, c_ssize_t, c_int32, c_void_p,),
+        """vesica_rects_from_boxes_f32(boxes, count, stride, angle, out)
+
+Rectangles from boxes.
+
+Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
+Returns: 0.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+the address space, an unknown unit of angles).
+Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
+whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
+Each number is computed in double, within these bounds, and then rounded to float once.
+Cost: about 40 ns a box.
+Since: 0.1.""",
+    ),
+    "vesica_ellipses_from_boxes_f32": (
+        c_int64,
+        (c_void_p, c_int64, c_ssize_t, c_int32, c_void_p,),
+        """vesica_ellipses_from_boxes_f32(boxes, count, stride, angle, out)
+
+Ellipses from the boxes about them, whose sides they touch in the middle.
+
+Requires: as vesica_rects_from_boxes_f32.
+Returns: 0.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+the address space, an unknown unit of angles).
+Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
+Each number is computed in double, within these bounds, and then rounded to float once.
+Cost: about 40 ns a box.
+Since: 0.1.""",
+    ),
+    "vesica_boxes_from_shapes_f32": (
+        c_int64,
+        (c_void_p, c_int32, c_void_p,),
+        """vesica_boxes_from_shapes_f32(shapes, angle, boxes)
+
+Boxes from rectangles, or about ellipses: the way back.
+
+An angle is from -180 to 180 degrees.
+
+Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
+Returns: 0.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+the address space, an unknown unit of angles).
+Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
+quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
+Each number is computed in double, within these bounds, and then rounded to float once.
+Cost: about 60 ns a shape.
+Since: 0.1.""",
+    ),
+    "vesica_corners_of_shapes_f32": (
+        c_int64,
+        (c_void_p, c_void_p,),
+        """vesica_corners_of_shapes_f32(shapes, corners)
+
+The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+
+Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
+
+Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
+Returns: 0.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+the address space, an unknown unit of angles).
+Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
+Each number is computed in double, within these bounds, and then rounded to float once.
+Cost: about 20 ns a shape.
+Since: 0.1.""",
+    ),
+    "vesica_bounds_many_f32": (
+        c_int64,
+        (c_void_p, c_void_p,),
+        """vesica_bounds_many_f32(shapes, out)
+
+The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.
+
+Requires: out, room for `count`.
+Returns: 0.
+Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+the address space, an unknown unit of angles).
+Accuracy: that of vesica_bounds_f32.
+Cost: that of vesica_bounds_f32.
+Since: 0.1.""",
+    ),
     "vesica_index_size": (
         c_int64,
         (c_int64,),
@@ -2673,190 +2890,202 @@ Errors: as vesica_nms_f32; VESICA_E_ARGUMENT also for ratio, a least_score that 
 Cost: that of vesica_nms_f32; ratios other than IoU cost 0.1 us more a comparison.
 Since: 0.1.""",
     ),
-    "vesica_rects_from_boxes_f64": (
-        c_int64,
-        (c_void_p, c_int64, c_ssize_t, c_int32, c_void_p,),
-        """vesica_rects_from_boxes_f64(boxes, count, stride, angle, out)
+    "vesica_cast_f64": (
+        c_int32,
+        (c_int32, c_void_p, c_int32, c_void_p, c_double, c_double, c_double, c_void_p,),
+        """vesica_cast_f64(kind_a, numbers_a, kind_b, numbers_b, vx, vy, t_end, out)
 
-Rectangles from boxes.
+Does b touch a while it moves, when first, and where?
 
-Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
-Returns: 0.
-Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-the address space, an unknown unit of angles).
-Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
-whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
-Cost: about 40 ns a box.
+The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
+there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of what
+they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of
+vesica_nearest_f64. So shapes that only touch, with a normal that does not point against the velocity, are moving
+apart. Exchanging the shapes and turning the velocity round changes neither the time nor, but for its sign, the
+normal.
+
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative or
+NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed the finite numbers; or the
+digits of a place at some time span more than 2000 bits, which takes exponents that are wildly unlike).
+Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along that
+it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.
+Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can decide;
+at worst 2 ms, where exponents are wildly unlike.
 Since: 0.1.""",
     ),
-    "vesica_ellipses_from_boxes_f64": (
+    "vesica_cast_many_f64": (
         c_int64,
-        (c_void_p, c_int64, c_ssize_t, c_int32, c_void_p,),
-        """vesica_ellipses_from_boxes_f64(boxes, count, stride, angle, out)
+        (c_void_p, c_void_p, c_void_p, c_void_p, c_ssize_t, c_double, c_void_p, c_void_p, c_void_p, c_void_p, c_void_p,),
+        """vesica_cast_many_f64(a, b, vx, vy, stride, t_end, t, x, y, nx, ny)
 
-Ellipses from the boxes about them, whose sides they touch in the middle.
+When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of vesica_cast_f64's
+result.
 
-Requires: as vesica_rects_from_boxes_f64.
-Returns: 0.
-Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-the address space, an unknown unit of angles).
-Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
-Cost: about 40 ns a box.
+Velocity i is at vx and vy + i * stride bytes; stride 0 repeats one.
+
+Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+the larger count. Some, but not all, may be NULL.
+Returns: how many touch, those that overlap at the start included.
+Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of range has NaN
+for its numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there is an invalid shape,
+else the error.
+Accuracy: every result has the bits of vesica_cast_f64.
 Since: 0.1.""",
     ),
-    "vesica_boxes_from_shapes_f64": (
+    "vesica_cast_first_f64": (
         c_int64,
-        (c_void_p, c_int32, c_void_p,),
-        """vesica_boxes_from_shapes_f64(shapes, angle, boxes)
+        (c_void_p, c_void_p, c_double, c_double, c_double, c_void_p,),
+        """vesica_cast_first_f64(many, one, vx, vy, t_end, out)
 
-Boxes from rectangles, or about ellipses: the way back.
+Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
+number.
 
-An angle is from -180 to 180 degrees.
-
-Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
-Returns: 0.
-Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-the address space, an unknown unit of angles).
-Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
-quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
-Cost: about 60 ns a shape.
+Requires: one is a single shape (count 1).
+Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.
+Errors: as above. An invalid shape anywhere is one.
 Since: 0.1.""",
     ),
-    "vesica_corners_of_shapes_f64": (
-        c_int64,
-        (c_void_p, c_void_p,),
-        """vesica_corners_of_shapes_f64(shapes, corners)
+    "vesica_sweep_bounds_f64": (
+        c_int32,
+        (c_int32, c_void_p, c_double, c_double, c_double, c_void_p,),
+        """vesica_sweep_bounds_f64(kind, numbers, vx, vy, t_end, out)
 
-The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
 
-Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
-
-Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
 Returns: 0.
-Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-the address space, an unknown unit of angles).
-Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
-Cost: about 20 ns a shape.
+Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.
+Accuracy: a side that does not move is that of vesica_bounds_f64; one that does is at most two steps between numbers
+too far out.
 Since: 0.1.""",
     ),
-    "vesica_bounds_many_f64": (
+    "vesica_index_cast_f64": (
         c_int64,
-        (c_void_p, c_void_p,),
-        """vesica_bounds_many_f64(shapes, out)
+        (c_void_p, c_void_p, c_int32, c_void_p, c_double, c_double, c_double, c_void_p, c_int64, c_void_p,),
+        """vesica_index_cast_f64(index, sets, set_count, one, vx, vy, t_end, out, capacity, state)
 
-The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.
+Which items of an index does one moving shape touch? They come in the index's order.
 
-Requires: out, room for `count`.
-Returns: 0.
-Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-the address space, an unknown unit of angles).
-Accuracy: that of vesica_bounds_f64.
-Cost: that of vesica_bounds_f64.
+Requires: sets are those of the index. one is a single shape (count 1). out has room for `capacity` items. With
+capacity 0, out and state may be NULL.
+Returns: the number of items written; with capacity 0, how many there are.
+Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a pointer that is not
+aligned, or a state that is not of this call. Invalid items are never touched.
+Accuracy: exact.
 Since: 0.1.""",
     ),
-    "vesica_rects_from_boxes_f32": (
+    "vesica_index_cast_first_f64": (
         c_int64,
-        (c_void_p, c_int64, c_ssize_t, c_int32, c_void_p,),
-        """vesica_rects_from_boxes_f32(boxes, count, stride, angle, out)
+        (c_void_p, c_void_p, c_int32, c_void_p, c_double, c_double, c_double, c_void_p,),
+        """vesica_index_cast_first_f64(index, sets, set_count, one, vx, vy, t_end, out)
 
-Rectangles from boxes.
+Which item of an index does one moving shape touch first? Of several at one time the one with the lowest number.
 
-Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
-Returns: 0.
-Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-the address space, an unknown unit of angles).
-Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
-whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
-Each number is computed in double, within these bounds, and then rounded to float once.
-Cost: about 40 ns a box.
+Requires: sets are those of the index. one is a single shape (count 1).
+Returns: the item, or the index's count if there is none. *out is its contact, the normal pointing to `one`.
+Errors: those of vesica_index_cast_f64.
 Since: 0.1.""",
     ),
-    "vesica_ellipses_from_boxes_f32": (
-        c_int64,
-        (c_void_p, c_int64, c_ssize_t, c_int32, c_void_p,),
-        """vesica_ellipses_from_boxes_f32(boxes, count, stride, angle, out)
+    "vesica_cast_f32": (
+        c_int32,
+        (c_int32, c_void_p, c_int32, c_void_p, c_float, c_float, c_float, c_void_p,),
+        """vesica_cast_f32(kind_a, numbers_a, kind_b, numbers_b, vx, vy, t_end, out)
 
-Ellipses from the boxes about them, whose sides they touch in the middle.
+Does b touch a while it moves, when first, and where?
 
-Requires: as vesica_rects_from_boxes_f32.
-Returns: 0.
-Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-the address space, an unknown unit of angles).
-Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
-Each number is computed in double, within these bounds, and then rounded to float once.
-Cost: about 40 ns a box.
+The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
+there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of what
+they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32 and the point of
+vesica_nearest_f32. So shapes that only touch, with a normal that does not point against the velocity, are moving
+apart. Exchanging the shapes and turning the velocity round changes neither the time nor, but for its sign, the
+normal.
+
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative or
+NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed the finite numbers; or the
+digits of a place at some time span more than 2000 bits, which takes exponents that are wildly unlike).
+Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along that
+it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.
+Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can decide;
+at worst 2 ms, where exponents are wildly unlike.
 Since: 0.1.""",
     ),
-    "vesica_boxes_from_shapes_f32": (
+    "vesica_cast_many_f32": (
         c_int64,
-        (c_void_p, c_int32, c_void_p,),
-        """vesica_boxes_from_shapes_f32(shapes, angle, boxes)
+        (c_void_p, c_void_p, c_void_p, c_void_p, c_ssize_t, c_float, c_void_p, c_void_p, c_void_p, c_void_p, c_void_p,),
+        """vesica_cast_many_f32(a, b, vx, vy, stride, t_end, t, x, y, nx, ny)
 
-Boxes from rectangles, or about ellipses: the way back.
+When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of vesica_cast_f32's
+result.
 
-An angle is from -180 to 180 degrees.
+Velocity i is at vx and vy + i * stride bytes; stride 0 repeats one.
 
-Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
-Returns: 0.
-Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-the address space, an unknown unit of angles).
-Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
-quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
-Each number is computed in double, within these bounds, and then rounded to float once.
-Cost: about 60 ns a shape.
+Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+the larger count. Some, but not all, may be NULL.
+Returns: how many touch, those that overlap at the start included.
+Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of range has NaN
+for its numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there is an invalid shape,
+else the error.
+Accuracy: every result has the bits of vesica_cast_f32.
 Since: 0.1.""",
     ),
-    "vesica_corners_of_shapes_f32": (
+    "vesica_cast_first_f32": (
         c_int64,
-        (c_void_p, c_void_p,),
-        """vesica_corners_of_shapes_f32(shapes, corners)
+        (c_void_p, c_void_p, c_float, c_float, c_float, c_void_p,),
+        """vesica_cast_first_f32(many, one, vx, vy, t_end, out)
 
-The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
+number.
 
-Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
-
-Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
-Returns: 0.
-Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-the address space, an unknown unit of angles).
-Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
-Each number is computed in double, within these bounds, and then rounded to float once.
-Cost: about 20 ns a shape.
+Requires: one is a single shape (count 1).
+Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.
+Errors: as above. An invalid shape anywhere is one.
 Since: 0.1.""",
     ),
-    "vesica_bounds_many_f32": (
-        c_int64,
-        (c_void_p, c_void_p,),
-        """vesica_bounds_many_f32(shapes, out)
+    "vesica_sweep_bounds_f32": (
+        c_int32,
+        (c_int32, c_void_p, c_float, c_float, c_float, c_void_p,),
+        """vesica_sweep_bounds_f32(kind, numbers, vx, vy, t_end, out)
 
-The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.
+A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
 
-Requires: out, room for `count`.
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
 Returns: 0.
-Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-the address space, an unknown unit of angles).
-Accuracy: that of vesica_bounds_f32.
-Cost: that of vesica_bounds_f32.
+Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.
+Accuracy: a side that does not move is that of vesica_bounds_f32; one that does is at most two steps between numbers
+too far out.
+Since: 0.1.""",
+    ),
+    "vesica_index_cast_f32": (
+        c_int64,
+        (c_void_p, c_void_p, c_int32, c_void_p, c_float, c_float, c_float, c_void_p, c_int64, c_void_p,),
+        """vesica_index_cast_f32(index, sets, set_count, one, vx, vy, t_end, out, capacity, state)
+
+Which items of an index does one moving shape touch? They come in the index's order.
+
+Requires: sets are those of the index. one is a single shape (count 1). out has room for `capacity` items. With
+capacity 0, out and state may be NULL.
+Returns: the number of items written; with capacity 0, how many there are.
+Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a pointer that is not
+aligned, or a state that is not of this call. Invalid items are never touched.
+Accuracy: exact.
+Since: 0.1.""",
+    ),
+    "vesica_index_cast_first_f32": (
+        c_int64,
+        (c_void_p, c_void_p, c_int32, c_void_p, c_float, c_float, c_float, c_void_p,),
+        """vesica_index_cast_first_f32(index, sets, set_count, one, vx, vy, t_end, out)
+
+Which item of an index does one moving shape touch first? Of several at one time the one with the lowest number.
+
+Requires: sets are those of the index. one is a single shape (count 1).
+Returns: the item, or the index's count if there is none. *out is its contact, the normal pointing to `one`.
+Errors: those of vesica_index_cast_f32.
 Since: 0.1.""",
     ),
 }

@@ -14,7 +14,6 @@ ffi = cffi.FFI()
 ffi.cdef((CAPI / "vesica.cdef").read_text())
 ffi.cdef((CAPI / "vesica_methods.cdef").read_text())
 vesica, methods = [ffi.dlopen(path) for path in sys.argv[1:3]]
-of_header = {"vesica.h": vesica, "vesica_index.h": vesica, "vesica_measures.h": vesica, "vesica_boxes.h": vesica, "vesica_methods.h": methods}
 description = json.loads((CAPI / "vesica.json").read_text())
 
 for entry in description["constants"]:
@@ -25,7 +24,8 @@ for entry in description["structs"]:
     for field in entry["fields"]:
         assert ffi.offsetof(entry["name"], field["name"]) == field["offset"], (entry["name"], field)
 for entry in description["functions"]:
-    function = getattr(of_header[entry["header"]], entry["name"])
+    library = methods if entry["header"] == "vesica_methods.h" else vesica
+    function = getattr(library, entry["name"])
     assert len(ffi.typeof(function).args) == len(entry["parameters"]), entry
 
 # A unit square about the origin; a disc that touches its right side from outside, and one a hair farther.

@@ -68,6 +68,8 @@ TEST(CapiConstants, SizesOfResults) {
   EXPECT_EQ(sizeof(vesica_crossing_points_f32), 72u);
   EXPECT_EQ(sizeof(vesica_penetration_f64), 24u);
   EXPECT_EQ(sizeof(vesica_penetration_f32), 12u);
+  EXPECT_EQ(sizeof(vesica_impact_f64), 40u);
+  EXPECT_EQ(sizeof(vesica_impact_f32), 20u);
 }
 
 TEST(CapiConstants, LayoutOfShapes) {
@@ -93,6 +95,9 @@ TEST(CapiConstants, LayoutOfMethods) {
 }
 
 TEST(CapiConstants, Values) {
+  EXPECT_EQ(VESICA_CAST_MISS, 0);
+  EXPECT_EQ(VESICA_CAST_HIT, 1);
+  EXPECT_EQ(VESICA_CAST_START, 2);
   EXPECT_EQ(VESICA_POINT, 0);
   EXPECT_EQ(VESICA_SEGMENT, 1);
   EXPECT_EQ(VESICA_CIRCLE, 2);

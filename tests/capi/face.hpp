@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The structs and functions of vesica.h and vesica_index.h by scalar type.
+/// The structs and functions of vesica.h and the headers it includes by scalar type.
 #pragma once
 
 #include <vesica.h>
@@ -13,6 +13,7 @@ template <>
 struct Face<double> {
   using Points = vesica_closest_points_f64;
   using Penetration = vesica_penetration_f64;
+  using Impact = vesica_impact_f64;
   using Crossings = vesica_crossing_points_f64;
   using Aabb = vesica_aabb_f64;
   using Shapes = vesica_shapes_f64;
@@ -56,12 +57,19 @@ struct Face<double> {
   static constexpr auto index_nearest = vesica_index_nearest_f64;
   static constexpr auto join = vesica_join_f64;
   static constexpr auto join_nearest = vesica_join_nearest_f64;
+  static constexpr auto cast = vesica_cast_f64;
+  static constexpr auto cast_many = vesica_cast_many_f64;
+  static constexpr auto cast_first = vesica_cast_first_f64;
+  static constexpr auto sweep_bounds = vesica_sweep_bounds_f64;
+  static constexpr auto index_cast = vesica_index_cast_f64;
+  static constexpr auto index_cast_first = vesica_index_cast_first_f64;
 };
 
 template <>
 struct Face<float> {
   using Points = vesica_closest_points_f32;
   using Penetration = vesica_penetration_f32;
+  using Impact = vesica_impact_f32;
   using Crossings = vesica_crossing_points_f32;
   using Aabb = vesica_aabb_f32;
   using Shapes = vesica_shapes_f32;
@@ -105,6 +113,12 @@ struct Face<float> {
   static constexpr auto index_nearest = vesica_index_nearest_f32;
   static constexpr auto join = vesica_join_f32;
   static constexpr auto join_nearest = vesica_join_nearest_f32;
+  static constexpr auto cast = vesica_cast_f32;
+  static constexpr auto cast_many = vesica_cast_many_f32;
+  static constexpr auto cast_first = vesica_cast_first_f32;
+  static constexpr auto sweep_bounds = vesica_sweep_bounds_f32;
+  static constexpr auto index_cast = vesica_index_cast_f32;
+  static constexpr auto index_cast_first = vesica_index_cast_first_f32;
 };
 
 }  // namespace capi_tests

@@ -105,6 +105,15 @@ static void test_float(void) {
            vesica_ratio_##scalar(VESICA_RATIO_GENERALIZED, KIND_A, (const T*)(a), KIND_B, (const T*)(b), &direct)); \
     EXPECT(generic == direct, 1);                                                                                   \
   } while (0)
+#define EXPECT_CAST(scalar, T, a, KIND_A, b, KIND_B)                                              \
+  do {                                                                                            \
+    vesica_impact_##scalar generic, direct;                                                       \
+    memset(&generic, 0xaa, sizeof generic);                                                       \
+    memset(&direct, 0x55, sizeof direct);                                                         \
+    EXPECT(vesica_cast(a, b, 1, 2, 3, &generic),                                                  \
+           vesica_cast_##scalar(KIND_A, (const T*)(a), KIND_B, (const T*)(b), 1, 2, 3, &direct)); \
+    EXPECT(memcmp(&generic, &direct, sizeof direct), 0);                                          \
+  } while (0)
 #define EXPECT_PAIR(scalar, T, a, KIND_A, b, KIND_B)                                                          \
   do {                                                                                                        \
     EXPECT_ANSWER(vesica_overlap, scalar, T, a, KIND_A, b, KIND_B);                                           \
@@ -114,6 +123,7 @@ static void test_float(void) {
     EXPECT_RESULT(vesica_nearest, scalar, T, vesica_closest_points_##scalar, a, KIND_A, b, KIND_B);           \
     EXPECT_RESULT(vesica_boundary_distance, scalar, T, vesica_closest_points_##scalar, a, KIND_A, b, KIND_B); \
     EXPECT_RESULT(vesica_depth, scalar, T, vesica_penetration_##scalar, a, KIND_A, b, KIND_B);                \
+    EXPECT_CAST(scalar, T, a, KIND_A, b, KIND_B);                                                             \
     EXPECT_RESULT(vesica_area, scalar, T, T, a, KIND_A, b, KIND_B);                                           \
     EXPECT_RESULT(vesica_iou, scalar, T, T, a, KIND_A, b, KIND_B);                                            \
     EXPECT_RATIO(scalar, T, a, KIND_A, b, KIND_B);                                                            \
@@ -157,6 +167,7 @@ static void test_results(void) {
   vesica_crossing_points_f32 places;
   vesica_penetration_f32 penetration;
   vesica_aabb_f64 bounds;
+  vesica_impact_f64 impact;
   float number;
 
   EXPECT(vesica_nearest(&disc, &point, &closest), 0);
@@ -178,6 +189,10 @@ static void test_results(void) {
   EXPECT(vesica_shape_area(&box, &number), 0);
   EXPECT(number == 2, 1);
   EXPECT(vesica_bounds(&disc, &bounds), 0);
+  EXPECT(bounds.min_x == -2 && bounds.max_y == 2, 1);
+  EXPECT(vesica_cast(&disc, &point, -1, 0, 9, &impact), VESICA_CAST_HIT);
+  EXPECT(impact.t == 3 && impact.x == 2 && impact.y == 0 && impact.nx == 1 && impact.ny == 0, 1);
+  EXPECT(vesica_sweep_bounds(&disc, 0, 0, 1, &bounds), 0);
   EXPECT(bounds.min_x == -2 && bounds.max_y == 2, 1);
 }
 

@@ -55,6 +55,28 @@ Bytes ask_one(const Input& p) {
   append(bytes, out);
   return bytes;
 }
+/// function(kind_a, a, kind_b, b, vx, vy, end, &out), towards the first shape.
+template <class T, class Out, auto function>
+Bytes ask_cast(const Input& p) {
+  const auto a = first(p, T{}), b = second(p, T{});
+  Bytes bytes;
+  Out out;
+  std::memset(&out, 0, sizeof out);
+  append(bytes, function(p.kind_a, a.data(), p.kind_b, b.data(), a[0] - b[0], a[1] - b[1], T{3}, &out));
+  append(bytes, out);
+  return bytes;
+}
+/// function(kind, numbers, vx, vy, end, &out).
+template <class T, class Out, auto function>
+Bytes ask_sweep(const Input& p) {
+  const auto a = first(p, T{}), b = second(p, T{});
+  Bytes bytes;
+  Out out;
+  std::memset(&out, 0, sizeof out);
+  append(bytes, function(p.kind_a, a.data(), b[0], b[1], T{1} / 3, &out));
+  append(bytes, out);
+  return bytes;
+}
 template <class T, auto function>
 Bytes ask_check(const Input& p) {
   Bytes bytes;
@@ -139,6 +161,28 @@ Bytes ask_many(const Inputs& inputs) {
   return ask_many<T, Shapes, Out, function>(inputs, std::make_index_sequence<count>{});
 }
 
+/// function(a, b, vx, vy, stride, end, column...), and the first of all to be hit.
+template <class T, class Shapes, class Impact, auto many, auto first_of_all>
+Bytes ask_casts(const Inputs& inputs) {
+  Operands<T, Shapes> operands(inputs);
+  std::vector<T> vx, vy, columns[5];
+  for (std::size_t i = 0; i < operands.records_a.size(); ++i) {
+    vx.push_back(operands.records_a[i][0] - operands.records_b[i][0]);
+    vy.push_back(operands.records_a[i][1] - operands.records_b[i][1]);
+  }
+  for (auto& column : columns) column.resize(inputs.pairs.size());
+  Bytes bytes;
+  append(bytes, many(&operands.a, &operands.b, vx.data(), vy.data(), sizeof(T), T{2}, columns[0].data(),
+                     columns[1].data(), columns[2].data(), columns[3].data(), columns[4].data()));
+  for (const auto& column : columns) append(bytes, column.data(), column.size());
+  operands.b.count = 1;
+  Impact out;
+  std::memset(&out, 0, sizeof out);
+  append(bytes, first_of_all(&operands.a, &operands.b, vx[0], vy[0], T{2}, &out));
+  append(bytes, out);
+  return bytes;
+}
+
 /// function(a, b, out, row_stride).
 template <class T, class Shapes, class Out, auto function>
 Bytes ask_matrix(const Inputs& inputs) {
@@ -190,7 +234,7 @@ struct Aligned {
 };
 
 /// An index of both sides' shapes, built, checked and read.
-template <class T, class Shapes, auto build, auto select, auto nearest>
+template <class T, class Shapes, class Impact, auto build, auto select, auto nearest, auto cast, auto cast_first>
 Bytes ask_index(const Inputs& inputs) {
   const Operands<T, Shapes> operands(inputs);
   const Shapes sets[] = {operands.a, operands.b};
@@ -212,6 +256,14 @@ Bytes ask_index(const Inputs& inputs) {
                         distance.data()));
   append(bytes, out.data(), out.size());
   append(bytes, distance.data(), distance.size());
+  const T vx = operands.records_b[0][0] - operands.records_a[0][0], vy = T{1} / 8;
+  std::int64_t cast_state[4] = {};
+  append(bytes, cast(index.units.data(), sets, 2, &one, vx, vy, T{3}, out.data(), items, cast_state));
+  append(bytes, out.data(), out.size());
+  Impact impact;
+  std::memset(&impact, 0, sizeof impact);
+  append(bytes, cast_first(index.units.data(), sets, 2, &one, vx, vy, T{3}, &impact));
+  append(bytes, impact);
   return bytes;
 }
 
@@ -267,6 +319,8 @@ std::int64_t ratio_matrix(const typename capi_tests::Face<T>::Shapes* a, const t
         {"over_first", ask_pair<T, T, ratio<T, VESICA_RATIO_OVER_FIRST>>},                                          \
         {"complete", ask_pair<T, T, ratio<T, VESICA_RATIO_COMPLETE>>},                                              \
         {"shape_area", ask_one<T, T, vesica_shape_area_##s>},                                                       \
+        {"cast", ask_cast<T, vesica_impact_##s, vesica_cast_##s>},                                                  \
+        {"sweep_bounds", ask_sweep<T, vesica_aabb_##s, vesica_sweep_bounds_##s>},                                   \
         {"bounds", ask_one<T, vesica_aabb_##s, vesica_bounds_##s>},                                                 \
         {"aabb_from_corners", ask_constructor<T, vesica_aabb_##s, vesica_aabb_from_corners_##s, 4>},                \
         {"rect_from_angle", ask_constructor<T, vesica_rect_##s, vesica_rect_from_angle_##s, 5>},                    \
@@ -296,8 +350,9 @@ std::int64_t ratio_matrix(const typename capi_tests::Face<T>::Shapes* a, const t
         {"generalized_matrix", ask_matrix<T, vesica_shapes_##s, T, ratio_matrix<T, VESICA_RATIO_GENERALIZED>>},       \
         {"overlap_select", ask_select<T, vesica_shapes_##s, vesica_overlap_select_##s>},                              \
         {"nms", ask_nms<T, vesica_shapes_##s, vesica_nms_##s>},                                                       \
-        {"index",                                                                                                     \
-         ask_index<T, vesica_shapes_##s, vesica_index_build_##s, vesica_index_select_##s, vesica_index_nearest_##s>}, \
+        {"casts", ask_casts<T, vesica_shapes_##s, vesica_impact_##s, vesica_cast_many_##s, vesica_cast_first_##s>},   \
+        {"index", ask_index<T, vesica_shapes_##s, vesica_impact_##s, vesica_index_build_##s, vesica_index_select_##s, \
+                            vesica_index_nearest_##s, vesica_index_cast_##s, vesica_index_cast_first_##s>},           \
         {"join", ask_join<T, vesica_shapes_##s, vesica_index_build_##s, vesica_join_##s, vesica_join_nearest_##s>},   \
   }
 

@@ -12,7 +12,8 @@ int main(void) {
   const OF(circle, OTHER) b = {0, 0, 1};
   OF(closest_points, OTHER) points = {0, 0, 0, 0, 0};
   OF(aabb, OTHER) box = {0, 0, 0, 0};
+  OF(impact, OTHER) impact = {0, 0, 0, 0, 0};
   OTHER number = 0;
-  (void)&a, (void)&b, (void)&points, (void)&box, (void)&number;
+  (void)&a, (void)&b, (void)&points, (void)&box, (void)&impact, (void)&number;
   return CALL;
 }

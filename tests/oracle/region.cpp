@@ -103,6 +103,29 @@ RegionPair regions(int kind_a, const double* a, int kind_b, const double* b) {
   return {region(kind_a, integers(lengths_a, unit)), region(kind_b, integers(lengths_b, unit))};
 }
 
+MovingPair regions_on_way(int kind_a, const double* a, int kind_b, const double* b, const Way& way) {
+  const bool endless = std::isinf(way.time);
+  const std::vector<Dyadic> lengths_a = lengths(kind_a, a), lengths_b = lengths(kind_b, b);
+  const Dyadic time = dyadic(endless ? 1.0 : way.time), last{time.mantissa, time.exponent - way.less};
+  const std::vector<Dyadic> steps{dyadic(way.vx) * time, dyadic(way.vy) * time, dyadic(way.vx) * last,
+                                  dyadic(way.vy) * last};
+  long unit = LONG_MAX;
+  for (const auto& numbers : {lengths_a, lengths_b, steps}) {
+    for (const Dyadic& d : numbers) unit = std::min(unit, d.exponent);
+  }
+  const std::vector<mpz_class> of_a = integers(lengths_a, unit), of_b = integers(lengths_b, unit);
+  const std::vector<mpz_class> by = integers(steps, unit);
+  mpz_class reach = 1;
+  if (endless) {
+    // A step of v is at least 1 along a coordinate in this unit, unless there is none.
+    for (const auto& numbers : {of_a, of_b}) {
+      for (const mpz_class& x : numbers) reach += 8 * abs(x);
+    }
+  }
+  Vector whole{by[0] * reach, by[1] * reach};
+  return {region(kind_a, of_a), region(kind_b, of_b), way.less > 0 ? whole - Vector{by[2], by[3]} : whole};
+}
+
 bool contains(const Corners& c, const Vector& x) {
   if (c.size() == 1) return c[0] == x;
   if (c.size() == 2) return orientation(c[0], c[1], x) == 0 && sgn(dot(x - c[0], x - c[1])) <= 0;

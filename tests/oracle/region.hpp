@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "oracle/motion.hpp"
+
 namespace oracle {
 
 struct Vector {
@@ -41,6 +43,13 @@ struct RegionPair {
   Region a, b;
 };
 RegionPair regions(int kind_a, const double* a, int kind_b, const double* b);
+
+/// The same, and how far the second is moved.
+struct MovingPair {
+  Region a, b;
+  Vector by;
+};
+MovingPair regions_on_way(int kind_a, const double* a, int kind_b, const double* b, const Way& way);
 
 /// A polygon's edges as pairs of corner indices: none, one or four.
 inline std::size_t edge_count(const Corners& c) { return c.size() == 2 ? 1 : c.size() == 4 ? 4 : 0; }

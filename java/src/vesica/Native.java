@@ -1425,6 +1425,222 @@ final class Native {
   static native int nmsF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object scores, float threshold, Object scratch, long scratchSize, Object keep, Object kept);
 
   /**
+   * Rectangles from boxes.
+   *
+   * <p>Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   *
+   * <p>Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
+   * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
+   *
+   * <p>Cost: about 40 ns a box.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long rectsFromBoxesF64(Object boxes, long count, long stride, int angle, Object out);
+
+  /**
+   * Ellipses from the boxes about them, whose sides they touch in the middle.
+   *
+   * <p>Requires: as vesica_rects_from_boxes_f64.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   *
+   * <p>Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
+   *
+   * <p>Cost: about 40 ns a box.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long ellipsesFromBoxesF64(Object boxes, long count, long stride, int angle, Object out);
+
+  /**
+   * Boxes from rectangles, or about ellipses: the way back.
+   *
+   * <p>An angle is from -180 to 180 degrees.
+   *
+   * <p>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   *
+   * <p>Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
+   * quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
+   *
+   * <p>Cost: about 60 ns a shape.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long boxesFromShapesF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, int angle, Object boxes);
+
+  /**
+   * The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+   *
+   * <p>Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
+   *
+   * <p>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   *
+   * <p>Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
+   *
+   * <p>Cost: about 20 ns a shape.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long cornersOfShapesF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object corners);
+
+  /**
+   * The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.
+   *
+   * <p>Requires: out, room for `count`.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   *
+   * <p>Accuracy: that of vesica_bounds_f64.
+   *
+   * <p>Cost: that of vesica_bounds_f64.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long boundsManyF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object out);
+
+  /**
+   * Rectangles from boxes.
+   *
+   * <p>Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   *
+   * <p>Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
+   * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   *
+   * <p>Cost: about 40 ns a box.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long rectsFromBoxesF32(Object boxes, long count, long stride, int angle, Object out);
+
+  /**
+   * Ellipses from the boxes about them, whose sides they touch in the middle.
+   *
+   * <p>Requires: as vesica_rects_from_boxes_f32.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   *
+   * <p>Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   *
+   * <p>Cost: about 40 ns a box.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long ellipsesFromBoxesF32(Object boxes, long count, long stride, int angle, Object out);
+
+  /**
+   * Boxes from rectangles, or about ellipses: the way back.
+   *
+   * <p>An angle is from -180 to 180 degrees.
+   *
+   * <p>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   *
+   * <p>Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
+   * quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   *
+   * <p>Cost: about 60 ns a shape.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long boxesFromShapesF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, int angle, Object boxes);
+
+  /**
+   * The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+   *
+   * <p>Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
+   *
+   * <p>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   *
+   * <p>Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   *
+   * <p>Cost: about 20 ns a shape.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long cornersOfShapesF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object corners);
+
+  /**
+   * The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.
+   *
+   * <p>Requires: out, room for `count`.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+   * the address space, an unknown unit of angles).
+   *
+   * <p>Accuracy: that of vesica_bounds_f32.
+   *
+   * <p>Cost: that of vesica_bounds_f32.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long boundsManyF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object out);
+
+  /**
    * How many bytes suffice for an index of `count` shapes, of any kinds?
    *
    * <p>Returns: 17 bytes a shape and 64 KiB. A built index takes fewer, mostly 13 a shape: vesica_index_bytes tells.
@@ -1983,220 +2199,224 @@ final class Native {
   static native int suppressF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object scores, Object labels, int ratio, float threshold, float leastScore, long most, Object scratch, long scratchSize, Object keep, Object kept);
 
   /**
-   * Rectangles from boxes.
+   * Does b touch a while it moves, when first, and where?
    *
-   * <p>Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
+   * <p>The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
+   * there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of what
+   * they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of
+   * vesica_nearest_f64. So shapes that only touch, with a normal that does not point against the velocity, are moving
+   * apart. Exchanging the shapes and turning the velocity round changes neither the time nor, but for its sign, the
+   * normal.
    *
-   * <p>Returns: 0.
+   * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-   * the address space, an unknown unit of angles).
+   * <p>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
    *
-   * <p>Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
-   * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative or
+   * NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed the finite numbers; or the
+   * digits of a place at some time span more than 2000 bits, which takes exponents that are wildly unlike).
    *
-   * <p>Cost: about 40 ns a box.
+   * <p>Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along that
+   * it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   *
+   * <p>Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can decide;
+   * at worst 2 ms, where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */
-  static native long rectsFromBoxesF64(Object boxes, long count, long stride, int angle, Object out);
+  static native int castF64(int kindA, Object numbersA, int kindB, Object numbersB, double vx, double vy, double tEnd, Object out);
 
   /**
-   * Ellipses from the boxes about them, whose sides they touch in the middle.
+   * When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of vesica_cast_f64's
+   * result.
    *
-   * <p>Requires: as vesica_rects_from_boxes_f64.
+   * <p>Velocity i is at vx and vy + i * stride bytes; stride 0 repeats one.
    *
-   * <p>Returns: 0.
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count. Some, but not all, may be NULL.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-   * the address space, an unknown unit of angles).
+   * <p>Returns: how many touch, those that overlap at the start included.
    *
-   * <p>Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
+   * <p>Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of range has NaN
+   * for its numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there is an invalid shape,
+   * else the error.
    *
-   * <p>Cost: about 40 ns a box.
+   * <p>Accuracy: every result has the bits of vesica_cast_f64.
    *
    * <p>Since: 0.1.
    */
-  static native long ellipsesFromBoxesF64(Object boxes, long count, long stride, int angle, Object out);
+  static native long castManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object vx, Object vy, long stride, double tEnd, Object t, Object x, Object y, Object nx, Object ny);
 
   /**
-   * Boxes from rectangles, or about ellipses: the way back.
+   * Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
+   * number.
    *
-   * <p>An angle is from -180 to 180 degrees.
+   * <p>Requires: one is a single shape (count 1).
    *
-   * <p>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
+   * <p>Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.
    *
-   * <p>Returns: 0.
-   *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-   * the address space, an unknown unit of angles).
-   *
-   * <p>Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
-   * quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
-   *
-   * <p>Cost: about 60 ns a shape.
+   * <p>Errors: as above. An invalid shape anywhere is one.
    *
    * <p>Since: 0.1.
    */
-  static native long boxesFromShapesF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, int angle, Object boxes);
+  static native long castFirstF64(int manyKind, long manyCount, long manyStride, long manyStep, Object manyBase, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, double vx, double vy, double tEnd, Object out);
 
   /**
-   * The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+   * A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
    *
-   * <p>Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
-   *
-   * <p>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
+   * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
    *
    * <p>Returns: 0.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-   * the address space, an unknown unit of angles).
+   * <p>Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.
    *
-   * <p>Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
-   *
-   * <p>Cost: about 20 ns a shape.
+   * <p>Accuracy: a side that does not move is that of vesica_bounds_f64; one that does is at most two steps between numbers
+   * too far out.
    *
    * <p>Since: 0.1.
    */
-  static native long cornersOfShapesF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object corners);
+  static native int sweepBoundsF64(int kind, Object numbers, double vx, double vy, double tEnd, Object out);
 
   /**
-   * The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.
+   * Which items of an index does one moving shape touch? They come in the index's order.
    *
-   * <p>Requires: out, room for `count`.
+   * <p>Requires: sets are those of the index. one is a single shape (count 1). out has room for `capacity` items. With
+   * capacity 0, out and state may be NULL.
    *
-   * <p>Returns: 0.
+   * <p>Returns: the number of items written; with capacity 0, how many there are.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-   * the address space, an unknown unit of angles).
+   * <p>Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a pointer that is not
+   * aligned, or a state that is not of this call. Invalid items are never touched.
    *
-   * <p>Accuracy: that of vesica_bounds_f64.
-   *
-   * <p>Cost: that of vesica_bounds_f64.
+   * <p>Accuracy: exact.
    *
    * <p>Since: 0.1.
    */
-  static native long boundsManyF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object out);
+  static native long indexCastF64(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, double vx, double vy, double tEnd, Object out, long capacity, Object state);
 
   /**
-   * Rectangles from boxes.
+   * Which item of an index does one moving shape touch first? Of several at one time the one with the lowest number.
    *
-   * <p>Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
+   * <p>Requires: sets are those of the index. one is a single shape (count 1).
    *
-   * <p>Returns: 0.
+   * <p>Returns: the item, or the index's count if there is none. *out is its contact, the normal pointing to `one`.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-   * the address space, an unknown unit of angles).
-   *
-   * <p>Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
-   * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
-   * Each number is computed in double, within these bounds, and then rounded to float once.
-   *
-   * <p>Cost: about 40 ns a box.
+   * <p>Errors: those of vesica_index_cast_f64.
    *
    * <p>Since: 0.1.
    */
-  static native long rectsFromBoxesF32(Object boxes, long count, long stride, int angle, Object out);
+  static native long indexCastFirstF64(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, double vx, double vy, double tEnd, Object out);
 
   /**
-   * Ellipses from the boxes about them, whose sides they touch in the middle.
+   * Does b touch a while it moves, when first, and where?
    *
-   * <p>Requires: as vesica_rects_from_boxes_f32.
+   * <p>The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
+   * there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of what
+   * they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32 and the point of
+   * vesica_nearest_f32. So shapes that only touch, with a normal that does not point against the velocity, are moving
+   * apart. Exchanging the shapes and turning the velocity round changes neither the time nor, but for its sign, the
+   * normal.
    *
-   * <p>Returns: 0.
+   * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-   * the address space, an unknown unit of angles).
+   * <p>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
    *
-   * <p>Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
-   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative or
+   * NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed the finite numbers; or the
+   * digits of a place at some time span more than 2000 bits, which takes exponents that are wildly unlike).
    *
-   * <p>Cost: about 40 ns a box.
+   * <p>Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along that
+   * it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   *
+   * <p>Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can decide;
+   * at worst 2 ms, where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */
-  static native long ellipsesFromBoxesF32(Object boxes, long count, long stride, int angle, Object out);
+  static native int castF32(int kindA, Object numbersA, int kindB, Object numbersB, float vx, float vy, float tEnd, Object out);
 
   /**
-   * Boxes from rectangles, or about ellipses: the way back.
+   * When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of vesica_cast_f32's
+   * result.
    *
-   * <p>An angle is from -180 to 180 degrees.
+   * <p>Velocity i is at vx and vy + i * stride bytes; stride 0 repeats one.
    *
-   * <p>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+   * the larger count. Some, but not all, may be NULL.
    *
-   * <p>Returns: 0.
+   * <p>Returns: how many touch, those that overlap at the start included.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-   * the address space, an unknown unit of angles).
+   * <p>Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of range has NaN
+   * for its numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there is an invalid shape,
+   * else the error.
    *
-   * <p>Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
-   * quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
-   * Each number is computed in double, within these bounds, and then rounded to float once.
-   *
-   * <p>Cost: about 60 ns a shape.
+   * <p>Accuracy: every result has the bits of vesica_cast_f32.
    *
    * <p>Since: 0.1.
    */
-  static native long boxesFromShapesF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, int angle, Object boxes);
+  static native long castManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object vx, Object vy, long stride, float tEnd, Object t, Object x, Object y, Object nx, Object ny);
 
   /**
-   * The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+   * Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
+   * number.
    *
-   * <p>Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
+   * <p>Requires: one is a single shape (count 1).
    *
-   * <p>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
+   * <p>Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.
    *
-   * <p>Returns: 0.
-   *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-   * the address space, an unknown unit of angles).
-   *
-   * <p>Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
-   * Each number is computed in double, within these bounds, and then rounded to float once.
-   *
-   * <p>Cost: about 20 ns a shape.
+   * <p>Errors: as above. An invalid shape anywhere is one.
    *
    * <p>Since: 0.1.
    */
-  static native long cornersOfShapesF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object corners);
+  static native long castFirstF32(int manyKind, long manyCount, long manyStride, long manyStep, Object manyBase, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, float vx, float vy, float tEnd, Object out);
 
   /**
-   * The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.
+   * A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
    *
-   * <p>Requires: out, room for `count`.
+   * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
    *
    * <p>Returns: 0.
    *
-   * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-   * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-   * the address space, an unknown unit of angles).
+   * <p>Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.
    *
-   * <p>Accuracy: that of vesica_bounds_f32.
-   *
-   * <p>Cost: that of vesica_bounds_f32.
+   * <p>Accuracy: a side that does not move is that of vesica_bounds_f32; one that does is at most two steps between numbers
+   * too far out.
    *
    * <p>Since: 0.1.
    */
-  static native long boundsManyF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object out);
+  static native int sweepBoundsF32(int kind, Object numbers, float vx, float vy, float tEnd, Object out);
+
+  /**
+   * Which items of an index does one moving shape touch? They come in the index's order.
+   *
+   * <p>Requires: sets are those of the index. one is a single shape (count 1). out has room for `capacity` items. With
+   * capacity 0, out and state may be NULL.
+   *
+   * <p>Returns: the number of items written; with capacity 0, how many there are.
+   *
+   * <p>Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a pointer that is not
+   * aligned, or a state that is not of this call. Invalid items are never touched.
+   *
+   * <p>Accuracy: exact.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long indexCastF32(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, float vx, float vy, float tEnd, Object out, long capacity, Object state);
+
+  /**
+   * Which item of an index does one moving shape touch first? Of several at one time the one with the lowest number.
+   *
+   * <p>Requires: sets are those of the index. one is a single shape (count 1).
+   *
+   * <p>Returns: the item, or the index's count if there is none. *out is its contact, the normal pointing to `one`.
+   *
+   * <p>Errors: those of vesica_index_cast_f32.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long indexCastFirstF32(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, float vx, float vy, float tEnd, Object out);
 
   static int check(boolean wide, int kind, Object numbers) {
     return wide
@@ -2402,6 +2622,36 @@ final class Native {
         : nmsF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, (float) threshold, scratch, scratchSize, keep, kept);
   }
 
+  static long rectsFromBoxes(boolean wide, Object boxes, long count, long stride, int angle, Object out) {
+    return wide
+        ? rectsFromBoxesF64(boxes, count, stride, angle, out)
+        : rectsFromBoxesF32(boxes, count, stride, angle, out);
+  }
+
+  static long ellipsesFromBoxes(boolean wide, Object boxes, long count, long stride, int angle, Object out) {
+    return wide
+        ? ellipsesFromBoxesF64(boxes, count, stride, angle, out)
+        : ellipsesFromBoxesF32(boxes, count, stride, angle, out);
+  }
+
+  static long boxesFromShapes(boolean wide, Shapes shapes, int angle, Object boxes) {
+    return wide
+        ? boxesFromShapesF64(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, angle, boxes)
+        : boxesFromShapesF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, angle, boxes);
+  }
+
+  static long cornersOfShapes(boolean wide, Shapes shapes, Object corners) {
+    return wide
+        ? cornersOfShapesF64(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, corners)
+        : cornersOfShapesF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, corners);
+  }
+
+  static long boundsMany(boolean wide, Shapes shapes, Object out) {
+    return wide
+        ? boundsManyF64(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, out)
+        : boundsManyF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, out);
+  }
+
   static long indexBuild(boolean wide, Sets sets, Object index, long indexSize, Object scratch, long scratchSize) {
     return wide
         ? indexBuildF64(sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, index, indexSize, scratch, scratchSize)
@@ -2474,33 +2724,39 @@ final class Native {
         : suppressF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, labels, ratio, (float) threshold, (float) leastScore, most, scratch, scratchSize, keep, kept);
   }
 
-  static long rectsFromBoxes(boolean wide, Object boxes, long count, long stride, int angle, Object out) {
+  static int cast(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB, double vx, double vy, double tEnd, Object out) {
     return wide
-        ? rectsFromBoxesF64(boxes, count, stride, angle, out)
-        : rectsFromBoxesF32(boxes, count, stride, angle, out);
+        ? castF64(kindA, numbersA, kindB, numbersB, vx, vy, tEnd, out)
+        : castF32(kindA, numbersA, kindB, numbersB, (float) vx, (float) vy, (float) tEnd, out);
   }
 
-  static long ellipsesFromBoxes(boolean wide, Object boxes, long count, long stride, int angle, Object out) {
+  static long castMany(boolean wide, Shapes a, Shapes b, Object vx, Object vy, long stride, double tEnd, Object t, Object x, Object y, Object nx, Object ny) {
     return wide
-        ? ellipsesFromBoxesF64(boxes, count, stride, angle, out)
-        : ellipsesFromBoxesF32(boxes, count, stride, angle, out);
+        ? castManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, vx, vy, stride, tEnd, t, x, y, nx, ny)
+        : castManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, vx, vy, stride, (float) tEnd, t, x, y, nx, ny);
   }
 
-  static long boxesFromShapes(boolean wide, Shapes shapes, int angle, Object boxes) {
+  static long castFirst(boolean wide, Shapes many, Shapes one, double vx, double vy, double tEnd, Object out) {
     return wide
-        ? boxesFromShapesF64(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, angle, boxes)
-        : boxesFromShapesF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, angle, boxes);
+        ? castFirstF64(many.kind, many.count, many.stride, many.step, many.base, one.kind, one.count, one.stride, one.step, one.base, vx, vy, tEnd, out)
+        : castFirstF32(many.kind, many.count, many.stride, many.step, many.base, one.kind, one.count, one.stride, one.step, one.base, (float) vx, (float) vy, (float) tEnd, out);
   }
 
-  static long cornersOfShapes(boolean wide, Shapes shapes, Object corners) {
+  static int sweepBounds(boolean wide, int kind, Object numbers, double vx, double vy, double tEnd, Object out) {
     return wide
-        ? cornersOfShapesF64(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, corners)
-        : cornersOfShapesF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, corners);
+        ? sweepBoundsF64(kind, numbers, vx, vy, tEnd, out)
+        : sweepBoundsF32(kind, numbers, (float) vx, (float) vy, (float) tEnd, out);
   }
 
-  static long boundsMany(boolean wide, Shapes shapes, Object out) {
+  static long indexCast(boolean wide, Object index, Sets sets, Shapes one, double vx, double vy, double tEnd, Object out, long capacity, Object state) {
     return wide
-        ? boundsManyF64(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, out)
-        : boundsManyF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, out);
+        ? indexCastF64(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count, one.stride, one.step, one.base, vx, vy, tEnd, out, capacity, state)
+        : indexCastF32(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count, one.stride, one.step, one.base, (float) vx, (float) vy, (float) tEnd, out, capacity, state);
+  }
+
+  static long indexCastFirst(boolean wide, Object index, Sets sets, Shapes one, double vx, double vy, double tEnd, Object out) {
+    return wide
+        ? indexCastFirstF64(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count, one.stride, one.step, one.base, vx, vy, tEnd, out)
+        : indexCastFirstF32(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count, one.stride, one.step, one.base, (float) vx, (float) vy, (float) tEnd, out);
   }
 }

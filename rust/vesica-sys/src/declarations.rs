@@ -55,6 +55,12 @@ pub const VESICA_E_INVERTED: i32 = -8;
 pub const VESICA_E_RANGE: i32 = -9;
 /// bytes are not an index of this version, or are damaged
 pub const VESICA_E_INDEX: i32 = -10;
+pub const VESICA_ANGLE_RADIANS: i32 = 0;
+pub const VESICA_ANGLE_DEGREES: i32 = 1;
+/// quarter turns
+pub const VESICA_ANGLE_QUARTERS: i32 = 2;
+/// added to a unit: angles turn from +x away from +y
+pub const VESICA_ANGLE_REVERSED: i32 = 4;
 /// a and b share a point, as vesica_overlap_f64 tells
 pub const VESICA_JOIN_OVERLAP: i32 = 0;
 /// their bounds in the indexes do: all pairs that overlap, and some that do not
@@ -77,12 +83,12 @@ pub const VESICA_RATIO_GENERALIZED: i32 = 4;
 pub const VESICA_RATIO_DISTANCE: i32 = 5;
 /// DIoU - v^2 / (1 - IoU + v), v = (difference of angles / 90 degrees)^2 (CIoU)
 pub const VESICA_RATIO_COMPLETE: i32 = 6;
-pub const VESICA_ANGLE_RADIANS: i32 = 0;
-pub const VESICA_ANGLE_DEGREES: i32 = 1;
-/// quarter turns
-pub const VESICA_ANGLE_QUARTERS: i32 = 2;
-/// added to a unit: angles turn from +x away from +y
-pub const VESICA_ANGLE_REVERSED: i32 = 4;
+/// no contact from 0 to t_end
+pub const VESICA_CAST_MISS: i32 = 0;
+/// contact, the first after t = 0
+pub const VESICA_CAST_HIT: i32 = 1;
+/// the shapes overlap at t = 0, as vesica_overlap_f64 tells
+pub const VESICA_CAST_START: i32 = 2;
 
 /// A location.
 #[repr(C)]
@@ -239,6 +245,24 @@ pub struct Shapes<T> {
 pub type vesica_shapes_f64 = Shapes<f64>;
 /// [`Shapes`] of f32.
 pub type vesica_shapes_f32 = Shapes<f32>;
+
+/// A first contact: when, where and along which normal.
+///
+/// (nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are NaN.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[allow(missing_docs)]
+pub struct Impact<T> {
+    pub t: T,
+    pub x: T,
+    pub y: T,
+    pub nx: T,
+    pub ny: T,
+}
+/// [`Impact`] of f64.
+pub type vesica_impact_f64 = Impact<f64>;
+/// [`Impact`] of f32.
+pub type vesica_impact_f32 = Impact<f32>;
 
 extern "C" {
     /// Version of the loaded library, to be compared with VESICA_VERSION: a smaller one is older than the header.
@@ -1957,6 +1981,192 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_nms_f32(shapes: *const Shapes<f32>, scores: *const f32, threshold: f32, scratch: *mut c_void, scratch_size: i64, keep: *mut i64, kept: *mut i64) -> i32;
+    /// Rectangles from boxes.
+    ///
+    /// Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+    /// the address space, an unknown unit of angles).
+    ///
+    /// Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
+    /// whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
+    ///
+    /// Cost: about 40 ns a box.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_rects_from_boxes_f64(boxes: *const f64, count: i64, stride: isize, angle: i32, out: *mut Rect<f64>) -> i64;
+    /// Ellipses from the boxes about them, whose sides they touch in the middle.
+    ///
+    /// Requires: as vesica_rects_from_boxes_f64.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+    /// the address space, an unknown unit of angles).
+    ///
+    /// Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
+    ///
+    /// Cost: about 40 ns a box.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_ellipses_from_boxes_f64(boxes: *const f64, count: i64, stride: isize, angle: i32, out: *mut Ellipse<f64>) -> i64;
+    /// Boxes from rectangles, or about ellipses: the way back.
+    ///
+    /// An angle is from -180 to 180 degrees.
+    ///
+    /// Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+    /// the address space, an unknown unit of angles).
+    ///
+    /// Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
+    /// quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
+    ///
+    /// Cost: about 60 ns a shape.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_boxes_from_shapes_f64(shapes: *const Shapes<f64>, angle: i32, boxes: *mut f64) -> i64;
+    /// The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+    ///
+    /// Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
+    ///
+    /// Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+    /// the address space, an unknown unit of angles).
+    ///
+    /// Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
+    ///
+    /// Cost: about 20 ns a shape.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_corners_of_shapes_f64(shapes: *const Shapes<f64>, corners: *mut f64) -> i64;
+    /// The bounds of shapes of any kind: out\[i\] is the result of vesica_bounds_f64.
+    ///
+    /// Requires: out, room for `count`.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+    /// the address space, an unknown unit of angles).
+    ///
+    /// Accuracy: that of vesica_bounds_f64.
+    ///
+    /// Cost: that of vesica_bounds_f64.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_bounds_many_f64(shapes: *const Shapes<f64>, out: *mut Aabb<f64>) -> i64;
+    /// Rectangles from boxes.
+    ///
+    /// Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+    /// the address space, an unknown unit of angles).
+    ///
+    /// Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
+    /// whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
+    /// Each number is computed in double, within these bounds, and then rounded to float once.
+    ///
+    /// Cost: about 40 ns a box.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_rects_from_boxes_f32(boxes: *const f32, count: i64, stride: isize, angle: i32, out: *mut Rect<f32>) -> i64;
+    /// Ellipses from the boxes about them, whose sides they touch in the middle.
+    ///
+    /// Requires: as vesica_rects_from_boxes_f32.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+    /// the address space, an unknown unit of angles).
+    ///
+    /// Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
+    /// Each number is computed in double, within these bounds, and then rounded to float once.
+    ///
+    /// Cost: about 40 ns a box.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_ellipses_from_boxes_f32(boxes: *const f32, count: i64, stride: isize, angle: i32, out: *mut Ellipse<f32>) -> i64;
+    /// Boxes from rectangles, or about ellipses: the way back.
+    ///
+    /// An angle is from -180 to 180 degrees.
+    ///
+    /// Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+    /// the address space, an unknown unit of angles).
+    ///
+    /// Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
+    /// quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
+    /// Each number is computed in double, within these bounds, and then rounded to float once.
+    ///
+    /// Cost: about 60 ns a shape.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_boxes_from_shapes_f32(shapes: *const Shapes<f32>, angle: i32, boxes: *mut f32) -> i64;
+    /// The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+    ///
+    /// Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
+    ///
+    /// Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+    /// the address space, an unknown unit of angles).
+    ///
+    /// Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
+    /// Each number is computed in double, within these bounds, and then rounded to float once.
+    ///
+    /// Cost: about 20 ns a shape.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_corners_of_shapes_f32(shapes: *const Shapes<f32>, corners: *mut f32) -> i64;
+    /// The bounds of shapes of any kind: out\[i\] is the result of vesica_bounds_f32.
+    ///
+    /// Requires: out, room for `count`.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
+    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
+    /// the address space, an unknown unit of angles).
+    ///
+    /// Accuracy: that of vesica_bounds_f32.
+    ///
+    /// Cost: that of vesica_bounds_f32.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_bounds_many_f32(shapes: *const Shapes<f32>, out: *mut Aabb<f32>) -> i64;
     /// How many bytes suffice for an index of `count` shapes, of any kinds?
     ///
     /// Returns: 17 bytes a shape and 64 KiB. A built index takes fewer, mostly 13 a shape: vesica_index_bytes tells.
@@ -2447,192 +2657,190 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_suppress_f32(shapes: *const Shapes<f32>, scores: *const f32, labels: *const i32, ratio: i32, threshold: f32, least_score: f32, most: i64, scratch: *mut c_void, scratch_size: i64, keep: *mut i64, kept: *mut i64) -> i32;
-    /// Rectangles from boxes.
+    /// Does b touch a while it moves, when first, and where?
     ///
-    /// Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
+    /// The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
+    /// there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of what
+    /// they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of
+    /// vesica_nearest_f64. So shapes that only touch, with a normal that does not point against the velocity, are moving
+    /// apart. Exchanging the shapes and turning the velocity round changes neither the time nor, but for its sign, the
+    /// normal.
+    ///
+    /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
+    ///
+    /// Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative or
+    /// NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed the finite numbers; or the
+    /// digits of a place at some time span more than 2000 bits, which takes exponents that are wildly unlike).
+    ///
+    /// Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along that
+    /// it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.
+    /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    ///
+    /// Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can decide;
+    /// at worst 2 ms, where exponents are wildly unlike.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_cast_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, vx: f64, vy: f64, t_end: f64, out: *mut Impact<f64>) -> i32;
+    /// When, and where, does b\[i\], moved by t (vx\[i\], vy\[i\]), touch a\[i\]? The columns are the fields of vesica_cast_f64's
+    /// result.
+    ///
+    /// Velocity i is at vx and vy + i \* stride bytes; stride 0 repeats one.
+    ///
+    /// Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+    /// the larger count. Some, but not all, may be NULL.
+    ///
+    /// Returns: how many touch, those that overlap at the start included.
+    ///
+    /// Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of range has NaN
+    /// for its numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there is an invalid shape,
+    /// else the error.
+    ///
+    /// Accuracy: every result has the bits of vesica_cast_f64.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_cast_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, vx: *const f64, vy: *const f64, stride: isize, t_end: f64, t: *mut f64, x: *mut f64, y: *mut f64, nx: *mut f64, ny: *mut f64) -> i64;
+    /// Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
+    /// number.
+    ///
+    /// Requires: one is a single shape (count 1).
+    ///
+    /// Returns: its number, or the count of `many` if there is none. \*out is its contact, the normal pointing to `one`.
+    ///
+    /// Errors: as above. An invalid shape anywhere is one.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_cast_first_f64(many: *const Shapes<f64>, one: *const Shapes<f64>, vx: f64, vy: f64, t_end: f64, out: *mut Impact<f64>) -> i64;
+    /// A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+    ///
+    /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
     ///
     /// Returns: 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-    /// the address space, an unknown unit of angles).
+    /// Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.
     ///
-    /// Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
-    /// whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
-    ///
-    /// Cost: about 40 ns a box.
+    /// Accuracy: a side that does not move is that of vesica_bounds_f64; one that does is at most two steps between numbers
+    /// too far out.
     ///
     /// Since: 0.1.
-    pub fn vesica_rects_from_boxes_f64(boxes: *const f64, count: i64, stride: isize, angle: i32, out: *mut Rect<f64>) -> i64;
-    /// Ellipses from the boxes about them, whose sides they touch in the middle.
+    pub fn vesica_sweep_bounds_f64(kind: i32, numbers: *const f64, vx: f64, vy: f64, t_end: f64, out: *mut Aabb<f64>) -> i32;
+    /// Which items of an index does one moving shape touch? They come in the index's order.
     ///
-    /// Requires: as vesica_rects_from_boxes_f64.
+    /// Requires: sets are those of the index. one is a single shape (count 1). out has room for `capacity` items. With
+    /// capacity 0, out and state may be NULL.
+    ///
+    /// Returns: the number of items written; with capacity 0, how many there are.
+    ///
+    /// Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a pointer that is not
+    /// aligned, or a state that is not of this call. Invalid items are never touched.
+    ///
+    /// Accuracy: exact.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_index_cast_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32, one: *const Shapes<f64>, vx: f64, vy: f64, t_end: f64, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
+    /// Which item of an index does one moving shape touch first? Of several at one time the one with the lowest number.
+    ///
+    /// Requires: sets are those of the index. one is a single shape (count 1).
+    ///
+    /// Returns: the item, or the index's count if there is none. \*out is its contact, the normal pointing to `one`.
+    ///
+    /// Errors: those of vesica_index_cast_f64.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_index_cast_first_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32, one: *const Shapes<f64>, vx: f64, vy: f64, t_end: f64, out: *mut Impact<f64>) -> i64;
+    /// Does b touch a while it moves, when first, and where?
+    ///
+    /// The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
+    /// there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of what
+    /// they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32 and the point of
+    /// vesica_nearest_f32. So shapes that only touch, with a normal that does not point against the velocity, are moving
+    /// apart. Exchanging the shapes and turning the velocity round changes neither the time nor, but for its sign, the
+    /// normal.
+    ///
+    /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
+    ///
+    /// Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative or
+    /// NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed the finite numbers; or the
+    /// digits of a place at some time span more than 2000 bits, which takes exponents that are wildly unlike).
+    ///
+    /// Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along that
+    /// it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.
+    /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    ///
+    /// Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can decide;
+    /// at worst 2 ms, where exponents are wildly unlike.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_cast_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, vx: f32, vy: f32, t_end: f32, out: *mut Impact<f32>) -> i32;
+    /// When, and where, does b\[i\], moved by t (vx\[i\], vy\[i\]), touch a\[i\]? The columns are the fields of vesica_cast_f32's
+    /// result.
+    ///
+    /// Velocity i is at vx and vy + i \* stride bytes; stride 0 repeats one.
+    ///
+    /// Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
+    /// the larger count. Some, but not all, may be NULL.
+    ///
+    /// Returns: how many touch, those that overlap at the start included.
+    ///
+    /// Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of range has NaN
+    /// for its numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there is an invalid shape,
+    /// else the error.
+    ///
+    /// Accuracy: every result has the bits of vesica_cast_f32.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_cast_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, vx: *const f32, vy: *const f32, stride: isize, t_end: f32, t: *mut f32, x: *mut f32, y: *mut f32, nx: *mut f32, ny: *mut f32) -> i64;
+    /// Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
+    /// number.
+    ///
+    /// Requires: one is a single shape (count 1).
+    ///
+    /// Returns: its number, or the count of `many` if there is none. \*out is its contact, the normal pointing to `one`.
+    ///
+    /// Errors: as above. An invalid shape anywhere is one.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_cast_first_f32(many: *const Shapes<f32>, one: *const Shapes<f32>, vx: f32, vy: f32, t_end: f32, out: *mut Impact<f32>) -> i64;
+    /// A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+    ///
+    /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
     ///
     /// Returns: 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-    /// the address space, an unknown unit of angles).
+    /// Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.
     ///
-    /// Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
-    ///
-    /// Cost: about 40 ns a box.
+    /// Accuracy: a side that does not move is that of vesica_bounds_f32; one that does is at most two steps between numbers
+    /// too far out.
     ///
     /// Since: 0.1.
-    pub fn vesica_ellipses_from_boxes_f64(boxes: *const f64, count: i64, stride: isize, angle: i32, out: *mut Ellipse<f64>) -> i64;
-    /// Boxes from rectangles, or about ellipses: the way back.
+    pub fn vesica_sweep_bounds_f32(kind: i32, numbers: *const f32, vx: f32, vy: f32, t_end: f32, out: *mut Aabb<f32>) -> i32;
+    /// Which items of an index does one moving shape touch? They come in the index's order.
     ///
-    /// An angle is from -180 to 180 degrees.
+    /// Requires: sets are those of the index. one is a single shape (count 1). out has room for `capacity` items. With
+    /// capacity 0, out and state may be NULL.
     ///
-    /// Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
+    /// Returns: the number of items written; with capacity 0, how many there are.
     ///
-    /// Returns: 0.
+    /// Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a pointer that is not
+    /// aligned, or a state that is not of this call. Invalid items are never touched.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-    /// the address space, an unknown unit of angles).
-    ///
-    /// Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
-    /// quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
-    ///
-    /// Cost: about 60 ns a shape.
+    /// Accuracy: exact.
     ///
     /// Since: 0.1.
-    pub fn vesica_boxes_from_shapes_f64(shapes: *const Shapes<f64>, angle: i32, boxes: *mut f64) -> i64;
-    /// The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+    pub fn vesica_index_cast_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32, one: *const Shapes<f32>, vx: f32, vy: f32, t_end: f32, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
+    /// Which item of an index does one moving shape touch first? Of several at one time the one with the lowest number.
     ///
-    /// Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
+    /// Requires: sets are those of the index. one is a single shape (count 1).
     ///
-    /// Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
+    /// Returns: the item, or the index's count if there is none. \*out is its contact, the normal pointing to `one`.
     ///
-    /// Returns: 0.
-    ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-    /// the address space, an unknown unit of angles).
-    ///
-    /// Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
-    ///
-    /// Cost: about 20 ns a shape.
+    /// Errors: those of vesica_index_cast_f32.
     ///
     /// Since: 0.1.
-    pub fn vesica_corners_of_shapes_f64(shapes: *const Shapes<f64>, corners: *mut f64) -> i64;
-    /// The bounds of shapes of any kind: out\[i\] is the result of vesica_bounds_f64.
-    ///
-    /// Requires: out, room for `count`.
-    ///
-    /// Returns: 0.
-    ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-    /// the address space, an unknown unit of angles).
-    ///
-    /// Accuracy: that of vesica_bounds_f64.
-    ///
-    /// Cost: that of vesica_bounds_f64.
-    ///
-    /// Since: 0.1.
-    pub fn vesica_bounds_many_f64(shapes: *const Shapes<f64>, out: *mut Aabb<f64>) -> i64;
-    /// Rectangles from boxes.
-    ///
-    /// Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
-    ///
-    /// Returns: 0.
-    ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-    /// the address space, an unknown unit of angles).
-    ///
-    /// Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
-    /// whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
-    /// Each number is computed in double, within these bounds, and then rounded to float once.
-    ///
-    /// Cost: about 40 ns a box.
-    ///
-    /// Since: 0.1.
-    pub fn vesica_rects_from_boxes_f32(boxes: *const f32, count: i64, stride: isize, angle: i32, out: *mut Rect<f32>) -> i64;
-    /// Ellipses from the boxes about them, whose sides they touch in the middle.
-    ///
-    /// Requires: as vesica_rects_from_boxes_f32.
-    ///
-    /// Returns: 0.
-    ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-    /// the address space, an unknown unit of angles).
-    ///
-    /// Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
-    /// Each number is computed in double, within these bounds, and then rounded to float once.
-    ///
-    /// Cost: about 40 ns a box.
-    ///
-    /// Since: 0.1.
-    pub fn vesica_ellipses_from_boxes_f32(boxes: *const f32, count: i64, stride: isize, angle: i32, out: *mut Ellipse<f32>) -> i64;
-    /// Boxes from rectangles, or about ellipses: the way back.
-    ///
-    /// An angle is from -180 to 180 degrees.
-    ///
-    /// Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
-    ///
-    /// Returns: 0.
-    ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-    /// the address space, an unknown unit of angles).
-    ///
-    /// Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
-    /// quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
-    /// Each number is computed in double, within these bounds, and then rounded to float once.
-    ///
-    /// Cost: about 60 ns a shape.
-    ///
-    /// Since: 0.1.
-    pub fn vesica_boxes_from_shapes_f32(shapes: *const Shapes<f32>, angle: i32, boxes: *mut f32) -> i64;
-    /// The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
-    ///
-    /// Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
-    ///
-    /// Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
-    ///
-    /// Returns: 0.
-    ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-    /// the address space, an unknown unit of angles).
-    ///
-    /// Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
-    /// Each number is computed in double, within these bounds, and then rounded to float once.
-    ///
-    /// Cost: about 20 ns a shape.
-    ///
-    /// Since: 0.1.
-    pub fn vesica_corners_of_shapes_f32(shapes: *const Shapes<f32>, corners: *mut f32) -> i64;
-    /// The bounds of shapes of any kind: out\[i\] is the result of vesica_bounds_f32.
-    ///
-    /// Requires: out, room for `count`.
-    ///
-    /// Returns: 0.
-    ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-    /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-    /// the address space, an unknown unit of angles).
-    ///
-    /// Accuracy: that of vesica_bounds_f32.
-    ///
-    /// Cost: that of vesica_bounds_f32.
-    ///
-    /// Since: 0.1.
-    pub fn vesica_bounds_many_f32(shapes: *const Shapes<f32>, out: *mut Aabb<f32>) -> i64;
+    pub fn vesica_index_cast_first_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32, one: *const Shapes<f32>, vx: f32, vy: f32, t_end: f32, out: *mut Impact<f32>) -> i64;
 }
 
 /// `f64` and `f32`, each with the functions of its type.
@@ -2697,6 +2905,11 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn iou_matrix(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self, row_stride: isize) -> i64;
     unsafe fn overlap_select(one: *const Shapes<Self>, many: *const Shapes<Self>, out: *mut i64, capacity: i64) -> i64;
     unsafe fn nms(shapes: *const Shapes<Self>, scores: *const Self, threshold: Self, scratch: *mut c_void, scratch_size: i64, keep: *mut i64, kept: *mut i64) -> i32;
+    unsafe fn rects_from_boxes(boxes: *const Self, count: i64, stride: isize, angle: i32, out: *mut Rect<Self>) -> i64;
+    unsafe fn ellipses_from_boxes(boxes: *const Self, count: i64, stride: isize, angle: i32, out: *mut Ellipse<Self>) -> i64;
+    unsafe fn boxes_from_shapes(shapes: *const Shapes<Self>, angle: i32, boxes: *mut Self) -> i64;
+    unsafe fn corners_of_shapes(shapes: *const Shapes<Self>, corners: *mut Self) -> i64;
+    unsafe fn bounds_many(shapes: *const Shapes<Self>, out: *mut Aabb<Self>) -> i64;
     unsafe fn index_build(sets: *const Shapes<Self>, set_count: i32, index: *mut c_void, index_size: i64, scratch: *mut c_void, scratch_size: i64) -> i64;
     unsafe fn index_step(step: i32, part: i64, parts: i64, sets: *const Shapes<Self>, set_count: i32, index: *mut c_void, index_size: i64, scratch: *mut c_void, scratch_size: i64) -> i64;
     unsafe fn index_select(index: *const c_void, sets: *const Shapes<Self>, set_count: i32, one: *const Shapes<Self>, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
@@ -2710,11 +2923,12 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn boundary_distance_matrix(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self, row_stride: isize) -> i64;
     unsafe fn depth_matrix(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self, row_stride: isize) -> i64;
     unsafe fn suppress(shapes: *const Shapes<Self>, scores: *const Self, labels: *const i32, ratio: i32, threshold: Self, least_score: Self, most: i64, scratch: *mut c_void, scratch_size: i64, keep: *mut i64, kept: *mut i64) -> i32;
-    unsafe fn rects_from_boxes(boxes: *const Self, count: i64, stride: isize, angle: i32, out: *mut Rect<Self>) -> i64;
-    unsafe fn ellipses_from_boxes(boxes: *const Self, count: i64, stride: isize, angle: i32, out: *mut Ellipse<Self>) -> i64;
-    unsafe fn boxes_from_shapes(shapes: *const Shapes<Self>, angle: i32, boxes: *mut Self) -> i64;
-    unsafe fn corners_of_shapes(shapes: *const Shapes<Self>, corners: *mut Self) -> i64;
-    unsafe fn bounds_many(shapes: *const Shapes<Self>, out: *mut Aabb<Self>) -> i64;
+    unsafe fn cast(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self, vx: Self, vy: Self, t_end: Self, out: *mut Impact<Self>) -> i32;
+    unsafe fn cast_many(a: *const Shapes<Self>, b: *const Shapes<Self>, vx: *const Self, vy: *const Self, stride: isize, t_end: Self, t: *mut Self, x: *mut Self, y: *mut Self, nx: *mut Self, ny: *mut Self) -> i64;
+    unsafe fn cast_first(many: *const Shapes<Self>, one: *const Shapes<Self>, vx: Self, vy: Self, t_end: Self, out: *mut Impact<Self>) -> i64;
+    unsafe fn sweep_bounds(kind: i32, numbers: *const Self, vx: Self, vy: Self, t_end: Self, out: *mut Aabb<Self>) -> i32;
+    unsafe fn index_cast(index: *const c_void, sets: *const Shapes<Self>, set_count: i32, one: *const Shapes<Self>, vx: Self, vy: Self, t_end: Self, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
+    unsafe fn index_cast_first(index: *const c_void, sets: *const Shapes<Self>, set_count: i32, one: *const Shapes<Self>, vx: Self, vy: Self, t_end: Self, out: *mut Impact<Self>) -> i64;
 }
 unsafe impl Scalar for f64 {
     #[inline]
@@ -2942,6 +3156,26 @@ unsafe impl Scalar for f64 {
         vesica_nms_f64(shapes, scores, threshold, scratch, scratch_size, keep, kept)
     }
     #[inline]
+    unsafe fn rects_from_boxes(boxes: *const f64, count: i64, stride: isize, angle: i32, out: *mut Rect<f64>) -> i64 {
+        vesica_rects_from_boxes_f64(boxes, count, stride, angle, out)
+    }
+    #[inline]
+    unsafe fn ellipses_from_boxes(boxes: *const f64, count: i64, stride: isize, angle: i32, out: *mut Ellipse<f64>) -> i64 {
+        vesica_ellipses_from_boxes_f64(boxes, count, stride, angle, out)
+    }
+    #[inline]
+    unsafe fn boxes_from_shapes(shapes: *const Shapes<f64>, angle: i32, boxes: *mut f64) -> i64 {
+        vesica_boxes_from_shapes_f64(shapes, angle, boxes)
+    }
+    #[inline]
+    unsafe fn corners_of_shapes(shapes: *const Shapes<f64>, corners: *mut f64) -> i64 {
+        vesica_corners_of_shapes_f64(shapes, corners)
+    }
+    #[inline]
+    unsafe fn bounds_many(shapes: *const Shapes<f64>, out: *mut Aabb<f64>) -> i64 {
+        vesica_bounds_many_f64(shapes, out)
+    }
+    #[inline]
     unsafe fn index_build(sets: *const Shapes<f64>, set_count: i32, index: *mut c_void, index_size: i64, scratch: *mut c_void, scratch_size: i64) -> i64 {
         vesica_index_build_f64(sets, set_count, index, index_size, scratch, scratch_size)
     }
@@ -2994,24 +3228,28 @@ unsafe impl Scalar for f64 {
         vesica_suppress_f64(shapes, scores, labels, ratio, threshold, least_score, most, scratch, scratch_size, keep, kept)
     }
     #[inline]
-    unsafe fn rects_from_boxes(boxes: *const f64, count: i64, stride: isize, angle: i32, out: *mut Rect<f64>) -> i64 {
-        vesica_rects_from_boxes_f64(boxes, count, stride, angle, out)
+    unsafe fn cast(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, vx: f64, vy: f64, t_end: f64, out: *mut Impact<f64>) -> i32 {
+        vesica_cast_f64(kind_a, numbers_a, kind_b, numbers_b, vx, vy, t_end, out)
     }
     #[inline]
-    unsafe fn ellipses_from_boxes(boxes: *const f64, count: i64, stride: isize, angle: i32, out: *mut Ellipse<f64>) -> i64 {
-        vesica_ellipses_from_boxes_f64(boxes, count, stride, angle, out)
+    unsafe fn cast_many(a: *const Shapes<f64>, b: *const Shapes<f64>, vx: *const f64, vy: *const f64, stride: isize, t_end: f64, t: *mut f64, x: *mut f64, y: *mut f64, nx: *mut f64, ny: *mut f64) -> i64 {
+        vesica_cast_many_f64(a, b, vx, vy, stride, t_end, t, x, y, nx, ny)
     }
     #[inline]
-    unsafe fn boxes_from_shapes(shapes: *const Shapes<f64>, angle: i32, boxes: *mut f64) -> i64 {
-        vesica_boxes_from_shapes_f64(shapes, angle, boxes)
+    unsafe fn cast_first(many: *const Shapes<f64>, one: *const Shapes<f64>, vx: f64, vy: f64, t_end: f64, out: *mut Impact<f64>) -> i64 {
+        vesica_cast_first_f64(many, one, vx, vy, t_end, out)
     }
     #[inline]
-    unsafe fn corners_of_shapes(shapes: *const Shapes<f64>, corners: *mut f64) -> i64 {
-        vesica_corners_of_shapes_f64(shapes, corners)
+    unsafe fn sweep_bounds(kind: i32, numbers: *const f64, vx: f64, vy: f64, t_end: f64, out: *mut Aabb<f64>) -> i32 {
+        vesica_sweep_bounds_f64(kind, numbers, vx, vy, t_end, out)
     }
     #[inline]
-    unsafe fn bounds_many(shapes: *const Shapes<f64>, out: *mut Aabb<f64>) -> i64 {
-        vesica_bounds_many_f64(shapes, out)
+    unsafe fn index_cast(index: *const c_void, sets: *const Shapes<f64>, set_count: i32, one: *const Shapes<f64>, vx: f64, vy: f64, t_end: f64, out: *mut i64, capacity: i64, state: *mut i64) -> i64 {
+        vesica_index_cast_f64(index, sets, set_count, one, vx, vy, t_end, out, capacity, state)
+    }
+    #[inline]
+    unsafe fn index_cast_first(index: *const c_void, sets: *const Shapes<f64>, set_count: i32, one: *const Shapes<f64>, vx: f64, vy: f64, t_end: f64, out: *mut Impact<f64>) -> i64 {
+        vesica_index_cast_first_f64(index, sets, set_count, one, vx, vy, t_end, out)
     }
 }
 unsafe impl Scalar for f32 {
@@ -3240,6 +3478,26 @@ unsafe impl Scalar for f32 {
         vesica_nms_f32(shapes, scores, threshold, scratch, scratch_size, keep, kept)
     }
     #[inline]
+    unsafe fn rects_from_boxes(boxes: *const f32, count: i64, stride: isize, angle: i32, out: *mut Rect<f32>) -> i64 {
+        vesica_rects_from_boxes_f32(boxes, count, stride, angle, out)
+    }
+    #[inline]
+    unsafe fn ellipses_from_boxes(boxes: *const f32, count: i64, stride: isize, angle: i32, out: *mut Ellipse<f32>) -> i64 {
+        vesica_ellipses_from_boxes_f32(boxes, count, stride, angle, out)
+    }
+    #[inline]
+    unsafe fn boxes_from_shapes(shapes: *const Shapes<f32>, angle: i32, boxes: *mut f32) -> i64 {
+        vesica_boxes_from_shapes_f32(shapes, angle, boxes)
+    }
+    #[inline]
+    unsafe fn corners_of_shapes(shapes: *const Shapes<f32>, corners: *mut f32) -> i64 {
+        vesica_corners_of_shapes_f32(shapes, corners)
+    }
+    #[inline]
+    unsafe fn bounds_many(shapes: *const Shapes<f32>, out: *mut Aabb<f32>) -> i64 {
+        vesica_bounds_many_f32(shapes, out)
+    }
+    #[inline]
     unsafe fn index_build(sets: *const Shapes<f32>, set_count: i32, index: *mut c_void, index_size: i64, scratch: *mut c_void, scratch_size: i64) -> i64 {
         vesica_index_build_f32(sets, set_count, index, index_size, scratch, scratch_size)
     }
@@ -3292,23 +3550,27 @@ unsafe impl Scalar for f32 {
         vesica_suppress_f32(shapes, scores, labels, ratio, threshold, least_score, most, scratch, scratch_size, keep, kept)
     }
     #[inline]
-    unsafe fn rects_from_boxes(boxes: *const f32, count: i64, stride: isize, angle: i32, out: *mut Rect<f32>) -> i64 {
-        vesica_rects_from_boxes_f32(boxes, count, stride, angle, out)
+    unsafe fn cast(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, vx: f32, vy: f32, t_end: f32, out: *mut Impact<f32>) -> i32 {
+        vesica_cast_f32(kind_a, numbers_a, kind_b, numbers_b, vx, vy, t_end, out)
     }
     #[inline]
-    unsafe fn ellipses_from_boxes(boxes: *const f32, count: i64, stride: isize, angle: i32, out: *mut Ellipse<f32>) -> i64 {
-        vesica_ellipses_from_boxes_f32(boxes, count, stride, angle, out)
+    unsafe fn cast_many(a: *const Shapes<f32>, b: *const Shapes<f32>, vx: *const f32, vy: *const f32, stride: isize, t_end: f32, t: *mut f32, x: *mut f32, y: *mut f32, nx: *mut f32, ny: *mut f32) -> i64 {
+        vesica_cast_many_f32(a, b, vx, vy, stride, t_end, t, x, y, nx, ny)
     }
     #[inline]
-    unsafe fn boxes_from_shapes(shapes: *const Shapes<f32>, angle: i32, boxes: *mut f32) -> i64 {
-        vesica_boxes_from_shapes_f32(shapes, angle, boxes)
+    unsafe fn cast_first(many: *const Shapes<f32>, one: *const Shapes<f32>, vx: f32, vy: f32, t_end: f32, out: *mut Impact<f32>) -> i64 {
+        vesica_cast_first_f32(many, one, vx, vy, t_end, out)
     }
     #[inline]
-    unsafe fn corners_of_shapes(shapes: *const Shapes<f32>, corners: *mut f32) -> i64 {
-        vesica_corners_of_shapes_f32(shapes, corners)
+    unsafe fn sweep_bounds(kind: i32, numbers: *const f32, vx: f32, vy: f32, t_end: f32, out: *mut Aabb<f32>) -> i32 {
+        vesica_sweep_bounds_f32(kind, numbers, vx, vy, t_end, out)
     }
     #[inline]
-    unsafe fn bounds_many(shapes: *const Shapes<f32>, out: *mut Aabb<f32>) -> i64 {
-        vesica_bounds_many_f32(shapes, out)
+    unsafe fn index_cast(index: *const c_void, sets: *const Shapes<f32>, set_count: i32, one: *const Shapes<f32>, vx: f32, vy: f32, t_end: f32, out: *mut i64, capacity: i64, state: *mut i64) -> i64 {
+        vesica_index_cast_f32(index, sets, set_count, one, vx, vy, t_end, out, capacity, state)
+    }
+    #[inline]
+    unsafe fn index_cast_first(index: *const c_void, sets: *const Shapes<f32>, set_count: i32, one: *const Shapes<f32>, vx: f32, vy: f32, t_end: f32, out: *mut Impact<f32>) -> i64 {
+        vesica_index_cast_first_f32(index, sets, set_count, one, vx, vy, t_end, out)
     }
 }

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Casts by kind through the shared library, beside textbook rays that are inlined and check nothing, and beside Box2D;
+/// then a ray through an index of a million shapes. Each contestant meets pairs that it has not seen, in the same
+/// buffers, and who goes first takes turns.
+#include <vesica.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "cast/peer.hpp"
+#include "random.hpp"
+#include "shapes.hpp"
+#include "textbook/rays.hpp"
+
+namespace vesica::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::size_t pairs_per_pass = 256;
+constexpr int passes = 300;
+
+/// How velocities are drawn: of any direction (few hits), towards the other shape (half of them), at a relative
+/// distance inside or outside of a line that only grazes.
+struct Aim {
+  const char* name;
+  double spread, graze;
+};
+constexpr Aim any{"few hits", 0, 0}, towards{"half hits", 2.2, 0}, sure{"hits", 0.3, 0};
+
+Numbers draw_shape(std::int32_t kind, Random& random) {
+  const double x = random.between(-4, 4), y = random.between(-4, 4), angle = random.between(0, 6.283185307179586);
+  const double a = random.between(0.2, 1), b = random.between(0.2, 1), c = std::cos(angle), s = std::sin(angle);
+  switch (kind) {
+    case VESICA_POINT:
+      return {x, y};
+    case VESICA_SEGMENT:
+      return {x - a * c, y - a * s, x + a * c, y + a * s};
+    case VESICA_CIRCLE:
+      return {x, y, a};
+    case VESICA_AABB:
+      return {x - a, y - b, x + a, y + b};
+    default:
+      return {x, y, c, s, a, b};
+  }
+}
+
+Numbers centre_of(std::int32_t kind, const Numbers& n) {
+  const bool corners = kind == VESICA_SEGMENT || kind == VESICA_AABB;
+  return corners ? Numbers{0.5 * (n[0] + n[2]), 0.5 * (n[1] + n[3])} : Numbers{n[0], n[1]};
+}
+
+struct Pair {
+  Numbers a, b;
+  double vx, vy;
+};
+
+/// Of rectangles: how far the shape reaches across v, times |v|.
+double reach_across(const Numbers& n, double vx, double vy) {
+  return n[4] * std::fabs(n[2] * vy - n[3] * vx) + n[5] * std::fabs(n[2] * vx + n[3] * vy);
+}
+
+Pair draw_pair(std::int32_t kind_a, std::int32_t kind_b, const Aim& aim, Random& random) {
+  for (;;) {
+    Pair p{draw_shape(kind_a, random), draw_shape(kind_b, random), random.between(-8, 8), random.between(-8, 8)};
+    if (aim.spread > 0) {
+      const Numbers from = centre_of(kind_b, p.b), to = centre_of(kind_a, p.a);
+      p.vx = 1.5 * (to[0] - from[0]) + aim.spread * random.between(-1, 1);
+      p.vy = 1.5 * (to[1] - from[1]) + aim.spread * random.between(-1, 1);
+    }
+    if (aim.graze != 0) {
+      const double vv = p.vx * p.vx + p.vy * p.vy;
+      const double h = (reach_across(p.a, p.vx, p.vy) + reach_across(p.b, p.vx, p.vy)) * (1 + aim.graze) / vv;
+      p.b[0] = p.a[0] - 0.6 * p.vx - p.vy * h;
+      p.b[1] = p.a[1] - 0.6 * p.vy + p.vx * h;
+    }
+    // Contact at the start is another question.
+    if (vesica_overlap_f64(kind_a, p.a.data(), kind_b, p.b.data()) == 0) return p;
+  }
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+template <class Call>
+double nanoseconds(const Call& call, std::int64_t& sum) {
+  const Clock::time_point start = Clock::now();
+  for (std::size_t i = 0; i < pairs_per_pass; ++i) sum += call(i);
+  return std::chrono::duration<double, std::nano>(Clock::now() - start).count() / pairs_per_pass;
+}
+
+bool library_hits(std::int32_t kind_a, std::int32_t kind_b, const Pair& p) {
+  vesica_impact_f64 out;
+  return vesica_cast_f64(kind_a, p.a.data(), kind_b, p.b.data(), p.vx, p.vy, 1, &out) != VESICA_CAST_MISS;
+}
+
+struct Contest {
+  std::string name;
+  std::vector<double> library, other, ratio;
+  std::int64_t hits = 0, wrong = 0;
+
+  void print() const {
+    const double all = static_cast<double>(pairs_per_pass) * passes;
+    std::printf("%-42s %5.0f%% %9.0f", name.c_str(), 100 * static_cast<double>(hits) / all, median(library));
+    if (other.empty()) {
+      std::printf("\n");
+    } else {
+      std::printf(" %9.0f %7.2f %11.4f%%\n", median(other), median(ratio), 100 * static_cast<double>(wrong) / all);
+    }
+  }
+};
+
+/// load() makes the pairs of a pass ready for the other contestant, and other(i) asks it.
+template <class Load, class Other>
+void contest(const std::string& name, std::int32_t kind_a, std::int32_t kind_b, const Aim& aim, bool has_other,
+             const Load& load, const Other& other) {
+  Contest c{name + ", " + aim.name, {}, {}, {}};
+  Random random(1234);
+  std::vector<Pair> pairs(pairs_per_pass);
+  std::int64_t sum = 0;
+  for (int pass = 0; pass < passes; ++pass) {
+    double library = 0, theirs = 0;
+    for (int k = 0; k < 2; ++k) {
+      for (Pair& p : pairs) p = draw_pair(kind_a, kind_b, aim, random);
+      if ((pass + k) % 2 == 0) {
+        library = nanoseconds([&](std::size_t i) { return library_hits(kind_a, kind_b, pairs[i]); }, sum);
+      } else if (has_other) {
+        load(pairs);
+        theirs = nanoseconds([&](std::size_t i) { return other(pairs[i], i); }, sum);
+      }
+    }
+    if (has_other) load(pairs);
+    for (std::size_t i = 0; i < pairs_per_pass; ++i) {
+      const bool hit = library_hits(kind_a, kind_b, pairs[i]);
+      c.hits += hit;
+      if (has_other) c.wrong += other(pairs[i], i) != hit;
+    }
+    c.library.push_back(library);
+    if (!has_other) continue;
+    c.other.push_back(theirs);
+    c.ratio.push_back(library / theirs);
+  }
+  volatile std::int64_t used = sum;
+  static_cast<void>(used);
+  c.print();
+}
+
+template <class A, class B>
+void rays(const Aim& aim) {
+  const auto load = [](const std::vector<Pair>&) {};
+  const auto other = [](const Pair& p, std::size_t) {
+    return textbook::ray(to_shape<A>(p.a), to_shape<B>(p.b), p.vx, p.vy, 1) <= 1;
+  };
+  const std::string name = std::string(vesica_kind_name(kind_of<A>)) + '_' + vesica_kind_name(kind_of<B>);
+  contest(name + " / textbook", kind_of<A>, kind_of<B>, aim, true, load, other);
+}
+
+void alone(std::int32_t kind_a, std::int32_t kind_b, const Aim& aim) {
+  const std::string name = std::string(vesica_kind_name(kind_a)) + '_' + vesica_kind_name(kind_b);
+  contest(
+      name, kind_a, kind_b, aim, false, [](const auto&) {}, [](const Pair&, std::size_t) { return false; });
+}
+
+void beside_box2d([[maybe_unused]] const Aim& aim) {
+#ifdef VESICA_HAS_BOX2D
+  Box2dCasts box2d;
+  const auto load = [&](const std::vector<Pair>& pairs) {
+    box2d.clear();
+    for (const Pair& p : pairs) {
+      box2d.add(to_shape<vesica_rect_f64>(p.a), to_shape<vesica_rect_f64>(p.b), p.vx, p.vy);
+    }
+  };
+  contest("rect_rect / b2ShapeCast", VESICA_RECT, VESICA_RECT, aim, true, load,
+          [&](const Pair&, std::size_t i) { return box2d.shape_cast(i); });
+  contest("rect_rect / b2TimeOfImpact", VESICA_RECT, VESICA_RECT, aim, true, load,
+          [&](const Pair&, std::size_t i) { return box2d.time_of_impact(i); });
+#endif
+}
+
+/// One ray at a million circles that cover a tenth of a square.
+void through_an_index() {
+  constexpr std::int64_t n = 1'000'000;
+  Random random(99);
+  std::vector<vesica_circle_f64> circles(n);
+  for (auto& c : circles) {
+    c = {random.between(0, 1000), random.between(0, 1000), random.between(0.01, 0.3)};
+  }
+  vesica_shapes_f64 set;
+  vesica_shapes_from_records_f64(VESICA_CIRCLE, n, circles.data(), sizeof circles[0], &set);
+  const auto bytes = [](std::int64_t size) {
+    return static_cast<unsigned char*>(std::aligned_alloc(64, static_cast<std::size_t>((size + 63) / 64 * 64)));
+  };
+  const std::int64_t index_size = vesica_index_size(n), scratch_size = vesica_index_scratch(n);
+  unsigned char *const index = bytes(index_size), *const scratch = bytes(scratch_size);
+  vesica_index_build_f64(&set, 1, index, index_size, scratch, scratch_size);
+  std::vector<double> times;
+  std::int64_t hits = 0;
+  constexpr int rays = 20000;
+  for (int i = 0; i < rays; ++i) {
+    const double point[2] = {random.between(0, 1000), random.between(0, 1000)}, angle = random.between(0, 6.283185307);
+    vesica_shapes_f64 one;
+    vesica_shapes_from_records_f64(VESICA_POINT, 1, point, 0, &one);
+    vesica_impact_f64 out;
+    const Clock::time_point start = Clock::now();
+    const std::int64_t first = vesica_index_cast_first_f64(index, &set, 1, &one, std::cos(angle), std::sin(angle),
+                                                           std::numeric_limits<double>::infinity(), &out);
+    times.push_back(std::chrono::duration<double, std::nano>(Clock::now() - start).count());
+    hits += first < n;
+  }
+  std::printf("\none ray at %lld circles by an index: %.2f us (median of %d), %.0f%% hit\n", static_cast<long long>(n),
+              median(times) * 1e-3, rays, 100.0 * static_cast<double>(hits) / rays);
+  std::free(index);
+  std::free(scratch);
+}
+
+}  // namespace
+}  // namespace vesica::bench
+
+int main() {
+  using namespace vesica::bench;
+  std::printf(
+      "Nanoseconds a call by kind through the shared library, medians over passes on fresh pairs; ratio: the median "
+      "over\n"
+      "passes of the library's time to the other's; wrong: answers of the other that are not right.\n\n"
+      "%-42s %6s %9s %9s %7s %12s\n",
+      "pair / other, workload", "hits", "vesica", "other", "ratio", "wrong");
+  for (const Aim& aim : {any, towards}) {
+    rays<vesica_circle_f64, vesica_point_f64>(aim);
+    rays<vesica_aabb_f64, vesica_point_f64>(aim);
+    rays<vesica_rect_f64, vesica_point_f64>(aim);
+    rays<vesica_ellipse_f64, vesica_point_f64>(aim);
+    rays<vesica_circle_f64, vesica_circle_f64>(aim);
+    beside_box2d(aim);
+    alone(VESICA_RECT, VESICA_ELLIPSE, aim);
+    alone(VESICA_ELLIPSE, VESICA_ELLIPSE, aim);
+  }
+  alone(VESICA_RECT, VESICA_ELLIPSE, sure);
+  alone(VESICA_ELLIPSE, VESICA_ELLIPSE, sure);
+  for (const Aim& aim :
+       {Aim{"1e-3 inside", 0, -1e-3}, Aim{"1e-3 outside", 0, 1e-3}, Aim{"1e-9 inside", 0, -1e-9},
+        Aim{"1e-9 outside", 0, 1e-9}, Aim{"1e-15 inside", 0, -1e-15}, Aim{"1e-15 outside", 0, 1e-15}}) {
+    beside_box2d(aim);
+  }
+  through_an_index();
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Box2D's casts of rectangles, in float; without its package there are none.
+#pragma once
+
+#include <vesica.h>
+
+#include <cstddef>
+#include <memory>
+
+namespace vesica::bench {
+
+/// Pairs as Box2D has them, made beforehand.
+class Box2dCasts {
+ public:
+  Box2dCasts();
+  ~Box2dCasts();
+  void clear();
+  void add(const vesica_rect_f64& a, const vesica_rect_f64& b, double vx, double vy);
+  /// Whether b hits a by the time 1.
+  bool shape_cast(std::size_t pair) const;
+  bool time_of_impact(std::size_t pair) const;
+
+ private:
+  struct Pairs;
+  std::unique_ptr<Pairs> pairs_;
+};
+
+}  // namespace vesica::bench

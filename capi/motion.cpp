@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes that move: two, arrays of them, and one through an index.
+#include <vesica/cast.hpp>
+
+#include "index_arguments.hpp"
+#include "join/cast.hpp"
+#include "join/nearest.hpp"
+#include "queries/cast.hpp"
+
+namespace {
+
+using namespace vesica::capi;
+using vesica::Impact;
+using vesica::batch::body_at;
+using vesica::detail::cast::Body;
+using vesica::detail::cast::Motion;
+namespace index = vesica::index;
+
+static_assert(vesica::cast_miss == VESICA_CAST_MISS && vesica::cast_hit == VESICA_CAST_HIT &&
+              vesica::cast_start == VESICA_CAST_START);
+static_assert(sizeof(Impact<double>) == sizeof(vesica_impact_f64) &&
+              sizeof(Impact<float>) == sizeof(vesica_impact_f32));
+
+template <class Out, class T>
+void write(const Impact<T>& impact, Out* out) noexcept {
+  *out = {impact.t, impact.x, impact.y, impact.nx, impact.ny};
+}
+
+template <class T>
+Motion motion_of(T vx, T vy, T end) noexcept {
+  return {static_cast<double>(vx), static_cast<double>(vy), static_cast<double>(end)};
+}
+
+template <class T>
+Body body_of(int32_t kind, const T* numbers) noexcept {
+  Body body{static_cast<vesica::Kind>(kind), {}};
+  for (int k = 0; k < vesica::field_count(kind); ++k) body.number[k] = static_cast<double>(numbers[k]);
+  return body;
+}
+
+template <class T, class Out>
+int32_t cast(int32_t kind_a, const T* a, int32_t kind_b, const T* b, T vx, T vy, T end, Out* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT((cast<T, Out>), kind_a, a, kind_b, b, vx, vy, end, out);
+  if (a == nullptr || b == nullptr || out == nullptr) return VESICA_E_NULL;
+  if (!vesica::is_kind(kind_a) || !vesica::is_kind(kind_b)) return VESICA_E_KIND;
+  const Motion motion = motion_of(vx, vy, end);
+  if (!vesica::detail::cast::is_sound(motion)) return VESICA_E_ARGUMENT;
+  Impact<T> impact = vesica::detail::cast::no_impact<T>();
+  const int32_t code = vesica::queries::cast(body_of(kind_a, a), body_of(kind_b, b), motion, impact);
+  if (code >= 0) write(impact, out);
+  return code;
+}
+
+/// The numbers of velocities, one or as many as there are pairs.
+template <class T>
+int64_t many(const CShapesOf<T>* a, const CShapesOf<T>* b, const T* vx, const T* vy, ptrdiff_t stride, T end,
+             T* const (&columns)[5]) noexcept {
+  const void* some = nullptr;
+  for (const T* column : columns) some = column != nullptr ? column : some;
+  const int32_t error = check_call(a, b, some, anything(a, b));
+  if (error != 0) return error;
+  const int64_t n = pairs_in_step(*a, *b);
+  if (n > 0 && (vx == nullptr || vy == nullptr)) return VESICA_E_NULL;
+  if (n < 0 || !addressable(n, stride) || !(end >= 0)) return VESICA_E_ARGUMENT;
+  const vesica::batch::CastTally tally =
+      vesica::batch::cast_many<T>(view<T>(*a), view<T>(*b), n, {vx, vy, stride}, static_cast<double>(end), columns);
+  return tally.error != 0 ? tally.error : tally.hits;
+}
+
+template <class T>
+int64_t many_columns(const CShapesOf<T>* a, const CShapesOf<T>* b, const T* vx, const T* vy, ptrdiff_t stride, T end,
+                     T* t, T* x, T* y, T* nx, T* ny) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(many_columns<T>, a, b, vx, vy, stride, end, t, x, y, nx, ny);
+  return many<T>(a, b, vx, vy, stride, end, {t, x, y, nx, ny});
+}
+
+template <class T, class Out>
+int64_t first(const CShapesOf<T>* shapes, const CShapesOf<T>* one, T vx, T vy, T end, Out* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT((first<T, Out>), shapes, one, vx, vy, end, out);
+  if (out == nullptr) return VESICA_E_NULL;
+  const int32_t error = check_call(shapes, one, out, anything(shapes, one));
+  if (error != 0) return error;
+  const Motion motion = motion_of(vx, vy, end);
+  if (one->count != 1 || !vesica::detail::cast::is_sound(motion)) return VESICA_E_ARGUMENT;
+  Impact<T> impact;
+  const auto found = vesica::batch::cast_first<T>(view<T>(*shapes), view<T>(*one), motion, impact);
+  if (found.error != 0) return found.error;
+  write(impact, out);
+  return found.index;
+}
+
+template <class T, class Out>
+int32_t sweep_bounds(int32_t kind, const T* numbers, T vx, T vy, T end, Out* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT((sweep_bounds<T, Out>), kind, numbers, vx, vy, end, out);
+  if (out == nullptr) return VESICA_E_NULL;
+  vesica::Aabb<T> box;
+  const int32_t error = vesica::with_shape(
+      kind, numbers, [&](const auto& shape) { return vesica::sweep_bounds(shape, vx, vy, end, box); });
+  if (error == 0) *out = {box.min_x, box.min_y, box.max_x, box.max_y};
+  return error;
+}
+
+/// A moving shape, and the sets of an index that it is asked about.
+template <class T>
+struct Moving {
+  const index::Sets& sets;
+  Body body;
+  Motion motion;
+
+  int32_t impact(std::uint32_t item, double end, Impact<T>& out) const noexcept {
+    const index::Set& set = sets.set[sets.of(item)];
+    vesica::batch::Shapes<T> one{set.kind, 1, set.stride, {}};
+    for (int k = 0; k < index::fields_of[set.kind]; ++k) one.field[k] = reinterpret_cast<const T*>(set.field[k]);
+    return vesica::queries::cast(body_at(one, static_cast<int64_t>(item) - set.first), body,
+                                 {motion.vx, motion.vy, end}, out);
+  }
+  static int32_t ask(const void* context, std::uint32_t item, double end, double& t) {
+    Impact<T> impact{};
+    const int32_t code = static_cast<const Moving*>(context)->impact(item, end, impact);
+    t = static_cast<double>(impact.t);
+    return code;
+  }
+};
+
+/// What both functions of an index are given, checked; action(cast, moving) answers.
+template <class T, class Action>
+int64_t through_index(const void* from, const CShapesOf<T>* sets, int32_t set_count, const CShapesOf<T>* one,
+                      const Motion& motion, const Action& action) noexcept {
+  int32_t error = check_index(from);
+  if (error != 0) return error;
+  if (one == nullptr) return VESICA_E_NULL;
+  index::Sets items, single;
+  if ((error = view_sets<T>(one, 1, single)) != 0) return error;
+  if ((error = view_sets<T>(sets, set_count, items)) != 0) return error;
+  const bool sound = single.items == 1 && items.items == index::View(from).items();
+  if (!sound || !vesica::detail::cast::is_sound(motion)) return VESICA_E_ARGUMENT;
+  double box[4];
+  if (!index::bounds_of_item(index_kernels(), single, 0, box)) return VESICA_E_SHAPE;
+  const Moving<T> moving{items, body_at(view<T>(*one), 0), motion};
+  const index::Cast cast{from, {&moving, Moving<T>::ask}, box, motion.vx, motion.vy, motion.end, items.is_float};
+  return action(cast, moving);
+}
+
+template <class T>
+int64_t index_all(const void* from, const CShapesOf<T>* sets, int32_t set_count, const CShapesOf<T>* one, T vx, T vy,
+                  T end, int64_t* out, int64_t capacity, int64_t* state) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(index_all<T>, from, sets, set_count, one, vx, vy, end, out, capacity, state);
+  if (capacity > 0 && (out == nullptr || state == nullptr)) return VESICA_E_NULL;
+  return through_index<T>(from, sets, set_count, one, motion_of(vx, vy, end), [&](const auto& cast, const auto&) {
+    if (capacity < 0 || (capacity > 0 && !index::cast_state_is_sound(cast, state))) return int64_t{VESICA_E_ARGUMENT};
+    return index::write_hits(cast, out, capacity, state);
+  });
+}
+
+template <class T, class Out>
+int64_t index_first(const void* from, const CShapesOf<T>* sets, int32_t set_count, const CShapesOf<T>* one, T vx, T vy,
+                    T end, Out* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT((index_first<T, Out>), from, sets, set_count, one, vx, vy, end, out);
+  if (out == nullptr) return VESICA_E_NULL;
+  return through_index<T>(
+      from, sets, set_count, one, motion_of(vx, vy, end), [&](const auto& cast, const auto& moving) {
+        const index::FirstItem found = index::find_first_hit(cast);
+        Impact<T> impact = vesica::detail::cast::no_impact<T>();
+        int32_t error = found.error;
+        if (error == 0 && found.item != index::View(from).items()) {
+          const int32_t code = moving.impact(static_cast<std::uint32_t>(found.item), moving.motion.end, impact);
+          error = code < 0 ? code : 0;
+        }
+        if (error != 0) return int64_t{error};
+        write(impact, out);
+        return found.item;
+      });
+}
+
+}  // namespace
+
+#define VESICA_MOTION(scalar, T)                                                                                     \
+  int32_t vesica_cast_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b, T vx, T vy,   \
+                               T t_end, vesica_impact_##scalar* out) {                                               \
+    return cast(kind_a, numbers_a, kind_b, numbers_b, vx, vy, t_end, out);                                           \
+  }                                                                                                                  \
+  int64_t vesica_cast_many_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, const T* vx,   \
+                                    const T* vy, ptrdiff_t stride, T t_end, T* t, T* x, T* y, T* nx, T* ny) {        \
+    return many_columns<T>(a, b, vx, vy, stride, t_end, t, x, y, nx, ny);                                            \
+  }                                                                                                                  \
+  int64_t vesica_cast_first_##scalar(const vesica_shapes_##scalar* many, const vesica_shapes_##scalar* one, T vx,    \
+                                     T vy, T t_end, vesica_impact_##scalar* out) {                                   \
+    return first<T>(many, one, vx, vy, t_end, out);                                                                  \
+  }                                                                                                                  \
+  int32_t vesica_sweep_bounds_##scalar(int32_t kind, const T* numbers, T vx, T vy, T t_end,                          \
+                                       vesica_aabb_##scalar* out) {                                                  \
+    return sweep_bounds(kind, numbers, vx, vy, t_end, out);                                                          \
+  }                                                                                                                  \
+  int64_t vesica_index_cast_##scalar(const void* index, const vesica_shapes_##scalar* sets, int32_t set_count,       \
+                                     const vesica_shapes_##scalar* one, T vx, T vy, T t_end, int64_t* out,           \
+                                     int64_t capacity, int64_t* state) {                                             \
+    return index_all<T>(index, sets, set_count, one, vx, vy, t_end, out, capacity, state);                           \
+  }                                                                                                                  \
+  int64_t vesica_index_cast_first_##scalar(const void* index, const vesica_shapes_##scalar* sets, int32_t set_count, \
+                                           const vesica_shapes_##scalar* one, T vx, T vy, T t_end,                   \
+                                           vesica_impact_##scalar* out) {                                            \
+    return index_first<T>(index, sets, set_count, one, vx, vy, t_end, out);                                          \
+  }
+
+VESICA_MOTION(f64, double)
+VESICA_MOTION(f32, float)

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+/// cast(a, b, vx, vy, t_end): a is at rest, b moves by v t. Does b touch a while t runs from 0 to t_end, when first,
+/// where and along which normal? A ray is a point that moves; t_end may be infinite.
+///
+/// Whether there is contact is exact for every valid input, touching included. The time is the greatest number of its
+/// type with no contact before it: the true time, rounded down. So b moved by v t, were that exact, overlaps nothing
+/// before t.
+///
+/// Accuracy, u = 2^-53, scale the largest coordinate of the offset of centres or half length: the point is within 8u
+/// scale of a's outline, before the rounding of its coordinates. Along the outline it is off by what t and the normal
+/// are, times 1 / |n.v| for unit n and v. The normal is a unit vector to 4u. Where a corner meets a corner it is that
+/// of one of the edges there; where b only slides along a it is across v. Shapes that overlap at the start have the
+/// direction of depth() for a normal and the point of nearest(): at depth 0 with n.v >= 0 they part again.
+///
+/// Laws, each tested: cast(b, a, -v) has the same time and the opposite normal; moving both shapes by exact amounts
+/// changes neither, nor does turning by quarters, mirroring or scaling by powers of two; half the velocity takes twice
+/// the time; a hit stays one for a later end, at the same time; the start is told iff the shapes overlap.
+#pragma once
+
+#include <limits>
+#include <vesica/bounds.hpp>
+#include <vesica/cast/first_contact.hpp>
+#include <vesica/depth.hpp>
+#include <vesica/nearest.hpp>
+
+namespace vesica {
+
+namespace detail::cast {
+
+inline bool is_sound(const Motion& m) noexcept { return all_finite(m.vx, m.vy) && m.end >= 0; }
+
+/// What is said where there is no contact.
+template <class T>
+constexpr Impact<T> no_impact() noexcept {
+  constexpr T none = std::numeric_limits<T>::quiet_NaN();
+  return {std::numeric_limits<T>::infinity(), none, none, none, none};
+}
+
+/// The time is rounded down, the rest to the nearest. False where a number would exceed the finite ones.
+template <class T>
+bool rounded_to(const Impact<double>& i, Impact<T>& out) noexcept {
+  T minus_t;
+  if (i.t > static_cast<double>(std::numeric_limits<T>::max()) || !arithmetic::round_up_to(-i.t, minus_t)) return false;
+  const Impact<T> r{T(0) - minus_t, static_cast<T>(i.x), static_cast<T>(i.y), static_cast<T>(i.nx),
+                    static_cast<T>(i.ny)};
+  if (!all_finite(r.x, r.y)) return false;
+  out = r;
+  return true;
+}
+
+}  // namespace detail::cast
+
+/// The checked form: cast_miss, cast_hit or cast_start (see CastAnswer), error_argument for a velocity that is not
+/// finite or a t_end that is NaN or negative, error_shape when either shape is invalid, or error_range: see
+/// vesica_motion.h. Writes the contact; after a miss t is infinite and the rest NaN. On error `out` is untouched. Any
+/// kinds, in either order.
+template <template <class> class A, template <class> class B, class T>
+std::int32_t cast_or_error(const A<T>& a, const B<T>& b, T vx, T vy, T t_end, Impact<T>& out) noexcept {
+  const detail::cast::Motion motion{static_cast<double>(vx), static_cast<double>(vy), static_cast<double>(t_end)};
+  if (!detail::cast::is_sound(motion)) return error_argument;
+  Impact<double> found;
+  std::int32_t answer = detail::cast::cast_bodies(
+      detail::cast::body(a), detail::cast::body(b), motion, [&] { return overlap_or_error(a, b); }, found);
+  if (answer == cast_miss) out = detail::cast::no_impact<T>();
+  if (answer == cast_hit && !detail::cast::rounded_to(found, out)) answer = error_range;
+  if (answer == cast_start) {
+    ClosestPoints<T> common;
+    Penetration<T> penetration;
+    std::int32_t error = nearest_or_error(a, b, common);
+    if (error == 0) error = depth_or_error(a, b, penetration);
+    if (error != 0) return error;
+    out = {0, common.ax, common.ay, penetration.x, penetration.y};
+  }
+  return answer;
+}
+
+/// The first contact. For valid shapes and motions: t is infinite after a miss, and all numbers are NaN where
+/// cast_or_error(), the checked form, returns an error.
+template <template <class> class A, template <class> class B, class T>
+Impact<T> cast(const A<T>& a, const B<T>& b, T vx, T vy, T t_end) noexcept {
+  constexpr T none = std::numeric_limits<T>::quiet_NaN();
+  Impact<T> out{none, none, none, none, none};
+  cast_or_error(a, b, vx, vy, t_end, out);
+  return out;
+}
+
+/// A box that holds a shape throughout its motion by v t, t from 0 to t_end: its bounds, and those of its end rounded
+/// outward. Returns 0, error_shape, error_argument as cast_or_error() does, or error_range when a side would be beyond
+/// the finite numbers; on error `out` is untouched.
+template <template <class> class Shape, class T>
+int sweep_bounds(const Shape<T>& s, T vx, T vy, T t_end, Aabb<T>& out) noexcept {
+  const detail::cast::Motion motion{static_cast<double>(vx), static_cast<double>(vy), static_cast<double>(t_end)};
+  if (!detail::cast::is_sound(motion)) return error_argument;
+  Aabb<T> box;
+  const int error = bounds(s, box);
+  if (error != 0) return error;
+  // Each of the two roundings is less than a step between numbers, or than the least number above 0.
+  const auto sweep = [t_end](T v, T& low, T& high) {
+    if (v == 0 || t_end == 0) return;
+    const T infinity = std::numeric_limits<T>::infinity();
+    T& side = v > 0 ? high : low;
+    side = std::nextafter(side + std::nextafter(v * t_end, v * infinity), v * infinity);
+  };
+  sweep(vx, box.min_x, box.max_x);
+  sweep(vy, box.min_y, box.max_y);
+  if (!detail::all_finite(box.min_x, box.min_y, box.max_x, box.max_y)) return error_range;
+  out = box;
+  return 0;
+}
+
+}  // namespace vesica

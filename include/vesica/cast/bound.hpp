@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The time of first contact t0 between bounds. For a direction n with n.v < 0 the shapes are separated along n until
+///
+///     T(n) = (n.D - h(n)) / -(n.v),    h = h_a + h_b the support function of M
+///
+/// so T(n) is a lower bound of t0, and t0 is the greatest of them. With n = -v + s perp(v) the slope of v.v T(n) in s
+/// is w - perp(v).x, x being the point of M farthest along n: how far beside x the line passes. It falls with s.
+///
+///   - If n is the normal of an edge of M, x may be any point of it. If one of them lies on the line, T(n) = t0.
+///   - Else the slope falls by bend = sum of (a b u.u v.v)^2 / h_i^3 over the ellipses. Let d = |slope| / bend be below
+///     h_i / (8 r_i) for each, r_i being the reach across v. No h_i changes by more than a quarter within 2d, for
+///     |h_i'| <= r_i. So bend stays above its half there, and if no vertex gives way to another, the greatest T lies
+///     within 2d and t0 <= T(n) + slope^2 / (bend v.v).
+#pragma once
+
+#include <vesica/cast/body.hpp>
+#include <vesica/nearest/placed.hpp>
+
+namespace vesica::detail::cast {
+
+using nearest::Twofold;
+using Vector = arithmetic::Vector<double>;
+using VectorFactor = arithmetic::VectorFactor<arithmetic::TwofoldFactor<double>>;
+
+/// A shape of a pair at the common scale; a circle is an ellipse with an axis of length 1.
+struct Side {
+  Vector u;
+  Twofold<double> hx, hy;
+  bool round;
+};
+
+/// A pair and its motion in a common unit of length 2^length and of time 2^time. The largest length, and the longer
+/// component of each axis and of v, are about 1. `faithful`: nothing but underflow, below 2^-900, was lost.
+struct Scene {
+  Side a, b;
+  Vector d;
+  double vx, vy, size;
+  int length, time;
+  bool faithful;
+
+  double speed() const noexcept { return abs(vx) + abs(vy); }
+};
+
+inline nearest::Form form_times(const Body& body, double k) noexcept {
+  return with_shape(body, [k](const auto& s) { return nearest::form_times(s, k); });
+}
+
+inline Side side(const nearest::Placed& p) noexcept {
+  if (p.radius > 0) return {{{1, 0}, {0, 0}}, {p.radius, 0}, {p.radius, 0}, true};
+  return {p.box.u, p.box.hx, p.box.hy, p.curved};
+}
+
+/// An ellipse smaller than 2^-120 of the pair is taken for a point, a thin one for a segment (nearest/placed.hpp). A
+/// circle's squares must not underflow either.
+inline bool is_faithful(const nearest::Form& f, const nearest::Placed& p) noexcept {
+  return f.curved == p.curved && (f.radius == 0 || p.radius >= nearest::smallest);
+}
+
+VESICA_COLD inline Scene scaled_scene(const Body& a, const Body& b, const Motion& motion) noexcept {
+  nearest::Form fa = form_times(a, 1), fb = form_times(b, 1);
+  int eighths = 0;
+  if (overflowed(fa, fb)) {
+    fa = form_times(a, 0.125), fb = form_times(b, 0.125);
+    eighths = 3;
+  }
+  const nearest::PlacedPair p = nearest::placed(fa, fb);
+  const int speed = form::axis_exponent(motion.vx, motion.vy), length = p.exponent + eighths;
+  const double vx = arithmetic::scale_far(motion.vx, -speed), vy = arithmetic::scale_far(motion.vy, -speed);
+  const bool faithful = is_faithful(fa, p.a) && is_faithful(fb, p.b) && eighths == 0;
+  return {side(p.a), side(p.b), p.d, vx, vy, p.size, length, length - speed, faithful};
+}
+
+inline Side side(const nearest::Form& f) noexcept {
+  if (f.radius > 0) return {{{1, 0}, {0, 0}}, {f.radius, 0}, {f.radius, 0}, true};
+  return {f.box.u, f.box.hx, f.box.hy, f.curved};
+}
+
+/// Numbers whose products of up to twelve neither overflow nor underflow, and sizes that are not too unlike for that.
+inline constexpr double least_moderate = 0x1p-60, most_moderate = 0x1p60;
+inline bool is_moderate(double x) noexcept { return x >= least_moderate && x <= most_moderate; }
+inline bool is_moderate(const Side& s) noexcept {
+  const double a = s.hx.high, b = s.hy.high, longer = lane::max(a, b), shorter = lane::min(a, b);
+  const bool sizes = longer <= most_moderate && (shorter == 0 || shorter >= least_moderate) &&
+                     (longer == 0 || longer >= least_moderate) && (!s.round || shorter > nearest::thinnest * longer);
+  return sizes && is_moderate(abs(s.u.x.high) + abs(s.u.y.high));
+}
+inline double reach(const Side& s) noexcept { return (s.hx.high + s.hy.high) * (abs(s.u.x.high) + abs(s.u.y.high)); }
+
+/// As they are, where all numbers are moderate. All that is computed of a scene is the same then, times powers of two.
+inline Scene scene(const Body& a, const Body& b, const Motion& motion) noexcept {
+  const nearest::Form fa = form_times(a, 1), fb = form_times(b, 1);
+  const auto x = form::twice_offset_x(fa.place, fb.place, 1), y = form::twice_offset_y(fa.place, fb.place, 1);
+  Scene s{side(fa), side(fb), {{0.5 * x.high, 0.5 * x.low}, {0.5 * y.high, 0.5 * y.low}}, motion.vx, motion.vy, 0, 0,
+          0,        true};
+  const double distance = abs(x.high) + abs(y.high);
+  s.size = distance + (reach(s.a) + reach(s.b));
+  const bool moderate = is_moderate(s.a) && is_moderate(s.b) && is_moderate(s.speed()) && is_moderate(distance);
+  return moderate ? s : scaled_scene(a, b, motion);
+}
+
+/// t0 is at least `value` - `error`, and if that is certain, at most `value` + `error` + `gain`. To within rounding, s
+/// should change by `step`. An error of 0 stands for a direction that tells nothing: it is across v, certainly or
+/// about.
+struct TimeBounds {
+  Twofold<double> value;
+  double error, gain, step;
+  bool certain;
+
+  bool tells() const noexcept { return error > 0; }
+};
+
+inline Twofold<double> magnitude(const Twofold<double>& x) noexcept { return flipped(x, x.high); }
+inline bool is_zero(const Twofold<double>& x) noexcept { return x.high == 0 && x.low == 0; }
+
+/// What one shape adds: its support function and perp(v).x. `edge` is the reach across v of an edge whose normal n is,
+/// x its middle, and `room` the least |u.n| of the edges beside its vertex, in units of the change of u.n with s.
+struct SideSupport {
+  Twofold<double> h, beside;
+  double edge, bend, steepness, error, room;
+};
+
+/// Of a box.
+inline Twofold<double> height_of(const Side& s, const VectorFactor& n) noexcept {
+  using arithmetic::factor;
+  const auto u = factor(s.u);
+  const Twofold<double> p = factor(s.hx) * factor(renormalised(dot(u, n)));
+  const Twofold<double> q = factor(s.hy) * factor(renormalised(cross(u, n)));
+  return magnitude(p) + magnitude(q);
+}
+
+/// Right to 2^-99 of |n| size, and `beside` to `error`.
+inline SideSupport support_of(const Side& s, const VectorFactor& n, const VectorFactor& v, double n_size) noexcept {
+  using arithmetic::factor;
+  const auto u = factor(s.u);
+  const auto hx = factor(s.hx), hy = factor(s.hy);
+  // u.n and u x n; u.perp(v) = -(u x v), and perp(u).perp(v) = u.v.
+  const Twofold<double> p = renormalised(dot(u, n)), q = renormalised(cross(u, n));
+  const Twofold<double> k = -cross(u, v), c = dot(u, v);
+  const Twofold<double> hp = hx * factor(p), hq = hy * factor(q), hk = hx * factor(k), hc = hy * factor(c);
+  const double size = abs(s.hx.high) + abs(s.hy.high), speed = abs(v.x.high) + abs(v.y.high);
+  if (!s.round) {
+    // cross(u, n) = perp(u).n
+    SideSupport out{magnitude(hp) + magnitude(hq), {0, 0}, 0, 0, 0, 0x1p-96 * size * speed, 0x1p1000};
+    const auto add = [&](const Twofold<double>& towards, const Twofold<double>& half, const Twofold<double>& change) {
+      if (is_zero(half)) return;
+      if (is_zero(towards)) {
+        out.edge += abs(half.high);
+      } else {
+        out.beside = out.beside + flipped(half, towards.high);
+        const double room = abs(towards.high) / abs(change.high);
+        if (room < out.room) out.room = room;
+      }
+    };
+    add(p, hk, k);
+    add(q, hc, c);
+    return out;
+  }
+  const Twofold<double> h = renormalised(root(square(factor(hp)) + square(factor(hq))).value);
+  const Twofold<double> over_h = inverse(h);
+  const Twofold<double> beside = factor(factor(hp) * factor(hk) + factor(hq) * factor(hc)) * factor(over_h);
+  const double area = (s.hx.high * s.hy.high) * (s.u.x.high * s.u.x.high + s.u.y.high * s.u.y.high);
+  const double vv = v.x.high * v.x.high + v.y.high * v.y.high, ratio = area * vv * over_h.high;
+  const double across = sqrt(hk.high * hk.high + hc.high * hc.high);
+  const double thin = size * n_size * over_h.high;
+  return {h,       beside, 0, ratio * ratio * over_h.high, across * over_h.high, 0x1p-96 * size * speed * (1 + thin),
+          0x1p1000};
+}
+
+inline bool finite(double x) noexcept { return x - x == 0; }
+
+/// T(n) by the support function of both shapes.
+inline TimeBounds lower_bound(const Scene& scene, const VectorFactor& n, const VectorFactor& v,
+                              const Twofold<double>& height) noexcept {
+  using arithmetic::factor;
+  const double n_size = abs(n.x.high) + abs(n.y.high), speed = scene.speed(), unit = 0x1p-97 * n_size;
+  const Twofold<double> room = renormalised(dot(n, factor(scene.d)) - height), approach = renormalised(-dot(n, v));
+  TimeBounds out{{0, 0}, 0, 0, 0, is_zero(approach)};
+  if (!(approach.high > 0x1p-80 * n_size * speed)) return out;
+  const double first = room.high / approach.high;
+  const Twofold<double> rest = room - factor(first) * factor(approach);
+  out.value = {first, arithmetic::rounded(rest) / approach.high};
+  out.error = 2 * (unit * scene.size + unit * speed * abs(first)) / approach.high + 0x1p-100 * abs(first) + 0x1p-800;
+  return out;
+}
+
+inline VectorFactor factor_of_v(const Scene& scene) noexcept {
+  return {arithmetic::factor(Twofold<double>{scene.vx, 0}), arithmetic::factor(Twofold<double>{scene.vy, 0})};
+}
+
+/// t0 as n tells it. n: -v + s perp(v), or any multiple where it is the normal of an edge.
+inline TimeBounds time_bounds(const Scene& scene, const Vector& normal) noexcept {
+  const auto n = arithmetic::factor(normal);
+  const VectorFactor v = factor_of_v(scene);
+  const double n_size = abs(n.x.high) + abs(n.y.high);
+  const SideSupport a = support_of(scene.a, n, v, n_size), b = support_of(scene.b, n, v, n_size);
+  TimeBounds out = lower_bound(scene, n, v, a.h + b.h);
+  if (!out.tells()) return out;
+  out.certain = false;
+  const Twofold<double> w = cross(v, arithmetic::factor(scene.d));
+  const double beside = arithmetic::rounded(w - (a.beside + b.beside)), speed = scene.speed();
+  const double slope = abs(beside) + a.error + b.error + 0x1p-96 * speed * scene.size, edge = a.edge + b.edge;
+  if (edge > 0) {
+    out.certain = slope < edge * (1 - 0x1p-40);
+    return out;
+  }
+  const double vv = scene.vx * scene.vx + scene.vy * scene.vy, bend = a.bend + b.bend, distance = slope / bend;
+  const double steepness = lane::max(a.steepness, b.steepness), room_for_step = lane::min(a.room, b.room);
+  out.step = beside / bend;
+  out.gain = 2 * slope * (distance / vv);
+  out.certain = bend > 0 && 8 * distance * steepness < 1 && 3 * distance < room_for_step && finite(out.gain);
+  return out;
+}
+
+}  // namespace vesica::detail::cast

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The direction n along which the shapes are separated longest, found in double. What cancels where the line grazes M
+/// is taken in twofold arithmetic. How good n is bound.hpp tells afterwards.
+///
+/// With n = -v + s perp(v) and q = D.v it maximises the concave g(s) = v.v T(n) + q,
+///
+///     g(s) = w s - sum of p_j |s - k_j| - sum of sqrt(al_i (s - s_i)^2 + de_i)
+///     an ellipse with c = u.v, k = u x v:
+///         al = (a k)^2 + (b c)^2, s_i = (b^2 - a^2) c k / al, de = (a b u.u v.v)^2 / al
+///     a box: p = hx |k| at s = -c / k, the normal perp(u), and p = hy |c| at s = k / c, the normal u.
+#pragma once
+
+#include <limits>
+#include <vesica/cast/bound.hpp>
+
+namespace vesica::detail::cast {
+
+/// The sign of each term of a box, or the face that is met.
+struct Feature {
+  bool face;
+  Vector normal;
+  Twofold<double> w;
+};
+
+struct Curve {
+  double s, al, de, reach;
+
+  /// Of al (s - s_i)^2 + de the root's slope.
+  double slope(double at) const noexcept {
+    if (!(abs(at) < 0x1p500)) return lane::flip_sign(reach, at);
+    const double y = at - s;
+    return al * y / sqrt(al * y * y + de);
+  }
+  /// How wide the bend is: a unit of s.
+  double width() const noexcept { return sqrt(de) / reach; }
+};
+
+inline double dot_of(const Scene& scene, const Vector& u) noexcept { return u.x.high * scene.vx + u.y.high * scene.vy; }
+inline double cross_of(const Scene& scene, const Vector& u) noexcept {
+  return u.x.high * scene.vy - u.y.high * scene.vx;
+}
+
+inline Curve curve(const Scene& scene, const Side& e) noexcept {
+  const double c = dot_of(scene, e.u), k = cross_of(scene, e.u), a = e.hx.high, b = e.hy.high;
+  const double al = (a * k) * (a * k) + (b * c) * (b * c);
+  const double uu = e.u.x.high * e.u.x.high + e.u.y.high * e.u.y.high, vv = scene.vx * scene.vx + scene.vy * scene.vy;
+  const double area = a * b * uu * vv;
+  return {((b - a) * (b + a)) * (c * k) / al, al, area * area / al, sqrt(al)};
+}
+
+inline Vector perpendicular(const Vector& u) noexcept { return {-u.y, u.x}; }
+inline Vector opposite(const Vector& u) noexcept { return {-u.x, -u.y}; }
+
+/// The normal turned against v.
+inline Vector against(const Scene& scene, const Vector& n) noexcept {
+  const Twofold<double> forward = arithmetic::renormalised(arithmetic::factor(n.x) * arithmetic::factor(scene.vx) +
+                                                           arithmetic::factor(n.y) * arithmetic::factor(scene.vy));
+  return forward.high > 0 ? opposite(n) : n;
+}
+
+/// -v + s perp(v).
+inline Vector direction(const Scene& scene, double s) noexcept {
+  const auto by = arithmetic::factor(s);
+  const Twofold<double> x = by * arithmetic::factor(scene.vy), y = by * arithmetic::factor(scene.vx);
+  return {renormalised(-(x + Twofold<double>{scene.vx, 0})), renormalised(y - Twofold<double>{scene.vy, 0})};
+}
+
+/// Which vertex or face of a box a curve meets.
+inline Feature feature(const Scene& scene, const Side& box, const Curve& e) noexcept {
+  const auto u = arithmetic::factor(box.u);
+  const VectorFactor v = factor_of_v(scene);
+  const Twofold<double> c = dot(u, v), k = cross(u, v);
+  struct Kink {
+    Twofold<double> p;
+    double at;
+    Vector normal;
+  };
+  const Twofold<double> along = magnitude(arithmetic::factor(box.hx) * arithmetic::factor(k));
+  const Twofold<double> across = magnitude(arithmetic::factor(box.hy) * arithmetic::factor(c));
+  Kink first{along, k.high != 0 ? -c.high / k.high : -0x1p600, perpendicular(box.u)};
+  Kink second{across, c.high != 0 ? k.high / c.high : 0x1p600, box.u};
+  if (second.at < first.at) {
+    const Kink other = first;
+    first = second;
+    second = other;
+  }
+  const Twofold<double> w = cross(v, arithmetic::factor(scene.d));
+  const Twofold<double> left = w + first.p + second.p, middle = w - first.p + second.p, right = w - first.p - second.p;
+  const double at_first = e.slope(first.at), at_second = e.slope(second.at);
+  if (left.high < at_first) return {false, {}, left};
+  if (middle.high <= at_first) return {true, against(scene, first.normal), {}};
+  if (middle.high < at_second) return {false, {}, middle};
+  if (right.high <= at_second) return {true, against(scene, second.normal), {}};
+  return {false, {}, right};
+}
+
+/// How far the ellipse reaches across v.
+inline Twofold<double> reach_across(const Scene& scene, const Side& e) noexcept {
+  const auto u = arithmetic::factor(e.u);
+  const VectorFactor v = factor_of_v(scene);
+  const Twofold<double> p = arithmetic::factor(e.hx) * arithmetic::factor(cross(u, v));
+  const Twofold<double> q = arithmetic::factor(e.hy) * arithmetic::factor(dot(u, v));
+  return renormalised(root(square(arithmetic::factor(p)) + square(arithmetic::factor(q))).value);
+}
+
+/// How far the line stays within the reach: at least 2^-106 of that, for what rounding makes of nothing.
+inline double gap_of(const Twofold<double>& reach, const Twofold<double>& w) noexcept {
+  return lane::max(arithmetic::rounded(reach - magnitude(arithmetic::renormalised(w))), 0x1p-106 * reach.high);
+}
+
+/// Where the slope of one curve is w.
+inline double maximum_of_one(const Curve& e, double w, double gap) noexcept {
+  const double side = abs(w);
+  return e.s + lane::flip_sign(e.width() * (side / sqrt(gap * (e.reach + side))), w);
+}
+
+/// r - al y / h without cancellation, the root of h and its bend.
+struct Tail {
+  double rest, h, bend;
+};
+inline Tail tail(const Curve& e, double s) noexcept {
+  const double y = s - e.s, h = sqrt(e.al * y * y + e.de), t = e.reach * y;
+  const double rest = t > 0 ? e.reach * (e.de / (h * (h + t))) : e.reach * (1 - t / h);
+  return {rest, h, e.al * (e.de / (h * h * h))};
+}
+
+/// Where the slopes of two curves have the sum w >= 0: each rest falls from twice its reach to 0, and both together are
+/// the gap. Newton's method on the power -1/2 of their sum, which is nearly straight where the line grazes; within a
+/// bracket, the places at which either alone has its share of w.
+inline double maximum_of_two(const Curve& a, const Curve& b, double gap, int& steps) noexcept {
+  const double sum = a.reach + b.reach, share = 1 - gap / sum, far = share / sqrt((gap / sum) * (1 + share));
+  const double at_a = a.s + a.width() * far, at_b = b.s + b.width() * far;
+  double low = lane::min(at_a, at_b), high = lane::max(at_a, at_b);
+  const double weight_a = a.al / sqrt(a.de), weight_b = b.al / sqrt(b.de);
+  double s = (weight_a * at_a + weight_b * at_b) / (weight_a + weight_b);
+  if (!(s >= low && s <= high)) s = low;
+  for (steps = 1; steps < 80; ++steps) {
+    const Tail ta = tail(a, s), tb = tail(b, s);
+    const double rest = ta.rest + tb.rest, bend = ta.bend + tb.bend;
+    (rest > gap ? low : high) = s;
+    double next = s + 2 * rest * (rest - gap) / ((sqrt(rest * gap) + gap) * bend);
+    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+    const bool done = abs(next - s) <= 0x1p-28 * lane::min(ta.h / a.reach, tb.h / b.reach) || !(low < high);
+    s = next;
+    if (done) break;
+  }
+  return s;
+}
+
+/// Of two ellipses: seen in a mirror where w < 0.
+inline double maximum_of_ellipses(const Scene& scene, int& steps) noexcept {
+  const Twofold<double> w = arithmetic::renormalised(cross(factor_of_v(scene), arithmetic::factor(scene.d)));
+  const double gap = gap_of(arithmetic::renormalised(reach_across(scene, scene.a) + reach_across(scene, scene.b)), w);
+  Curve a = curve(scene, scene.a), b = curve(scene, scene.b);
+  a.s = lane::flip_sign(a.s, w.high);
+  b.s = lane::flip_sign(b.s, w.high);
+  return lane::flip_sign(maximum_of_two(a, b, gap, steps), w.high);
+}
+
+/// A direction and what it tells of t0.
+struct Found {
+  Vector normal;
+  TimeBounds time;
+};
+
+inline double difference(const Twofold<double>& a, const Twofold<double>& b) noexcept {
+  return (a.high - b.high) + (a.low - b.low);
+}
+
+/// Of two normals that tell the same time that which is more against v; of mirror images that to the left of v; of the
+/// same direction the longer. So exchanging the shapes changes nothing.
+inline bool preferred(const Scene& scene, const Vector& n, const Vector& m) noexcept {
+  const auto length = [](const Vector& x) { return x.x.high * x.x.high + x.y.high * x.y.high; };
+  const double forward_n = dot_of(scene, n), forward_m = dot_of(scene, m);
+  const double share_n = forward_n * forward_n * length(m), share_m = forward_m * forward_m * length(n);
+  if (share_n != share_m) return share_n > share_m;
+  const double side_n = cross_of(scene, n), side_m = cross_of(scene, m);
+  if ((side_n > 0) != (side_m > 0)) return side_n > 0;
+  return length(n) > length(m);
+}
+
+/// A normal of two boxes and its time in double, with errors.
+struct Axis {
+  Vector normal;
+  double least, most;
+};
+
+/// 16u covers four products and as many sums of each term.
+inline Axis axis(const Scene& scene, const Vector& normal) noexcept {
+  const Vector n = against(scene, normal);
+  const double nx = n.x.high, ny = n.y.high, approach = -(nx * scene.vx + ny * scene.vy), n_size = abs(nx) + abs(ny);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (!(approach > 0x1p-40 * n_size * scene.speed())) return {n, -infinity, infinity};
+  double height = 0;
+  for (const Side* s : {&scene.a, &scene.b}) {
+    const double ux = s->u.x.high, uy = s->u.y.high;
+    height += s->hx.high * abs(ux * nx + uy * ny) + s->hy.high * abs(ux * ny - uy * nx);
+  }
+  const double t = (nx * scene.d.x.high + ny * scene.d.y.high - height) / approach;
+  const double error = 16 * 0x1p-53 * n_size * (scene.size + scene.speed() * abs(t)) / approach;
+  return {n, t - error, t + error};
+}
+
+inline bool has_no_size(const Side& s) noexcept { return s.hx.high == 0 && s.hy.high == 0; }
+
+/// Two boxes: the latest of the times at which an axis separates no more. An axis across v separates always or never,
+/// and the line test has told which. Double tells which axes may be the latest, mostly one.
+inline Found latest_axis(const Scene& scene) noexcept {
+  Axis axes[4];
+  int count = 0;
+  double least = 0;
+  const Vector &u = scene.a.u, &w = scene.b.u;
+  const bool same = u.x.high == w.x.high && u.y.high == w.y.high && u.x.low == w.x.low && u.y.low == w.y.low;
+  // The axes of a point are none of the sum's, and those of two that are parallel are the same.
+  const bool no_a = has_no_size(scene.a), no_b = has_no_size(scene.b);
+  const bool only_a = same || (no_b && !no_a), only_b = !same && no_a && !no_b;
+  for (const Side* side : {&scene.a, &scene.b}) {
+    if (side == &scene.a ? only_b : only_a) continue;
+    for (const Vector& n : {side->u, perpendicular(side->u)}) {
+      axes[count] = axis(scene, n);
+      least = lane::max(axes[count++].least, least);
+    }
+  }
+  Found best{};
+  bool found = false, certain = true;
+  double error = 0;
+  const VectorFactor v = factor_of_v(scene);
+  for (int i = 0; i < count; ++i) {
+    if (axes[i].most < least) continue;
+    const Vector& normal = axes[i].normal;
+    const auto n = arithmetic::factor(normal);
+    const TimeBounds time = lower_bound(scene, n, v, height_of(scene.a, n) + height_of(scene.b, n));
+    if (!time.tells()) {
+      certain = certain && time.certain;
+      if (!found && !time.certain) best.normal = normal;
+      continue;
+    }
+    error = lane::max(time.error, error);
+    const double later = found ? difference(time.value, best.time.value) : 0;
+    const bool equal = found && abs(later) <= 2 * (time.error + best.time.error);
+    if (!found || (equal ? preferred(scene, normal, best.normal) : later > 0)) best = {normal, time};
+    found = true;
+  }
+  best.time.error = 6 * error;  // the normal that is preferred may tell a time that little earlier
+  best.time.certain = certain && found;
+  return best;
+}
+
+/// Where a curve is met: the slope that is left over is removed by Newton's method until the gain no longer counts.
+inline Found polished(const Scene& scene, double s) noexcept {
+  Found found{direction(scene, s), {}};
+  found.time = time_bounds(scene, found.normal);
+  for (int i = 0; i < 3; ++i) {
+    const TimeBounds& t = found.time;
+    if (!finite(t.step) || (t.certain && t.gain <= 0x1p-70 * abs(t.value.high))) break;
+    s += t.step;
+    const Vector n = direction(scene, s);
+    const TimeBounds next = time_bounds(scene, n);
+    if (!next.tells() || (t.certain && !next.certain)) break;
+    found = {n, next};
+  }
+  return found;
+}
+
+/// steps: how many the search of two ellipses took, which tests look at.
+inline Found latest_direction(const Scene& scene, int& steps) noexcept {
+  steps = 0;
+  if (!scene.a.round && !scene.b.round) return latest_axis(scene);
+  if (scene.a.round && scene.b.round) return polished(scene, maximum_of_ellipses(scene, steps));
+  const Side &round = scene.a.round ? scene.a : scene.b, &box = scene.a.round ? scene.b : scene.a;
+  const Curve e = curve(scene, round);
+  const Feature met = feature(scene, box, e);
+  if (met.face) return {met.normal, time_bounds(scene, met.normal)};
+  const Twofold<double> w = arithmetic::renormalised(met.w);
+  return polished(scene, maximum_of_one(e, w.high, gap_of(reach_across(scene, round), w)));
+}
+
+}  // namespace vesica::detail::cast

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Moving shapes, exactly. All shapes are symmetric about their centres. So a and b, moved by v t, share a point iff D
+/// + v t lies in M, the Minkowski sum of both about the origin; D leads from a's centre to b's. M is convex: the times
+/// of contact are an interval, or there are none.
+///
+/// With w = v x D, q = D.v and H the reach of M across v: the line of D + v t meets M iff |w| <= H. Then it is in M at
+/// the witness t_w = (w X / H - q) / v.v, where X = x.v of a point x of M that lies farthest across v: x scaled by w /
+/// H lies on the line, and M holds it with 0 and x. Of H = 0 the witness is -q / v.v. So whether there is contact
+/// within [0, e] takes the signs of |w| - H, of t_w and of t_w - e, and two overlap tests, at 0 and at e. No root is
+/// isolated.
+#pragma once
+
+#include <vesica/cast/body.hpp>
+#include <vesica/depth/exact_zero.hpp>
+
+namespace vesica::detail::cast {
+
+using exact::Number;
+
+/// A shape in its exact form; a round one has an area.
+struct ExactBody {
+  exact::Box box;
+  bool round;
+
+  exact::Ellipse ellipse() const noexcept { return {box.cx, box.cy, box.ux, box.uy, box.hx, box.hy}; }
+};
+
+inline ExactBody exact_body(const exact::Box& box) noexcept { return {box, false}; }
+inline ExactBody exact_body(const exact::Ellipse& e) noexcept { return {exact::as_box(e), !degenerate(e)}; }
+
+VESICA_COLD inline ExactBody exact_body(const Body& body) noexcept {
+  return with_shape(body, [](const auto& s) { return exact_body(exact::form(s)); });
+}
+
+/// A shape's reach across v, h, and x.v for a point x that lies as far: h and x.v where it is a box, their square
+/// `squared` and product m where it is round. `edge` is half the x.v of an edge along v, x being its middle.
+struct ExactReach {
+  bool round;
+  Number<3> h, along, edge;
+  Number<6> squared, m;
+
+  ExactReach(const ExactBody& b, const Number<1>& vx, const Number<1>& vy) noexcept : round(b.round) {
+    const auto& [cx, cy, ux, uy, hx, hy] = b.box;
+    const auto c = exact::dot(ux, uy, vx, vy), k = exact::cross(ux, uy, vx, vy);
+    if (round) {
+      squared = exact::square(hx * k) + exact::square(hy * c);
+      m = (exact::square(hy) - exact::square(hx)) * (c * k);
+      return;
+    }
+    auto first = hx * c, second = hy * k;
+    h = hx * exact::abs(k) + hy * exact::abs(c);
+    if (k.sign == 0) edge = exact::abs(first);
+    if (c.sign == 0) edge = edge + exact::abs(second);
+    first.sign *= -k.sign;
+    second.sign *= c.sign;
+    along = first + second;
+  }
+};
+
+/// Sign of |w| - H. Degree 3, 6 or 12.
+inline int line_gap(const ExactReach& a, const ExactReach& b, const Number<2>& w) noexcept {
+  if (!a.round && !b.round) return exact::compare(exact::abs(w), a.h + b.h);
+  if (a.round && b.round) {
+    const auto rest = exact::square(w) - a.squared - b.squared;
+    return rest.sign < 0 ? -1 : exact::compare(exact::square(rest), exact::integer(4) * (a.squared * b.squared));
+  }
+  const auto rest = exact::abs(w) - (a.round ? b.h : a.h);
+  return rest.sign < 0 ? -1 : exact::compare(exact::square(rest), a.round ? a.squared : b.squared);
+}
+
+/// Sign of a sqrt(x) + b sqrt(y), x, y > 0.
+template <int A, int B, int X>
+int sum_of_roots(const Number<A>& a, const Number<X>& x, const Number<B>& b, const Number<X>& y) noexcept {
+  if (a.sign * b.sign >= 0) return a.sign != 0 ? a.sign : b.sign;
+  return a.sign * exact::compare(exact::square(a) * x, exact::square(b) * y);
+}
+
+/// Sign of w X - q H, which is that of t_w - e where q = D.v + e v.v. Degree 6, 18 or 24.
+template <int Q>
+int witness_sign(const ExactReach& a, const ExactReach& b, const Number<2>& w, const Number<Q>& q) noexcept {
+  if (!a.round && !b.round) {
+    const auto reach = a.h + b.h;
+    return reach.sign == 0 ? -q.sign : exact::compare(w * (a.along + b.along), q * reach);
+  }
+  if (a.round && b.round) {
+    return sum_of_roots(w * a.m - q * a.squared, b.squared, w * b.m - q * b.squared, a.squared);
+  }
+  const ExactReach &round = a.round ? a : b, &box = a.round ? b : a;
+  return exact::detail::sign_with_root(w * round.m - q * round.squared, w * box.along - q * box.h, round.squared);
+}
+
+/// The numbers of some lengths brought into the window for which exact numbers have storage. All lengths are multiplied
+/// by one power of 2^64, axes being lengths too. False where their digits span more than the window.
+class Window {
+ public:
+  template <int Degree>
+  void hold(const Number<Degree>& x) noexcept {
+    if (x.sign == 0) return;
+    const std::int64_t top = exact::detail::top_bit(x), low = 64 * std::int64_t{x.low} + std::countr_zero(x.limb[0]);
+    top_ = top > top_ ? top : top_;
+    low_ = low < low_ ? low : low_;
+  }
+  bool place() noexcept {
+    if (top_ <= highest && low_ >= lowest) return true;
+    // A shift by whole limbs is off by less than 64 bits.
+    if (top_ - low_ > highest - lowest - 64) return false;
+    const std::int64_t shift = lowest - low_ + 63;
+    limbs_ = static_cast<std::int32_t>((shift - (shift & 63)) / 64);
+    return true;
+  }
+  template <int Degree>
+  exact::Length moved(const Number<Degree>& x) const noexcept {
+    exact::Length length;
+    if (x.sign == 0) return length;
+    length.sign = x.sign;
+    length.low = x.low + limbs_;
+    length.size = x.size;
+    std::memcpy(length.limb, x.limb, static_cast<std::size_t>(x.size) * sizeof(exact::Limb));
+    return length;
+  }
+
+ private:
+  static constexpr std::int64_t lowest = -1075, highest = 1026;
+  std::int64_t top_ = INT64_MIN / 4, low_ = INT64_MAX / 4;
+  std::int32_t limbs_ = 0;
+};
+
+/// What contact is at a time: none, of outlines alone, or of insides. `beyond` where the place has more digits than
+/// exact numbers hold.
+enum class Contact { none, touch, inside, beyond };
+
+/// A pair and its motion, v != 0, in exact numbers.
+class ExactPair {
+ public:
+  ExactPair(const Body& a, const Body& b, const Motion& motion) noexcept
+      : a_(exact_body(a)),
+        b_(exact_body(b)),
+        vx_(exact::from_double(motion.vx)),
+        vy_(exact::from_double(motion.vy)),
+        dx_(b_.box.cx - a_.box.cx),
+        dy_(b_.box.cy - a_.box.cy),
+        w_(exact::cross(vx_, vy_, dx_, dy_)),
+        q_(exact::dot(dx_, dy_, vx_, vy_)),
+        vv_(exact::dot(vx_, vy_, vx_, vy_)),
+        reach_a_(a_, vx_, vy_),
+        reach_b_(b_, vx_, vy_),
+        gap_(line_gap(reach_a_, reach_b_, w_)) {}
+
+  bool line_misses() const noexcept { return gap_ > 0; }
+  /// The line only touches M, or M has no extent across it.
+  bool line_grazes() const noexcept { return gap_ == 0; }
+  /// On which side of the line through the first centre along v the second lies: the sign of w.
+  int side() const noexcept { return w_.sign; }
+
+  /// Sign of t_w - t for a line that meets M.
+  int witness_after(double t) const noexcept {
+    if (t == 0) return witness_sign(reach_a_, reach_b_, w_, q_);
+    return witness_sign(reach_a_, reach_b_, w_, q_ + exact::from_double(t) * vv_);
+  }
+
+  VESICA_COLD Contact contact_at(double t) const noexcept {
+    const auto time = exact::from_double(t);
+    const auto x = dx_ + time * vx_, y = dy_ + time * vy_;
+    Window window;
+    window.hold(x);
+    window.hold(y);
+    for (const ExactBody* body : {&a_, &b_}) {
+      window.hold(body->box.ux);
+      window.hold(body->box.uy);
+    }
+    if (!window.place()) return Contact::beyond;
+    const ExactBody a = placed(a_, {}, {}, window), b = placed(b_, window.moved(x), window.moved(y), window);
+    if (a.round) return b.round ? contact(a.ellipse(), b.ellipse()) : contact(b.box, a.ellipse());
+    return b.round ? contact(a.box, b.ellipse()) : contact(a.box, b.box);
+  }
+
+  /// Whether there is contact before t, given that there is some after 0: 1, 0, or error_range where that is beyond
+  /// exact numbers. The witness is in the inside of the interval of contact unless the line grazes. So up to it contact
+  /// of outlines is the first. A line that grazes meets M in an edge along v, with the witness in its middle.
+  int contact_before(double t) const noexcept {
+    if (!(t > 0)) return 0;
+    if (line_grazes()) {
+      const auto q = q_ + exact::from_double(t) * vv_ + (reach_a_.edge + reach_b_.edge);
+      return witness_sign(reach_a_, reach_b_, w_, q) < 0 ? 1 : 0;
+    }
+    if (witness_after(t) < 0) return 1;
+    const Contact contact = contact_at(t);
+    return contact == Contact::beyond ? error_range : contact == Contact::inside ? 1 : 0;
+  }
+
+ private:
+  static ExactBody placed(const ExactBody& body, const exact::Length& x, const exact::Length& y,
+                          const Window& window) noexcept {
+    return {{x, y, window.moved(body.box.ux), window.moved(body.box.uy), body.box.hx, body.box.hy}, body.round};
+  }
+  template <class A, class B>
+  static Contact contact(const A& a, const B& b) noexcept {
+    if (!exact::overlap(a, b)) return Contact::none;
+    return depth::has_no_depth(a, b) ? Contact::touch : Contact::inside;
+  }
+
+  ExactBody a_, b_;
+  Number<1> vx_, vy_, dx_, dy_;
+  Number<2> w_, q_, vv_;
+  ExactReach reach_a_, reach_b_;
+  int gap_;
+};
+
+}  // namespace vesica::detail::cast

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The decision of exact.hpp in double, with bounds on its errors. u = 2^-53 in comments; constants in the code leave
+/// room for terms of higher order.
+#pragma once
+
+#include <limits>
+#include <vesica/cast/body.hpp>
+#include <vesica/form/placement.hpp>
+
+namespace vesica::detail::cast {
+
+/// A body's numbers, each with a relative error of at most u, and whether they are usable: valid, and in a range in
+/// which products neither overflow nor lose what counts.
+struct Sketch {
+  form::Corners<double> place;
+  double ux, uy, hx, hy;
+  bool round, usable;
+};
+
+inline constexpr double least_usable = 0x1p-200, most_usable = 0x1p200;
+
+inline bool in_usable_range(double x) noexcept { return x >= least_usable && x <= most_usable; }
+
+VESICA_INLINE Sketch sketch(const Body& body) noexcept {
+  return with_shape(body, [](const auto& s) {
+    constexpr form::AsStored<double> number;
+    const auto f = form::of(s);
+    const double ux = number(f.ux), uy = number(f.uy), hx = number(f.hx), hy = number(f.hy);
+    const bool round = f.outline != form::Outline::straight && hx > 0 && hy > 0;
+    const bool point = f.axis_may_vanish && ux == 0 && uy == 0;
+    const bool usable = (point || in_usable_range(abs(ux) + abs(uy))) && hx >= 0 && hy >= 0 && hx + hy <= most_usable;
+    return Sketch{form::corners(f.place), ux, uy, hx, hy, round, usable};
+  });
+}
+
+/// Reach across v and x.v as in exact.hpp, the reach along v, and errors.
+///
+/// c and k have an error of 3u A V, A and V being the sums of components, so of a box h has one of 6u R, R = (hx + hy)
+/// A V. The sign of k or c may be wrong. Then the point x lies at the other end of an edge that is nearly along v: the
+/// true reach of that end is within 6u R of h. That end will do, so this counts in the error of h alone. Of an ellipse
+/// h has an error of 8u R, m one of 8u R^2.
+struct Reach {
+  double h, h_error, along, along_error, forward, size;
+};
+
+VESICA_INLINE Reach reach(const Sketch& s, const Motion& v, double speed) noexcept {
+  constexpr double u = 0x1p-53;
+  const double c = s.ux * v.vx + s.uy * v.vy, k = s.ux * v.vy - s.uy * v.vx;
+  const double size = (s.hx + s.hy) * ((abs(s.ux) + abs(s.uy)) * speed);
+  const double p = s.hx * k, q = s.hy * c, p_along = s.hx * c, q_along = s.hy * k;
+  if (!s.round) {
+    const double along = lane::flip_sign(-p_along, k) + lane::flip_sign(q_along, c);
+    return {abs(p) + abs(q), 16 * u * size, along, 8 * u * size, abs(p_along) + abs(q_along), size};
+  }
+  const double h = sqrt(p * p + q * q), along = ((s.hy - s.hx) * (s.hy + s.hx)) * (c * k) / h;
+  const double along_error = u * (10 * size * size + 16 * size * abs(along)) / h + 2 * u * abs(along);
+  return {h, 12 * u * size, along, along_error, sqrt(p_along * p_along + q_along * q_along), size};
+}
+
+/// What the filter knows for certain. `reached` is contact within the time, `missed` none after the start, `passed`
+/// none but perhaps at the start; `late` contact, and a witness after the end.
+enum class Verdict { undecided, missed, passed, reached, late };
+
+/// Offset of the centres. Of shapes that store two points it is rounded too; the error is below u |D| + u R / V.
+inline double offset(double to0, double to1, double from0, double from1) noexcept {
+  return 0.5 * form::twice_offset(to0, to1, from0, from1, 1).high;
+}
+
+VESICA_INLINE Verdict filter(const Sketch& a, const Sketch& b, const Motion& v) noexcept {
+  constexpr double u = 0x1p-53;
+  const double speed = abs(v.vx) + abs(v.vy);
+  const double dx = offset(b.place.x0, b.place.x1, a.place.x0, a.place.x1);
+  const double dy = offset(b.place.y0, b.place.y1, a.place.y0, a.place.y1);
+  const Reach ra = reach(a, v, speed), rb = reach(b, v, speed);
+  const double size = ra.size + rb.size, d_size = (abs(dx) + abs(dy)) * speed, all = size + d_size;
+  // Underflow: an error of 2^-537 at most in the reach of an ellipse, and less elsewhere.
+  const bool usable = a.usable && b.usable && in_usable_range(speed) && abs(dx) + abs(dy) <= most_usable &&
+                      all >= 0x1p-400 && !(a.round && !(ra.size >= 0x1p-400)) && !(b.round && !(rb.size >= 0x1p-400));
+  if (!usable) return Verdict::undecided;
+
+  const double w = v.vx * dy - v.vy * dx, q = v.vx * dx + v.vy * dy, d_error = u * (6 * d_size + 2 * size);
+  const double h = ra.h + rb.h, h_error = ra.h_error + rb.h_error + 4 * u * h, gap = abs(w) - h;
+  if (gap > d_error + h_error) return Verdict::missed;
+  // Moving away: the shapes are apart along v, or before they could meet the end comes.
+  const double forward = ra.forward + rb.forward, forward_error = h_error + 4 * u * forward;
+  if (q - forward > d_error + forward_error) return Verdict::missed;
+  const double vv = v.vx * v.vx + v.vy * v.vy, whole = v.end <= most_usable ? v.end * vv : 0;
+  const bool has_end = v.end <= most_usable;
+  if (has_end && -q - forward - whole > d_error + forward_error + 8 * u * whole) return Verdict::passed;
+  if (!(gap < -(d_error + h_error))) return Verdict::undecided;
+
+  const double along = ra.along + rb.along, along_error = ra.along_error + rb.along_error + 2 * u * abs(along);
+  const double first = w * along, second = q * h;
+  const double error = 1.25 * ((abs(w) + d_error) * along_error + abs(along) * d_error + abs(q) * h_error +
+                               (h + h_error) * d_error + 4 * u * (abs(first) + abs(second)));
+  const double after_start = first - second;
+  if (after_start < -error) return Verdict::passed;
+  if (!(after_start > error)) return Verdict::undecided;
+  if (v.end == std::numeric_limits<double>::infinity()) return Verdict::reached;
+  if (!has_end) return Verdict::undecided;
+  const double rest = whole * h, rest_error = whole * h_error + 8 * u * rest, after_end = after_start - rest;
+  const double end_error = error + rest_error + 2 * u * abs(after_end);
+  return after_end < -end_error ? Verdict::reached : after_end > end_error ? Verdict::late : Verdict::undecided;
+}
+
+}  // namespace vesica::detail::cast

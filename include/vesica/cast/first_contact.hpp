@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The first contact of two shapes that are apart at the start: the greatest double with no contact before it, the
+/// point and the normal.
+///
+/// The bounds of bound.hpp mostly have no double between them, which then is the time. Otherwise, and where numbers are
+/// wildly unlike, doubles are tried: whether there is contact before one of them is exact.
+#pragma once
+
+#include <vesica/arithmetic/rounding.hpp>
+#include <vesica/cast/direction.hpp>
+#include <vesica/cast/exact.hpp>
+#include <vesica/cast/filter.hpp>
+#include <vesica/cast/place.hpp>
+
+namespace vesica {
+
+/// What cast() writes; members as in the C struct.
+template <class T>
+struct Impact {
+  T t;       ///< the greatest number with no contact before it
+  T x, y;    ///< the point of contact
+  T nx, ny;  ///< unit normal from the first shape to the second
+};
+
+/// What casting returns, where it is not an error.
+enum CastAnswer : std::int32_t {
+  cast_miss = 0,
+  cast_hit = 1,
+  cast_start = 2,  ///< the shapes overlap at the start
+};
+
+namespace detail::cast {
+
+/// A line that grazes, and on which side of it the second shape's centre passes.
+struct Graze {
+  bool grazes;
+  int side;
+};
+
+/// The greatest double that is at most t0; negative where the bounds leave it open.
+inline double known_floor(const Scene& scene, const TimeBounds& time) noexcept {
+  const Twofold<double> t = arithmetic::renormalised(time.value);
+  const double above = time.error + time.gain;
+  if (!scene.faithful || !time.tells() || !time.certain || !(above < 0x1p-56 * t.high)) return -1;
+  const int exponent = form::length_exponent(t.high, scene.time);
+  if (exponent < -1000 || exponent > 1020) return -1;
+  if (t.low - time.error <= 0 && t.low + above >= 0) return -1;
+  const double nearest = arithmetic::scale_far(t.high, scene.time);
+  return t.low < 0 ? arithmetic::at_rank<double>(arithmetic::rank(nearest) - 1) : nearest;
+}
+
+/// Where a line that grazes enters: the point of M farthest across v, of an edge along v the end that comes first.
+inline Found grazing(const Scene& scene, int side) noexcept {
+  using arithmetic::factor;
+  const double sign = side < 0 ? -1 : 1;
+  const Vector across{{-sign * scene.vy, 0}, {sign * scene.vx, 0}};
+  // Turned by a quarter `beside` is x.v, and `edge` what lies along v.
+  const VectorFactor turned{factor(Twofold<double>{scene.vy, 0}), factor(Twofold<double>{-scene.vx, 0})};
+  const auto n = factor(across);
+  const SideSupport a = support_of(scene.a, n, turned, scene.speed()),
+                    b = support_of(scene.b, n, turned, scene.speed());
+  const VectorFactor v = factor_of_v(scene);
+  const Twofold<double> way = a.beside + b.beside - dot(factor(scene.d), v);
+  const double vv = scene.vx * scene.vx + scene.vy * scene.vy;
+  const double first = (way.high - (a.edge + b.edge)) / vv;
+  const Twofold<double> left = (way - Twofold<double>{a.edge, 0} - Twofold<double>{b.edge, 0}) -
+                               factor(Twofold<double>{first, 0}) * factor(renormalised(dot(v, v)));
+  const Vector back{{-scene.vx, 0}, {-scene.vy, 0}};
+  return {side == 0 ? back : across, {{first, arithmetic::rounded(left) / vv}, 0, 0, 0, false}};
+}
+
+/// By trial of doubles, from an estimate. Returns error_range where t0 or the place there is beyond the numbers.
+VESICA_COLD inline std::int32_t exact_floor(const ExactPair& pair, double estimate, double& out) noexcept {
+  std::int32_t error = 0;
+  const auto is_after = [&](double t) {
+    const int before = pair.contact_before(t);
+    if (before < 0) error = before;
+    return before != 0;
+  };
+  double after;
+  const bool usable = estimate > 0 && estimate < std::numeric_limits<double>::max();
+  const double start = usable ? arithmetic::at_rank<double>(arithmetic::rank(estimate) + 1) : 1.0;
+  if (!arithmetic::search_up(start, is_after, after) || error != 0) return error_range;
+  out = arithmetic::at_rank<double>(arithmetic::rank(after) - 1) + 0.0;
+  return 0;
+}
+
+/// The time in units of the scene, and what it means.
+inline Impact<double> impact(const Body& a, const Scene& scene, const Vector& normal, double t) noexcept {
+  const double in_scene = arithmetic::scale_far(t, -scene.time);
+  const Offset offset{scene.d.x.high + in_scene * scene.vx, scene.d.y.high + in_scene * scene.vy};
+  const Offset at = located(a, touching_point(scene, normal, offset), scene.length);
+  const double x = normal.x.high, y = normal.y.high, length = sqrt(x * x + y * y);
+  return {t, at.x, at.y, x / length + 0.0, y / length + 0.0};
+}
+
+/// For shapes that do not overlap at the start, and a line that meets M after it. late: whether the witness comes after
+/// the end, so that there may be contact only then.
+[[gnu::noinline]] inline std::int32_t first_contact(const Body& a, const Body& b, const Motion& motion, bool late,
+                                                    const Graze& graze, Impact<double>& out) noexcept {
+  int steps;
+  const Scene seen = scene(a, b, motion);
+  const Found found = graze.grazes ? grazing(seen, graze.side) : latest_direction(seen, steps);
+  double t = graze.grazes ? -1 : known_floor(seen, found.time);
+  if (t < 0) {
+    const ExactPair pair(a, b, motion);
+    if (late) {
+      const Contact at_end = pair.contact_at(motion.end);
+      if (at_end == Contact::none) return cast_miss;
+      if (at_end == Contact::beyond) return error_range;
+    }
+    const double estimate = arithmetic::scale_far(arithmetic::rounded(found.time.value), seen.time);
+    const std::int32_t error = exact_floor(pair, estimate, t);
+    if (error != 0) return error;
+  }
+  if (late && t >= motion.end) {
+    if (t > motion.end) return cast_miss;
+    const Contact at_end = ExactPair(a, b, motion).contact_at(t);
+    if (at_end == Contact::none) return cast_miss;
+    if (at_end == Contact::beyond) return error_range;
+  }
+  const Impact<double> impact = cast::impact(a, seen, found.normal, t);
+  if (!all_finite(impact.x, impact.y, impact.nx, impact.ny)) return error_range;
+  out = impact;
+  return cast_hit;
+}
+
+/// What the filter left open, exactly.
+VESICA_COLD inline std::int32_t decide(const Body& a, const Body& b, const Motion& motion,
+                                       Impact<double>& out) noexcept {
+  bool late;
+  Graze graze;
+  {
+    const ExactPair pair(a, b, motion);
+    if (pair.line_misses() || pair.witness_after(0) <= 0) return cast_miss;
+    late = motion.end < std::numeric_limits<double>::infinity() && pair.witness_after(motion.end) > 0;
+    graze = {pair.line_grazes(), pair.side()};
+  }
+  return first_contact(a, b, motion, late, graze, out);
+}
+
+/// The answer, or error_range. Contact at the start is for the caller to describe. overlap_at_start() answers as
+/// overlap_or_error() does.
+template <class Overlap>
+VESICA_INLINE std::int32_t cast_bodies(const Body& a, const Body& b, const Motion& motion,
+                                       const Overlap& overlap_at_start, Impact<double>& out) noexcept {
+  const Verdict verdict = filter(sketch(a), sketch(b), motion);
+  if (verdict == Verdict::missed) return cast_miss;
+  const std::int32_t overlapping = overlap_at_start();
+  if (overlapping != 0) return overlapping < 0 ? overlapping : static_cast<std::int32_t>(cast_start);
+  if (verdict == Verdict::passed || motion.is_still()) return cast_miss;
+  if (verdict == Verdict::undecided) return decide(a, b, motion, out);
+  return first_contact(a, b, motion, verdict == Verdict::late, {false, 0}, out);
+}
+
+}  // namespace detail::cast
+}  // namespace vesica

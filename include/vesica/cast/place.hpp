@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Where two shapes touch, given the normal.
+#pragma once
+
+#include <vesica/cast/bound.hpp>
+#include <vesica/support_minimum/placed_pair.hpp>
+
+namespace vesica::detail::cast {
+
+using Offset = support_minimum::PlaneVector;
+
+/// What of a shape lies farthest along a normal: a point, or an edge by its middle and half of it.
+struct Foremost {
+  Offset middle, half;
+
+  bool is_edge() const noexcept { return half.x != 0 || half.y != 0; }
+};
+
+/// From the shape's own centre.
+inline Foremost foremost(const Side& s, const Vector& normal) noexcept {
+  using arithmetic::factor;
+  const auto u = factor(s.u), n = factor(normal);
+  const Twofold<double> p = arithmetic::renormalised(dot(u, n)), q = arithmetic::renormalised(cross(u, n));
+  const Offset along{s.u.x.high, s.u.y.high}, across{-s.u.y.high, s.u.x.high};
+  const double a = s.hx.high, b = s.hy.high;
+  if (s.round) {
+    const double h = sqrt((a * p.high) * (a * p.high) + (b * q.high) * (b * q.high));
+    return {(a * (a * p.high / h)) * along + (b * (b * q.high / h)) * across, {0, 0}};
+  }
+  Foremost out{{0, 0}, {0, 0}};
+  (is_zero(p) ? out.half : out.middle) = lane::flip_sign(a, p.high) * along;
+  const Offset second = lane::flip_sign(b, q.high) * across;
+  Offset& to = is_zero(q) ? out.half : out.middle;
+  to = {to.x + second.x, to.y + second.y};
+  return out;
+}
+
+/// The point of the first shape where the second, at an offset, touches it: its vertex or the point of its round
+/// outline; on an edge of it the other's vertex, or the middle of the stretch that two edges share.
+inline Offset touching_point(const Scene& scene, const Vector& normal, const Offset& offset) noexcept {
+  const Foremost a = foremost(scene.a, normal), b = foremost(scene.b, {-normal.x, -normal.y});
+  if (!a.is_edge()) return a.middle;
+  const double length = a.half.x * a.half.x + a.half.y * a.half.y;
+  const auto share = [&](double x, double y) { return (x * a.half.x + y * a.half.y) / length; };
+  const double middle = share(offset.x + b.middle.x - a.middle.x, offset.y + b.middle.y - a.middle.y);
+  const double half = abs(share(b.half.x, b.half.y));
+  const auto within = [](double s) { return s < -1 ? -1.0 : s > 1 ? 1.0 : s; };
+  const double at = 0.5 * (within(middle - half) + within(middle + half));
+  return {a.middle.x + at * a.half.x, a.middle.y + at * a.half.y};
+}
+
+/// The point at an offset, in units of 2^exponent, from a body's centre.
+inline Offset located(const Body& body, const Offset& offset, int exponent) noexcept {
+  return with_shape(body, [&](const auto& s) {
+    const auto p = form::corners(form::of(s).place);
+    return Offset{support_minimum::located_coordinate(p.x0, p.x1, arithmetic::scale_far(offset.x, exponent)) + 0.0,
+                  support_minimum::located_coordinate(p.y0, p.y1, arithmetic::scale_far(offset.y, exponent)) + 0.0};
+  });
+}
+
+}  // namespace vesica::detail::cast

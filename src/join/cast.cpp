@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "join/cast.hpp"
+
+#include <limits>
+
+#include "index/frame.hpp"
+
+namespace vesica::index {
+
+namespace {
+
+inline constexpr std::int64_t cast_mark = 0xca57;
+inline constexpr double never = std::numeric_limits<double>::infinity(), largest = std::numeric_limits<double>::max();
+
+/// When a moving box meets boxes that are at rest. Entry times are rounded down, and below the library's own times,
+/// which are rounded once: 2^-50 of each number is more than the rounding of three operations.
+class SweptBox {
+ public:
+  SweptBox(const double (&box)[4], double vx, double vy, double end) noexcept
+      : x_(box[0], box[2], vx), y_(box[1], box[3], vy), end_(end) {}
+
+  /// Sides of boxes, in rows: row[i] is a number of box i.
+  template <class Row>
+  struct Sides {
+    Row min_x, min_y, max_x, max_y;
+  };
+
+  /// time[i] is no later than any contact with what box i holds; `never` where there is none by `limit`.
+  template <class Row>
+  void entries(const Sides<Row>& sides, int n, double limit, double* time) const noexcept {
+    const Row near_x = x_.forward ? sides.min_x : sides.max_x, far_x = x_.forward ? sides.max_x : sides.min_x;
+    const Row near_y = y_.forward ? sides.min_y : sides.max_y, far_y = y_.forward ? sides.max_y : sides.min_y;
+    const double last = limit < end_ ? limit : end_;
+    for (int i = 0; i < n; ++i) {
+      double in = 0, out = last;
+      x_.cut(near_x[i], far_x[i], in, out);
+      y_.cut(near_y[i], far_y[i], in, out);
+      time[i] = in <= out ? in : never;
+    }
+  }
+
+ private:
+  static constexpr double slack = 0x1p-50;
+
+  /// The side of the moving box that meets others first, and that which leaves them last. Without a velocity the
+  /// inverse is infinite: then boxes are met always or never, and a product that is NaN says nothing. Nor does that
+  /// with an inverse that is not usable.
+  struct Axis {
+    bool forward;
+    double front, back, inverse, greatest;
+
+    Axis(double low, double high, double v) noexcept
+        : forward(v >= 0),
+          front(v >= 0 ? high : low),
+          back(v >= 0 ? low : high),
+          inverse(v == 0 ? never : usable_inverse(v)),
+          greatest(v == 0 ? never : largest) {}
+
+    static double usable_inverse(double v) noexcept {
+      const double speed = v < 0 ? -v : v;
+      return speed >= 0x1p-1000 && speed <= 0x1p1000 ? 1 / v : std::numeric_limits<double>::quiet_NaN();
+    }
+
+    void cut(double near, double far, double& in, double& out) const noexcept {
+      double from = (near - front) * inverse;
+      from = from > greatest ? greatest : from;
+      from = from * (1 - slack) - 0x1p-1070;
+      const double to = (far - back) * inverse * (1 + slack) + 0x1p-1070;
+      in = from > in ? from : in;
+      out = to < out ? to : out;
+    }
+  };
+
+  Axis x_, y_;
+  double end_;
+};
+
+/// A row of columns of a grid as exact doubles; `by` is 1 for the far sides of columns, as k is below 2^50.
+struct GridRow {
+  const std::uint16_t* column;
+  double by, scale;
+
+  double operator[](int i) const noexcept { return (static_cast<double>(column[i]) + by) * scale; }
+};
+
+SweptBox::Sides<GridRow> grid_sides(const Frame& f, const std::uint16_t* min_x, const std::uint16_t* min_y,
+                                    const std::uint16_t* max_x, const std::uint16_t* max_y) noexcept {
+  const double x = power_of_two(f.p[0]), y = power_of_two(f.p[1]);
+  const auto kx = static_cast<double>(f.k[0]), ky = static_cast<double>(f.k[1]);
+  return {{min_x, kx, x}, {min_y, ky, y}, {max_x, kx + 1, x}, {max_y, ky + 1, y}};
+}
+SweptBox::Sides<GridRow> leaf_sides(const Block& block) noexcept {
+  return grid_sides(block.frame, leaf_boxes(block, 0), leaf_boxes(block, 1), leaf_boxes(block, 2),
+                    leaf_boxes(block, 3));
+}
+SweptBox::Sides<GridRow> item_sides(const Frame& frame, const Leaf& leaf) noexcept {
+  return grid_sides(frame, leaf.min_x, leaf.min_y, leaf.max_x, leaf.max_y);
+}
+SweptBox::Sides<const double*> child_sides(const Node& node) noexcept {
+  return {node.min_x, node.min_y, node.max_x, node.max_y};
+}
+bool is_there(const Node& node, int child) noexcept { return node.min_x[child] <= node.max_x[child]; }
+
+/// Numbers in the order of their times.
+template <int Most>
+struct ByTime {
+  double time[Most];
+  std::uint32_t value[Most];
+  int count = 0;
+
+  void insert(double t, std::uint32_t v) noexcept {
+    int i = count++;
+    for (; i > 0 && time[i - 1] > t; --i) {
+      time[i] = time[i - 1];
+      value[i] = value[i - 1];
+    }
+    time[i] = t;
+    value[i] = v;
+  }
+};
+
+int items_of_leaf(const Block& block, std::int32_t leaf) noexcept {
+  const std::int32_t rest = block.count - leaf * leaf_items;
+  return rest < leaf_items ? rest : leaf_items;
+}
+
+class First {
+ public:
+  explicit First(const Cast& cast) noexcept
+      : cast_(cast),
+        view_(cast.index),
+        swept_(cast.box, cast.vx, cast.vy, cast.end),
+        limit_(cast.end),
+        best_{view_.items(), cast.end, 0} {}
+
+  FirstItem run() noexcept {
+    if (view_.levels() != 0) visit(view_.levels() - 1, 0);
+    return best_;
+  }
+
+ private:
+  void visit(int level, std::int64_t number) noexcept {
+    const Node& node = view_.node(level, number);
+    double time[node_children];
+    swept_.entries(child_sides(node), node_children, limit_, time);
+    ByTime<node_children> order;
+    for (int i = 0; i < node_children; ++i) {
+      if (time[i] < never && is_there(node, i)) order.insert(time[i], static_cast<std::uint32_t>(i));
+    }
+    for (int i = 0; i < order.count && order.time[i] <= limit_; ++i) {
+      const std::int64_t child = number * node_children + order.value[i];
+      if (level > 0) {
+        visit(level - 1, child);
+      } else if (child < view_.blocks()) {
+        visit_block(view_.block(child));
+      }
+    }
+  }
+
+  void visit_block(const Block& block) noexcept {
+    double time[block_leaves];
+    swept_.entries(leaf_sides(block), block.leaves, limit_, time);
+    ByTime<block_leaves> order;
+    for (int l = 0; l < block.leaves; ++l) {
+      if (time[l] < never) order.insert(time[l], static_cast<std::uint32_t>(l));
+    }
+    for (int i = 0; i < order.count && order.time[i] <= limit_; ++i) {
+      const auto leaf = static_cast<std::int32_t>(order.value[i]);
+      visit_leaf(block.frame, leaves_of(block)[leaf], items_of_leaf(block, leaf));
+    }
+  }
+
+  void visit_leaf(const Frame& frame, const Leaf& leaf, int n) noexcept {
+    double time[leaf_items];
+    swept_.entries(item_sides(frame, leaf), n, limit_, time);
+    ByTime<leaf_items> order;
+    for (int i = 0; i < n; ++i) {
+      if (time[i] < never) order.insert(time[i], leaf.item[i]);
+    }
+    for (int i = 0; i < order.count && order.time[i] <= limit_; ++i) ask(order.value[i]);
+  }
+
+  void ask(std::uint32_t item) noexcept {
+    const bool some = best_.item != view_.items();
+    double t;
+    const std::int32_t code = cast_.targets.ask(cast_.targets.context, item, limit_, t);
+    if (code < 0) best_.error = code;
+    if (code <= 0 || (some && (t > best_.t || (t == best_.t && item > best_.item)))) return;
+    best_.item = item;
+    best_.t = t;
+    const double after = next(t);
+    if (after < limit_) limit_ = after;
+  }
+
+  /// Contact before this is rounded down to t, or earlier.
+  double next(double t) const noexcept {
+    if (!cast_.is_float) return __builtin_nextafter(t, never);
+    return static_cast<double>(__builtin_nextafterf(static_cast<float>(t), std::numeric_limits<float>::infinity()));
+  }
+
+  const Cast& cast_;
+  View view_;
+  SweptBox swept_;
+  double limit_;  // later contact is of no interest
+  FirstItem best_;
+};
+
+/// All hits in the index's order, from a block on.
+class All {
+ public:
+  All(const Cast& cast, std::int64_t* out, std::int64_t capacity, std::int64_t* state) noexcept
+      : cast_(cast),
+        view_(cast.index),
+        swept_(cast.box, cast.vx, cast.vy, cast.end),
+        out_(out),
+        capacity_(capacity),
+        state_(state),
+        from_(capacity > 0 ? state[0] : 0),
+        skip_(capacity > 0 ? state[1] : 0) {}
+
+  std::int64_t run() noexcept {
+    if (view_.levels() != 0) visit(view_.levels() - 1, 0);
+    if (error_ != 0) return error_;
+    if (capacity_ > 0 && !full_) put_state(-1, 0, 0);
+    return found_;
+  }
+
+ private:
+  bool is_over() const noexcept { return full_ || error_ != 0; }
+
+  void put_state(std::int64_t block, std::int64_t written, std::int64_t mark) noexcept {
+    state_[0] = block;
+    state_[1] = written;
+    state_[2] = 0;
+    state_[3] = mark;
+  }
+
+  void visit(int level, std::int64_t number) noexcept {
+    const Node& node = view_.node(level, number);
+    std::int64_t blocks = 1;
+    for (int i = 0; i < level; ++i) blocks *= node_children;
+    double time[node_children];
+    swept_.entries(child_sides(node), node_children, never, time);
+    for (int i = 0; i < node_children && !is_over(); ++i) {
+      const std::int64_t child = number * node_children + i;
+      if (!(time[i] < never) || !is_there(node, i) || (child + 1) * blocks <= from_) continue;
+      if (level > 0) {
+        visit(level - 1, child);
+      } else if (child < view_.blocks()) {
+        visit_block(child);
+      }
+    }
+  }
+
+  void visit_block(std::int64_t number) noexcept {
+    const Block& block = view_.block(number);
+    const std::int64_t skip = number == from_ ? skip_ : 0;
+    std::int64_t in_block = 0;
+    double time[block_leaves], of_item[leaf_items];
+    swept_.entries(leaf_sides(block), block.leaves, never, time);
+    for (std::int32_t l = 0; l < block.leaves; ++l) {
+      if (!(time[l] < never)) continue;
+      const Leaf& leaf = leaves_of(block)[l];
+      const int n = items_of_leaf(block, l);
+      swept_.entries(item_sides(block.frame, leaf), n, never, of_item);
+      for (int i = 0; i < n; ++i) {
+        if (!(of_item[i] < never)) continue;
+        if (!is_hit(leaf.item[i])) {
+          if (error_ != 0) return;
+          continue;
+        }
+        if (in_block++ < skip) continue;
+        if (capacity_ > 0 && found_ == capacity_) {
+          full_ = true;
+          return put_state(number, in_block - 1, cast_mark);
+        }
+        if (capacity_ > 0) out_[found_] = leaf.item[i];
+        ++found_;
+      }
+    }
+  }
+
+  bool is_hit(std::uint32_t item) noexcept {
+    double t;
+    const std::int32_t code = cast_.targets.ask(cast_.targets.context, item, cast_.end, t);
+    if (code < 0) error_ = code;
+    return code > 0;
+  }
+
+  const Cast& cast_;
+  View view_;
+  SweptBox swept_;
+  std::int64_t* out_;
+  std::int64_t capacity_;
+  std::int64_t* state_;
+  std::int64_t from_, skip_, found_ = 0;
+  std::int32_t error_ = 0;
+  bool full_ = false;
+};
+
+}  // namespace
+
+FirstItem find_first_hit(const Cast& cast) noexcept { return First(cast).run(); }
+
+// A state: a block, how many of its items are already written, 0 and a mark.
+
+bool cast_state_is_sound(const Cast& cast, const std::int64_t* state) noexcept {
+  if (state[0] == 0 && state[1] == 0 && state[2] == 0 && state[3] == 0) return true;
+  if (state[0] == -1) return true;
+  return state[0] >= 0 && state[0] < View(cast.index).blocks() && state[1] >= 0 && state[2] == 0 &&
+         state[3] == cast_mark;
+}
+
+std::int64_t write_hits(const Cast& cast, std::int64_t* out, std::int64_t capacity, std::int64_t* state) noexcept {
+  if (capacity > 0 && state[0] == -1) return 0;
+  return All(cast, out, capacity, state).run();
+}
+
+}  // namespace vesica::index

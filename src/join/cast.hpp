@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Items of an index that a moving shape hits: the first, or all of them.
+#pragma once
+
+#include <cstdint>
+
+#include "index/layout.hpp"
+
+namespace vesica::index {
+
+/// Answers about items. ask() tells whether the moving shape hits an item by the time `end`, and writes that time,
+/// rounded down: more than 0, 0, or an error.
+struct Targets {
+  const void* context;
+  std::int32_t (*ask)(const void* context, std::uint32_t item, double end, double& t);
+};
+
+struct Cast {
+  const void* index;
+  Targets targets;
+  const double (&box)[4];  // bounds of the moving shape at the start
+  double vx, vy, end;
+  bool is_float;  // times are floats
+};
+
+struct FirstItem {
+  std::int64_t item;  // the number of items where none is hit
+  double t;
+  std::int32_t error;
+};
+
+/// The item that is hit first; of several at one time that of the lowest number.
+FirstItem find_first_hit(const Cast& cast) noexcept;
+
+bool cast_state_is_sound(const Cast& cast, const std::int64_t* state) noexcept;
+
+/// Writes the items that are hit, in the index's order, and returns how many, or an error. With capacity 0 all are
+/// counted, and there is no state.
+std::int64_t write_hits(const Cast& cast, std::int64_t* out, std::int64_t capacity, std::int64_t* state) noexcept;
+
+}  // namespace vesica::index

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "queries/cast.hpp"
+
+#include <vesica/cast.hpp>
+
+#include "query.hpp"
+
+namespace vesica {
+
+namespace {
+
+using detail::cast::Body;
+using detail::cast::Motion;
+
+std::int32_t answer(const Query& query, const Body& a, const Body& b, void* out) noexcept {
+  return query.doubles.of[static_cast<int>(a.kind)][static_cast<int>(b.kind)](a.number, b.number, out);
+}
+
+/// For shapes that overlap at the start.
+std::int32_t start(const Body& a, const Body& b, Impact<double>& out) noexcept {
+  ClosestPoints<double> common;
+  Penetration<double> penetration;
+  std::int32_t error = answer(queries::nearest, a, b, &common);
+  if (error == 0) error = answer(queries::depth, a, b, &penetration);
+  if (error != 0) return error;
+  out = {0, common.ax, common.ay, penetration.x, penetration.y};
+  return cast_start;
+}
+
+}  // namespace
+
+namespace queries {
+
+[[gnu::noinline]] std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<double>& out) noexcept {
+  const std::int32_t code = detail::cast::cast_bodies(
+      a, b, motion, [&] { return answer(overlap, a, b, nullptr); }, out);
+  return code == cast_start ? start(a, b, out) : code;
+}
+
+template <class T>
+std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<T>& out) noexcept {
+  Impact<double> found;
+  const std::int32_t code = cast(a, b, motion, found);
+  if (code <= 0) return code;
+  return detail::cast::rounded_to(found, out) ? code : error_range;
+}
+template std::int32_t cast(const Body&, const Body&, const Motion&, Impact<float>&) noexcept;
+
+}  // namespace queries
+
+namespace batch {
+
+template <class T>
+Body body_at(const Shapes<T>& shapes, std::int64_t i) noexcept {
+  Body body{static_cast<Kind>(shapes.kind), {}};
+  for (int k = 0; k < field_count(shapes.kind); ++k) {
+    body.number[k] = static_cast<double>(shapes.field[k].advanced(i * shapes.stride)[0]);
+  }
+  return body;
+}
+
+namespace {
+
+/// An invalid shape shows before anything else.
+void note(std::int32_t error, std::int32_t& worst) noexcept {
+  if (error < 0 && worst != error_shape) worst = error;
+}
+
+bool is_valid(const Body& body) noexcept {
+  return detail::cast::with_shape(body, [](const auto& s) { return check(s) == 0; });
+}
+
+}  // namespace
+
+template <class T>
+CastTally cast_many(const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, const Velocities<T>& v, double end,
+                    T* const (&columns)[5]) noexcept {
+  constexpr T none = std::numeric_limits<T>::quiet_NaN();
+  CastTally tally;
+  for (std::int64_t i = 0; i < n; ++i) {
+    const Body first = body_at(a, i), second = body_at(b, i);
+    const Motion motion{static_cast<double>(v.vx.advanced(i * v.stride)[0]),
+                        static_cast<double>(v.vy.advanced(i * v.stride)[0]), end};
+    Impact<T> impact = detail::cast::no_impact<T>();
+    const bool moves = detail::cast::is_sound(motion);
+    const std::int32_t still = moves || (is_valid(first) && is_valid(second)) ? error_argument : error_shape;
+    const std::int32_t code = moves ? queries::cast(first, second, motion, impact) : still;
+    if (code < 0) impact.t = none;
+    tally.hits += code > 0;
+    note(code, tally.error);
+    const T numbers[] = {impact.t, impact.x, impact.y, impact.nx, impact.ny};
+    for (int k = 0; k < 5; ++k) {
+      if (columns[k] != nullptr) columns[k][i] = numbers[k];
+    }
+  }
+  return tally;
+}
+
+template <class T>
+FirstHit cast_first(const Shapes<T>& many, const Shapes<T>& one, const Motion& motion, Impact<T>& out) noexcept {
+  const Body moving = body_at(one, 0);
+  FirstHit first{many.count, 0};
+  Impact<T> best = detail::cast::no_impact<T>();
+  if (!is_valid(moving)) return {0, error_shape};
+  for (std::int64_t i = 0; i < many.count; ++i) {
+    // What comes later than the best so far is a miss.
+    const Motion rest{motion.vx, motion.vy, first.index == many.count ? motion.end : static_cast<double>(best.t)};
+    Impact<T> impact;
+    const std::int32_t code = queries::cast(body_at(many, i), moving, rest, impact);
+    note(code, first.error);
+    if (code <= 0 || (first.index != many.count && !(impact.t < best.t))) continue;
+    best = impact;
+    first.index = i;
+  }
+  if (first.error == 0) out = best;
+  return first;
+}
+
+#define VESICA_CASTS(T)                                                                                        \
+  template Body body_at(const Shapes<T>&, std::int64_t) noexcept;                                              \
+  template CastTally cast_many(const Shapes<T>&, const Shapes<T>&, std::int64_t, const Velocities<T>&, double, \
+                               T* const(&)[5]) noexcept;                                                       \
+  template FirstHit cast_first(const Shapes<T>&, const Shapes<T>&, const Motion&, Impact<T>&) noexcept;
+VESICA_CASTS(double)
+VESICA_CASTS(float)
+#undef VESICA_CASTS
+
+}  // namespace batch
+
+}  // namespace vesica

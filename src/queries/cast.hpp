@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes that move: asked by kind and flat numbers, and of arrays. No descriptor of a Query: those know no motion.
+#pragma once
+
+#include <vesica/cast/first_contact.hpp>
+
+#include "batch.hpp"
+
+namespace vesica::queries {
+
+using detail::cast::Body;
+using detail::cast::Motion;
+
+/// The answer for bodies that need not be valid, or error_shape or error_range. After a miss nothing is written. Never
+/// inlined: it exists once for all kinds.
+std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<double>& out) noexcept;
+
+/// Rounded to T: the time down, all other numbers to the nearest.
+template <class T>
+std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<T>& out) noexcept;
+
+}  // namespace vesica::queries
+
+namespace vesica::batch {
+
+/// Velocities of elements, as columns; those of a single one have stride 0.
+template <class T>
+struct Velocities {
+  Unaligned<T> vx, vy;
+  std::ptrdiff_t stride;
+};
+
+struct CastTally {
+  std::int64_t hits = 0;   // those that overlap at the start included
+  std::int32_t error = 0;  // error_shape if any shape was invalid, else that of a pair or of a velocity
+};
+
+/// columns[k][i] = number k of the impact of b[i], which moves, on a[i], i < n; a column may be null.
+template <class T>
+CastTally cast_many(const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, const Velocities<T>& v, double end,
+                    T* const (&columns)[5]) noexcept;
+
+struct FirstHit {
+  std::int64_t index;  // the count of `many` where there is none
+  std::int32_t error;
+};
+
+/// The shape of `many` that one moving shape hits first; of several at one time the first.
+template <class T>
+FirstHit cast_first(const Shapes<T>& many, const Shapes<T>& one, const detail::cast::Motion& motion,
+                    Impact<T>& out) noexcept;
+
+/// Element i as a body.
+template <class T>
+detail::cast::Body body_at(const Shapes<T>& shapes, std::int64_t i) noexcept;
+
+}  // namespace vesica::batch

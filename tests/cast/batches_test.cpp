@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Arrays have the bits of single calls, in every layout, and say what is wrong with an element.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+#include "capi/face.hpp"
+#include "cast/motions.hpp"
+#include "properties/generators.hpp"
+
+namespace {
+
+using namespace cast_test;
+using capi_tests::Face;
+
+template <class T>
+constexpr Scalar scalar_of = sizeof(T) == 8 ? Scalar::f64 : Scalar::f32;
+
+/// Pairs as records, and their velocities as records of two.
+template <class T>
+struct Arrays {
+  std::vector<std::array<T, 6>> a, b;
+  std::vector<std::array<T, 2>> v;
+  typename Face<T>::Shapes shapes_a{}, shapes_b{};
+
+  Arrays(properties::Workload workload, int kind_a, int kind_b, int n) {
+    properties::Stream stream(workload, kind_a, kind_b, scalar_of<T>, properties::seed() + 31);
+    properties::Random random(properties::seed() + 32);
+    for (int i = 0; i < n; ++i) {
+      const Pair p = stream.next();
+      const Motion m = draw_motion(p, scalar_of<T>, random);
+      a.emplace_back();
+      b.emplace_back();
+      for (std::size_t k = 0; k < 6; ++k) {
+        a.back()[k] = static_cast<T>(p.a[k]);
+        b.back()[k] = static_cast<T>(p.b[k]);
+      }
+      v.push_back({static_cast<T>(m.vx), static_cast<T>(m.vy)});
+    }
+    Face<T>::from_records(kind_a, n, a.data(), sizeof a[0], &shapes_a);
+    Face<T>::from_records(kind_b, n, b.data(), sizeof b[0], &shapes_b);
+  }
+};
+
+bool same_bits(const void* a, const void* b, std::size_t n) { return std::memcmp(a, b, n) == 0; }
+
+template <class T>
+void check_many(Arrays<T>& s, T end) {
+  const std::size_t n = s.a.size();
+  std::vector<T> columns[5];
+  for (auto& column : columns) column.resize(n);
+  const std::int64_t hits =
+      Face<T>::cast_many(&s.shapes_a, &s.shapes_b, &s.v[0][0], &s.v[0][1], sizeof s.v[0], end, columns[0].data(),
+                         columns[1].data(), columns[2].data(), columns[3].data(), columns[4].data());
+  std::int64_t expected = 0, worst = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    typename Face<T>::Impact one;
+    const std::int32_t code =
+        Face<T>::cast(s.shapes_a.kind, s.a[i].data(), s.shapes_b.kind, s.b[i].data(), s.v[i][0], s.v[i][1], end, &one);
+    expected += code > 0;
+    if (code < 0) {
+      worst = worst == VESICA_E_SHAPE ? worst : code;
+      EXPECT_TRUE(std::isnan(columns[0][i]));
+      continue;
+    }
+    const T numbers[] = {one.t, one.x, one.y, one.nx, one.ny};
+    for (std::size_t k = 0; k < 5; ++k) {
+      EXPECT_TRUE(same_bits(&numbers[k], &columns[k][i], sizeof(T)) || std::isnan(numbers[k])) << i << ' ' << k;
+    }
+  }
+  EXPECT_EQ(hits, worst != 0 ? worst : expected);
+}
+
+template <class T>
+class Batches : public testing::Test {};
+using Scalars = testing::Types<double, float>;
+TYPED_TEST_SUITE(Batches, Scalars);
+
+TYPED_TEST(Batches, HaveTheBitsOfSingleCalls) {
+  using T = TypeParam;
+  for (int kind_a = 0; kind_a < properties::kinds; ++kind_a) {
+    for (int kind_b = 0; kind_b < properties::kinds; ++kind_b) {
+      Arrays<T> s(properties::Workload::random, kind_a, kind_b, 40);
+      check_many<T>(s, T(3));
+      Arrays<T> grid(properties::Workload::grid, kind_a, kind_b, 20);
+      check_many<T>(grid, std::numeric_limits<T>::infinity());
+    }
+  }
+}
+
+TYPED_TEST(Batches, OfWhichSomeElementsAreWrong) {
+  using T = TypeParam;
+  Arrays<T> s(properties::Workload::random, VESICA_CIRCLE, VESICA_AABB, 30);
+  s.v[7][1] = std::numeric_limits<T>::infinity();
+  check_many<T>(s, T(2));
+  s.a[3][2] = -1;
+  s.a[7][2] = -1;
+  check_many<T>(s, T(2));
+}
+
+TYPED_TEST(Batches, FirstIsTheEarliestOfAll) {
+  using T = TypeParam;
+  int found = 0;
+  for (int kind = 0; kind < properties::kinds; ++kind) {
+    Arrays<T> s(properties::Workload::random, kind, VESICA_POINT, 60);
+    s.shapes_b.count = 1;
+    const T vx = s.v[0][0] * 8, vy = s.v[0][1] * 8;
+    typename Face<T>::Impact expected{}, first;
+    std::int64_t index = s.shapes_a.count;
+    for (std::size_t i = 0; i < s.a.size(); ++i) {
+      typename Face<T>::Impact one;
+      if (Face<T>::cast(kind, s.a[i].data(), VESICA_POINT, s.b[0].data(), vx, vy, T(9), &one) <= 0) continue;
+      if (index != s.shapes_a.count && !(one.t < expected.t)) continue;
+      expected = one;
+      index = static_cast<std::int64_t>(i);
+    }
+    EXPECT_EQ(Face<T>::cast_first(&s.shapes_a, &s.shapes_b, vx, vy, T(9), &first), index);
+    if (index == s.shapes_a.count) continue;
+    ++found;
+    EXPECT_TRUE(same_bits(&first, &expected, sizeof first));
+  }
+  EXPECT_GT(found, 2);
+}
+
+TEST(BatchArguments, Refused) {
+  Arrays<double> s(properties::Workload::random, VESICA_CIRCLE, VESICA_AABB, 5);
+  double t[5], *none = nullptr;
+  const double *vx = &s.v[0][0], *vy = &s.v[0][1];
+  const auto many = [&](const double* x, const double* y, double end, double* out) {
+    return vesica_cast_many_f64(&s.shapes_a, &s.shapes_b, x, y, sizeof s.v[0], end, out, none, none, none, none);
+  };
+  EXPECT_GE(many(vx, vy, 1, t), 0);
+  EXPECT_EQ(many(vx, vy, 1, nullptr), VESICA_E_NULL);
+  EXPECT_EQ(many(nullptr, vy, 1, t), VESICA_E_NULL);
+  EXPECT_EQ(many(vx, nullptr, 1, t), VESICA_E_NULL);
+  EXPECT_EQ(many(vx, vy, -1, t), VESICA_E_ARGUMENT);
+  EXPECT_EQ(many(vx, vy, std::nan(""), t), VESICA_E_ARGUMENT);
+  vesica_impact_f64 impact{7, 7, 7, 7, 7};
+  EXPECT_EQ(vesica_cast_first_f64(&s.shapes_a, &s.shapes_b, 1, 1, 1, &impact), VESICA_E_ARGUMENT);
+  s.shapes_b.count = 1;
+  EXPECT_EQ(vesica_cast_first_f64(&s.shapes_a, &s.shapes_b, std::nan(""), 1, 1, &impact), VESICA_E_ARGUMENT);
+  EXPECT_EQ(vesica_cast_first_f64(&s.shapes_a, &s.shapes_b, 1, 1, 1, nullptr), VESICA_E_NULL);
+  s.a[4][2] = -1;
+  EXPECT_EQ(vesica_cast_first_f64(&s.shapes_a, &s.shapes_b, 1, 1, 1, &impact), VESICA_E_SHAPE);
+  EXPECT_EQ(impact.t, 7);
+}
+
+}  // namespace

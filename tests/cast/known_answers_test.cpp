@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Contacts that can be worked out by hand, and what is refused.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "cast/face.hpp"
+
+namespace {
+
+using namespace cast_test;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+void expect_hit(const Pair& p, const Motion& m, double t, double x, double y, double nx, double ny) {
+  for (const Scalar scalar : {Scalar::f64, Scalar::f32}) {
+    const Answer r = cast(scalar, p, m);
+    EXPECT_EQ(r.code, VESICA_CAST_HIT);
+    EXPECT_EQ(r.t, t);
+    EXPECT_EQ(r.x, x);
+    EXPECT_EQ(r.y, y);
+    EXPECT_EQ(r.nx, scalar == Scalar::f64 ? nx : static_cast<double>(static_cast<float>(nx)));
+    EXPECT_EQ(r.ny, scalar == Scalar::f64 ? ny : static_cast<double>(static_cast<float>(ny)));
+  }
+}
+
+void expect_miss(const Pair& p, const Motion& m) {
+  for (const Scalar scalar : {Scalar::f64, Scalar::f32}) {
+    const Answer r = cast(scalar, p, m);
+    EXPECT_EQ(r.code, VESICA_CAST_MISS);
+    EXPECT_EQ(r.t, infinity);
+    EXPECT_TRUE(std::isnan(r.x) && std::isnan(r.y) && std::isnan(r.nx) && std::isnan(r.ny));
+  }
+}
+
+const Pair ray_at_disc{VESICA_CIRCLE, VESICA_POINT, {0, 0, 1}, {-5, 0}};
+const Pair boxes{VESICA_AABB, VESICA_AABB, {0, 0, 1, 1}, {-5, 0.5, -4, 3}};
+
+TEST(Known, Rays) {
+  expect_hit(ray_at_disc, {1, 0, infinity}, 4, -1, 0, -1, 0);
+  expect_hit(ray_at_disc, {2, 0, 2}, 2, -1, 0, -1, 0);
+  expect_miss(ray_at_disc, {1, 0, 3.875});
+  expect_miss(ray_at_disc, {-1, 0, infinity});
+  expect_miss(ray_at_disc, {0, 0, infinity});
+  expect_miss(ray_at_disc, {1, 1, infinity});
+}
+
+TEST(Known, ARayThatGrazesADisc) {
+  const Pair p{VESICA_CIRCLE, VESICA_POINT, {0, 0, 1}, {-5, 1}};
+  expect_hit(p, {1, 0, infinity}, 5, 0, 1, 0, 1);
+  expect_miss(p, {1, 0x1p-20, infinity});
+  expect_miss({VESICA_CIRCLE, VESICA_POINT, {0, 0, 1}, {-5, 1 + 0x1p-23}}, {1, 0, infinity});
+}
+
+TEST(Known, Faces) {
+  expect_hit(boxes, {1, 0, infinity}, 4, 0, 0.75, -1, 0);  // the middle of what faces share
+  expect_hit(boxes, {1, 0, 4}, 4, 0, 0.75, -1, 0);
+  const Pair disc_on_box{VESICA_RECT, VESICA_CIRCLE, {0, 0, 0, 2, 1, 3}, {1, 10, 2}};
+  expect_hit(disc_on_box, {0, -1, infinity}, 6, 1, 2, 0, 1);
+}
+
+TEST(Known, ASlideAlongAFaceTouches) {
+  const Pair p{VESICA_AABB, VESICA_AABB, {0, 0, 1, 1}, {-5, 1, -4, 2}};
+  expect_hit(p, {1, 0, infinity}, 4, 0, 1, 0, 1);
+  const Pair disc{VESICA_AABB, VESICA_CIRCLE, {0, 0, 1, 1}, {-5, 2, 1}};
+  expect_hit(disc, {1, 0, infinity}, 5, 0, 1, 0, 1);
+}
+
+TEST(Known, PointsOnOneLine) {
+  const Pair p{VESICA_POINT, VESICA_POINT, {6, 8}, {0, 0}};
+  expect_hit(p, {3, 4, infinity}, 2, 6, 8, -0.6, -0.8);
+  expect_miss(p, {3, 4.000001, infinity});
+  const Pair segments{VESICA_SEGMENT, VESICA_SEGMENT, {0, 0, 1, 0}, {-4, 0, -2, 0}};
+  expect_hit(segments, {1, 0, infinity}, 2, 0, 0, -1, 0);
+}
+
+TEST(Known, AtTheStart) {
+  const Pair touching{VESICA_AABB, VESICA_AABB, {0, 0, 1, 1}, {1, 0, 3, 1}};
+  for (const double vx : {-1.0, 0.0, 1.0}) {
+    const Answer r = cast(Scalar::f64, touching, {vx, 0, 5});
+    EXPECT_EQ(r.code, VESICA_CAST_START);
+    EXPECT_EQ(r.t, 0);
+    EXPECT_EQ(r.x, 1);
+    EXPECT_EQ(r.nx, 1);
+    EXPECT_EQ(r.ny, 0);
+  }
+}
+
+TEST(Known, Refused) {
+  const auto code = [](const Pair& p, const Motion& m) { return cast(Scalar::f64, p, m).code; };
+  EXPECT_EQ(code(boxes, {nan, 0, 1}), VESICA_E_ARGUMENT);
+  EXPECT_EQ(code(boxes, {0, infinity, 1}), VESICA_E_ARGUMENT);
+  EXPECT_EQ(code(boxes, {1, 0, -1}), VESICA_E_ARGUMENT);
+  EXPECT_EQ(code(boxes, {1, 0, nan}), VESICA_E_ARGUMENT);
+  EXPECT_EQ(code({VESICA_AABB, 6, {}, {}}, {1, 0, 1}), VESICA_E_KIND);
+  EXPECT_EQ(code({VESICA_CIRCLE, VESICA_POINT, {0, 0, -1}, {5, 0}}, {1, 0, 1}), VESICA_E_SHAPE);
+  EXPECT_EQ(code({VESICA_CIRCLE, VESICA_POINT, {0, 0, -1}, {5, 0}}, {0, 0, 1}), VESICA_E_SHAPE);
+  EXPECT_EQ(code({VESICA_CIRCLE, VESICA_POINT, {0, 0, 1}, {nan, 0}}, {1, 0, 1}), VESICA_E_SHAPE);
+  EXPECT_EQ(code({VESICA_POINT, VESICA_POINT, {1e300, 0}, {0, 0}}, {1e-300, 0, infinity}), VESICA_E_RANGE);
+  EXPECT_EQ(code({VESICA_POINT, VESICA_POINT, {1e300, 0}, {0, 0}}, {1e-300, 0, 1}), VESICA_CAST_MISS);
+  vesica_impact_f64 out{7, 7, 7, 7, 7};
+  EXPECT_EQ(vesica_cast_f64(0, nullptr, 0, boxes.b.data(), 1, 0, 1, &out), VESICA_E_NULL);
+  EXPECT_EQ(vesica_cast_f64(0, boxes.a.data(), 0, boxes.b.data(), 1, 0, 1, nullptr), VESICA_E_NULL);
+  EXPECT_EQ(vesica_cast_f64(2, boxes.a.data(), 9, boxes.b.data(), nan, 0, 1, &out), VESICA_E_KIND);
+  EXPECT_EQ(out.t, 7);
+}
+
+TEST(Known, SweptBounds) {
+  const double disc[] = {1, 2, 3};
+  vesica_aabb_f64 box{};
+  EXPECT_EQ(vesica_sweep_bounds_f64(VESICA_CIRCLE, disc, 2, -1, 4, &box), 0);
+  EXPECT_EQ(box.min_x, -2);
+  EXPECT_EQ(box.max_y, 5);
+  EXPECT_NEAR(box.max_x, 12, 4e-15);
+  EXPECT_GT(box.max_x, 12);
+  EXPECT_NEAR(box.min_y, -5, 4e-15);
+  EXPECT_LT(box.min_y, -5);
+  EXPECT_EQ(vesica_sweep_bounds_f64(VESICA_CIRCLE, disc, 0, 0, infinity, &box), 0);
+  EXPECT_EQ(box.max_x, 4);
+  EXPECT_EQ(vesica_sweep_bounds_f64(VESICA_CIRCLE, disc, 1, 0, infinity, &box), VESICA_E_RANGE);
+  EXPECT_EQ(vesica_sweep_bounds_f64(VESICA_CIRCLE, disc, nan, 0, 1, &box), VESICA_E_ARGUMENT);
+  EXPECT_EQ(vesica_sweep_bounds_f64(VESICA_CIRCLE, disc, 1, 0, -1, &box), VESICA_E_ARGUMENT);
+  EXPECT_EQ(vesica_sweep_bounds_f64(7, disc, 1, 0, 1, &box), VESICA_E_KIND);
+  EXPECT_EQ(vesica_sweep_bounds_f64(VESICA_CIRCLE, disc, 1, 0, 1, nullptr), VESICA_E_NULL);
+}
+
+}  // namespace

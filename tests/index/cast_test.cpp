@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a moving shape hits among the items of an index is what the scalar function says of all of them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "index/all_pairs.hpp"
+
+namespace index_tests {
+namespace {
+
+template <class T>
+struct Hits {
+  std::vector<std::int64_t> all;
+  std::int64_t first;
+  typename Face<T>::Impact impact;
+};
+
+template <class T>
+Hits<T> all_hits(const std::vector<Item<T>>& items, std::int64_t count, const Item<T>& one, T vx, T vy, T end) {
+  Hits<T> hits{{}, count, {}};
+  for (const Item<T>& item : items) {
+    typename Face<T>::Impact impact;
+    if (Face<T>::cast(item.kind, item.numbers, one.kind, one.numbers, vx, vy, end, &impact) <= 0) continue;
+    hits.all.push_back(item.number);
+    if (hits.first == count || impact.t < hits.impact.t) {
+      hits.first = item.number;
+      hits.impact = impact;
+    }
+  }
+  return hits;
+}
+
+template <class T>
+class CastTest : public testing::Test {};
+using Scalars = testing::Types<double, float>;
+TYPED_TEST_SUITE(CastTest, Scalars);
+
+TYPED_TEST(CastTest, AllAndFirst) {
+  using T = TypeParam;
+  constexpr T infinity = std::numeric_limits<T>::infinity();
+  std::int64_t found = 0, misses = 0, ties = 0;
+  for (const char* name : {"uniform", "two_scales", "lattice", "points", "needles"}) {
+    const Indexed<T> many(mixed<T>(name, 700, 1, 113));
+    const std::vector<Item<T>> items = items_of(many.laid);
+    const Laid<T> ones = mixed<T>(name, 12, 2);
+    const std::int64_t count = vesica_index_count(many.index.get());
+    int turn = 0;
+    for (const Item<T>& one : items_of(ones)) {
+      typename Face<T>::Shapes shape;
+      Face<T>::from_records(one.kind, 1, one.numbers, 0, &shape);
+      for (const T end : {infinity, T(2), T(0)}) {
+        const T vx = T(turn % 5 - 2) * T(1.5), vy = T(turn % 3 - 1) * T(2.25);
+        ++turn;
+        const Hits<T> expected = all_hits<T>(items, count, one, vx, vy, end);
+        const auto all = [&](std::int64_t* out, std::int64_t capacity, std::int64_t* state) {
+          return Face<T>::index_cast(many.index.get(), many.sets.data(), many.sets.count(), &shape, vx, vy, end, out,
+                                     capacity, state);
+        };
+        ASSERT_EQ(all(nullptr, 0, nullptr), static_cast<std::int64_t>(expected.all.size())) << name;
+        std::vector<std::int64_t> got;
+        std::int64_t out[7], state[4] = {};
+        while (state[0] != -1) {
+          const std::int64_t n = all(out, 7, state);
+          ASSERT_GE(n, 0);
+          got.insert(got.end(), out, out + n);
+        }
+        std::sort(got.begin(), got.end());
+        ASSERT_EQ(got, expected.all) << name;
+        typename Face<T>::Impact impact;
+        const std::int64_t first = Face<T>::index_cast_first(many.index.get(), many.sets.data(), many.sets.count(),
+                                                             &shape, vx, vy, end, &impact);
+        ASSERT_EQ(first, expected.first) << name;
+        found += static_cast<std::int64_t>(expected.all.size());
+        if (first == count) {
+          ++misses;
+          EXPECT_EQ(impact.t, infinity);
+          continue;
+        }
+        ties += expected.impact.t == 0;
+        EXPECT_EQ(impact.t, expected.impact.t);
+        EXPECT_EQ(impact.x, expected.impact.x);
+        EXPECT_EQ(impact.ny, expected.impact.ny);
+      }
+    }
+  }
+  EXPECT_GT(found, 300);
+  EXPECT_GT(misses, 10);
+  EXPECT_GT(ties, 10);
+}
+
+TEST(CastArguments, Refused) {
+  const Indexed<double> many(rects<double>("uniform", 50, 1));
+  const double point[2] = {0, 1}, invalid[2] = {NAN, 1};
+  vesica_shapes_f64 one, bad;
+  vesica_shapes_from_records_f64(VESICA_POINT, 1, point, 0, &one);
+  vesica_shapes_from_records_f64(VESICA_POINT, 1, invalid, 0, &bad);
+  vesica_impact_f64 impact{7, 7, 7, 7, 7};
+  const auto first = [&](const vesica_shapes_f64* s, double vx, double end) {
+    return vesica_index_cast_first_f64(many.index.get(), many.sets.data(), many.sets.count(), s, vx, 0, end, &impact);
+  };
+  EXPECT_EQ(first(nullptr, 1, 1), VESICA_E_NULL);
+  EXPECT_EQ(first(&one, NAN, 1), VESICA_E_ARGUMENT);
+  EXPECT_EQ(first(&one, 1, -1), VESICA_E_ARGUMENT);
+  EXPECT_EQ(first(&bad, 1, 1), VESICA_E_SHAPE);
+  EXPECT_EQ(vesica_index_cast_first_f64(many.index.get(), many.sets.data(), many.sets.count(), &one, 1, 0, 1, nullptr),
+            VESICA_E_NULL);
+  EXPECT_EQ(vesica_index_cast_first_f64(many.index.get(), nullptr, 0, &one, 1, 0, 1, &impact), VESICA_E_ARGUMENT);
+  EXPECT_EQ(vesica_index_cast_first_f64(nullptr, many.sets.data(), many.sets.count(), &one, 1, 0, 1, &impact),
+            VESICA_E_NULL);
+  EXPECT_EQ(impact.t, 7);
+  std::int64_t out[3], state[4] = {0, 1, 0, 0};
+  const auto all = [&](std::int64_t capacity) {
+    return vesica_index_cast_f64(many.index.get(), many.sets.data(), many.sets.count(), &one, 1, 0, 1, out, capacity,
+                                 state);
+  };
+  EXPECT_EQ(all(3), VESICA_E_ARGUMENT);  // not a state of this call
+  EXPECT_EQ(all(-1), VESICA_E_ARGUMENT);
+  state[0] = -1;
+  EXPECT_EQ(all(3), 0);
+}
+
+}  // namespace
+}  // namespace index_tests
