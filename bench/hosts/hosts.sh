@@ -73,7 +73,7 @@ awk '
     for (k = 1; k <= n; ++k) {
       printf "| %s", order[k]
       for (i = 3; i <= 5; ++i) {
-        printf " | %.3g ns", least[order[k], i]
+        printf " | " (least[order[k], i] < 100 ? "%.3g" : "%.0f") " ns", least[order[k], i]
         if (order[k] !~ /^C /) printf ", %.2f of C", least[order[k], i] / least["C | " question[order[k]], i]
       }
       print " |"
