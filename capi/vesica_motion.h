@@ -55,8 +55,8 @@ typedef struct {
  * there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of what
  * they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of
  * vesica_nearest_f64. So shapes that only touch, with a normal that does not point against the velocity, are moving
- * apart. Exchanging the shapes and turning the velocity round changes neither the time nor, but for its sign, the
- * normal.
+ * apart. Exchanging the shapes and turning the velocity round changes neither the answer nor the time, and the normal
+ * but for its sign and rounding.
  * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
  * Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along that
  * it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.

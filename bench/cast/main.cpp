@@ -26,13 +26,13 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t pairs_per_pass = 256;
 constexpr int passes = 300;
 
-/// How velocities are drawn: of any direction (few hits), towards the other shape (half of them), at a relative
+/// How velocities are drawn: of any direction (few hits), towards the other shape (aimed), at a relative
 /// distance inside or outside of a line that only grazes.
 struct Aim {
   const char* name;
   double spread, graze;
 };
-constexpr Aim any{"few hits", 0, 0}, towards{"half hits", 2.2, 0}, sure{"hits", 0.3, 0};
+constexpr Aim any{"few hits", 0, 0}, towards{"aimed", 2.2, 0}, sure{"hits", 0.3, 0};
 
 Numbers draw_shape(std::int32_t kind, Random& random) {
   const double x = random.between(-4, 4), y = random.between(-4, 4), angle = random.between(0, 6.283185307179586);

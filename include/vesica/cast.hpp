@@ -12,9 +12,9 @@
 /// of one of the edges there; where b only slides along a it is across v. Shapes that overlap at the start have the
 /// direction of depth() for a normal and the point of nearest(): at depth 0 with n.v >= 0 they part again.
 ///
-/// Laws, each tested: cast(b, a, -v) has the same time and the opposite normal; moving both shapes by exact amounts
-/// changes neither, nor does turning by quarters, mirroring or scaling by powers of two; half the velocity takes twice
-/// the time; a hit stays one for a later end, at the same time; the start is told iff the shapes overlap.
+/// Laws, each tested, of answers and times to the bit: cast(b, a, -v) has the same time and, but for rounding, the
+/// opposite normal; mirroring, turning by quarters or scaling by powers of two changes nothing; half the velocity takes
+/// twice the time; a hit stays one for a later end, at the same time; the start is told iff the shapes overlap.
 #pragma once
 
 #include <limits>

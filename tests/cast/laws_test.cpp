@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What holds without knowing any contact, to the bit: over every workload.
+/// What holds without knowing any contact, over every workload: of answers and times to the bit.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,9 +32,9 @@ class Laws : public testing::TestWithParam<properties::Kinds> {
   /// Among exponents that are wildly unlike a corner may be as good as an edge, and either is right.
   void expect_normal(const Answer& r, double nx, double ny) const {
     if (r.code != VESICA_CAST_HIT || workload_ == properties::Workload::mixed_scale) return;
-    // What is next to nothing beside the rest may underflow at one scale only.
-    EXPECT_NEAR(r.nx, nx, 0x1p-900);
-    EXPECT_NEAR(r.ny, ny, 0x1p-900);
+    // Parallel axes of other lengths give other roundings, and a thin ellipse's end turns fast.
+    EXPECT_NEAR(r.nx, nx, 1e-10);
+    EXPECT_NEAR(r.ny, ny, 1e-10);
   }
 
   void check_exchange(const Pair& p, const Motion& m, const Answer& r) {

@@ -55,14 +55,14 @@ Bytes ask_one(const Input& p) {
   append(bytes, out);
   return bytes;
 }
-/// function(kind_a, a, kind_b, b, vx, vy, end, &out), towards the first shape.
+/// function(kind_a, a, kind_b, b, vx, vy, end, &out), towards the origin: a velocity without arithmetic.
 template <class T, class Out, auto function>
 Bytes ask_cast(const Input& p) {
   const auto a = first(p, T{}), b = second(p, T{});
   Bytes bytes;
   Out out;
   std::memset(&out, 0, sizeof out);
-  append(bytes, function(p.kind_a, a.data(), p.kind_b, b.data(), a[0] - b[0], a[1] - b[1], T{3}, &out));
+  append(bytes, function(p.kind_a, a.data(), p.kind_b, b.data(), -b[0], -b[1], T{3}, &out));
   append(bytes, out);
   return bytes;
 }
@@ -167,8 +167,8 @@ Bytes ask_casts(const Inputs& inputs) {
   Operands<T, Shapes> operands(inputs);
   std::vector<T> vx, vy, columns[5];
   for (std::size_t i = 0; i < operands.records_a.size(); ++i) {
-    vx.push_back(operands.records_a[i][0] - operands.records_b[i][0]);
-    vy.push_back(operands.records_a[i][1] - operands.records_b[i][1]);
+    vx.push_back(-operands.records_b[i][0]);
+    vy.push_back(-operands.records_b[i][1]);
   }
   for (auto& column : columns) column.resize(inputs.pairs.size());
   Bytes bytes;
@@ -256,7 +256,7 @@ Bytes ask_index(const Inputs& inputs) {
                         distance.data()));
   append(bytes, out.data(), out.size());
   append(bytes, distance.data(), distance.size());
-  const T vx = operands.records_b[0][0] - operands.records_a[0][0], vy = T{1} / 8;
+  const T vx = operands.records_b[0][0], vy = T{1} / 8;
   std::int64_t cast_state[4] = {};
   append(bytes, cast(index.units.data(), sets, 2, &one, vx, vy, T{3}, out.data(), items, cast_state));
   append(bytes, out.data(), out.size());

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -137,10 +138,28 @@ std::int32_t crossings(std::int32_t kind_a, const double* a, std::int32_t kind_b
   return code == VESICA_E_RANGE ? 0 : code;
 }
 
+/// Shapes moved apart and towards each other again: so contact at the start is contact on the way, at a time of about 1.
+std::int32_t cast(std::int32_t kind_a, const double* a, std::int32_t kind_b, const double* b) {
+  double apart[6];
+  std::copy_n(b, 6, apart);
+  const bool corners = kind_b == VESICA_SEGMENT || kind_b == VESICA_AABB;
+  const double vx = 0x1p1019, vy = 0x1.3333p1018;
+  for (int i = 0; i < (corners ? 4 : 2); ++i) apart[i] = apart[i] / 8 + (i % 2 == 0 ? vx : vy);
+  vesica_impact_f64 out;
+  std::int32_t worst = 0;
+  for (const double end : {1.0, 0.7, HUGE_VAL}) {
+    for (const double* moving : {b, static_cast<const double*>(apart)}) {
+      const std::int32_t code = vesica_cast_f64(kind_a, a, kind_b, moving, -vx, -vy, end, &out);
+      worst = code < 0 && code != VESICA_E_RANGE ? code : worst;
+    }
+  }
+  return worst;
+}
+
 /// The most that any query of two shapes uses.
 std::size_t used_by(PaintedStack& stack, const Shapes& s) {
   std::size_t most = 0;
-  for (const Query query : {vesica_overlap_f64, vesica_relation_f64, vesica_contains_f64, area, crossings}) {
+  for (const Query query : {vesica_overlap_f64, vesica_relation_f64, vesica_contains_f64, area, crossings, cast}) {
     most = std::max(most, used_by(stack, query, s));
   }
   return most;

@@ -69,8 +69,19 @@ inline Found grazing(const Scene& scene, int side) noexcept {
   return {side == 0 ? back : across, {{first, arithmetic::rounded(left) / vv}, 0, 0, 0, false}};
 }
 
-/// By trial of doubles, from an estimate. Returns error_range where t0 or the place there is beyond the numbers.
-VESICA_COLD inline std::int32_t exact_floor(const ExactPair& pair, double estimate, double& out) noexcept {
+// What asks exact numbers is in functions of its own, so that no two of them are on the stack at a time.
+
+/// Contact at one time; where the shapes touch is not told.
+VESICA_COLD inline std::int32_t exact_contact_at(const Body& a, const Body& b, const Motion& motion,
+                                                 double t) noexcept {
+  const Contact contact = ExactPair(a, b, motion).contact_at(t);
+  return contact == Contact::beyond ? static_cast<std::int32_t>(error_range) : contact != Contact::none ? 1 : 0;
+}
+
+/// The time by trial of doubles, from an estimate. Returns error_range where it or the place then is beyond the numbers.
+VESICA_COLD inline std::int32_t exact_floor(const Body& a, const Body& b, const Motion& motion, double estimate,
+                                            double& out) noexcept {
+  const ExactPair pair(a, b, motion);
   std::int32_t error = 0;
   const auto is_after = [&](double t) {
     const int before = pair.contact_before(t);
@@ -83,6 +94,18 @@ VESICA_COLD inline std::int32_t exact_floor(const ExactPair& pair, double estima
   if (!arithmetic::search_up(start, is_after, after) || error != 0) return error_range;
   out = arithmetic::at_rank<double>(arithmetic::rank(after) - 1) + 0.0;
   return 0;
+}
+
+/// Whether the line meets M after the start; if so, whether its witness comes after the end, and how it meets M.
+struct LineMeeting {
+  bool meets, late;
+  Graze graze;
+};
+VESICA_COLD inline LineMeeting exact_line(const Body& a, const Body& b, const Motion& motion) noexcept {
+  const ExactPair pair(a, b, motion);
+  if (pair.line_misses() || pair.witness_after(0) <= 0) return {false, false, {false, 0}};
+  const bool late = motion.end < std::numeric_limits<double>::infinity() && pair.witness_after(motion.end) > 0;
+  return {true, late, {pair.line_grazes(), pair.side()}};
 }
 
 /// The time in units of the scene, and what it means.
@@ -103,40 +126,21 @@ inline Impact<double> impact(const Body& a, const Scene& scene, const Vector& no
   const Found found = graze.grazes ? grazing(seen, graze.side) : latest_direction(seen, steps);
   double t = graze.grazes ? -1 : known_floor(seen, found.time);
   if (t < 0) {
-    const ExactPair pair(a, b, motion);
     if (late) {
-      const Contact at_end = pair.contact_at(motion.end);
-      if (at_end == Contact::none) return cast_miss;
-      if (at_end == Contact::beyond) return error_range;
+      const std::int32_t at_end = exact_contact_at(a, b, motion, motion.end);
+      if (at_end <= 0) return at_end;
     }
     const double estimate = arithmetic::scale_far(arithmetic::rounded(found.time.value), seen.time);
-    const std::int32_t error = exact_floor(pair, estimate, t);
+    const std::int32_t error = exact_floor(a, b, motion, estimate, t);
     if (error != 0) return error;
-  }
-  if (late && t >= motion.end) {
-    if (t > motion.end) return cast_miss;
-    const Contact at_end = ExactPair(a, b, motion).contact_at(t);
-    if (at_end == Contact::none) return cast_miss;
-    if (at_end == Contact::beyond) return error_range;
+  } else if (late && t >= motion.end) {
+    const std::int32_t at_end = t > motion.end ? 0 : exact_contact_at(a, b, motion, t);
+    if (at_end <= 0) return at_end;
   }
   const Impact<double> impact = cast::impact(a, seen, found.normal, t);
   if (!all_finite(impact.x, impact.y, impact.nx, impact.ny)) return error_range;
   out = impact;
   return cast_hit;
-}
-
-/// What the filter left open, exactly.
-VESICA_COLD inline std::int32_t decide(const Body& a, const Body& b, const Motion& motion,
-                                       Impact<double>& out) noexcept {
-  bool late;
-  Graze graze;
-  {
-    const ExactPair pair(a, b, motion);
-    if (pair.line_misses() || pair.witness_after(0) <= 0) return cast_miss;
-    late = motion.end < std::numeric_limits<double>::infinity() && pair.witness_after(motion.end) > 0;
-    graze = {pair.line_grazes(), pair.side()};
-  }
-  return first_contact(a, b, motion, late, graze, out);
 }
 
 /// The answer, or error_range. Contact at the start is for the caller to describe. overlap_at_start() answers as
@@ -149,8 +153,9 @@ VESICA_INLINE std::int32_t cast_bodies(const Body& a, const Body& b, const Motio
   const std::int32_t overlapping = overlap_at_start();
   if (overlapping != 0) return overlapping < 0 ? overlapping : static_cast<std::int32_t>(cast_start);
   if (verdict == Verdict::passed || motion.is_still()) return cast_miss;
-  if (verdict == Verdict::undecided) return decide(a, b, motion, out);
-  return first_contact(a, b, motion, verdict == Verdict::late, {false, 0}, out);
+  LineMeeting line{true, verdict == Verdict::late, {false, 0}};
+  if (verdict == Verdict::undecided) line = exact_line(a, b, motion);
+  return line.meets ? first_contact(a, b, motion, line.late, line.graze, out) : static_cast<std::int32_t>(cast_miss);
 }
 
 }  // namespace detail::cast
