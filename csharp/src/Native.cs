@@ -1700,8 +1700,8 @@ namespace Vesica
         /// there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of what
         /// they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of
         /// vesica_nearest_f64. So shapes that only touch, with a normal that does not point against the velocity, are moving
-        /// apart. Exchanging the shapes and turning the velocity round changes neither the time nor, but for its sign, the
-        /// normal.</para>
+        /// apart. Exchanging the shapes and turning the velocity round changes neither the answer nor the time, and the normal
+        /// but for its sign and rounding.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative or
@@ -1785,8 +1785,8 @@ namespace Vesica
         /// there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of what
         /// they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32 and the point of
         /// vesica_nearest_f32. So shapes that only touch, with a normal that does not point against the velocity, are moving
-        /// apart. Exchanging the shapes and turning the velocity round changes neither the time nor, but for its sign, the
-        /// normal.</para>
+        /// apart. Exchanging the shapes and turning the velocity round changes neither the answer nor the time, and the normal
+        /// but for its sign and rounding.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative or

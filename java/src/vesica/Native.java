@@ -2205,8 +2205,8 @@ final class Native {
    * there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of what
    * they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of
    * vesica_nearest_f64. So shapes that only touch, with a normal that does not point against the velocity, are moving
-   * apart. Exchanging the shapes and turning the velocity round changes neither the time nor, but for its sign, the
-   * normal.
+   * apart. Exchanging the shapes and turning the velocity round changes neither the answer nor the time, and the normal
+   * but for its sign and rounding.
    *
    * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
    *
@@ -2315,8 +2315,8 @@ final class Native {
    * there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of what
    * they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32 and the point of
    * vesica_nearest_f32. So shapes that only touch, with a normal that does not point against the velocity, are moving
-   * apart. Exchanging the shapes and turning the velocity round changes neither the time nor, but for its sign, the
-   * normal.
+   * apart. Exchanging the shapes and turning the velocity round changes neither the answer nor the time, and the normal
+   * but for its sign and rounding.
    *
    * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
    *
