@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Long functions of the core that several objects call are compiled in one of them. The others include this file, which
-// declares them, and then compile neither these functions nor what these alone call. The core stays header-only.
+// declares them, and then compile neither these functions nor what these alone call. The core stays header-only: with
+// VESICA_EACH_ALONE, as tests/flags has it, an object compiles all that it calls, as users' programs do.
 #pragma once
 
 #include <vesica/area.hpp>
@@ -35,6 +36,7 @@
 #define VESICA_RELATION(keyword, A, B) \
   keyword std::int32_t detail::called_relation(const A<double>&, const B<double>&) noexcept;
 
+#ifndef VESICA_EACH_ALONE
 namespace vesica {
 
 #define VESICA_DECLARE(a, A, b, B) VESICA_EXACT_OVERLAP(extern template, A, B)
@@ -51,3 +53,4 @@ VESICA_EACH_PAIR_OF_FORMS(VESICA_DECLARE)
 #undef VESICA_DECLARE
 
 }  // namespace vesica
+#endif

@@ -4,7 +4,7 @@
 # not compile, and say why; or PROGRAM must find that it answers right, or with the same bits as the library.
 set -euo pipefail
 compiler=$1 expected=$2 program=$3
-flags=(-std=c++20 -O2 -fPIC "${@:4}")
+flags=(-std=c++20 -O2 -fPIC -DVESICA_EACH_ALONE "${@:4}")
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
