@@ -22,7 +22,7 @@ inline constexpr double right_angle = 0x1.921fb54442d18p+0;
 /// atan(t) for 0 <= t <= 1, to 2u: atan(t) = atan(c) + atan((t - c) / (1 + t c)), where c is the eighth next to t. What is
 /// left is at most 1/16 in magnitude, and the first term left out of its series, x^15 / 15, at most 2^-59 of it.
 inline double angle_of_tangent(double t) noexcept {
-  const int eighths = static_cast<int>(8 * t + 0.5);
+  const int eighths = static_cast<int>(16 * t + 1) / 2;
   const double c = 0.125 * eighths;
   const double x = (t - c) / (1 + t * c), y = x * x;
   const double tail = y * (1.0 / 3 - y * (1.0 / 5 - y * (1.0 / 7 - y * (1.0 / 9 - y * (1.0 / 11 - y * (1.0 / 13))))));
