@@ -183,7 +183,7 @@ int64_t index_first(const void* from, const CShapesOf<T>* sets, int32_t set_coun
                                     const T* vy, ptrdiff_t stride, T t_end, T* t, T* x, T* y, T* nx, T* ny) {        \
     return many_columns<T>(a, b, vx, vy, stride, t_end, t, x, y, nx, ny);                                            \
   }                                                                                                                  \
-  int64_t vesica_cast_first_##scalar(const vesica_shapes_##scalar* many, const vesica_shapes_##scalar* one, T vx,    \
+  int64_t vesica_cast_first_##scalar(const vesica_shapes_##scalar* one, const vesica_shapes_##scalar* many, T vx,    \
                                      T vy, T t_end, vesica_impact_##scalar* out) {                                   \
     return first<T>(many, one, vx, vy, t_end, out);                                                                  \
   }                                                                                                                  \

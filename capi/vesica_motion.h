@@ -86,11 +86,11 @@ VESICA_API int64_t vesica_cast_many_f64(const vesica_shapes_f64 *a, const vesica
 /**
  * Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
  * number.
- * Requires: one is a single shape (count 1).
+ * Requires: one, the shape that moves, is a single one (count 1).
  * Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.
  * Errors: as above. An invalid shape anywhere is one.
  */
-VESICA_API int64_t vesica_cast_first_f64(const vesica_shapes_f64 *many, const vesica_shapes_f64 *one, double vx,
+VESICA_API int64_t vesica_cast_first_f64(const vesica_shapes_f64 *one, const vesica_shapes_f64 *many, double vx,
                                          double vy, double t_end, vesica_impact_f64 *out);
 
 /**
@@ -144,7 +144,7 @@ VESICA_API int64_t vesica_cast_many_f32(const vesica_shapes_f32 *a, const vesica
                                         const float *vy, ptrdiff_t stride, float t_end, float *t, float *x, float *y,
                                         float *nx, float *ny);
 /** As vesica_cast_first_f64. */
-VESICA_API int64_t vesica_cast_first_f32(const vesica_shapes_f32 *many, const vesica_shapes_f32 *one, float vx,
+VESICA_API int64_t vesica_cast_first_f32(const vesica_shapes_f32 *one, const vesica_shapes_f32 *many, float vx,
                                          float vy, float t_end, vesica_impact_f32 *out);
 /** As vesica_sweep_bounds_f64. */
 VESICA_API int32_t vesica_sweep_bounds_f32(int32_t kind, const float *numbers, float vx, float vy, float t_end,

@@ -592,11 +592,11 @@ func cCastMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, vx unsafe.Poin
 	return C.go_cast_many_f32(a, b, vx, vy, stride, C.float(tEnd), t, x, y, nx, ny)
 }
 
-func cCastFirst(wide bool, many C.vesica_go_view, one C.vesica_go_view, vx float64, vy float64, tEnd float64, out unsafe.Pointer) C.int64_t {
+func cCastFirst(wide bool, one C.vesica_go_view, many C.vesica_go_view, vx float64, vy float64, tEnd float64, out unsafe.Pointer) C.int64_t {
 	if wide {
-		return C.go_cast_first_f64(many, one, C.double(vx), C.double(vy), C.double(tEnd), out)
+		return C.go_cast_first_f64(one, many, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
-	return C.go_cast_first_f32(many, one, C.float(vx), C.float(vy), C.float(tEnd), out)
+	return C.go_cast_first_f32(one, many, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
 func cSweepBounds(wide bool, kind C.int32_t, numbers C.vesica_go_numbers, vx float64, vy float64, tEnd float64, out unsafe.Pointer) C.int32_t {

@@ -764,20 +764,20 @@ static inline int64_t go_cast_many_f32(vesica_go_view a, vesica_go_view b, const
     return vesica_cast_many_f32(&of_a, &of_b, vx, vy, stride, t_end, t, x, y, nx, ny);
 }
 
-static inline int64_t go_cast_first_f64(vesica_go_view many, vesica_go_view one, double vx, double vy, double t_end, void *out) {
-    vesica_shapes_f64 of_many;
-    memcpy(&of_many, &many, sizeof of_many);
+static inline int64_t go_cast_first_f64(vesica_go_view one, vesica_go_view many, double vx, double vy, double t_end, void *out) {
     vesica_shapes_f64 of_one;
     memcpy(&of_one, &one, sizeof of_one);
-    return vesica_cast_first_f64(&of_many, &of_one, vx, vy, t_end, out);
+    vesica_shapes_f64 of_many;
+    memcpy(&of_many, &many, sizeof of_many);
+    return vesica_cast_first_f64(&of_one, &of_many, vx, vy, t_end, out);
 }
 
-static inline int64_t go_cast_first_f32(vesica_go_view many, vesica_go_view one, float vx, float vy, float t_end, void *out) {
-    vesica_shapes_f32 of_many;
-    memcpy(&of_many, &many, sizeof of_many);
+static inline int64_t go_cast_first_f32(vesica_go_view one, vesica_go_view many, float vx, float vy, float t_end, void *out) {
     vesica_shapes_f32 of_one;
     memcpy(&of_one, &one, sizeof of_one);
-    return vesica_cast_first_f32(&of_many, &of_one, vx, vy, t_end, out);
+    vesica_shapes_f32 of_many;
+    memcpy(&of_many, &many, sizeof of_many);
+    return vesica_cast_first_f32(&of_one, &of_many, vx, vy, t_end, out);
 }
 
 static inline int32_t go_sweep_bounds_f64(int32_t kind, vesica_go_numbers numbers, double vx, double vy, double t_end, void *out) {

@@ -2131,12 +2131,12 @@ export interface C {
    * Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
    * number.
    *
-   * Requires: one is a single shape (count 1).
+   * Requires: one, the shape that moves, is a single one (count 1).
    * Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.
    * Errors: as above. An invalid shape anywhere is one.
    * Since: 0.1.
    */
-  vesica_cast_first_f64(many: number, one: number, vx: number, vy: number, t_end: number, out: number): bigint;
+  vesica_cast_first_f64(one: number, many: number, vx: number, vy: number, t_end: number, out: number): bigint;
   /**
    * A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
    *
@@ -2212,12 +2212,12 @@ export interface C {
    * Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
    * number.
    *
-   * Requires: one is a single shape (count 1).
+   * Requires: one, the shape that moves, is a single one (count 1).
    * Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.
    * Errors: as above. An invalid shape anywhere is one.
    * Since: 0.1.
    */
-  vesica_cast_first_f32(many: number, one: number, vx: number, vy: number, t_end: number, out: number): bigint;
+  vesica_cast_first_f32(one: number, many: number, vx: number, vy: number, t_end: number, out: number): bigint;
   /**
    * A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
    *

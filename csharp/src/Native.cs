@@ -1736,13 +1736,13 @@ namespace Vesica
         /// <summary>
         /// <para>Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
         /// number.</para>
-        /// <para>Requires: one is a single shape (count 1).</para>
+        /// <para>Requires: one, the shape that moves, is a single one (count 1).</para>
         /// <para>Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.</para>
         /// <para>Errors: as above. An invalid shape anywhere is one.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern long vesica_cast_first_f64(void* many, void* one, double vx, double vy, double tEnd, void* output);
+        internal static extern long vesica_cast_first_f64(void* one, void* many, double vx, double vy, double tEnd, void* output);
 
         /// <summary>
         /// <para>A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.</para>
@@ -1821,13 +1821,13 @@ namespace Vesica
         /// <summary>
         /// <para>Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
         /// number.</para>
-        /// <para>Requires: one is a single shape (count 1).</para>
+        /// <para>Requires: one, the shape that moves, is a single one (count 1).</para>
         /// <para>Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.</para>
         /// <para>Errors: as above. An invalid shape anywhere is one.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern long vesica_cast_first_f32(void* many, void* one, float vx, float vy, float tEnd, void* output);
+        internal static extern long vesica_cast_first_f32(void* one, void* many, float vx, float vy, float tEnd, void* output);
 
         /// <summary>
         /// <para>A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.</para>
@@ -2235,11 +2235,11 @@ namespace Vesica
                 : vesica_cast_many_f32(a, b, vx, vy, stride, (float)tEnd, t, x, y, nx, ny);
         }
 
-        internal static long CastFirst(bool wide, void* many, void* one, double vx, double vy, double tEnd, void* output)
+        internal static long CastFirst(bool wide, void* one, void* many, double vx, double vy, double tEnd, void* output)
         {
             return wide
-                ? vesica_cast_first_f64(many, one, vx, vy, tEnd, output)
-                : vesica_cast_first_f32(many, one, (float)vx, (float)vy, (float)tEnd, output);
+                ? vesica_cast_first_f64(one, many, vx, vy, tEnd, output)
+                : vesica_cast_first_f32(one, many, (float)vx, (float)vy, (float)tEnd, output);
         }
 
         internal static int SweepBounds(bool wide, int kind, void* numbers, double vx, double vy, double tEnd, void* output)

@@ -1829,19 +1829,19 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_castManyF64(JNIEnv* env, jclass type,
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_castFirstF64(JNIEnv* env, jclass type, jint manyKind, jlong manyCount, jlong manyStride, jlong manyStep, jobject manyBase, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jdouble vx, jdouble vy, jdouble tEnd, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_castFirstF64(JNIEnv* env, jclass type, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jint manyKind, jlong manyCount, jlong manyStride, jlong manyStep, jobject manyBase, jdouble vx, jdouble vy, jdouble tEnd, jobject out) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
-  prepare(env, manyBase, &held[0]);
-  prepare(env, oneBase, &held[1]);
+  prepare(env, oneBase, &held[0]);
+  prepare(env, manyBase, &held[1]);
   prepare(env, out, &held[2]);
   if (lend(env, held, 3)) {
-    vesica_shapes_f64 many;
-    VIEW(many, manyKind, manyCount, manyStride, manyStep, held[0].address, double);
     vesica_shapes_f64 one;
-    VIEW(one, oneKind, oneCount, oneStride, oneStep, held[1].address, double);
-    answer = vesica_cast_first_f64(&many, &one, vx, vy, tEnd, held[2].address);
+    VIEW(one, oneKind, oneCount, oneStride, oneStep, held[0].address, double);
+    vesica_shapes_f64 many;
+    VIEW(many, manyKind, manyCount, manyStride, manyStep, held[1].address, double);
+    answer = vesica_cast_first_f64(&one, &many, vx, vy, tEnd, held[2].address);
   }
   give_back(env, held, 3);
   return answer;
@@ -1943,19 +1943,19 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_castManyF32(JNIEnv* env, jclass type,
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_castFirstF32(JNIEnv* env, jclass type, jint manyKind, jlong manyCount, jlong manyStride, jlong manyStep, jobject manyBase, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jfloat vx, jfloat vy, jfloat tEnd, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_castFirstF32(JNIEnv* env, jclass type, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jint manyKind, jlong manyCount, jlong manyStride, jlong manyStep, jobject manyBase, jfloat vx, jfloat vy, jfloat tEnd, jobject out) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
-  prepare(env, manyBase, &held[0]);
-  prepare(env, oneBase, &held[1]);
+  prepare(env, oneBase, &held[0]);
+  prepare(env, manyBase, &held[1]);
   prepare(env, out, &held[2]);
   if (lend(env, held, 3)) {
-    vesica_shapes_f32 many;
-    VIEW(many, manyKind, manyCount, manyStride, manyStep, held[0].address, float);
     vesica_shapes_f32 one;
-    VIEW(one, oneKind, oneCount, oneStride, oneStep, held[1].address, float);
-    answer = vesica_cast_first_f32(&many, &one, vx, vy, tEnd, held[2].address);
+    VIEW(one, oneKind, oneCount, oneStride, oneStep, held[0].address, float);
+    vesica_shapes_f32 many;
+    VIEW(many, manyKind, manyCount, manyStride, manyStep, held[1].address, float);
+    answer = vesica_cast_first_f32(&one, &many, vx, vy, tEnd, held[2].address);
   }
   give_back(env, held, 3);
   return answer;

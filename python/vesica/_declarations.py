@@ -2938,12 +2938,12 @@ Since: 0.1.""",
     "vesica_cast_first_f64": (
         c_int64,
         (c_void_p, c_void_p, c_double, c_double, c_double, c_void_p,),
-        """vesica_cast_first_f64(many, one, vx, vy, t_end, out)
+        """vesica_cast_first_f64(one, many, vx, vy, t_end, out)
 
 Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
 number.
 
-Requires: one is a single shape (count 1).
+Requires: one, the shape that moves, is a single one (count 1).
 Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.
 Errors: as above. An invalid shape anywhere is one.
 Since: 0.1.""",
@@ -3037,12 +3037,12 @@ Since: 0.1.""",
     "vesica_cast_first_f32": (
         c_int64,
         (c_void_p, c_void_p, c_float, c_float, c_float, c_void_p,),
-        """vesica_cast_first_f32(many, one, vx, vy, t_end, out)
+        """vesica_cast_first_f32(one, many, vx, vy, t_end, out)
 
 Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
 number.
 
-Requires: one is a single shape (count 1).
+Requires: one, the shape that moves, is a single one (count 1).
 Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.
 Errors: as above. An invalid shape anywhere is one.
 Since: 0.1.""",

@@ -117,7 +117,7 @@ TYPED_TEST(Batches, FirstIsTheEarliestOfAll) {
       expected = one;
       index = static_cast<std::int64_t>(i);
     }
-    EXPECT_EQ(Face<T>::cast_first(&s.shapes_a, &s.shapes_b, vx, vy, T(9), &first), index);
+    EXPECT_EQ(Face<T>::cast_first(&s.shapes_b, &s.shapes_a, vx, vy, T(9), &first), index);
     if (index == s.shapes_a.count) continue;
     ++found;
     EXPECT_TRUE(same_bits(&first, &expected, sizeof first));
@@ -139,12 +139,12 @@ TEST(BatchArguments, Refused) {
   EXPECT_EQ(many(vx, vy, -1, t), VESICA_E_ARGUMENT);
   EXPECT_EQ(many(vx, vy, std::nan(""), t), VESICA_E_ARGUMENT);
   vesica_impact_f64 impact{7, 7, 7, 7, 7};
-  EXPECT_EQ(vesica_cast_first_f64(&s.shapes_a, &s.shapes_b, 1, 1, 1, &impact), VESICA_E_ARGUMENT);
+  EXPECT_EQ(vesica_cast_first_f64(&s.shapes_b, &s.shapes_a, 1, 1, 1, &impact), VESICA_E_ARGUMENT);
   s.shapes_b.count = 1;
-  EXPECT_EQ(vesica_cast_first_f64(&s.shapes_a, &s.shapes_b, std::nan(""), 1, 1, &impact), VESICA_E_ARGUMENT);
-  EXPECT_EQ(vesica_cast_first_f64(&s.shapes_a, &s.shapes_b, 1, 1, 1, nullptr), VESICA_E_NULL);
+  EXPECT_EQ(vesica_cast_first_f64(&s.shapes_b, &s.shapes_a, std::nan(""), 1, 1, &impact), VESICA_E_ARGUMENT);
+  EXPECT_EQ(vesica_cast_first_f64(&s.shapes_b, &s.shapes_a, 1, 1, 1, nullptr), VESICA_E_NULL);
   s.a[4][2] = -1;
-  EXPECT_EQ(vesica_cast_first_f64(&s.shapes_a, &s.shapes_b, 1, 1, 1, &impact), VESICA_E_SHAPE);
+  EXPECT_EQ(vesica_cast_first_f64(&s.shapes_b, &s.shapes_a, 1, 1, 1, &impact), VESICA_E_SHAPE);
   EXPECT_EQ(impact.t, 7);
 }
 

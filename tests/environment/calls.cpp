@@ -178,7 +178,7 @@ Bytes ask_casts(const Inputs& inputs) {
   operands.b.count = 1;
   Impact out;
   std::memset(&out, 0, sizeof out);
-  append(bytes, first_of_all(&operands.a, &operands.b, vx[0], vy[0], T{2}, &out));
+  append(bytes, first_of_all(&operands.b, &operands.a, vx[0], vy[0], T{2}, &out));
   append(bytes, out);
   return bytes;
 }

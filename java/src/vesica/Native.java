@@ -2252,7 +2252,7 @@ final class Native {
    * Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
    * number.
    *
-   * <p>Requires: one is a single shape (count 1).
+   * <p>Requires: one, the shape that moves, is a single one (count 1).
    *
    * <p>Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.
    *
@@ -2260,7 +2260,7 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long castFirstF64(int manyKind, long manyCount, long manyStride, long manyStep, Object manyBase, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, double vx, double vy, double tEnd, Object out);
+  static native long castFirstF64(int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, int manyKind, long manyCount, long manyStride, long manyStep, Object manyBase, double vx, double vy, double tEnd, Object out);
 
   /**
    * A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
@@ -2362,7 +2362,7 @@ final class Native {
    * Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
    * number.
    *
-   * <p>Requires: one is a single shape (count 1).
+   * <p>Requires: one, the shape that moves, is a single one (count 1).
    *
    * <p>Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.
    *
@@ -2370,7 +2370,7 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long castFirstF32(int manyKind, long manyCount, long manyStride, long manyStep, Object manyBase, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, float vx, float vy, float tEnd, Object out);
+  static native long castFirstF32(int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, int manyKind, long manyCount, long manyStride, long manyStep, Object manyBase, float vx, float vy, float tEnd, Object out);
 
   /**
    * A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
@@ -2736,10 +2736,10 @@ final class Native {
         : castManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, vx, vy, stride, (float) tEnd, t, x, y, nx, ny);
   }
 
-  static long castFirst(boolean wide, Shapes many, Shapes one, double vx, double vy, double tEnd, Object out) {
+  static long castFirst(boolean wide, Shapes one, Shapes many, double vx, double vy, double tEnd, Object out) {
     return wide
-        ? castFirstF64(many.kind, many.count, many.stride, many.step, many.base, one.kind, one.count, one.stride, one.step, one.base, vx, vy, tEnd, out)
-        : castFirstF32(many.kind, many.count, many.stride, many.step, many.base, one.kind, one.count, one.stride, one.step, one.base, (float) vx, (float) vy, (float) tEnd, out);
+        ? castFirstF64(one.kind, one.count, one.stride, one.step, one.base, many.kind, many.count, many.stride, many.step, many.base, vx, vy, tEnd, out)
+        : castFirstF32(one.kind, one.count, one.stride, one.step, one.base, many.kind, many.count, many.stride, many.step, many.base, (float) vx, (float) vy, (float) tEnd, out);
   }
 
   static int sweepBounds(boolean wide, int kind, Object numbers, double vx, double vy, double tEnd, Object out) {

@@ -2704,14 +2704,14 @@ extern "C" {
     /// Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
     /// number.
     ///
-    /// Requires: one is a single shape (count 1).
+    /// Requires: one, the shape that moves, is a single one (count 1).
     ///
     /// Returns: its number, or the count of `many` if there is none. \*out is its contact, the normal pointing to `one`.
     ///
     /// Errors: as above. An invalid shape anywhere is one.
     ///
     /// Since: 0.1.
-    pub fn vesica_cast_first_f64(many: *const Shapes<f64>, one: *const Shapes<f64>, vx: f64, vy: f64, t_end: f64, out: *mut Impact<f64>) -> i64;
+    pub fn vesica_cast_first_f64(one: *const Shapes<f64>, many: *const Shapes<f64>, vx: f64, vy: f64, t_end: f64, out: *mut Impact<f64>) -> i64;
     /// A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
     ///
     /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
@@ -2796,14 +2796,14 @@ extern "C" {
     /// Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
     /// number.
     ///
-    /// Requires: one is a single shape (count 1).
+    /// Requires: one, the shape that moves, is a single one (count 1).
     ///
     /// Returns: its number, or the count of `many` if there is none. \*out is its contact, the normal pointing to `one`.
     ///
     /// Errors: as above. An invalid shape anywhere is one.
     ///
     /// Since: 0.1.
-    pub fn vesica_cast_first_f32(many: *const Shapes<f32>, one: *const Shapes<f32>, vx: f32, vy: f32, t_end: f32, out: *mut Impact<f32>) -> i64;
+    pub fn vesica_cast_first_f32(one: *const Shapes<f32>, many: *const Shapes<f32>, vx: f32, vy: f32, t_end: f32, out: *mut Impact<f32>) -> i64;
     /// A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
     ///
     /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
@@ -2925,7 +2925,7 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn suppress(shapes: *const Shapes<Self>, scores: *const Self, labels: *const i32, ratio: i32, threshold: Self, least_score: Self, most: i64, scratch: *mut c_void, scratch_size: i64, keep: *mut i64, kept: *mut i64) -> i32;
     unsafe fn cast(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self, vx: Self, vy: Self, t_end: Self, out: *mut Impact<Self>) -> i32;
     unsafe fn cast_many(a: *const Shapes<Self>, b: *const Shapes<Self>, vx: *const Self, vy: *const Self, stride: isize, t_end: Self, t: *mut Self, x: *mut Self, y: *mut Self, nx: *mut Self, ny: *mut Self) -> i64;
-    unsafe fn cast_first(many: *const Shapes<Self>, one: *const Shapes<Self>, vx: Self, vy: Self, t_end: Self, out: *mut Impact<Self>) -> i64;
+    unsafe fn cast_first(one: *const Shapes<Self>, many: *const Shapes<Self>, vx: Self, vy: Self, t_end: Self, out: *mut Impact<Self>) -> i64;
     unsafe fn sweep_bounds(kind: i32, numbers: *const Self, vx: Self, vy: Self, t_end: Self, out: *mut Aabb<Self>) -> i32;
     unsafe fn index_cast(index: *const c_void, sets: *const Shapes<Self>, set_count: i32, one: *const Shapes<Self>, vx: Self, vy: Self, t_end: Self, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
     unsafe fn index_cast_first(index: *const c_void, sets: *const Shapes<Self>, set_count: i32, one: *const Shapes<Self>, vx: Self, vy: Self, t_end: Self, out: *mut Impact<Self>) -> i64;
@@ -3236,8 +3236,8 @@ unsafe impl Scalar for f64 {
         vesica_cast_many_f64(a, b, vx, vy, stride, t_end, t, x, y, nx, ny)
     }
     #[inline]
-    unsafe fn cast_first(many: *const Shapes<f64>, one: *const Shapes<f64>, vx: f64, vy: f64, t_end: f64, out: *mut Impact<f64>) -> i64 {
-        vesica_cast_first_f64(many, one, vx, vy, t_end, out)
+    unsafe fn cast_first(one: *const Shapes<f64>, many: *const Shapes<f64>, vx: f64, vy: f64, t_end: f64, out: *mut Impact<f64>) -> i64 {
+        vesica_cast_first_f64(one, many, vx, vy, t_end, out)
     }
     #[inline]
     unsafe fn sweep_bounds(kind: i32, numbers: *const f64, vx: f64, vy: f64, t_end: f64, out: *mut Aabb<f64>) -> i32 {
@@ -3558,8 +3558,8 @@ unsafe impl Scalar for f32 {
         vesica_cast_many_f32(a, b, vx, vy, stride, t_end, t, x, y, nx, ny)
     }
     #[inline]
-    unsafe fn cast_first(many: *const Shapes<f32>, one: *const Shapes<f32>, vx: f32, vy: f32, t_end: f32, out: *mut Impact<f32>) -> i64 {
-        vesica_cast_first_f32(many, one, vx, vy, t_end, out)
+    unsafe fn cast_first(one: *const Shapes<f32>, many: *const Shapes<f32>, vx: f32, vy: f32, t_end: f32, out: *mut Impact<f32>) -> i64 {
+        vesica_cast_first_f32(one, many, vx, vy, t_end, out)
     }
     #[inline]
     unsafe fn sweep_bounds(kind: i32, numbers: *const f32, vx: f32, vy: f32, t_end: f32, out: *mut Aabb<f32>) -> i32 {
