@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ratio.hpp"
 
+#include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <vesica/check.hpp>
 
