@@ -18,7 +18,7 @@ packed=$cache/bookworm.tar bare=$cache/root
 
 if [ ! -e "$packed" ]; then
   rm -rf "$cache/new"
-  debootstrap --variant=minbase --include=git bookworm "$cache/new" "${VESICA_MIRROR:-http://deb.debian.org/debian}" \
+  debootstrap --variant=minbase --include=git bookworm "$cache/new" ${VESICA_MIRROR:+"$VESICA_MIRROR"} \
     >"$cache/debootstrap.log" || fail "debootstrap failed; see $cache/debootstrap.log"
   tar -C "$cache/new" -cf "$packed.part" .
   mv "$packed.part" "$packed"
