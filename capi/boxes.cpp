@@ -67,14 +67,17 @@ int32_t check_shapes(const CShapesOf<T>* shapes, const T* out) noexcept {
   return check_call(shapes, shapes, out, shapes != nullptr && shapes->count != 0);
 }
 
-/// Element i as the core's shape.
-template <class Shape, class T>
-Shape element(const vesica::batch::Shapes<T>& shapes, int64_t i) noexcept {
+/// The numbers of element i.
+template <class T>
+struct Element {
   T numbers[vesica::max_fields];
-  for (int k = 0; k < vesica::field_count(shapes.kind); ++k)
-    numbers[k] = shapes.field[k].advanced(i * shapes.stride)[0];
-  return vesica::load<Shape>(numbers);
-}
+
+  Element(const vesica::batch::Shapes<T>& shapes, int64_t i) noexcept {
+    for (int k = 0; k < vesica::field_count(shapes.kind); ++k)
+      numbers[k] = shapes.field[k].advanced(i * shapes.stride)[0];
+  }
+  vesica::Rect<T> rect() const noexcept { return vesica::load<vesica::Rect<T>>(numbers); }
+};
 
 bool has_box(int32_t kind) noexcept { return kind == VESICA_RECT || kind == VESICA_ELLIPSE; }
 
@@ -89,7 +92,7 @@ int64_t boxes_from_shapes(const CShapesOf<T>* shapes, int32_t angle, T* boxes) n
   const auto v = view<T>(*shapes);
   return each<5>(v.count, boxes, [&](int64_t i, T(&numbers)[5]) {
     vesica::TurnedBox<T> box;
-    const int code = vesica::box_from_rect(element<vesica::Rect<T>>(v, i), unit, box);
+    const int code = vesica::box_from_rect(Element<T>(v, i).rect(), unit, box);
     if (code == 0) flatten(box, numbers);
     return code;
   });
@@ -103,7 +106,7 @@ int64_t corners_of_shapes(const CShapesOf<T>* shapes, T* corners) noexcept {
   if (!has_box(shapes->kind)) return VESICA_E_KIND;
   const auto v = view<T>(*shapes);
   return each<8>(v.count, corners,
-                 [&](int64_t i, T(&numbers)[8]) { return vesica::corners(element<vesica::Rect<T>>(v, i), numbers); });
+                 [&](int64_t i, T(&numbers)[8]) { return vesica::corners(Element<T>(v, i).rect(), numbers); });
 }
 
 template <class T>
@@ -113,11 +116,10 @@ int64_t bounds_many(const CShapesOf<T>* shapes, T* out) noexcept {
   if (error != 0) return error;
   const auto v = view<T>(*shapes);
   return each<4>(v.count, out, [&](int64_t i, T(&numbers)[4]) {
-    T stored[vesica::max_fields];
-    for (int k = 0; k < vesica::field_count(v.kind); ++k) stored[k] = v.field[k].advanced(i * v.stride)[0];
+    const Element<T> element(v, i);
     vesica::Aabb<T> box;
     const int32_t code = vesica::with_shape(
-        v.kind, stored, [&](const vesica::HasForm auto& shape) { return vesica::bounds(shape, box); });
+        v.kind, element.numbers, [&](const vesica::HasForm auto& shape) { return vesica::bounds(shape, box); });
     if (code == 0) flatten(box, numbers);
     return code;
   });

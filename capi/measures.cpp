@@ -20,7 +20,7 @@ static_assert(is_code(Ratio::over_smaller, VESICA_RATIO_OVER_SMALLER));
 static_assert(is_code(Ratio::generalized, VESICA_RATIO_GENERALIZED));
 static_assert(is_code(Ratio::distance, VESICA_RATIO_DISTANCE) && is_code(Ratio::complete, VESICA_RATIO_COMPLETE));
 
-bool is_ratio(int32_t ratio) noexcept { return ratio >= 0 && ratio < vesica::ratio_count; }
+using vesica::is_ratio;
 
 /// The numbers of a shape as doubles.
 template <class T>

@@ -55,8 +55,7 @@ struct Choice {
 
   /// Whether the ratio is one that does not depend on the order of two shapes.
   bool is_symmetric() const noexcept {
-    const bool is_ratio = ratio >= 0 && ratio < vesica::ratio_count;
-    return is_ratio && ratio != VESICA_RATIO_OVER_FIRST && ratio != VESICA_RATIO_OVER_SECOND;
+    return vesica::is_ratio(ratio) && ratio != VESICA_RATIO_OVER_FIRST && ratio != VESICA_RATIO_OVER_SECOND;
   }
 };
 

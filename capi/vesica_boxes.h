@@ -39,7 +39,7 @@ extern "C" {
  * Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
  * Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
  * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
- * Cost: about 40 ns a box.
+ * Cost: about 30 ns a box.
  */
 VESICA_API int64_t vesica_rects_from_boxes_f64(const double *boxes, int64_t count, ptrdiff_t stride, int32_t angle,
                                                vesica_rect_f64 *out);
@@ -48,7 +48,7 @@ VESICA_API int64_t vesica_rects_from_boxes_f64(const double *boxes, int64_t coun
  * Ellipses from the boxes about them, whose sides they touch in the middle.
  * Requires: as vesica_rects_from_boxes_f64.
  * Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
- * Cost: about 40 ns a box.
+ * Cost: about 30 ns a box.
  */
 VESICA_API int64_t vesica_ellipses_from_boxes_f64(const double *boxes, int64_t count, ptrdiff_t stride, int32_t angle,
                                                   vesica_ellipse_f64 *out);
@@ -60,7 +60,7 @@ VESICA_API int64_t vesica_ellipses_from_boxes_f64(const double *boxes, int64_t c
  * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
  * Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
  * quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
- * Cost: about 60 ns a shape.
+ * Cost: about 70 ns a shape.
  */
 VESICA_API int64_t vesica_boxes_from_shapes_f64(const vesica_shapes_f64 *shapes, int32_t angle, double *boxes);
 
@@ -70,7 +70,7 @@ VESICA_API int64_t vesica_boxes_from_shapes_f64(const vesica_shapes_f64 *shapes,
  * Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
  * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
  * Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
- * Cost: about 20 ns a shape.
+ * Cost: about 70 ns a shape.
  */
 VESICA_API int64_t vesica_corners_of_shapes_f64(const vesica_shapes_f64 *shapes, double *corners);
 

@@ -1506,7 +1506,7 @@ export interface C {
    * the address space, an unknown unit of angles).
    * Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
    * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
-   * Cost: about 40 ns a box.
+   * Cost: about 30 ns a box.
    * Since: 0.1.
    */
   vesica_rects_from_boxes_f64(boxes: number, count: bigint, stride: number, angle: number, out: number): bigint;
@@ -1520,7 +1520,7 @@ export interface C {
    * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
    * the address space, an unknown unit of angles).
    * Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
-   * Cost: about 40 ns a box.
+   * Cost: about 30 ns a box.
    * Since: 0.1.
    */
   vesica_ellipses_from_boxes_f64(boxes: number, count: bigint, stride: number, angle: number, out: number): bigint;
@@ -1537,7 +1537,7 @@ export interface C {
    * the address space, an unknown unit of angles).
    * Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
    * quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
-   * Cost: about 60 ns a shape.
+   * Cost: about 70 ns a shape.
    * Since: 0.1.
    */
   vesica_boxes_from_shapes_f64(shapes: number, angle: number, boxes: number): bigint;
@@ -1553,7 +1553,7 @@ export interface C {
    * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
    * the address space, an unknown unit of angles).
    * Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
-   * Cost: about 20 ns a shape.
+   * Cost: about 70 ns a shape.
    * Since: 0.1.
    */
   vesica_corners_of_shapes_f64(shapes: number, corners: number): bigint;
@@ -1583,7 +1583,7 @@ export interface C {
    * Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
    * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
    * Each number is computed in double, within these bounds, and then rounded to float once.
-   * Cost: about 40 ns a box.
+   * Cost: about 30 ns a box.
    * Since: 0.1.
    */
   vesica_rects_from_boxes_f32(boxes: number, count: bigint, stride: number, angle: number, out: number): bigint;
@@ -1598,7 +1598,7 @@ export interface C {
    * the address space, an unknown unit of angles).
    * Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
    * Each number is computed in double, within these bounds, and then rounded to float once.
-   * Cost: about 40 ns a box.
+   * Cost: about 30 ns a box.
    * Since: 0.1.
    */
   vesica_ellipses_from_boxes_f32(boxes: number, count: bigint, stride: number, angle: number, out: number): bigint;
@@ -1616,7 +1616,7 @@ export interface C {
    * Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
    * quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
    * Each number is computed in double, within these bounds, and then rounded to float once.
-   * Cost: about 60 ns a shape.
+   * Cost: about 70 ns a shape.
    * Since: 0.1.
    */
   vesica_boxes_from_shapes_f32(shapes: number, angle: number, boxes: number): bigint;
@@ -1633,7 +1633,7 @@ export interface C {
    * the address space, an unknown unit of angles).
    * Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
    * Each number is computed in double, within these bounds, and then rounded to float once.
-   * Cost: about 20 ns a shape.
+   * Cost: about 70 ns a shape.
    * Since: 0.1.
    */
   vesica_corners_of_shapes_f32(shapes: number, corners: number): bigint;

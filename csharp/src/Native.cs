@@ -1120,7 +1120,7 @@ namespace Vesica
         /// the address space, an unknown unit of angles).</para>
         /// <para>Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
         /// whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.</para>
-        /// <para>Cost: about 40 ns a box.</para>
+        /// <para>Cost: about 30 ns a box.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1135,7 +1135,7 @@ namespace Vesica
         /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
         /// the address space, an unknown unit of angles).</para>
         /// <para>Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.</para>
-        /// <para>Cost: about 40 ns a box.</para>
+        /// <para>Cost: about 30 ns a box.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1152,7 +1152,7 @@ namespace Vesica
         /// the address space, an unknown unit of angles).</para>
         /// <para>Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
         /// quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.</para>
-        /// <para>Cost: about 60 ns a shape.</para>
+        /// <para>Cost: about 70 ns a shape.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1168,7 +1168,7 @@ namespace Vesica
         /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
         /// the address space, an unknown unit of angles).</para>
         /// <para>Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.</para>
-        /// <para>Cost: about 20 ns a shape.</para>
+        /// <para>Cost: about 70 ns a shape.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1200,7 +1200,7 @@ namespace Vesica
         /// <para>Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
         /// whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
         /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
-        /// <para>Cost: about 40 ns a box.</para>
+        /// <para>Cost: about 30 ns a box.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1216,7 +1216,7 @@ namespace Vesica
         /// the address space, an unknown unit of angles).</para>
         /// <para>Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
         /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
-        /// <para>Cost: about 40 ns a box.</para>
+        /// <para>Cost: about 30 ns a box.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1234,7 +1234,7 @@ namespace Vesica
         /// <para>Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
         /// quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
         /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
-        /// <para>Cost: about 60 ns a shape.</para>
+        /// <para>Cost: about 70 ns a shape.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1251,7 +1251,7 @@ namespace Vesica
         /// the address space, an unknown unit of angles).</para>
         /// <para>Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
         /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
-        /// <para>Cost: about 20 ns a shape.</para>
+        /// <para>Cost: about 70 ns a shape.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

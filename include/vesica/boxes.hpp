@@ -21,10 +21,9 @@ int check_box(const TurnedBox<T>& box) noexcept {
   return box.width < 0 || box.height < 0 ? error_negative_size : 0;
 }
 
-/// x + first + second + third, the products exact, to 1 roundoff of itself plus 2^-98 of the largest term.
-inline double corner(double x, double hx, double p, double hy, double q) noexcept {
-  const auto first = arithmetic::two_product_fused(hx, p), second = arithmetic::two_product_fused(hy, q);
-  return sum_of_four(x, first.high, second.high, first.low + second.low);
+/// x + along + across for products known exactly, to 1 roundoff of itself plus 2^-98 of the largest term.
+inline double corner(double x, const arithmetic::Pair<double>& along, const arithmetic::Pair<double>& across) noexcept {
+  return sum_of_four(x, along.high, across.high, along.low + across.low);
 }
 
 }  // namespace detail
@@ -35,11 +34,7 @@ int rect_from_box(const TurnedBox<T>& box, AngleUnit unit, Rect<T>& out) noexcep
   const int error = detail::check_box(box);
   if (error != 0) return error;
   const auto u = detail::arithmetic::direction(static_cast<double>(box.angle), unit);
-  const T ux = static_cast<T>(u.x), uy = static_cast<T>(u.y), half = T{1} / 2;
-  // An odd multiple of the smallest number cannot be halved; the axis, a unit of length, can.
-  const bool halves = 2 * (half * box.width) == box.width && 2 * (half * box.height) == box.height;
-  out = halves ? Rect<T>{box.cx, box.cy, ux, uy, half * box.width, half * box.height}
-               : Rect<T>{box.cx, box.cy, half * ux, half * uy, box.width, box.height};
+  out = detail::rect_along(box.cx, box.cy, static_cast<T>(u.x), static_cast<T>(u.y), box.width, box.height);
   return 0;
 }
 
@@ -73,13 +68,20 @@ int box_from_rect(const Rect<T>& s, AngleUnit unit, TurnedBox<T>& out) noexcept 
 template <class T>
 int corners(const Rect<T>& s, T (&out)[8]) noexcept {
   if (check(s) != 0) return error_shape;
-  constexpr double along[] = {-1, 1, 1, -1}, across[] = {-1, -1, 1, 1};
+  const auto product = [](T h, T u) {
+    return detail::arithmetic::two_product_fused(static_cast<double>(h), static_cast<double>(u));
+  };
+  const auto along_x = product(s.hx, s.ux), along_y = product(s.hx, s.uy);
+  const auto across_x = product(-s.hy, s.uy), across_y = product(s.hy, s.ux);
+  const auto turned = [](const detail::arithmetic::Pair<double>& p, bool keep) {
+    return keep ? p : detail::arithmetic::Pair<double>{-p.high, 0 - p.low};
+  };
+  const double cx = static_cast<double>(s.cx), cy = static_cast<double>(s.cy);
   T result[8];
   for (int i = 0; i < 4; ++i) {
-    const double hx = along[i] * static_cast<double>(s.hx), hy = across[i] * static_cast<double>(s.hy);
-    const double ux = static_cast<double>(s.ux), uy = static_cast<double>(s.uy);
-    result[2 * i] = static_cast<T>(detail::corner(static_cast<double>(s.cx), hx, ux, -hy, uy));
-    result[2 * i + 1] = static_cast<T>(detail::corner(static_cast<double>(s.cy), hx, uy, hy, ux));
+    const bool forth = i == 1 || i == 2, up = i >= 2;
+    result[2 * i] = static_cast<T>(detail::corner(cx, turned(along_x, forth), turned(across_x, up)));
+    result[2 * i + 1] = static_cast<T>(detail::corner(cy, turned(along_y, forth), turned(across_y, up)));
     if (!detail::all_finite(result[2 * i], result[2 * i + 1])) return error_range;
   }
   for (int i = 0; i < 8; ++i) out[i] = result[i];

@@ -93,17 +93,27 @@ int aabb_from_corners(T x0, T y0, T x1, T y1, Aabb<T>& out) noexcept {
   return 0;
 }
 
+namespace detail {
+
+/// The rectangle of valid full sizes along and across the unit axis (ux, uy).
+template <class T>
+Rect<T> rect_along(T cx, T cy, T ux, T uy, T width, T height) noexcept {
+  constexpr T half = T{1} / 2;
+  // An odd multiple of the smallest number cannot be halved; the axis, a unit of length, can.
+  const bool halves = 2 * (half * width) == width && 2 * (half * height) == height;
+  return halves ? Rect<T>{cx, cy, ux, uy, half * width, half * height}
+                : Rect<T>{cx, cy, half * ux, half * uy, width, height};
+}
+
+}  // namespace detail
+
 /// Rectangle from centre, angle in radians (counter-clockwise from +x where y points up), width along the angle and
 /// height across it. Sizes are exact. Errors: error_not_finite, error_negative_size.
 template <class T>
 int rect_from_angle(T cx, T cy, T angle, T width, T height, Rect<T>& out) noexcept {
   if (!detail::all_finite(cx, cy, angle, width, height)) return error_not_finite;
   if (width < 0 || height < 0) return error_negative_size;
-  const T ux = detail::cosine(angle), uy = detail::sine(angle), half = T{1} / 2;
-  // An odd multiple of the smallest number cannot be halved; the axis, a unit of length, can.
-  const bool halves = 2 * (half * width) == width && 2 * (half * height) == height;
-  out = halves ? Rect<T>{cx, cy, ux, uy, half * width, half * height}
-               : Rect<T>{cx, cy, half * ux, half * uy, width, height};
+  out = detail::rect_along(cx, cy, detail::cosine(angle), detail::sine(angle), width, height);
   return 0;
 }
 

@@ -32,6 +32,8 @@ enum class Ratio : std::int32_t {
 
 inline constexpr int ratio_count = 7;
 
+constexpr bool is_ratio(std::int32_t number) noexcept { return number >= 0 && number < ratio_count; }
+
 namespace detail::ratio {
 
 /// Those that follow from the shared area, which can be had without the union's.
@@ -55,13 +57,16 @@ inline const area::Measure& divisor(Ratio which, const Facts& a, const Facts& b)
   return which == Ratio::over_first ? a.area : b.area;
 }
 
-/// Where areas are beyond the range of doubles: shared = r (A + B) / (1 + r) for r = IoU.
-inline double from_union(double r, Ratio which, const Facts& a, const Facts& b) noexcept {
-  const area::Measure& own = divisor(which, a, b);
-  const area::Measure& other = &own == &a.area ? b.area : a.area;
-  const area::Measure s = area::standard(other), t = area::standard(own);
-  const double part = r / (1 + r);
-  return std::fmin(1, part + arithmetic::scale(part * (s.value / t.value), s.exponent - t.exponent));
+/// The shared area of valid shapes, which does not underflow.
+template <class A, class B>
+area::Measure shared_measure(const A& a, const B& b) noexcept {
+  if constexpr (!in_order<A, B>) {
+    return shared_measure(b, a);
+  } else {
+    area::Shares shares{};
+    area::shares_by_relation(a, b, shares);
+    return shares.shared;
+  }
 }
 
 /// (The hull's area - the union's) / the hull's.
@@ -111,16 +116,17 @@ inline double less_than_union(double r, Ratio which, const Facts& a, const Facts
   }
 }
 
-/// From the shared area, and the IoU where that does not tell. Returns 0 or error_argument.
-template <class Iou>
-std::int32_t over_area(double shared, Ratio which, const Facts& a, const Facts& b, const Iou& iou,
+/// From the shared area, and from its measure where that area or another is beyond the range of doubles. Returns 0 or
+/// error_argument.
+template <class SharedMeasure>
+std::int32_t over_area(double shared, Ratio which, const Facts& a, const Facts& b, const SharedMeasure& shared_measure,
                        double& out) noexcept {
   const area::Measure& whole = divisor(which, a, b);
   if (whole.value == 0) return error_argument;
   if ((shared == 0 || shared >= 0x1p-900) && is_usual(a.area) && is_usual(b.area)) [[likely]] {
     out = whole.exponent == 0 ? shared / whole.value : quotient({shared, 0}, whole);
   } else {
-    out = from_union(iou(), which, a, b);
+    out = std::fmin(1, quotient(shared_measure(), whole));
   }
   return 0;
 }
@@ -132,7 +138,7 @@ std::int32_t over_area(double shared, Ratio which, const Facts& a, const Facts& 
 /// A float is the double rounded.
 template <template <class> class A, template <class> class B, class T>
 std::int32_t ratio_or_error(Ratio which, const A<T>& a, const B<T>& b, T& out) noexcept {
-  if (static_cast<std::int32_t>(which) < 0 || static_cast<std::int32_t>(which) >= ratio_count) return error_argument;
+  if (!is_ratio(static_cast<std::int32_t>(which))) return error_argument;
   if (check(a) != 0 || check(b) != 0) return error_shape;
   const auto first = widen(a);
   const auto second = widen(b);
@@ -140,8 +146,8 @@ std::int32_t ratio_or_error(Ratio which, const A<T>& a, const B<T>& b, T& out) n
   double result = 0;
   std::int32_t error;
   if (detail::ratio::is_of_area(which)) {
-    error = detail::ratio::over_area(
-        area(first, second), which, facts(first), facts(second), [&] { return iou(first, second); }, result);
+    const auto shared_measure = [&] { return detail::ratio::shared_measure(first, second); };
+    error = detail::ratio::over_area(area(first, second), which, facts(first), facts(second), shared_measure, result);
   } else {
     error = iou_or_error(first, second, result);
     if (error == 0 && which != Ratio::over_union) {

@@ -6,11 +6,26 @@
 #include <limits>
 #include <vesica/check.hpp>
 
+#include "compiled_once.hpp"
+
 namespace vesica::queries {
 
 namespace {
 
 using detail::ratio::Facts;
+
+/// Of valid shapes.
+struct SharedMeasure {
+  static constexpr Reversal reversal = Reversal::none;
+  template <class T>
+  using Result = detail::area::Measure;
+  template <class A, class B>
+  static std::int32_t answer(const A& a, const B& b, detail::area::Measure& out) noexcept {
+    out = detail::ratio::shared_measure(a, b);
+    return 0;
+  }
+};
+constinit const PairTable shared_measures = pair_table<SharedMeasure, double>();
 
 /// Returns 0 or error_shape. A shape whose area is a number is valid.
 std::int32_t facts_by_kind(const ShapeOfKind& s, Facts& out) noexcept {
@@ -27,12 +42,12 @@ std::int32_t derive(double asked, const ShapeOfKind& a, const ShapeOfKind& b, do
   Facts first, second;
   if (facts_by_kind(a, first) != 0 || facts_by_kind(b, second) != 0) return error_shape;
   if constexpr (detail::ratio::is_of_area(which)) {
-    const auto union_ratio = [&] {
-      double r = 0;
-      iou.doubles.of[a.kind][b.kind](a.numbers, b.numbers, &r);
-      return r;
+    const auto shared_measure = [&] {
+      detail::area::Measure shared;
+      shared_measures.of[a.kind][b.kind](a.numbers, b.numbers, &shared);
+      return shared;
     };
-    return detail::ratio::over_area(asked, which, first, second, union_ratio, out);
+    return detail::ratio::over_area(asked, which, first, second, shared_measure, out);
   } else {
     if (std::isnan(asked)) return error_argument;
     out = detail::ratio::less_than_union(asked, which, first, second);

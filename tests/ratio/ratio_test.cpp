@@ -152,8 +152,7 @@ class Ratios : public testing::Test {
       if (of_area && relation <= VESICA_TOUCH) demand(r.value == 0, "apart", which, p, r.value);
       if (of_area && moderate(p)) demand((r.value > 0) == (shared > 0), "above 0", which, p, r.value);
       const bool a_inside = relation == VESICA_INSIDE || relation == VESICA_INSIDE_TOUCH || relation == VESICA_EQUAL;
-      if (which == VESICA_RATIO_OVER_FIRST && a_inside && moderate(p))
-        demand(r.value == 1, "inside", which, p, r.value);
+      if (which == VESICA_RATIO_OVER_FIRST && a_inside) demand(r.value == 1, "inside", which, p, r.value);
       if (which == VESICA_RATIO_DISTANCE && relation == VESICA_EQUAL && moderate(p))
         demand(r.value >= 1 - 8 * u, "equal", which, p, r.value);
     }
@@ -252,6 +251,20 @@ TEST_F(Ratios, OfAnyMagnitude) {
   const Pair whole = boxes({-0x1p1023, -0x1p1023, 0x1p1023, 0x1p1023}, {0, 0, 0x1p1023, 0x1p1023});
   EXPECT_EQ(ratio(VESICA_RATIO_OVER_FIRST, whole), (Answer{0, 0.25}));
   EXPECT_EQ(ratio(VESICA_RATIO_GENERALIZED, whole), (Answer{0, 0.25}));
+}
+
+// Where the IoU underflows, and where even the shared area does, the share of the smaller shape does not.
+TEST_F(Ratios, OfShapesFarSmallerThanTheOther) {
+  const Numbers tiny{0, 0, 0x1p-900, 0x1p-900};
+  const Pair inside = boxes(tiny, {-1, -1, 1, 1}), half = boxes(tiny, {0x1p-901, -1, 1, 1});
+  const Pair disc = {VESICA_CIRCLE, VESICA_ELLIPSE, {0x1p-700, 0, 0x1p-701}, {0, 0, 0, 2, 0x1p500, 0x1p500}};
+  for (const int which : {VESICA_RATIO_OVER_FIRST, VESICA_RATIO_OVER_SMALLER}) {
+    EXPECT_EQ(ratio(which, inside), (Answer{0, 1}));
+    EXPECT_EQ(ratio(which, half), (Answer{0, 0.5}));
+    EXPECT_EQ(ratio(which, disc), (Answer{0, 1}));
+  }
+  EXPECT_EQ(ratio(VESICA_RATIO_OVER_SECOND, exchanged(half)), (Answer{0, 0.5}));
+  EXPECT_EQ(ratio(VESICA_RATIO_OVER_SECOND, half), (Answer{0, 0}));
 }
 
 TEST_F(Ratios, OfFloats) {

@@ -1439,7 +1439,7 @@ final class Native {
    * <p>Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
    * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
    *
-   * <p>Cost: about 40 ns a box.
+   * <p>Cost: about 30 ns a box.
    *
    * <p>Since: 0.1.
    */
@@ -1459,7 +1459,7 @@ final class Native {
    *
    * <p>Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
    *
-   * <p>Cost: about 40 ns a box.
+   * <p>Cost: about 30 ns a box.
    *
    * <p>Since: 0.1.
    */
@@ -1482,7 +1482,7 @@ final class Native {
    * <p>Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
    * quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
    *
-   * <p>Cost: about 60 ns a shape.
+   * <p>Cost: about 70 ns a shape.
    *
    * <p>Since: 0.1.
    */
@@ -1504,7 +1504,7 @@ final class Native {
    *
    * <p>Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
    *
-   * <p>Cost: about 20 ns a shape.
+   * <p>Cost: about 70 ns a shape.
    *
    * <p>Since: 0.1.
    */
@@ -1546,7 +1546,7 @@ final class Native {
    * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
    * Each number is computed in double, within these bounds, and then rounded to float once.
    *
-   * <p>Cost: about 40 ns a box.
+   * <p>Cost: about 30 ns a box.
    *
    * <p>Since: 0.1.
    */
@@ -1567,7 +1567,7 @@ final class Native {
    * <p>Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
    * Each number is computed in double, within these bounds, and then rounded to float once.
    *
-   * <p>Cost: about 40 ns a box.
+   * <p>Cost: about 30 ns a box.
    *
    * <p>Since: 0.1.
    */
@@ -1591,7 +1591,7 @@ final class Native {
    * quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
    * Each number is computed in double, within these bounds, and then rounded to float once.
    *
-   * <p>Cost: about 60 ns a shape.
+   * <p>Cost: about 70 ns a shape.
    *
    * <p>Since: 0.1.
    */
@@ -1614,7 +1614,7 @@ final class Native {
    * <p>Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
    * Each number is computed in double, within these bounds, and then rounded to float once.
    *
-   * <p>Cost: about 20 ns a shape.
+   * <p>Cost: about 70 ns a shape.
    *
    * <p>Since: 0.1.
    */

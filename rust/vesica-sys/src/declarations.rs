@@ -1995,7 +1995,7 @@ extern "C" {
     /// Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
     /// whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
     ///
-    /// Cost: about 40 ns a box.
+    /// Cost: about 30 ns a box.
     ///
     /// Since: 0.1.
     pub fn vesica_rects_from_boxes_f64(boxes: *const f64, count: i64, stride: isize, angle: i32, out: *mut Rect<f64>) -> i64;
@@ -2012,7 +2012,7 @@ extern "C" {
     ///
     /// Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
     ///
-    /// Cost: about 40 ns a box.
+    /// Cost: about 30 ns a box.
     ///
     /// Since: 0.1.
     pub fn vesica_ellipses_from_boxes_f64(boxes: *const f64, count: i64, stride: isize, angle: i32, out: *mut Ellipse<f64>) -> i64;
@@ -2032,7 +2032,7 @@ extern "C" {
     /// Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
     /// quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
     ///
-    /// Cost: about 60 ns a shape.
+    /// Cost: about 70 ns a shape.
     ///
     /// Since: 0.1.
     pub fn vesica_boxes_from_shapes_f64(shapes: *const Shapes<f64>, angle: i32, boxes: *mut f64) -> i64;
@@ -2051,7 +2051,7 @@ extern "C" {
     ///
     /// Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
     ///
-    /// Cost: about 20 ns a shape.
+    /// Cost: about 70 ns a shape.
     ///
     /// Since: 0.1.
     pub fn vesica_corners_of_shapes_f64(shapes: *const Shapes<f64>, corners: *mut f64) -> i64;
@@ -2087,7 +2087,7 @@ extern "C" {
     /// whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
     /// Each number is computed in double, within these bounds, and then rounded to float once.
     ///
-    /// Cost: about 40 ns a box.
+    /// Cost: about 30 ns a box.
     ///
     /// Since: 0.1.
     pub fn vesica_rects_from_boxes_f32(boxes: *const f32, count: i64, stride: isize, angle: i32, out: *mut Rect<f32>) -> i64;
@@ -2105,7 +2105,7 @@ extern "C" {
     /// Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
     /// Each number is computed in double, within these bounds, and then rounded to float once.
     ///
-    /// Cost: about 40 ns a box.
+    /// Cost: about 30 ns a box.
     ///
     /// Since: 0.1.
     pub fn vesica_ellipses_from_boxes_f32(boxes: *const f32, count: i64, stride: isize, angle: i32, out: *mut Ellipse<f32>) -> i64;
@@ -2126,7 +2126,7 @@ extern "C" {
     /// quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
     /// Each number is computed in double, within these bounds, and then rounded to float once.
     ///
-    /// Cost: about 60 ns a shape.
+    /// Cost: about 70 ns a shape.
     ///
     /// Since: 0.1.
     pub fn vesica_boxes_from_shapes_f32(shapes: *const Shapes<f32>, angle: i32, boxes: *mut f32) -> i64;
@@ -2146,7 +2146,7 @@ extern "C" {
     /// Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
     /// Each number is computed in double, within these bounds, and then rounded to float once.
     ///
-    /// Cost: about 20 ns a shape.
+    /// Cost: about 70 ns a shape.
     ///
     /// Since: 0.1.
     pub fn vesica_corners_of_shapes_f32(shapes: *const Shapes<f32>, corners: *mut f32) -> i64;
