@@ -14,7 +14,7 @@ limit() {
 }
 
 modules=$1
-limit "$modules/vesica.wasm" 1800 550
-limit "$modules/simd/vesica.wasm" 1900 570
-limit "$modules/vesica-methods.wasm" 230 70
+limit "$modules/vesica.wasm" 1080 375
+limit "$modules/simd/vesica.wasm" 1170 390
+limit "$modules/vesica-methods.wasm" 120 55
 [ $failures = 0 ]
