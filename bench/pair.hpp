@@ -112,11 +112,13 @@ bool add_rows(std::initializer_list<WorkloadAndTarget> workloads) {
   return true;
 }
 
-/// The rows of a pair without a yardstick or targets.
-template <auto library_f64, auto library_f32>
-bool add_plain_rows() {
-  return add_rows<library_f64>({{Workload::mixed}, {Workload::sparse}, {Workload::near}}) &&
-         add_rows<library_f32>({{Workload::mixed}});
+/// The rows of a pair of which certain shares overlap.
+template <auto library_f64, auto yardstick_f64, auto library_f32, auto yardstick_f32>
+bool add_rates(Target target) {
+  bool added = true;
+  for (const Workload workload : by_rate) added = add_rows<library_f64, yardstick_f64>({{workload, target}}) && added;
+  return added && add_rows<library_f64, yardstick_f64>({{Workload::near}}) &&
+         add_rows<library_f32, yardstick_f32>({{Workload::mixed}});
 }
 
 }  // namespace vesica::bench

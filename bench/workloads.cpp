@@ -236,10 +236,16 @@ Pool slowest_exponents(Kinds kinds, std::uint64_t seed) {
 
 const char* name_of(Workload workload) {
   switch (workload) {
-    case Workload::mixed:
-      return "mixed";
+    case Workload::rare:
+      return "rare";
     case Workload::sparse:
       return "sparse";
+    case Workload::some:
+      return "some";
+    case Workload::mixed:
+      return "mixed";
+    case Workload::most:
+      return "most";
     case Workload::near:
       return "near";
     case Workload::pixels:
@@ -259,8 +265,11 @@ const char* name_of(Workload workload) {
 bool has_workload(std::int32_t kind_a, std::int32_t kind_b, Workload workload) {
   if (kind_b > VESICA_ELLIPSE) return false;  // random_shape() does not know the kind
   switch (workload) {
-    case Workload::mixed:
+    case Workload::rare:
     case Workload::sparse:
+    case Workload::some:
+    case Workload::mixed:
+    case Workload::most:
       return true;
     case Workload::near:
     case Workload::last_ulp:
@@ -278,10 +287,16 @@ bool has_workload(std::int32_t kind_a, std::int32_t kind_b, Workload workload) {
 Pool make_pool(std::int32_t kind_a, std::int32_t kind_b, Workload workload, std::uint64_t seed) {
   const Kinds kinds{kind_a, kind_b};
   switch (workload) {
-    case Workload::mixed:
-      return overlapping_by(kinds, 0.5, seed);
+    case Workload::rare:
+      return overlapping_by(kinds, 0.01, seed);
     case Workload::sparse:
       return overlapping_by(kinds, 0.05, seed);
+    case Workload::some:
+      return overlapping_by(kinds, 0.2, seed);
+    case Workload::mixed:
+      return overlapping_by(kinds, 0.5, seed);
+    case Workload::most:
+      return overlapping_by(kinds, 0.9, seed);
     case Workload::near:
       return near_contact(kinds, seed);
     case Workload::pixels:

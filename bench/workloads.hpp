@@ -11,8 +11,11 @@
 namespace vesica::bench {
 
 enum class Workload {
-  mixed,       ///< independent shapes, scattered so that about half of the pairs overlap
-  sparse,      ///< the same, about 5% overlap
+  rare,        ///< independent shapes, scattered so that about 1% of the pairs overlap
+  sparse,      ///< the same, 5%
+  some,        ///< the same, 20%
+  mixed,       ///< the same, half
+  most,        ///< the same, 90%
   near,        ///< pairs moved along a line until they touch, then apart or together by 1e-6 of the distance
   pixels,      ///< unit squares at whole coordinates that touch along an edge or at a corner
   hundredths,  ///< the same at multiples of 0.01, which are rounded: they touch, miss or overlap by a place
@@ -20,6 +23,10 @@ enum class Workload {
   last_ulp,    ///< pairs within the last unit in the last place of touching, all mantissas full
   exponents,   ///< random exponents over the whole finite range, a field each; the slowest few of many
 };
+
+/// Those of independent shapes, by the share that overlaps.
+inline constexpr Workload by_rate[] = {Workload::rare, Workload::sparse, Workload::some, Workload::mixed,
+                                       Workload::most};
 
 const char* name_of(Workload workload);
 

@@ -7,14 +7,11 @@ namespace vesica::bench {
 namespace {
 
 const bool added =
-    add_rows<vesica_overlap_ellipse_ellipse_f64, textbook::ellipse_ellipse<vesica_ellipse_f64>>(
-        {{Workload::mixed, ratio_at_most(1.45)},
-         {Workload::sparse},
-         {Workload::near},
-         {Workload::tangent, nanoseconds_at_most(4400)},
-         {Workload::last_ulp, nanoseconds_at_most(4400)},
-         {Workload::exponents, nanoseconds_at_most(190'000)}}) &&
-    add_rows<vesica_overlap_ellipse_ellipse_f32, textbook::ellipse_ellipse<vesica_ellipse_f32>>({{Workload::mixed}});
+    add_rates<vesica_overlap_ellipse_ellipse_f64, textbook::ellipse_ellipse<vesica_ellipse_f64>,
+              vesica_overlap_ellipse_ellipse_f32, textbook::ellipse_ellipse<vesica_ellipse_f32>>(ratio_at_most(1.4)) &&
+    add_rows<vesica_overlap_ellipse_ellipse_f64>({{Workload::tangent, nanoseconds_at_most(4400)},
+                                                  {Workload::last_ulp, nanoseconds_at_most(4400)},
+                                                  {Workload::exponents, nanoseconds_at_most(190'000)}});
 
 }  // namespace
 }  // namespace vesica::bench

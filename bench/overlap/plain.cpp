@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pairs without a yardstick or targets. The three others have a file each.
+// The pairs that have no file of their own: shares that overlap, beside a yardstick each.
+#include "textbook/plain.hpp"
+
 #include <vesica/each_shape.hpp>
 
 #include "pair.hpp"
@@ -9,13 +11,20 @@ namespace {
 
 constexpr bool has_own_file(std::int32_t kind) { return kind == VESICA_RECT || kind == VESICA_ELLIPSE; }
 
+/// textbook::overlap under the type of one pair.
+template <auto library>
+constexpr auto yardstick = [](const typename Arguments<decltype(library)>::A& a,
+                              const typename Arguments<decltype(library)>::B& b) { return textbook::overlap(a, b); };
+
 template <auto f64, auto f32>
 bool add() {
   using Typed = TypedPasses<f64, nullptr>;
-  if constexpr (has_own_file(kind_of<typename Typed::A>) && has_own_file(kind_of<typename Typed::B>)) {
+  constexpr std::int32_t a = kind_of<typename Typed::A>, b = kind_of<typename Typed::B>;
+  if constexpr (has_own_file(a) && has_own_file(b)) {
     return true;
   } else {
-    return add_plain_rows<f64, f32>();
+    const bool is_round = a == VESICA_CIRCLE && b == VESICA_ELLIPSE;
+    return add_rates<f64, yardstick<f64>, f32, yardstick<f32>>(is_round ? ratio_at_most(0.6) : nanoseconds_above(2.5));
   }
 }
 

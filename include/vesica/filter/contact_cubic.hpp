@@ -3,7 +3,7 @@
 /// disjoint, a positive minimum proves overlap. One square root, one division, no iteration and no cases.
 #pragma once
 
-#include <vesica/filter/box.hpp>
+#include <vesica/filter/circles.hpp>
 
 namespace vesica::filter {
 
@@ -107,7 +107,14 @@ VESICA_INLINE auto ellipse_ellipse_usable(const ContactCubic<V>& p, const Ellips
 template <class V>
 VESICA_INLINE auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy, ww = f.ux * f.ux + f.uy * f.uy;
-  const ContactCubic<V> p = contact_cubic(e, f, offset(place(e), place(f)), vv, ww);
+  const Centre<V> d = offset(place(e), place(f));
+  if constexpr (looks<V>) {
+    const V a0 = e.a * e.a, a1 = e.b * e.b, b0 = f.a * f.a, b1 = f.b * f.b;
+    const bool usable = at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww);
+    const auto look = by_circles(d, circles(a0, a1, vv), circles(b0, b1, ww), (a0 + a1) + (b0 + b1), usable);
+    if (look.overlap || look.disjoint) return look;
+  }
+  const ContactCubic<V> p = contact_cubic(e, f, d, vv, ww);
   const auto verdict = decide(p);
   return guarded(ellipse_ellipse_usable(p, e, f, vv, ww), verdict.overlap, verdict.disjoint);
 }
@@ -138,9 +145,15 @@ VESICA_INLINE ContactCubic<V> contact_cubic(const Circle<V>& disc, const Ellipse
 template <class V>
 VESICA_INLINE auto circle_ellipse(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy;
-  const ContactCubic<V> p = contact_cubic(disc, e, offset(place(disc), place(e)), vv);
   const V low = guard_power<V, -8>();
   const auto sizes = both(at_least(low, e.a, e.b, disc.r), vv >= guard_power<V, -16>());
+  const Centre<V> d = offset(place(disc), place(e));
+  if constexpr (looks<V>) {
+    const V aa = e.a * e.a, bb = e.b * e.b, rr = disc.r * disc.r;
+    const auto look = by_circles(d, {rr, rr}, circles(aa, bb, vv), aa + bb, sizes);
+    if (look.overlap || look.disjoint) return look;
+  }
+  const ContactCubic<V> p = contact_cubic(disc, e, d, vv);
   const auto verdict = decide(p);
   return guarded(both(sizes, totals_in_range(p)), verdict.overlap, verdict.disjoint);
 }
