@@ -35,9 +35,8 @@ struct DiscCorner {
     return exact::square(m0) + exact::square(m1) - exact::square(frame.radius);
   }
   int exact_sign(const DiscFrame& frame) const noexcept {
-    return exact::decide([](exact::Signs& signs, const auto& x, const auto& y,
-                            const auto& r) { return signs.of(square(x) + square(y) - square(r)); },
-                         m0, m1, frame.radius);
+    return exact::sign_of([](const auto& x, const auto& y, const auto& r) { return square(x) + square(y) - square(r); },
+                          m0, m1, frame.radius);
   }
   void set(const DiscFrame& frame, const Position& x, const Position& y) noexcept {
     const Position dx = x - frame.e.cx, dy = y - frame.e.cy;

@@ -20,20 +20,33 @@ struct FramedEllipse {
   /// The sign of 1 - z . P^-1 z for z = (x, y). Degree 12.
   template <class Place>
   int inside(const Place& x, const Place& y, Signs& sign) const noexcept {
-    const auto along = b * (c * x + s * y), across = a * (c * y - s * x);
-    return sign.of(square(a * b * nn) - (square(along) + square(across)));
+    const auto room = [](const auto& radius, const auto& along, const auto& across) {
+      return square(radius) - (square(along) + square(across));
+    };
+    return sign.of_polynomial(room, a * b * nn, b * (c * x + s * y), a * (c * y - s * x));
   }
   /// The same from room = p00 - x^2 and gap = |p00 y - p01 x|: that of det P room - gap^2. Degree 18, but of numbers that
-  /// are there already, and so quicker unless they are long.
+  /// are there already, and so quicker for short ones.
   template <class Place, int R, int G>
-  int inside(const Place& x, const Place& y, const Number<R>& room, const Number<G>& gap, Signs& sign) const noexcept {
-    return room.size > least_long ? inside(x, y, sign) : compare_product_with_square(square(a * b * nn), room, gap);
+  int inside(const Place&, const Place&, const Number<R>& room, const Number<G>& gap, Signs&) const noexcept {
+    return compare_product_with_square(square(a * b * nn), room, gap);
   }
   template <class Place, int limbs>
   int inside(const Place& x, const Place& y, const Leading<limbs>&, const Leading<limbs>&, Signs& sign) const noexcept {
     return inside(x, y, sign);
   }
 };
+
+/// The rest of segment_gap() for long numbers: no product is formed where its factors' leading digits tell.
+template <class P, class Place, class Inside>
+VESICA_COLD int long_segment_gap(int room_sign, const P& p00, const P& p01, const Place& x, const Place& from,
+                                 const Place& to, const Inside& inside, Signs& sign) noexcept {
+  const auto beyond_centre = [](const auto& p, const auto& end, const auto& q, const auto& side) {
+    return p * end - q * side;
+  };
+  if (sign.of_polynomial(beyond_centre, p00, from, p01, x) > 0) return -inside(from);
+  return sign.of_polynomial(beyond_centre, p00, to, p01, x) < 0 ? -inside(to) : -room_sign;
+}
 
 /// A segment at distance x >= 0 from the ellipse's centre along the first axis of the frame, from `from` to `to` across
 /// it: 1 when it misses the ellipse, 0 when it only touches, -1 when it meets the inside. The line cuts the ellipse in
@@ -44,6 +57,9 @@ int segment_gap(const P& p00, const P& p01, const Place& x, const Place& from, c
   const auto room = p00 - square(x);
   const int room_sign = sign.of(room);
   if (room_sign < 0) return 1;
+  if (is_long(p00) || is_long(p01) || is_long(x)) {
+    return long_segment_gap(room_sign, p00, p01, x, from, to, inside, sign);
+  }
   const auto centre = p01 * x;
   const auto before = p00 * from - centre;
   if (sign.of(before) > 0) return -inside(from, room, before);
@@ -97,14 +113,10 @@ struct VisibleEdges {
     const auto p01 = (aa - bb) * (c * s);
     const Place none;
     const Place &x = x0.sign < 0 ? none : x0, &y = y0.sign < 0 ? none : y0;
-    const auto at_x = [&](const Place& end, const auto& room, const auto& gap) {
-      return e.inside(x, end, room, gap, sign);
-    };
+    const auto at_x = [&](const Place& end, const auto&... known) { return e.inside(x, end, known..., sign); };
     const int gap_x = segment_gap(aa * cc + bb * ss, p01, x, y0, y1, at_x, sign);
     if (gap_x <= enough) return gap_x;
-    const auto at_y = [&](const Place& end, const auto& room, const auto& gap) {
-      return e.inside(end, y, room, gap, sign);
-    };
+    const auto at_y = [&](const Place& end, const auto&... known) { return e.inside(end, y, known..., sign); };
     const int gap_y = segment_gap(aa * ss + bb * cc, p01, y, x0, x1, at_y, sign);
     return gap_x < gap_y ? gap_x : gap_y;
   }

@@ -8,7 +8,7 @@
 
 namespace vesica::exact {
 
-inline bool is_long(const ContactCubic& p) noexcept { return p.c1.size > least_long || p.c2.size > least_long; }
+inline bool is_long(const ContactCubic& p) noexcept { return is_long(p.c1) || is_long(p.c2); }
 
 /// What may be far smaller than its terms, formed exactly: delta = mu^2 - 4 d1 d2, which is 0 iff S1 and S2 are
 /// proportional, and g = d1 + d2 - mu = det(S1 - S2).
