@@ -30,7 +30,8 @@
 
 // queries/nearest.cpp
 #define VESICA_NEAREST(keyword, A, B) \
-  keyword std::int32_t nearest_or_error(const A<double>&, const B<double>&, ClosestPoints<double>&) noexcept;
+  keyword std::int32_t detail::nearest::nearest_in_order(const A<double>&, const B<double>&, std::int32_t, \
+                                                         ClosestPoints<double>&) noexcept;
 
 // queries/relation.cpp
 #define VESICA_RELATION(keyword, A, B) \

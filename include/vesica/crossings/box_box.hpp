@@ -2,6 +2,7 @@
 /// Where the outlines of two boxes meet: which corners lie on the other outline, and which edges cross, by exact signs.
 #pragma once
 
+#include <limits>
 #include <vesica/crossings/rough.hpp>
 
 namespace vesica::detail::crossings {
@@ -15,8 +16,10 @@ inline bool is_corner(const Corners& a, int i, const Position& x, const Position
   return exact::compare(a.x[i], x) == 0 && exact::compare(a.y[i], y) == 0;
 }
 
-/// A place a part t along edge i: before the edge's end, however t was rounded.
-inline double on_edge(int i, double t) noexcept { return std::fmin(i + t, std::nextafter(i + 1.0, 0.0)); }
+/// A place a part t along edge i: before the edge's end, and behind the outline's start, however t was rounded.
+inline double on_edge(int i, double t) noexcept {
+  return std::fmax(std::fmin(i + t, std::nextafter(i + 1.0, 0.0)), std::numeric_limits<double>::denorm_min());
+}
 
 /// An edge by one coordinate, that in which it is longer: points of its line are in the order of that.
 struct Shadow {

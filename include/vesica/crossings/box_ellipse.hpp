@@ -153,27 +153,57 @@ class Chord {
   double ux_, uy_, off_, half_;
 };
 
+/// Where among the places are those of each corner (-1: none) and those inside each edge, in order along it.
+struct PlacesOfBox {
+  int at_corner[4], of_edge[5];
+};
+
+/// Which place is that at which the ellipse's outline begins; -1 where the box's outline does not hold that. Decided
+/// exactly, since others may be nearer to it than roundings.
+inline int start_of_ellipse(const Corners& box, const DiscCorner* corner, const PlacesOfBox& places, const Position& x,
+                            const Position& y) noexcept {
+  for (int i = 0; i < box.count; ++i) {
+    if (is_corner(box, i, x, y)) return places.at_corner[i];
+  }
+  for (int i = 0; i < box.edges; ++i) {
+    const Edge e(box, i);
+    if (side(e, x, y).sign != 0 || part_of_edge(e, x, y) < 0) continue;
+    // In the disc's frame the start is (radius, 0). So an edge that leads away from +x enters the disc there.
+    const int first = places.of_edge[i], last = places.of_edge[i + 1] - 1;
+    const bool enters = exact::compare(corner[box.next(i)].m0, corner[i].m0) < 0;
+    return first > last ? -1 : enters ? first : last;
+  }
+  return -1;
+}
+
 /// The place at which the ellipse's outline begins, if it is one of them, is the first along it.
-inline void mend_start(const Corners& box, const exact::Ellipse& e, Found& found) noexcept {
-  Place* place = found.next_to_start_of_b();
-  if (place == nullptr) return;
+inline void mend_start(const Corners& box, const DiscCorner* corner, const PlacesOfBox& places,
+                       const exact::Ellipse& e, Found& found) noexcept {
+  if (!found.is_near_start_of_b()) return;
   const Position x = e.cx + e.a * e.ux, y = e.cy + e.a * e.uy;
-  if (place_along(box, x, y) >= 0) *place = {nearest(x), nearest(y), place->along_a, Real(0.0)};
+  const int start = start_of_ellipse(box, corner, places, x, y);
+  if (start < 0) return;
+  found.place[start].x = nearest(x);
+  found.place[start].y = nearest(y);
+  found.place[start].begins_b();
 }
 
 inline Found crossings(const exact::Box& box, const exact::Ellipse& ellipse) noexcept {
   const Corners corners(box);
   const DiscFrame frame(ellipse);
   DiscCorner corner[4];
+  PlacesOfBox places{{-1, -1, -1, -1}, {}};
   Found found;
   for (int i = 0; i < corners.count; ++i) {
     corner[i].set(frame, corners.x[i], corners.y[i]);
     if (corner[i].sign != 0) continue;
     const int unit = frame.rough_radius.exponent;
     const Real at = turn(two_doubles(corner[i].m0, unit), two_doubles(corner[i].m1, unit));
+    places.at_corner[i] = found.count;
     found.add({nearest(corners.x[i]), nearest(corners.y[i]), Real(i), at});
   }
   for (int i = 0; i < corners.edges; ++i) {
+    places.of_edge[i] = places.of_edge[i + 1] = found.count;
     const DiscEdge disc_edge(frame, corner[i], corner[corners.next(i)]);
     const Roots roots = roots_inside(disc_edge);
     if (roots.count == 0) continue;
@@ -183,8 +213,9 @@ inline Found crossings(const exact::Box& box, const exact::Ellipse& ellipse) noe
       const double t = roots.t[k];
       found.add({edge.at_x(t), edge.at_y(t), Real(on_edge(i, t)), chord.turn(roots.side[k])});
     }
+    places.of_edge[i + 1] = found.count;
   }
-  mend_start(corners, ellipse, found);
+  mend_start(corners, corner, places, ellipse, found);
   return found;
 }
 

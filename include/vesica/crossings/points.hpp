@@ -65,6 +65,9 @@ inline Real turn(const Real& x, const Real& y) noexcept {
 struct Place {
   double x, y;
   Real along_a, along_b;
+
+  /// Exactly where the second outline begins: before what is so near that it rounds to there.
+  void begins_b() noexcept { along_b = Real(-1.0); }
 };
 
 struct Found {
@@ -75,18 +78,14 @@ struct Found {
   void add(const Place& p) noexcept {
     if (count < 8) place[count++] = p;
   }
-  /// The place nearest to where the second outline begins, if one is near it; of several the first, a corner perhaps,
-  /// which is exact.
-  Place* next_to_start_of_b() noexcept {
-    Place* next = nullptr;
-    Real least(0x1p-30);
+  /// Whether a place may be the one where the second outline begins: all are known to far less than this.
+  bool is_near_start_of_b() const noexcept {
+    const Real near(0x1p-30);
     for (int i = 0; i < count; ++i) {
       const Real at = place[i].along_b, off = rounded(at) > 2 ? Real(4.0) - at : at;
-      if (!(off < least)) continue;
-      least = off;
-      next = &place[i];
+      if (off < near) return true;
     }
-    return next;
+    return false;
   }
   /// Sorts along the first shape, or along the second.
   CrossingPoints<double> in_order(bool along_b) noexcept {
