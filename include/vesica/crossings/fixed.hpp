@@ -117,6 +117,7 @@ struct Quartic {
 
 /// One stage of de Casteljau's construction: n + 1 coefficients become n.
 inline void interpolate(Fixed* c, int n, exact::Limb s) noexcept {
+  if (s == 0) return;
   for (int i = 0; i < n; ++i) c[i] = c[i] + times(c[i + 1] - c[i], s);
 }
 

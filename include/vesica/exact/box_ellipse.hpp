@@ -104,6 +104,8 @@ struct VisibleEdges {
   }
 
  private:
+  static constexpr int not_asked = 2;
+
   template <class Size, class Axis, class Place>
   static int least_gap(int enough, Signs& sign, const Size& a, const Size& b, const Axis& c, const Axis& s,
                        const Place& x0, const Place& x1, const Place& y0, const Place& y1) noexcept {
@@ -113,10 +115,20 @@ struct VisibleEdges {
     const auto p01 = (aa - bb) * (c * s);
     const Place none;
     const Place &x = x0.sign < 0 ? none : x0, &y = y0.sign < 0 ? none : y0;
-    const auto at_x = [&](const Place& end, const auto&... known) { return e.inside(x, end, known..., sign); };
+    // Both edges have the near corner, whose distance from the ellipse is worked out once.
+    const bool has_near_corner = x0.sign >= 0 && y0.sign >= 0;
+    int near_corner = not_asked;
+    const auto at_x = [&](const Place& end, const auto&... known) {
+      const int inside = e.inside(x, end, known..., sign);
+      if (has_near_corner && &end == &y0) near_corner = inside;
+      return inside;
+    };
     const int gap_x = segment_gap(aa * cc + bb * ss, p01, x, y0, y1, at_x, sign);
     if (gap_x <= enough) return gap_x;
-    const auto at_y = [&](const Place& end, const auto&... known) { return e.inside(end, y, known..., sign); };
+    const auto at_y = [&](const Place& end, const auto&... known) {
+      if (&end == &x0 && near_corner != not_asked) return near_corner;
+      return e.inside(end, y, known..., sign);
+    };
     const int gap_y = segment_gap(aa * ss + bb * cc, p01, y, x0, x1, at_y, sign);
     return gap_x < gap_y ? gap_x : gap_y;
   }
@@ -147,13 +159,16 @@ inline int clearance(const Box& box, const Ellipse& ellipse) noexcept {
   const auto m0 = b * dot(vx, vy, dx, dy), m1 = a * cross(vx, vy, dx, dy);
   const auto c = dot(vx, vy, box.ux, box.uy), s = cross(vx, vy, box.ux, box.uy);
   const auto g0 = b * (box.hx * c), g1 = a * (box.hx * s), h0 = b * (box.hy * s), h1 = a * (box.hy * c);
-  const auto radius = square(a * b * dot(vx, vy, vx, vy));
+  const auto radius = a * b * dot(vx, vy, vx, vy);
+  const auto room = [](const auto& r, const auto& x, const auto& y, const auto& ex, const auto& ey) {
+    const auto product = abs(x * ex + y * ey);
+    return square(r) - (square(x) + square(y) + (product + product) + square(ex) + square(ey));
+  };
   int least = 1;
   for (int side = -1; side <= 1; side += 2) {
     // The further of m + e and m - e is at |m|^2 + 2 |m . e| + |e|^2.
     const auto e0 = side > 0 ? g0 - h0 : g0 + h0, e1 = side > 0 ? g1 + h1 : g1 - h1;
-    const auto reach = square(m0) + square(m1) + integer(2) * abs(m0 * e0 + m1 * e1) + square(e0) + square(e1);
-    const int sign = compare(radius, reach);
+    const int sign = sign_of(room, radius, m0, m1, e0, e1);
     if (sign < least) least = sign;
   }
   return least;
@@ -169,9 +184,12 @@ inline int clearance(const Ellipse& ellipse, const Box& box) noexcept {
   if (room_x.sign <= 0 || room_y.sign <= 0) return -1;
   const auto c = dot(box.ux, box.uy, ellipse.ux, ellipse.uy);
   const auto s = cross(box.ux, box.uy, ellipse.ux, ellipse.uy);
-  const int along = compare(square(room_x), square(ellipse.a * c) + square(ellipse.b * s));
+  const auto beyond = [](const auto& room, const auto& x, const auto& y) {
+    return square(room) - (square(x) + square(y));
+  };
+  const int along = sign_of(beyond, room_x, ellipse.a * c, ellipse.b * s);
   if (along < 0) return -1;
-  const int across = compare(square(room_y), square(ellipse.a * s) + square(ellipse.b * c));
+  const int across = sign_of(beyond, room_y, ellipse.a * s, ellipse.b * c);
   return along < across ? along : across;
 }
 

@@ -79,20 +79,25 @@ bool first_in_second(const ContactCubic& p, const SmallParts& small, Signs& sign
 /// As the functions of the same names in ellipse_ellipse.hpp; not certain where the leading digits do not tell.
 inline int discriminant_sign(const ContactCubic& p, Signs& signs) noexcept {
   using Few = Leading<few_limbs>;
+  using Some = Leading<some_limbs>;
   using More = Leading<more_limbs>;
   const Few few = detail::discriminant<Few>(p);
   if (few.sign_is_certain()) return few.sign;
   const SmallParts small(p);
   if (small.delta.sign == 0) return signs.of(detail::discriminant_of_proportional<More>(p));
   const Few by_offset = detail::discriminant_by_offset<Few>(p, small);
-  return by_offset.sign_is_certain() ? by_offset.sign : signs.of(detail::discriminant<More>(p));
+  if (by_offset.sign_is_certain()) return by_offset.sign;
+  const Some some = detail::discriminant<Some>(p);
+  return some.sign_is_certain() ? some.sign : signs.of(detail::discriminant<More>(p));
 }
 
 inline bool first_in_second(const ContactCubic& p, Signs& signs) noexcept {
   const SmallParts small(p);
-  Signs of_few;
-  const bool inside = detail::first_in_second<Leading<few_limbs>>(p, small, of_few);
-  return of_few.certain ? inside : detail::first_in_second<Leading<more_limbs>>(p, small, signs);
+  Signs of_few, of_some;
+  const bool by_few = detail::first_in_second<Leading<few_limbs>>(p, small, of_few);
+  if (of_few.certain) return by_few;
+  const bool by_some = detail::first_in_second<Leading<some_limbs>>(p, small, of_some);
+  return of_some.certain ? by_some : detail::first_in_second<Leading<more_limbs>>(p, small, signs);
 }
 
 }  // namespace vesica::exact

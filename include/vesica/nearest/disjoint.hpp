@@ -53,19 +53,31 @@ inline Closest closest_boxes(const Box<double>& a, const Box<double>& b, const V
 
 /// farthest_direction() by halving alone, to the last place of the direction.
 struct Halving {
+  /// At the end the same few directions may come again and again, by turns of middle(): whole rounds of them are left
+  /// out, which changes nothing.
+  static constexpr int most_steps = 200, round = 6, last_round = most_steps / round * round;
+
   template <class Shapes>
   FoundDirection<double> operator()(const Shapes& shapes, const Direction<double>& d, double size) const noexcept {
-    Direction<double> n = first_direction(shapes, d);
-    Bracket<double> bracket = first_bracket(d, n);
+    Direction<double> n = first_direction(shapes, d), n_before{0, 0};
+    Bracket<double> bracket = first_bracket(d, n), before{{0, 0}, {0, 0}};
     int step = 0;
-    for (; step < 200; ++step) {
+    for (; step < most_steps; ++step) {
+      if (step % round == 0) {
+        if (same(n, n_before) && same(bracket.low, before.low) && same(bracket.high, before.high)) step = last_round;
+        n_before = n;
+        before = bracket;
+      }
       (turn_at(shapes, d, size, n).slope > 0 ? bracket.low : bracket.high) = n;
       const Direction<double> next = middle(shapes, d, bracket, step);
-      if (next.x == n.x && next.y == n.y) break;
+      if (same(next, n)) break;
       n = next;
     }
     return {n, true, step};
   }
+
+ private:
+  static bool same(const Direction<double>& a, const Direction<double>& b) noexcept { return a.x == b.x && a.y == b.y; }
 };
 
 /// The signs of a feature's vertex, by its number: vertices, faces across x, faces across y.
