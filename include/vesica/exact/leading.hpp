@@ -127,7 +127,7 @@ Leading<limbs> operator-(const Leading<limbs>& a, const Leading<limbs>& b) noexc
 }
 
 /// Of numbers with more limbs the leading digits are worth asking first: few of them, and then more.
-inline constexpr int least_long = 16, few_limbs = 6, some_limbs = 16, more_limbs = 40;
+inline constexpr int least_long = 16, few_limbs = 6, some_limbs = 12, more_limbs = 24, most_limbs = 48;
 
 template <int Degree>
 bool is_long(const Number<Degree>& x) noexcept {
@@ -152,7 +152,8 @@ template <class Polynomial, int... Degree>
 bool leading_digits_tell(int& sign, const Polynomial& value, const Number<Degree>&... x) noexcept {
   if (!(is_long(x) || ...)) return false;
   if (digits_tell<few_limbs>(sign, value, x...) || digits_tell<some_limbs>(sign, value, x...)) return true;
-  return ((x.size > more_limbs) || ...) && digits_tell<more_limbs>(sign, value, x...);
+  if (((x.size > more_limbs) || ...) && digits_tell<more_limbs>(sign, value, x...)) return true;
+  return ((x.size > most_limbs) || ...) && digits_tell<most_limbs>(sign, value, x...);
 }
 
 }  // namespace detail
