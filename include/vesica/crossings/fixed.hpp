@@ -46,19 +46,6 @@ inline Fixed operator-(const Fixed& a, const Fixed& b) noexcept {
 
 inline Fixed operator-(const Fixed& a) noexcept { return Fixed{} - a; }
 
-/// a * s / 2^64, rounded down.
-inline Fixed times(const Fixed& a, exact::Limb s) noexcept {
-  Fixed product;
-  exact::Limb carry = exact::detail::multiply_add(a.limb[0], s, 0, 0).high;
-  for (int i = 1; i < Fixed::limbs; ++i) {
-    const auto sum = exact::detail::multiply_add(a.limb[i], s, carry, 0);
-    product.limb[i - 1] = sum.low;
-    carry = sum.high;
-  }
-  product.limb[Fixed::limbs - 1] = a.negative() ? carry - s : carry;
-  return product;
-}
-
 /// a / 2, rounded down.
 inline Fixed halved(const Fixed& a) noexcept {
   Fixed half;
@@ -115,10 +102,27 @@ struct Quartic {
   }
 };
 
+/// a + (b - a) s / 2^64 for s > 0, rounded down: a (2^64 - s) + b s over 2^64.
+inline Fixed between(const Fixed& a, const Fixed& b, exact::Limb s) noexcept {
+  const exact::Limb rest = exact::Limb{0} - s;
+  Fixed out;
+  exact::Limb carry_a = 0, carry_b = 0;
+  for (int i = 0; i < Fixed::limbs; ++i) {
+    const auto part = exact::detail::multiply_add(a.limb[i], rest, carry_a, 0);
+    const auto sum = exact::detail::multiply_add(b.limb[i], s, carry_b, part.low);
+    carry_a = part.high;
+    carry_b = sum.high;
+    if (i > 0) out.limb[i - 1] = sum.low;
+  }
+  // A number that is negative is 2^384 less than its limbs.
+  out.limb[Fixed::limbs - 1] = carry_a + carry_b - (a.negative() ? rest : 0) - (b.negative() ? s : 0);
+  return out;
+}
+
 /// One stage of de Casteljau's construction: n + 1 coefficients become n.
 inline void interpolate(Fixed* c, int n, exact::Limb s) noexcept {
   if (s == 0) return;
-  for (int i = 0; i < n; ++i) c[i] = c[i] + times(c[i + 1] - c[i], s);
+  for (int i = 0; i < n; ++i) c[i] = between(c[i], c[i + 1], s);
 }
 
 /// The same quartic from t = from / 2^64 to t = to / 2^64, or to t = 1 for a `to` of 0, by its polar form: coefficient
