@@ -46,12 +46,16 @@ inline Fixed operator-(const Fixed& a, const Fixed& b) noexcept {
 
 inline Fixed operator-(const Fixed& a) noexcept { return Fixed{} - a; }
 
-/// a / 2, rounded down.
-inline Fixed halved(const Fixed& a) noexcept {
-  Fixed half;
-  for (int i = 0; i + 1 < Fixed::limbs; ++i) half.limb[i] = a.limb[i] >> 1 | a.limb[i + 1] << 63;
-  half.limb[Fixed::limbs - 1] = a.limb[Fixed::limbs - 1] >> 1 | (a.limb[Fixed::limbs - 1] & exact::Limb{1} << 63);
-  return half;
+/// a = (a + b) / 2, rounded down.
+inline void move_halfway(Fixed& a, const Fixed& b) noexcept {
+  exact::Limb carry = 0, below = 0;
+  for (int i = 0; i < Fixed::limbs; ++i) {
+    const exact::Limb part = a.limb[i] + b.limb[i], total = part + carry;
+    carry = static_cast<exact::Limb>(part < b.limb[i]) | static_cast<exact::Limb>(total < part);
+    if (i > 0) a.limb[i - 1] = below >> 1 | total << 63;
+    below = total;
+  }
+  a.limb[Fixed::limbs - 1] = below >> 1 | (below & exact::Limb{1} << 63);
 }
 
 /// x / 2^exponent, rounded towards 0, for |x| < 2^exponent.
@@ -102,27 +106,26 @@ struct Quartic {
   }
 };
 
-/// a + (b - a) s / 2^64 for s > 0, rounded down: a (2^64 - s) + b s over 2^64.
-inline Fixed between(const Fixed& a, const Fixed& b, exact::Limb s) noexcept {
+/// a = a + (b - a) s / 2^64 for s > 0, rounded down: a (2^64 - s) + b s over 2^64.
+inline void move_towards(Fixed& a, const Fixed& b, exact::Limb s) noexcept {
   const exact::Limb rest = exact::Limb{0} - s;
-  Fixed out;
+  // A number that is negative is 2^384 less than its limbs.
+  const exact::Limb excess = (a.negative() ? rest : 0) + (b.negative() ? s : 0);
   exact::Limb carry_a = 0, carry_b = 0;
   for (int i = 0; i < Fixed::limbs; ++i) {
     const auto part = exact::detail::multiply_add(a.limb[i], rest, carry_a, 0);
     const auto sum = exact::detail::multiply_add(b.limb[i], s, carry_b, part.low);
     carry_a = part.high;
     carry_b = sum.high;
-    if (i > 0) out.limb[i - 1] = sum.low;
+    if (i > 0) a.limb[i - 1] = sum.low;
   }
-  // A number that is negative is 2^384 less than its limbs.
-  out.limb[Fixed::limbs - 1] = carry_a + carry_b - (a.negative() ? rest : 0) - (b.negative() ? s : 0);
-  return out;
+  a.limb[Fixed::limbs - 1] = carry_a + carry_b - excess;
 }
 
 /// One stage of de Casteljau's construction: n + 1 coefficients become n.
 inline void interpolate(Fixed* c, int n, exact::Limb s) noexcept {
   if (s == 0) return;
-  for (int i = 0; i < n; ++i) c[i] = between(c[i], c[i + 1], s);
+  for (int i = 0; i < n; ++i) move_towards(c[i], c[i + 1], s);
 }
 
 /// The same quartic from t = from / 2^64 to t = to / 2^64, or to t = 1 for a `to` of 0, by its polar form: coefficient
@@ -145,7 +148,7 @@ struct Halves {
   explicit Halves(const Quartic& q) noexcept : high(q) {
     for (int i = 0; i < 5; ++i) {
       low.coefficient[i] = high.coefficient[0];
-      for (int k = 0; k < 4 - i; ++k) high.coefficient[k] = halved(high.coefficient[k] + high.coefficient[k + 1]);
+      for (int k = 0; k < 4 - i; ++k) move_halfway(high.coefficient[k], high.coefficient[k + 1]);
     }
   }
 };
