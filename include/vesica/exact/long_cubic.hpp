@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Signs about two ellipses from leading digits, where exponents are wildly unlike and all digits would take hundreds of
-/// microseconds.
+/// Signs about two ellipses from leading digits, where exponents are wildly unlike and all digits would take a hundred
+/// microseconds and more.
 #pragma once
 
 #include <vesica/exact/contact_cubic.hpp>
