@@ -30,7 +30,7 @@
   keyword bool detail::crossings::one_place(const A<double>&, const B<double>&, double&, double&) noexcept;
 
 // queries/nearest.cpp
-#define VESICA_NEAREST(keyword, A, B) \
+#define VESICA_NEAREST(keyword, A, B)                                                                      \
   keyword std::int32_t detail::nearest::nearest_in_order(const A<double>&, const B<double>&, std::int32_t, \
                                                          ClosestPoints<double>&) noexcept;
 

@@ -151,8 +151,8 @@ TEST(Leading, PolynomialsOfLongNumbers) {
     const auto truth = difference(a, b, c, d);
     EXPECT_EQ(exact::sign_of(difference, a, b, c, d), truth.sign) << "seed " << properties::seed();
     const auto rounded = exact::rounded_value(difference, a, b, c, d), expected = exact::rounded(truth);
-    EXPECT_TRUE(rounded.value == expected.value && rounded.exponent == expected.exponent) << "seed "
-                                                                                          << properties::seed();
+    EXPECT_TRUE(rounded.value == expected.value && rounded.exponent == expected.exponent)
+        << "seed " << properties::seed();
     (truth.sign == 0 ? ties : differing) += 1;
   }
   EXPECT_GT(ties, 50);

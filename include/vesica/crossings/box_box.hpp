@@ -109,7 +109,8 @@ struct Sides {
     const int next = a.next(i);
     const auto scaled = [&](const Rough& rough, const Position& x, const Position& y) {
       if (rough.is_precise()) return rough.scaled();
-      return exact::rounded_value(DifferenceOfProducts{}, a.x[next] - a.x[i], b.y[j] - y, a.y[next] - a.y[i], b.x[j] - x);
+      return exact::rounded_value(DifferenceOfProducts{}, a.x[next] - a.x[i], b.y[j] - y, a.y[next] - a.y[i],
+                                  b.x[j] - x);
     };
     return quotient(scaled(size[i][j], a.x[i], a.y[i]), scaled(whole, b.x[end], b.y[end]));
   }

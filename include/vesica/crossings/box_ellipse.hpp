@@ -184,8 +184,8 @@ inline int start_of_ellipse(const Corners& box, const DiscCorner* corner, const 
 }
 
 /// The place at which the ellipse's outline begins, if it is one of them, is the first along it.
-inline void mend_start(const Corners& box, const DiscCorner* corner, const PlacesOfBox& places,
-                       const exact::Ellipse& e, Found& found) noexcept {
+inline void mend_start(const Corners& box, const DiscCorner* corner, const PlacesOfBox& places, const exact::Ellipse& e,
+                       Found& found) noexcept {
   if (!found.is_near_start_of_b()) return;
   const Position x = e.cx + e.a * e.ux, y = e.cy + e.a * e.uy;
   const int start = start_of_ellipse(box, corner, places, x, y);

@@ -279,7 +279,7 @@ class StoredOutline {
 
 /// Where a point of a circle about the origin is along it: quarters, and within one the tangent of half the angle.
 inline Real along_circle(const Real& x, const Real& y, const Real& radius) noexcept {
-  const bool right = rounded(x) > 0, left = rounded(x) < 0, above = rounded(y) > 0, below = rounded(y) < 0;
+  const bool right = rounded(x) > 0, left = rounded(x)<0, above = rounded(y)> 0, below = rounded(y) < 0;
   if (right && !below) return y / (radius + x);
   if (above) return Real(1.0) - x / (radius + y);
   if (left) return Real(2.0) - y / (radius - x);
@@ -299,7 +299,8 @@ inline void mend_start(const exact::Ellipse& e, const exact::Ellipse& f, Found& 
     return rounded(way) > 2 ? Real(4.0) - way : way;
   };
   Place* const end = found.place + found.count;
-  Place* const next = std::min_element(found.place, end, [&](const Place& p, const Place& q) { return off(p) < off(q); });
+  Place* const next =
+      std::min_element(found.place, end, [&](const Place& p, const Place& q) { return off(p) < off(q); });
   if (next != end) next->begins_b();
 }
 

@@ -40,7 +40,7 @@ struct FramedEllipse {
 /// The rest of segment_gap() for long numbers: no product is formed where its factors' leading digits tell.
 template <class P, class Place, class Inside>
 VESICA_CALLED int long_segment_gap(int room_sign, const P& p00, const P& p01, const Place& x, const Place& from,
-                                 const Place& to, const Inside& inside, Signs& sign) noexcept {
+                                   const Place& to, const Inside& inside, Signs& sign) noexcept {
   const auto beyond_centre = [](const auto& p, const auto& end, const auto& q, const auto& side) {
     return p * end - q * side;
   };
