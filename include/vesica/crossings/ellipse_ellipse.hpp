@@ -279,10 +279,10 @@ class StoredOutline {
 
 /// Where a point of a circle about the origin is along it: quarters, and within one the tangent of half the angle.
 inline Real along_circle(const Real& x, const Real& y, const Real& radius) noexcept {
-  const bool right = rounded(x) > 0, left = rounded(x)<0, above = rounded(y)> 0, below = rounded(y) < 0;
-  if (right && !below) return y / (radius + x);
-  if (above) return Real(1.0) - x / (radius + y);
-  if (left) return Real(2.0) - y / (radius - x);
+  const double at_x = rounded(x), at_y = rounded(y);
+  if (at_x > 0 && at_y >= 0) return y / (radius + x);
+  if (at_y > 0) return Real(1.0) - x / (radius + y);
+  if (at_x < 0) return Real(2.0) - y / (radius - x);
   return Real(3.0) + x / (radius - y);
 }
 
