@@ -133,10 +133,13 @@ inline void interpolate(Fixed* c, int n, exact::Limb s) noexcept {
 inline Quartic part(const Quartic& q, exact::Limb from, exact::Limb to) noexcept {
   Quartic out, at_from = q;
   for (int i = 4; i >= 0; --i) {
-    Fixed rest[5];
-    for (int k = 0; k <= i; ++k) rest[k] = at_from.coefficient[k];
-    for (int n = to == 0 ? 0 : i; n > 0; --n) interpolate(rest, n, to);
-    out.coefficient[i] = rest[to == 0 ? i : 0];
+    if (to == 0) {
+      out.coefficient[i] = at_from.coefficient[i];
+    } else {
+      Quartic rest = at_from;
+      for (int n = i; n > 0; --n) interpolate(rest.coefficient, n, to);
+      out.coefficient[i] = rest.coefficient[0];
+    }
     if (i > 0) interpolate(at_from.coefficient, i, from);
   }
   return out;
