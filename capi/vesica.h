@@ -219,7 +219,7 @@ VESICA_API int32_t vesica_overlap_f64(int32_t kind_a, const double *numbers_a, i
  * of a disc is inside with touch. Exchanging the shapes always gives the converse relation.
  * Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
  * Accuracy: exact.
- * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal, at worst 300.
+ * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal, at worst 30.
  */
 VESICA_API int32_t vesica_relation_f64(int32_t kind_a, const double *numbers_a,
                                        int32_t kind_b, const double *numbers_b);
@@ -251,7 +251,7 @@ VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const double *numbers_a,
  * Returns: the number of places, 0 to 8.
  * Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, however
  * closely the outlines touch or coincide. Places closer to one another than that may come in either order or be equal.
- * Cost: 1 to 10 us; at worst 300 us, where exponents are wildly unlike.
+ * Cost: 1 to 10 us; at worst 100 us, where exponents are wildly unlike.
  */
 VESICA_API int32_t vesica_crossings_f64(int32_t kind_a, const double *numbers_a,
                                         int32_t kind_b, const double *numbers_b, vesica_crossing_points_f64 *out);
@@ -267,7 +267,7 @@ VESICA_API int32_t vesica_crossings_f64(int32_t kind_a, const double *numbers_a,
  * coordinates are rounded, closest points are within 4 u scale of the outlines, and a common point is within 8 u scale
  * of both shapes.
  * Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
- * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 300.
+ * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 30.
  */
 VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
                                       vesica_closest_points_f64 *out);
@@ -283,7 +283,7 @@ VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const double *numbers_a, i
  * Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u
  * scale. At any, it is above 0 if outlines do not meet, and points are on them to 12 u scale before they are rounded.
  * Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2 us
- * for a common point, of needles as vesica_crossings_f64; 5 us more if exact arithmetic must tell; at worst 300 us.
+ * for a common point, of needles as vesica_crossings_f64; 5 us more if exact arithmetic must tell; at worst 100 us.
  */
 VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b,
                                                 const double *numbers_b, vesica_closest_points_f64 *out);
@@ -301,7 +301,7 @@ VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const double *nu
  * its last place. The length of (x, y) is 1 but for 3 u, and it moves b clear but for 8 u scale. Whether the depth is 0
  * is exact.
  * Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
- * if only exact arithmetic can tell the depth from 0; at worst 300 us, where exponents are wildly unlike.
+ * if only exact arithmetic can tell the depth from 0; at worst 30 us, where exponents are wildly unlike.
  */
 VESICA_API int32_t vesica_depth_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
                                     vesica_penetration_f64 *out);
@@ -324,7 +324,7 @@ VESICA_API int32_t vesica_shape_area_f64(int32_t kind, const double *numbers, do
  * Accuracy: within 64 u of the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4, however
  * near the outlines are to touching or coinciding and however different the sizes are.
  * Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
- * nearly touch or coincide, or if one shape is far larger; at worst 300 us, where exponents are wildly unlike.
+ * nearly touch or coincide, or if one shape is far larger; at worst 40 us, where exponents are wildly unlike.
  */
 VESICA_API int32_t vesica_area_f64(int32_t kind_a, const double *numbers_a,
                                    int32_t kind_b, const double *numbers_b, double *out);
@@ -353,7 +353,7 @@ VESICA_API int32_t vesica_bounds_f64(int32_t kind, const double *numbers, vesica
  * Returns: 1 if the shapes share a point (touching counts), 0 if not.
  * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
  * Accuracy: exact.
- * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+ * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
  * Since: 0.1.
  */
 

@@ -94,7 +94,7 @@ export interface C {
    * Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal, at worst 300.
+   * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal, at worst 30.
    * Since: 0.1.
    */
   vesica_relation_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number): number;
@@ -123,7 +123,7 @@ export interface C {
    * Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, however
    * closely the outlines touch or coincide. Places closer to one another than that may come in either order or be equal.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
-   * Cost: 1 to 10 us; at worst 300 us, where exponents are wildly unlike.
+   * Cost: 1 to 10 us; at worst 100 us, where exponents are wildly unlike.
    * Since: 0.1.
    */
   vesica_crossings_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -142,7 +142,7 @@ export interface C {
    * of both shapes.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    * Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
-   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 300.
+   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 30.
    * Since: 0.1.
    */
   vesica_nearest_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -161,7 +161,7 @@ export interface C {
    * scale. At any, it is above 0 if outlines do not meet, and points are on them to 12 u scale before they are rounded.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    * Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2 us
-   * for a common point, of needles as vesica_crossings_f64; 5 us more if exact arithmetic must tell; at worst 300 us.
+   * for a common point, of needles as vesica_crossings_f64; 5 us more if exact arithmetic must tell; at worst 100 us.
    * Since: 0.1.
    */
   vesica_boundary_distance_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -182,7 +182,7 @@ export interface C {
    * is exact.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    * Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
-   * if only exact arithmetic can tell the depth from 0; at worst 300 us, where exponents are wildly unlike.
+   * if only exact arithmetic can tell the depth from 0; at worst 30 us, where exponents are wildly unlike.
    * Since: 0.1.
    */
   vesica_depth_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -211,7 +211,7 @@ export interface C {
    * near the outlines are to touching or coinciding and however different the sizes are.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    * Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
-   * nearly touch or coincide, or if one shape is far larger; at worst 300 us, where exponents are wildly unlike.
+   * nearly touch or coincide, or if one shape is far larger; at worst 40 us, where exponents are wildly unlike.
    * Since: 0.1.
    */
   vesica_area_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -245,7 +245,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_point_point_f64(a: number, b: number): number;
@@ -255,7 +255,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_point_segment_f64(a: number, b: number): number;
@@ -265,7 +265,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_point_circle_f64(a: number, b: number): number;
@@ -275,7 +275,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_point_aabb_f64(a: number, b: number): number;
@@ -285,7 +285,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_point_rect_f64(a: number, b: number): number;
@@ -295,7 +295,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_point_ellipse_f64(a: number, b: number): number;
@@ -305,7 +305,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_segment_segment_f64(a: number, b: number): number;
@@ -315,7 +315,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_segment_circle_f64(a: number, b: number): number;
@@ -325,7 +325,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_segment_aabb_f64(a: number, b: number): number;
@@ -335,7 +335,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_segment_rect_f64(a: number, b: number): number;
@@ -345,7 +345,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_segment_ellipse_f64(a: number, b: number): number;
@@ -355,7 +355,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_circle_circle_f64(a: number, b: number): number;
@@ -365,7 +365,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_circle_aabb_f64(a: number, b: number): number;
@@ -375,7 +375,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_circle_rect_f64(a: number, b: number): number;
@@ -385,7 +385,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_circle_ellipse_f64(a: number, b: number): number;
@@ -395,7 +395,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_aabb_aabb_f64(a: number, b: number): number;
@@ -405,7 +405,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_aabb_rect_f64(a: number, b: number): number;
@@ -415,7 +415,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_aabb_ellipse_f64(a: number, b: number): number;
@@ -425,7 +425,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_rect_rect_f64(a: number, b: number): number;
@@ -435,7 +435,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_rect_ellipse_f64(a: number, b: number): number;
@@ -445,7 +445,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_ellipse_ellipse_f64(a: number, b: number): number;
@@ -811,7 +811,7 @@ export interface C {
    * Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal, at worst 300.
+   * Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal, at worst 30.
    * Since: 0.1.
    */
   vesica_relation_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number): number;
@@ -841,7 +841,7 @@ export interface C {
    * closely the outlines touch or coincide. Places closer to one another than that may come in either order or be equal.
    * Each number is computed in double, within these bounds, and then rounded to float once.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
-   * Cost: 1 to 10 us; at worst 300 us, where exponents are wildly unlike.
+   * Cost: 1 to 10 us; at worst 100 us, where exponents are wildly unlike.
    * Since: 0.1.
    */
   vesica_crossings_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -861,7 +861,7 @@ export interface C {
    * Each number is computed in double, within these bounds, and then rounded to float once.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    * Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
-   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 300.
+   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 30.
    * Since: 0.1.
    */
   vesica_nearest_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -881,7 +881,7 @@ export interface C {
    * Each number is computed in double, within these bounds, and then rounded to float once.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    * Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2 us
-   * for a common point, of needles as vesica_crossings_f32; 5 us more if exact arithmetic must tell; at worst 300 us.
+   * for a common point, of needles as vesica_crossings_f32; 5 us more if exact arithmetic must tell; at worst 100 us.
    * Since: 0.1.
    */
   vesica_boundary_distance_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -903,7 +903,7 @@ export interface C {
    * Each number is computed in double, within these bounds, and then rounded to float once.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    * Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
-   * if only exact arithmetic can tell the depth from 0; at worst 300 us, where exponents are wildly unlike.
+   * if only exact arithmetic can tell the depth from 0; at worst 30 us, where exponents are wildly unlike.
    * Since: 0.1.
    */
   vesica_depth_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -934,7 +934,7 @@ export interface C {
    * Each number is computed in double, within these bounds, and then rounded to float once.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    * Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
-   * nearly touch or coincide, or if one shape is far larger; at worst 300 us, where exponents are wildly unlike.
+   * nearly touch or coincide, or if one shape is far larger; at worst 40 us, where exponents are wildly unlike.
    * Since: 0.1.
    */
   vesica_area_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -969,7 +969,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_point_point_f32(a: number, b: number): number;
@@ -979,7 +979,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_point_segment_f32(a: number, b: number): number;
@@ -989,7 +989,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_point_circle_f32(a: number, b: number): number;
@@ -999,7 +999,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_point_aabb_f32(a: number, b: number): number;
@@ -1009,7 +1009,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_point_rect_f32(a: number, b: number): number;
@@ -1019,7 +1019,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_point_ellipse_f32(a: number, b: number): number;
@@ -1029,7 +1029,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_segment_segment_f32(a: number, b: number): number;
@@ -1039,7 +1039,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_segment_circle_f32(a: number, b: number): number;
@@ -1049,7 +1049,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_segment_aabb_f32(a: number, b: number): number;
@@ -1059,7 +1059,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_segment_rect_f32(a: number, b: number): number;
@@ -1069,7 +1069,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_segment_ellipse_f32(a: number, b: number): number;
@@ -1079,7 +1079,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_circle_circle_f32(a: number, b: number): number;
@@ -1089,7 +1089,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_circle_aabb_f32(a: number, b: number): number;
@@ -1099,7 +1099,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_circle_rect_f32(a: number, b: number): number;
@@ -1109,7 +1109,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_circle_ellipse_f32(a: number, b: number): number;
@@ -1119,7 +1119,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_aabb_aabb_f32(a: number, b: number): number;
@@ -1129,7 +1129,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_aabb_rect_f32(a: number, b: number): number;
@@ -1139,7 +1139,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_aabb_ellipse_f32(a: number, b: number): number;
@@ -1149,7 +1149,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_rect_rect_f32(a: number, b: number): number;
@@ -1159,7 +1159,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_rect_ellipse_f32(a: number, b: number): number;
@@ -1169,7 +1169,7 @@ export interface C {
    * Returns: 1 if the shapes share a point (touching counts), 0 if not.
    * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+   * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
    * Since: 0.1.
    */
   vesica_overlap_ellipse_ellipse_f32(a: number, b: number): number;

@@ -17,6 +17,7 @@
 #define VESICA_EXACT_STAGE(keyword, A, B)                                                             \
   keyword std::int32_t detail::decide_relation(const A<double>&, const B<double>&) noexcept;          \
   keyword std::int32_t detail::decide_containment(const A<double>&, const B<double>&, bool) noexcept; \
+  keyword std::int32_t detail::depth::undecided_overlap(const A<double>&, const B<double>&) noexcept; \
   keyword bool detail::depth::has_no_depth_exactly(const A<double>&, const B<double>&) noexcept;
 
 // queries/area.cpp
@@ -29,8 +30,9 @@
   keyword bool detail::crossings::one_place(const A<double>&, const B<double>&, double&, double&) noexcept;
 
 // queries/nearest.cpp
-#define VESICA_NEAREST(keyword, A, B) \
-  keyword std::int32_t nearest_or_error(const A<double>&, const B<double>&, ClosestPoints<double>&) noexcept;
+#define VESICA_NEAREST(keyword, A, B)                                                                      \
+  keyword std::int32_t detail::nearest::nearest_in_order(const A<double>&, const B<double>&, std::int32_t, \
+                                                         ClosestPoints<double>&) noexcept;
 
 // queries/relation.cpp
 #define VESICA_RELATION(keyword, A, B) \

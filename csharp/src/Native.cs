@@ -108,7 +108,7 @@ namespace Vesica
         /// <para>Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
-        /// <para>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal, at worst 300.</para>
+        /// <para>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal, at worst 30.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -138,7 +138,7 @@ namespace Vesica
         /// <para>Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, however
         /// closely the outlines touch or coincide. Places closer to one another than that may come in either order or be equal.
         /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.</para>
-        /// <para>Cost: 1 to 10 us; at worst 300 us, where exponents are wildly unlike.</para>
+        /// <para>Cost: 1 to 10 us; at worst 100 us, where exponents are wildly unlike.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -157,7 +157,7 @@ namespace Vesica
         /// of both shapes.
         /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.</para>
         /// <para>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
-        /// 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 300.</para>
+        /// 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 30.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -176,7 +176,7 @@ namespace Vesica
         /// scale. At any, it is above 0 if outlines do not meet, and points are on them to 12 u scale before they are rounded.
         /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.</para>
         /// <para>Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2 us
-        /// for a common point, of needles as vesica_crossings_f64; 5 us more if exact arithmetic must tell; at worst 300 us.</para>
+        /// for a common point, of needles as vesica_crossings_f64; 5 us more if exact arithmetic must tell; at worst 100 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -197,7 +197,7 @@ namespace Vesica
         /// is exact.
         /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.</para>
         /// <para>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
-        /// if only exact arithmetic can tell the depth from 0; at worst 300 us, where exponents are wildly unlike.</para>
+        /// if only exact arithmetic can tell the depth from 0; at worst 30 us, where exponents are wildly unlike.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -227,7 +227,7 @@ namespace Vesica
         /// near the outlines are to touching or coinciding and however different the sizes are.
         /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.</para>
         /// <para>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
-        /// nearly touch or coincide, or if one shape is far larger; at worst 300 us, where exponents are wildly unlike.</para>
+        /// nearly touch or coincide, or if one shape is far larger; at worst 40 us, where exponents are wildly unlike.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -626,7 +626,7 @@ namespace Vesica
         /// <para>Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
-        /// <para>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal, at worst 300.</para>
+        /// <para>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal, at worst 30.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -657,7 +657,7 @@ namespace Vesica
         /// closely the outlines touch or coincide. Places closer to one another than that may come in either order or be equal.
         /// Each number is computed in double, within these bounds, and then rounded to float once.
         /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.</para>
-        /// <para>Cost: 1 to 10 us; at worst 300 us, where exponents are wildly unlike.</para>
+        /// <para>Cost: 1 to 10 us; at worst 100 us, where exponents are wildly unlike.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -677,7 +677,7 @@ namespace Vesica
         /// Each number is computed in double, within these bounds, and then rounded to float once.
         /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.</para>
         /// <para>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
-        /// 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 300.</para>
+        /// 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 30.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -697,7 +697,7 @@ namespace Vesica
         /// Each number is computed in double, within these bounds, and then rounded to float once.
         /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.</para>
         /// <para>Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2 us
-        /// for a common point, of needles as vesica_crossings_f32; 5 us more if exact arithmetic must tell; at worst 300 us.</para>
+        /// for a common point, of needles as vesica_crossings_f32; 5 us more if exact arithmetic must tell; at worst 100 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -719,7 +719,7 @@ namespace Vesica
         /// Each number is computed in double, within these bounds, and then rounded to float once.
         /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.</para>
         /// <para>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
-        /// if only exact arithmetic can tell the depth from 0; at worst 300 us, where exponents are wildly unlike.</para>
+        /// if only exact arithmetic can tell the depth from 0; at worst 30 us, where exponents are wildly unlike.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -751,7 +751,7 @@ namespace Vesica
         /// Each number is computed in double, within these bounds, and then rounded to float once.
         /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.</para>
         /// <para>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
-        /// nearly touch or coincide, or if one shape is far larger; at worst 300 us, where exponents are wildly unlike.</para>
+        /// nearly touch or coincide, or if one shape is far larger; at worst 40 us, where exponents are wildly unlike.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -137,7 +137,8 @@ VESICA_CALLED std::int32_t boundary_distance_or_error(const A<double>& a, const 
   } else {
     const std::int32_t relation = detail::called_relation(a, b);
     if (relation < 0) return relation;
-    if (relation == static_cast<std::int32_t>(Relation::disjoint)) return nearest_or_error(a, b, out);
+    if (relation == static_cast<std::int32_t>(Relation::disjoint))
+      return detail::nearest::nearest_in_order(a, b, 0, out);
     ClosestPoints<double> found;
     if (!detail::boundary_distance::settled_outlines(a, b, static_cast<Relation>(relation), found)) {
       found = detail::boundary_distance::closest_outline_points(static_cast<Relation>(relation), a, b);

@@ -64,6 +64,19 @@ VESICA_COLD bool has_no_depth_exactly(const A& a, const B& b) noexcept {
   return has_no_depth(exact::form(a), exact::form(b));
 }
 
+/// What the filter of overlap leaves undecided; of a shape that is not valid its error, a negative number.
+template <class A, class B>
+VESICA_COLD std::int32_t undecided_overlap(const A& a, const B& b) noexcept {
+  constexpr bool box_and_ellipse =
+      !is_round<A> && ShapeTraits<A>::kind != Kind::point && ShapeTraits<B>::kind == Kind::ellipse;
+  if constexpr (box_and_ellipse) {
+    if (check(a) != 0 || check(b) != 0) return error_shape;
+    return static_cast<std::int32_t>(overlap_and_depth(exact::form(a), exact::form(b)));
+  } else {
+    return decide_undecided(a, b);
+  }
+}
+
 /// The least number above 0 where `value` is not.
 inline double above_zero(double value) noexcept { return std::fmax(value, std::numeric_limits<double>::denorm_min()); }
 
@@ -88,7 +101,7 @@ void round_once(const Form& f, const Form& g, Penetration<double>& p) noexcept {
 }
 
 template <class A, class B>
-std::int32_t depth_of_overlapping(const A& a, const B& b, Penetration<double>& out) noexcept {
+std::int32_t depth_of_overlapping(const A& a, const B& b, Overlap known, Penetration<double>& out) noexcept {
   const Form f = support_minimum::form(a), g = support_minimum::form(b);
   if (!f.curved && !g.curved) {
     if (is_round<A> || is_round<B> ? depth_of_boxes_apart(f, g, out) : depth_of_boxes(f, g, out)) {
@@ -103,7 +116,8 @@ std::int32_t depth_of_overlapping(const A& a, const B& b, Penetration<double>& o
     d = depth_of_forms(f, g);
   }
   Penetration<double> result{0, d.direction.x + 0.0, d.direction.y + 0.0};  // no -0
-  if (d.value.high > surely_positive || !has_no_depth_exactly(a, b)) {
+  if (d.value.high > surely_positive || known == Overlap::some_with_depth ||
+      (known == Overlap::some && !has_no_depth_exactly(a, b))) {
     result.depth = above_zero(arithmetic::scale_rounded(d.value.high, d.value.low, d.exponent));
     round_once<A, B>(f, g, result);
   }
@@ -156,10 +170,14 @@ std::int32_t depth_or_error(const A<double>& a, const B<double>& b, Penetration<
     if (error == 0) out = detail::depth::turned_round(out);
     return error;
   } else {
-    const std::int32_t overlapping = overlap_or_error(a, b);
+    const auto verdict = detail::overlap::filter(a, b);
+    const std::int32_t answer = 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
+    const std::int32_t overlapping = answer >= 0 ? answer : detail::depth::undecided_overlap(a, b);
     if (overlapping < 0) return overlapping;
-    if (overlapping == 1)
-      return detail::depth::settled_depth(a, b, out) ? 0 : detail::depth::depth_of_overlapping(a, b, out);
+    if (overlapping > 0) {
+      if (detail::depth::settled_depth(a, b, out)) return 0;
+      return detail::depth::depth_of_overlapping(a, b, static_cast<detail::depth::Overlap>(overlapping), out);
+    }
     out = {0, 0, 0};
     return 0;
   }

@@ -104,32 +104,41 @@ VESICA_INLINE bool rounded_to(const ClosestPoints<double>& c, bool overlapping, 
   return true;
 }
 
+/// What overlap_or_error() has not been asked yet.
+inline constexpr std::int32_t not_asked = -1;
+
+/// nearest_or_error() for kinds in order; overlapping: 1, 0 or not_asked.
+template <class A, class B>
+VESICA_CALLED std::int32_t nearest_in_order(const A& a, const B& b, std::int32_t overlapping,
+                                            ClosestPoints<double>& out) noexcept {
+  // Often spares the exact predicate. A settled answer is only given for shapes of moderate numbers, which are valid;
+  // otherwise the predicate is asked after all.
+  const bool apart = overlapping == not_asked && apart_along_offset(a, b);
+  if (overlapping == not_asked) overlapping = apart ? 0 : overlap_or_error(a, b);
+  if (overlapping < 0) return overlapping;
+  ClosestPoints<double> found;
+  if (!settled_points(a, b, overlapping == 1, found)) [[unlikely]] {
+    if (apart) overlapping = overlap_or_error(a, b);
+    if (overlapping < 0) return overlapping;
+    found = general_points(a, b, overlapping == 1);
+  }
+  return rounded_to(found, overlapping == 1, out) ? 0 : error_range;
+}
+
 }  // namespace detail::nearest
 
 /// The checked form: writes the distance of two shapes of any kinds, in either order, and their closest points. Returns
 /// 0, error_shape when either is invalid, or error_range when a number would exceed the largest finite one; on error
 /// `out` is untouched.
 template <template <class> class A, template <class> class B>
-VESICA_CALLED std::int32_t nearest_or_error(const A<double>& a, const B<double>& b,
-                                            ClosestPoints<double>& out) noexcept {
+std::int32_t nearest_or_error(const A<double>& a, const B<double>& b, ClosestPoints<double>& out) noexcept {
   if constexpr (!detail::in_order<A<double>, B<double>>) {
     ClosestPoints<double> found;
     const std::int32_t error = nearest_or_error(b, a, found);
     if (error == 0) out = {found.distance, found.bx, found.by, found.ax, found.ay};
     return error;
   } else {
-    // Often spares the exact predicate. A settled answer is only given for shapes of moderate numbers, which are valid;
-    // otherwise the predicate is asked after all.
-    const bool apart = detail::nearest::apart_along_offset(a, b);
-    std::int32_t overlapping = apart ? 0 : overlap_or_error(a, b);
-    if (overlapping < 0) return overlapping;
-    ClosestPoints<double> found;
-    if (!detail::nearest::settled_points(a, b, overlapping == 1, found)) [[unlikely]] {
-      if (apart) overlapping = overlap_or_error(a, b);
-      if (overlapping < 0) return overlapping;
-      found = detail::nearest::general_points(a, b, overlapping == 1);
-    }
-    return detail::nearest::rounded_to(found, overlapping == 1, out) ? 0 : error_range;
+    return detail::nearest::nearest_in_order(a, b, detail::nearest::not_asked, out);
   }
 }
 

@@ -435,7 +435,7 @@ of a disc is inside with touch. Exchanging the shapes always gives the converse 
 Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
 Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal, at worst 300.
+Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_contains_f64": (
@@ -470,7 +470,7 @@ Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
 Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, however
 closely the outlines touch or coincide. Places closer to one another than that may come in either order or be equal.
 Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
-Cost: 1 to 10 us; at worst 300 us, where exponents are wildly unlike.
+Cost: 1 to 10 us; at worst 100 us, where exponents are wildly unlike.
 Since: 0.1.""",
     ),
     "vesica_nearest_f64": (
@@ -492,7 +492,7 @@ coordinates are rounded, closest points are within 4 u scale of the outlines, an
 of both shapes.
 Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
 Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
-0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 300.
+0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 30.
 Since: 0.1.""",
     ),
     "vesica_boundary_distance_f64": (
@@ -514,7 +514,7 @@ Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the
 scale. At any, it is above 0 if outlines do not meet, and points are on them to 12 u scale before they are rounded.
 Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
 Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2 us
-for a common point, of needles as vesica_crossings_f64; 5 us more if exact arithmetic must tell; at worst 300 us.
+for a common point, of needles as vesica_crossings_f64; 5 us more if exact arithmetic must tell; at worst 100 us.
 Since: 0.1.""",
     ),
     "vesica_depth_f64": (
@@ -538,7 +538,7 @@ its last place. The length of (x, y) is 1 but for 3 u, and it moves b clear but 
 is exact.
 Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
 Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
-if only exact arithmetic can tell the depth from 0; at worst 300 us, where exponents are wildly unlike.
+if only exact arithmetic can tell the depth from 0; at worst 30 us, where exponents are wildly unlike.
 Since: 0.1.""",
     ),
     "vesica_shape_area_f64": (
@@ -573,7 +573,7 @@ Accuracy: within 64 u of the smaller shape's area times the larger aspect ratio,
 near the outlines are to touching or coinciding and however different the sizes are.
 Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
 Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
-nearly touch or coincide, or if one shape is far larger; at worst 300 us, where exponents are wildly unlike.
+nearly touch or coincide, or if one shape is far larger; at worst 40 us, where exponents are wildly unlike.
 Since: 0.1.""",
     ),
     "vesica_iou_f64": (
@@ -616,7 +616,7 @@ Are the two points the same?
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_point_segment_f64": (
@@ -629,7 +629,7 @@ Does the point lie on the segment? End points count.
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_point_circle_f64": (
@@ -642,7 +642,7 @@ Does the point lie in the disc or on its rim?
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_point_aabb_f64": (
@@ -655,7 +655,7 @@ Does the point lie in the box or on its outline?
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_point_rect_f64": (
@@ -668,7 +668,7 @@ Does the point lie in the rectangle or on its outline?
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_point_ellipse_f64": (
@@ -681,7 +681,7 @@ Does the point lie in the ellipse or on its outline?
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_segment_segment_f64": (
@@ -694,7 +694,7 @@ Do the segments share a point? End points count, and so do stretches along one l
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_segment_circle_f64": (
@@ -707,7 +707,7 @@ Does the segment meet the disc? A tangent segment does.
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_segment_aabb_f64": (
@@ -720,7 +720,7 @@ Does the segment meet the box? A segment inside it does.
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_segment_rect_f64": (
@@ -733,7 +733,7 @@ Does the segment meet the rectangle? A segment inside it does.
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_segment_ellipse_f64": (
@@ -746,7 +746,7 @@ Does the segment meet the ellipse? A tangent segment does.
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_circle_circle_f64": (
@@ -759,7 +759,7 @@ Do the discs share a point? Discs that touch from outside do.
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_circle_aabb_f64": (
@@ -772,7 +772,7 @@ Do the disc and the box share a point?
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_circle_rect_f64": (
@@ -785,7 +785,7 @@ Do the disc and the rectangle share a point?
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_circle_ellipse_f64": (
@@ -798,7 +798,7 @@ Do the disc and the ellipse share a point?
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_aabb_aabb_f64": (
@@ -811,7 +811,7 @@ Do the boxes share a point? Boxes that share an edge or a corner do.
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_aabb_rect_f64": (
@@ -824,7 +824,7 @@ Do the box and the rectangle share a point?
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_aabb_ellipse_f64": (
@@ -837,7 +837,7 @@ Do the box and the ellipse share a point?
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_rect_rect_f64": (
@@ -850,7 +850,7 @@ Do the rectangles share a point? Rectangles that share an edge or a corner do.
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_rect_ellipse_f64": (
@@ -863,7 +863,7 @@ Do the rectangle and the ellipse share a point? They do if one is inside the oth
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_ellipse_ellipse_f64": (
@@ -876,7 +876,7 @@ Do the ellipses share a point? They do if one is inside the other.
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_aabb_from_corners_f64": (
@@ -1323,7 +1323,7 @@ of a disc is inside with touch. Exchanging the shapes always gives the converse 
 Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
 Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal, at worst 300.
+Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_contains_f32": (
@@ -1359,7 +1359,7 @@ Accuracy: the number is exact. A place is right to 4 u times the largest coordin
 closely the outlines touch or coincide. Places closer to one another than that may come in either order or be equal.
 Each number is computed in double, within these bounds, and then rounded to float once.
 Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
-Cost: 1 to 10 us; at worst 300 us, where exponents are wildly unlike.
+Cost: 1 to 10 us; at worst 100 us, where exponents are wildly unlike.
 Since: 0.1.""",
     ),
     "vesica_nearest_f32": (
@@ -1382,7 +1382,7 @@ of both shapes.
 Each number is computed in double, within these bounds, and then rounded to float once.
 Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
 Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
-0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 300.
+0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 30.
 Since: 0.1.""",
     ),
     "vesica_boundary_distance_f32": (
@@ -1405,7 +1405,7 @@ scale. At any, it is above 0 if outlines do not meet, and points are on them to 
 Each number is computed in double, within these bounds, and then rounded to float once.
 Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
 Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2 us
-for a common point, of needles as vesica_crossings_f32; 5 us more if exact arithmetic must tell; at worst 300 us.
+for a common point, of needles as vesica_crossings_f32; 5 us more if exact arithmetic must tell; at worst 100 us.
 Since: 0.1.""",
     ),
     "vesica_depth_f32": (
@@ -1430,7 +1430,7 @@ is exact.
 Each number is computed in double, within these bounds, and then rounded to float once.
 Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
 Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
-if only exact arithmetic can tell the depth from 0; at worst 300 us, where exponents are wildly unlike.
+if only exact arithmetic can tell the depth from 0; at worst 30 us, where exponents are wildly unlike.
 Since: 0.1.""",
     ),
     "vesica_shape_area_f32": (
@@ -1467,7 +1467,7 @@ near the outlines are to touching or coinciding and however different the sizes 
 Each number is computed in double, within these bounds, and then rounded to float once.
 Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
 Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
-nearly touch or coincide, or if one shape is far larger; at worst 300 us, where exponents are wildly unlike.
+nearly touch or coincide, or if one shape is far larger; at worst 40 us, where exponents are wildly unlike.
 Since: 0.1.""",
     ),
     "vesica_iou_f32": (
@@ -1511,7 +1511,7 @@ Are the two points the same?
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_point_segment_f32": (
@@ -1524,7 +1524,7 @@ Does the point lie on the segment? End points count.
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_point_circle_f32": (
@@ -1537,7 +1537,7 @@ Does the point lie in the disc or on its rim?
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_point_aabb_f32": (
@@ -1550,7 +1550,7 @@ Does the point lie in the box or on its outline?
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_point_rect_f32": (
@@ -1563,7 +1563,7 @@ Does the point lie in the rectangle or on its outline?
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_point_ellipse_f32": (
@@ -1576,7 +1576,7 @@ Does the point lie in the ellipse or on its outline?
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_segment_segment_f32": (
@@ -1589,7 +1589,7 @@ Do the segments share a point? End points count, and so do stretches along one l
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_segment_circle_f32": (
@@ -1602,7 +1602,7 @@ Does the segment meet the disc? A tangent segment does.
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_segment_aabb_f32": (
@@ -1615,7 +1615,7 @@ Does the segment meet the box? A segment inside it does.
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_segment_rect_f32": (
@@ -1628,7 +1628,7 @@ Does the segment meet the rectangle? A segment inside it does.
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_segment_ellipse_f32": (
@@ -1641,7 +1641,7 @@ Does the segment meet the ellipse? A tangent segment does.
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_circle_circle_f32": (
@@ -1654,7 +1654,7 @@ Do the discs share a point? Discs that touch from outside do.
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_circle_aabb_f32": (
@@ -1667,7 +1667,7 @@ Do the disc and the box share a point?
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_circle_rect_f32": (
@@ -1680,7 +1680,7 @@ Do the disc and the rectangle share a point?
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_circle_ellipse_f32": (
@@ -1693,7 +1693,7 @@ Do the disc and the ellipse share a point?
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_aabb_aabb_f32": (
@@ -1706,7 +1706,7 @@ Do the boxes share a point? Boxes that share an edge or a corner do.
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_aabb_rect_f32": (
@@ -1719,7 +1719,7 @@ Do the box and the rectangle share a point?
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_aabb_ellipse_f32": (
@@ -1732,7 +1732,7 @@ Do the box and the ellipse share a point?
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_rect_rect_f32": (
@@ -1745,7 +1745,7 @@ Do the rectangles share a point? Rectangles that share an edge or a corner do.
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_rect_ellipse_f32": (
@@ -1758,7 +1758,7 @@ Do the rectangle and the ellipse share a point? They do if one is inside the oth
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_overlap_ellipse_ellipse_f32": (
@@ -1771,7 +1771,7 @@ Do the ellipses share a point? They do if one is inside the other.
 Returns: 1 if the shapes share a point (touching counts), 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_SHAPE.
 Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 300.
+Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
 Since: 0.1.""",
     ),
     "vesica_aabb_from_corners_f32": (

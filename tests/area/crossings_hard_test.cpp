@@ -292,6 +292,36 @@ TEST(CrossingsHard, ACornerAtTheStartAndANeighbour) {
   EXPECT_TRUE(out.x[0] == 0 && out.y[0] == 0 && out.y[1] == -1);
 }
 
+/// The start of an outline is a place, and the other place is nearer to it than roundings: on either side, as near as
+/// exponents allow.
+TEST(CrossingsHard, AStartComesBeforePlacesNearerThanRoundings) {
+  Random random(seed());
+  int asked = 0;
+  for (int i = 0; i < 300 * repeat(); ++i) {
+    const double r = random.integer(1, 9), near = random.sign() * std::ldexp(1, -random.integer(20, 900));
+    const Shape firsts[] = {circle(-r, 0, r), ellipse(-r, 0, 1, 0, r, r), ellipse(-2 * r, 0, 2, 0, r, 2 * r)};
+    // The line x = -near y, and a small circle, through the origin.
+    const Shape others[] = {{VESICA_SEGMENT, {near, -1, -near, 1}},
+                            {VESICA_SEGMENT, {-near, 1, near, -1}},
+                            {VESICA_RECT, {1, near, 1, near, 1, 1}},
+                            circle(0, near, std::fabs(near)),
+                            ellipse(0, near, 0, -1, std::fabs(near), std::fabs(near))};
+    for (const Shape& a : firsts) {
+      for (const Shape& b : others) {
+        vesica_crossing_points_f64 out;
+        const int count = vesica_crossings_f64(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out);
+        ASSERT_EQ(count, 2) << text(a) << " | " << text(b);
+        ++asked;
+        EXPECT_LE(std::fabs(out.y[0]), 64 * u * std::fabs(near)) << text(a) << " | " << text(b);
+        EXPECT_LE(std::fabs(out.x[0]), 64 * u * std::fabs(near)) << text(a) << " | " << text(b);
+        EXPECT_GT(out.y[1] * near, 0) << text(a) << " | " << text(b);
+        EXPECT_LT(std::fabs(out.y[1]), 1000 * std::fabs(near)) << text(a) << " | " << text(b);
+      }
+    }
+  }
+  EXPECT_GT(asked, 1000);
+}
+
 /// One of the places is where the first outline begins, exactly; and it comes first.
 TEST(CrossingsHard, AStartThatIsAPlaceComesFirst) {
   Random random(seed());

@@ -11,6 +11,7 @@
 #include <vector>
 #include <vesica/exact/ellipse_ellipse.hpp>
 #include <vesica/exact/leading.hpp>
+#include <vesica/exact/rounded.hpp>
 
 #include "properties/random.hpp"
 
@@ -128,8 +129,45 @@ TEST(Leading, WithinItsBound) {
     const Number<8> q = random.chance(0.5) ? any_number(random) : random.chance(0.5) ? p : p + any_number(random);
     certain += expect_arithmetic<exact::few_limbs>(p, q) + expect_arithmetic<exact::more_limbs>(q, p);
     expect_arithmetic<exact::some_limbs>(p, Number<8>());
+    expect_arithmetic<exact::most_limbs>(p, q);
   }
   EXPECT_EQ(certain, 0);
+}
+
+/// The same number, or one that differs by as little or as much as any double.
+Number<8> about(const Number<8>& x, Random& random) {
+  if (random.chance(0.3)) return x;
+  const auto tiny = exact::from_double(std::ldexp(1 + random.unit(), random.integer(-1000, 1000)));
+  return random.chance(0.5) ? x + tiny : x - tiny;
+}
+
+// Signs and roundings from the leading digits are those of all digits.
+TEST(Leading, PolynomialsOfLongNumbers) {
+  Random random(properties::seed());
+  const auto difference = [](const auto& a, const auto& b, const auto& c, const auto& d) { return a * b - c * d; };
+  int ties = 0, differing = 0;
+  for (int i = 0; i < 2000 * properties::repeat(); ++i) {
+    const Number<8> a = any_number(random), b = any_number(random), c = about(a, random), d = about(b, random);
+    const auto truth = difference(a, b, c, d);
+    EXPECT_EQ(exact::sign_of(difference, a, b, c, d), truth.sign) << "seed " << properties::seed();
+    const auto rounded = exact::rounded_value(difference, a, b, c, d), expected = exact::rounded(truth);
+    EXPECT_TRUE(rounded.value == expected.value && rounded.exponent == expected.exponent)
+        << "seed " << properties::seed();
+    (truth.sign == 0 ? ties : differing) += 1;
+  }
+  EXPECT_GT(ties, 50);
+  EXPECT_GT(differing, 500);
+}
+
+// Halfway between two doubles, and so little from there that leading digits do not tell.
+TEST(Leading, RoundsTiesByWhatIsFarBelow) {
+  const auto itself = [](const auto& x) { return x; };
+  const auto tie = exact::from_double(1) + exact::from_double(0x1p-53);
+  for (int exponent = -1074; exponent < -30; ++exponent) {
+    const auto tiny = square(exact::from_double(std::ldexp(1, exponent)));
+    EXPECT_EQ(exact::rounded_value(itself, tie + tiny).value, 0.5 + 0x1p-53);
+    EXPECT_EQ(exact::rounded_value(itself, tie - tiny).value, 0.5);
+  }
 }
 
 TEST(Leading, ShortNumbersAreExact) {

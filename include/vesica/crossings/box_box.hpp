@@ -2,21 +2,24 @@
 /// Where the outlines of two boxes meet: which corners lie on the other outline, and which edges cross, by exact signs.
 #pragma once
 
+#include <limits>
 #include <vesica/crossings/rough.hpp>
 
 namespace vesica::detail::crossings {
 
-/// Twice the area of an edge and a point, positive to the left.
-inline exact::Number<4> side(const Edge& e, const Position& x, const Position& y) noexcept {
-  return e.dx * (y - e.y) - e.dy * (x - e.x);
+/// The side of an edge that a point is on: positive to the left.
+inline int side(const Edge& e, const Position& x, const Position& y) noexcept {
+  return exact::sign_of(DifferenceOfProducts{}, e.dx, y - e.y, e.dy, x - e.x);
 }
 
 inline bool is_corner(const Corners& a, int i, const Position& x, const Position& y) noexcept {
   return exact::compare(a.x[i], x) == 0 && exact::compare(a.y[i], y) == 0;
 }
 
-/// A place a part t along edge i: before the edge's end, however t was rounded.
-inline double on_edge(int i, double t) noexcept { return std::fmin(i + t, std::nextafter(i + 1.0, 0.0)); }
+/// A place a part t along edge i: before the edge's end, and behind the outline's start, however t was rounded.
+inline double on_edge(int i, double t) noexcept {
+  return std::fmax(std::fmin(i + t, std::nextafter(i + 1.0, 0.0)), std::numeric_limits<double>::denorm_min());
+}
 
 /// An edge by one coordinate, that in which it is longer: points of its line are in the order of that.
 struct Shadow {
@@ -50,7 +53,7 @@ inline double place_along(const Corners& outline, const Position& x, const Posit
   }
   for (int i = 0; i < outline.edges; ++i) {
     const Edge e(outline, i);
-    if (side(e, x, y).sign != 0) continue;
+    if (side(e, x, y) != 0) continue;
     const double t = part_of_edge(e, x, y);
     if (t >= 0) return on_edge(i, t);
   }
@@ -94,21 +97,29 @@ struct Sides {
     for (int i = 0; i < p.corners.edges; ++i) {
       for (int j = 0; j < q.corners.count; ++j) {
         size[i][j] = p.dx[i] * (q.y[j] - p.y[i]) - p.dy[i] * (q.x[j] - p.x[i]);
-        sign[i][j] = sign_of(size[i][j], [&] { return of(p, i, q, j); });
+        sign[i][j] = size[i][j].sign_is_known() ? size[i][j].sign() : exact_sign(p.corners, i, q.corners, j);
       }
     }
   }
   /// From one corner to the next of q, which are on different sides of edge i: how far off the edge's line is.
   double crossing(const Polygon& p, int i, const Polygon& q, int j) const noexcept {
     const int end = q.corners.next(j);
-    const Scaled from = size_of(size[i][j], [&] { return of(p, i, q, j); });
-    const Scaled whole = size_of(size[i][j] - size[i][end], [&] { return of(p, i, q, j) - of(p, i, q, end); });
-    return quotient(from, whole);
+    const Rough whole = size[i][j] - size[i][end];
+    const Corners &a = p.corners, &b = q.corners;
+    const int next = a.next(i);
+    const auto scaled = [&](const Rough& rough, const Position& x, const Position& y) {
+      if (rough.is_precise()) return rough.scaled();
+      return exact::rounded_value(DifferenceOfProducts{}, a.x[next] - a.x[i], b.y[j] - y, a.y[next] - a.y[i],
+                                  b.x[j] - x);
+    };
+    return quotient(scaled(size[i][j], a.x[i], a.y[i]), scaled(whole, b.x[end], b.y[end]));
   }
 
  private:
-  static exact::Number<4> of(const Polygon& p, int i, const Polygon& q, int j) noexcept {
-    return side(Edge(p.corners, i), q.corners.x[j], q.corners.y[j]);
+  static int exact_sign(const Corners& p, int i, const Corners& q, int j) noexcept {
+    const int end = p.next(i);
+    return exact::sign_of(DifferenceOfProducts{}, p.x[end] - p.x[i], q.y[j] - p.y[i], p.y[end] - p.y[i],
+                          q.x[j] - p.x[i]);
   }
 };
 

@@ -18,11 +18,30 @@ struct DiscFrame {
       : e(ellipse),
         radius(ellipse.a * ellipse.b * exact::dot(ellipse.ux, ellipse.uy, ellipse.ux, ellipse.uy)),
         rough_radius(radius) {}
-  exact::Number<4> along(const Position& x, const Position& y) const noexcept {
+  template <int Degree>
+  exact::Number<4> along(const exact::Number<Degree>& x, const exact::Number<Degree>& y) const noexcept {
     return e.b * exact::dot(e.ux, e.uy, x, y);
   }
-  exact::Number<4> across(const Position& x, const Position& y) const noexcept {
+  template <int Degree>
+  exact::Number<4> across(const exact::Number<Degree>& x, const exact::Number<Degree>& y) const noexcept {
     return e.a * exact::cross(e.ux, e.uy, x, y);
+  }
+};
+
+/// A box there: its centre and the halves of its edges.
+struct DiscBox {
+  const DiscFrame& frame;
+  exact::Number<4> k0, k1, p0, p1, q0, q1;
+  DiscBox(const DiscFrame& f, const exact::Box& box) noexcept : frame(f) {
+    const exact::Length dx = box.cx - f.e.cx, dy = box.cy - f.e.cy;
+    k0 = f.along(dx, dy);
+    k1 = f.across(dx, dy);
+    const Position px = box.hx * box.ux, py = box.hx * box.uy;
+    p0 = f.along(px, py);
+    p1 = f.across(px, py);
+    const Position qx = exact::integer(-1) * (box.hy * box.uy), qy = box.hy * box.ux;
+    q0 = f.along(qx, qy);
+    q1 = f.across(qx, qy);
   }
 };
 
@@ -31,22 +50,19 @@ struct DiscCorner {
   exact::Number<4> m0, m1;
   Rough r0, r1, value;
   int sign;
-  exact::Number<8> exact_value(const DiscFrame& frame) const noexcept {
-    return exact::square(m0) + exact::square(m1) - exact::square(frame.radius);
-  }
-  int exact_sign(const DiscFrame& frame) const noexcept {
-    return exact::decide([](exact::Signs& signs, const auto& x, const auto& y,
-                            const auto& r) { return signs.of(square(x) + square(y) - square(r)); },
-                         m0, m1, frame.radius);
-  }
-  void set(const DiscFrame& frame, const Position& x, const Position& y) noexcept {
-    const Position dx = x - frame.e.cx, dy = y - frame.e.cy;
-    m0 = frame.along(dx, dy);
-    m1 = frame.across(dx, dy);
+  static constexpr auto value_of = [](const auto& x, const auto& y, const auto& r) {
+    return square(x) + square(y) - square(r);
+  };
+  void set(const DiscBox& box, const Corners& corners, int i) noexcept {
+    const bool right = corners.is_right(i), top = corners.is_top(i);
+    m0 = right ? box.k0 + box.p0 : box.k0 - box.p0;
+    m1 = right ? box.k1 + box.p1 : box.k1 - box.p1;
+    m0 = top ? m0 + box.q0 : m0 - box.q0;
+    m1 = top ? m1 + box.q1 : m1 - box.q1;
     r0 = Rough(m0);
     r1 = Rough(m1);
-    value = square(r0) + square(r1) - square(frame.rough_radius);
-    sign = value.sign_is_known() ? value.sign() : exact_sign(frame);
+    value = square(r0) + square(r1) - square(box.frame.rough_radius);
+    sign = sign_of(value, value_of, m0, m1, box.frame.radius);
   }
 };
 
@@ -68,19 +84,8 @@ struct DiscEdge {
         square_(square(r0) + square(r1)),
         slope(from.r0 * r0 + from.r1 * r1),
         end_slope(to.r0 * r0 + to.r1 * r1) {}
-  exact::Number<8> exact_square() const noexcept { return exact::square(e0) + exact::square(e1); }
-  exact::Number<8> exact_slope(const DiscCorner& at) const noexcept { return at.m0 * e0 + at.m1 * e1; }
-  /// Of the line from the origin, times the edge's length.
-  exact::Number<8> exact_off() const noexcept { return from.m1 * e0 - from.m0 * e1; }
-  exact::Number<16> exact_discriminant() const noexcept {
-    return exact_square() * exact::square(frame.radius) - exact::square(exact_off());
-  }
-  int slope_sign() const noexcept {
-    return sign_of(slope, [&] { return exact_slope(from); });
-  }
-  int end_slope_sign() const noexcept {
-    return sign_of(end_slope, [&] { return exact_slope(to); });
-  }
+  int slope_sign() const noexcept { return sign_of(slope, SumOfProducts{}, from.m0, e0, from.m1, e1); }
+  int end_slope_sign() const noexcept { return sign_of(end_slope, SumOfProducts{}, to.m0, e0, to.m1, e1); }
 };
 
 /// The roots strictly between 0 and 1, ascending; on which side of the chord's middle each is, 0 of a double root; and
@@ -105,22 +110,23 @@ inline Roots roots_inside(const DiscEdge& edge) noexcept {
   const bool both_outside = start > 0 && end > 0;
   if (both_outside && !(edge.slope_sign() < 0 && edge.end_slope_sign() > 0)) return roots;
   const Rough off = edge.from.r1 * edge.r0 - edge.from.r0 * edge.r1;
-  const Rough discriminant = edge.square_ * square(edge.frame.rough_radius) - square(off);
-  Scaled d = discriminant.scaled();
-  if (!discriminant.is_precise()) {
-    const auto exact_discriminant = edge.exact_discriminant();
-    d = exact::rounded(exact_discriminant);
-  }
+  const DiscCorner& m = edge.from;
+  // `off`: of the edge's line from the origin, times the edge's length.
+  const auto discriminant = [](const auto& m0, const auto& m1, const auto& e0, const auto& e1, const auto& r) {
+    return (square(e0) + square(e1)) * square(r) - square(m1 * e0 - m0 * e1);
+  };
+  const Scaled d = size_of(edge.square_ * square(edge.frame.rough_radius) - square(off), discriminant, m.m0, m.m1,
+                           edge.e0, edge.e1, edge.frame.radius);
   if (d.value < 0 || (d.value == 0 && !both_outside)) return roots;
-  roots.off = size_of(off, [&] { return edge.exact_off(); });
+  roots.off = size_of(off, DifferenceOfProducts{}, m.m1, edge.e0, m.m0, edge.e1);
   roots.discriminant = d;
-  const Scaled a = edge.square_.scaled(), b = size_of(edge.slope, [&] { return edge.exact_slope(edge.from); });
+  const Scaled a = edge.square_.scaled(), b = size_of(edge.slope, SumOfProducts{}, m.m0, edge.e0, m.m1, edge.e1);
   if (d.value == 0) {
     roots.add(-quotient(b, a), 0);
     return roots;
   }
   // a t^2 + 2 b t + c, c and the discriminant each rounded once. |b| + root does not cancel.
-  const Scaled c = size_of(edge.from.value, [&] { return edge.from.exact_value(edge.frame); });
+  const Scaled c = size_of(m.value, DiscCorner::value_of, m.m0, m.m1, edge.frame.radius);
   const Scaled all = sum({std::fabs(b.value), b.exponent}, root(d));
   const double larger = quotient(all, a), lesser = quotient(c, all);
   if (start > 0) roots.add(b.value > 0 ? -larger : lesser, -1);
@@ -154,27 +160,58 @@ class Chord {
   double ux_, uy_, off_, half_;
 };
 
+/// Where among the places are those of each corner (-1: none) and those inside each edge, in order along it.
+struct PlacesOfBox {
+  int at_corner[4], of_edge[5];
+};
+
+/// Which place is that at which the ellipse's outline begins; -1 where the box's outline does not hold that. Decided
+/// exactly, since others may be nearer to it than roundings.
+inline int start_of_ellipse(const Corners& box, const DiscCorner* corner, const PlacesOfBox& places, const Position& x,
+                            const Position& y) noexcept {
+  for (int i = 0; i < box.count; ++i) {
+    if (is_corner(box, i, x, y)) return places.at_corner[i];
+  }
+  for (int i = 0; i < box.edges; ++i) {
+    const Edge e(box, i);
+    if (side(e, x, y) != 0 || part_of_edge(e, x, y) < 0) continue;
+    // In the disc's frame the start is (radius, 0). So an edge that leads away from +x enters the disc there.
+    const int first = places.of_edge[i], last = places.of_edge[i + 1] - 1;
+    const bool enters = exact::compare(corner[box.next(i)].m0, corner[i].m0) < 0;
+    return first > last ? -1 : enters ? first : last;
+  }
+  return -1;
+}
+
 /// The place at which the ellipse's outline begins, if it is one of them, is the first along it.
-inline void mend_start(const Corners& box, const exact::Ellipse& e, Found& found) noexcept {
-  Place* place = found.next_to_start_of_b();
-  if (place == nullptr) return;
+inline void mend_start(const Corners& box, const DiscCorner* corner, const PlacesOfBox& places, const exact::Ellipse& e,
+                       Found& found) noexcept {
+  if (!found.is_near_start_of_b()) return;
   const Position x = e.cx + e.a * e.ux, y = e.cy + e.a * e.uy;
-  if (place_along(box, x, y) >= 0) *place = {nearest(x), nearest(y), place->along_a, Real(0.0)};
+  const int start = start_of_ellipse(box, corner, places, x, y);
+  if (start < 0) return;
+  found.place[start].x = nearest(x);
+  found.place[start].y = nearest(y);
+  found.place[start].begins_b();
 }
 
 inline Found crossings(const exact::Box& box, const exact::Ellipse& ellipse) noexcept {
   const Corners corners(box);
   const DiscFrame frame(ellipse);
+  const DiscBox disc_box(frame, box);
   DiscCorner corner[4];
+  PlacesOfBox places{{-1, -1, -1, -1}, {}};
   Found found;
   for (int i = 0; i < corners.count; ++i) {
-    corner[i].set(frame, corners.x[i], corners.y[i]);
+    corner[i].set(disc_box, corners, i);
     if (corner[i].sign != 0) continue;
     const int unit = frame.rough_radius.exponent;
     const Real at = turn(two_doubles(corner[i].m0, unit), two_doubles(corner[i].m1, unit));
+    places.at_corner[i] = found.count;
     found.add({nearest(corners.x[i]), nearest(corners.y[i]), Real(i), at});
   }
   for (int i = 0; i < corners.edges; ++i) {
+    places.of_edge[i] = places.of_edge[i + 1] = found.count;
     const DiscEdge disc_edge(frame, corner[i], corner[corners.next(i)]);
     const Roots roots = roots_inside(disc_edge);
     if (roots.count == 0) continue;
@@ -184,8 +221,9 @@ inline Found crossings(const exact::Box& box, const exact::Ellipse& ellipse) noe
       const double t = roots.t[k];
       found.add({edge.at_x(t), edge.at_y(t), Real(on_edge(i, t)), chord.turn(roots.side[k])});
     }
+    places.of_edge[i + 1] = found.count;
   }
-  mend_start(corners, ellipse, found);
+  mend_start(corners, corner, places, ellipse, found);
   return found;
 }
 

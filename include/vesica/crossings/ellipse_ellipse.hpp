@@ -231,15 +231,19 @@ class AlongOther {
     };
     see(o.c.x), see(o.c.y), see(o.p.x), see(o.p.y), see(o.q.x), see(o.q.y);
     cx_ = two_doubles(o.c.x, top), cy_ = two_doubles(o.c.y, top);
+    precise_ = top - static_cast<int>(exact::detail::top_bit(o.radius)) < 60;
     px_ = two_doubles(o.p.x, top), py_ = two_doubles(o.p.y, top);
     qx_ = two_doubles(o.q.x, top), qy_ = two_doubles(o.q.y, top);
   }
+  /// To less than 2^-30 of a turn.
+  bool is_precise() const noexcept { return precise_; }
   Real operator()(const Direction& d) const noexcept {
     return turn(cx_ + px_ * d.x + qx_ * d.y, cy_ + py_ * d.x + qy_ * d.y);
   }
 
  private:
   Real cx_, cy_, px_, py_, qx_, qy_;
+  bool precise_;
 };
 
 /// Points of a stored outline, rounded about once; sizes and coordinates times 2^lift stay within the range.
@@ -273,17 +277,31 @@ class StoredOutline {
   int lift_;
 };
 
-/// Whether f's outline begins on e's.
-inline bool begins_on(const exact::Ellipse& e, const exact::Ellipse& f) noexcept {
-  const auto z = image(e, f.cx - e.cx + f.a * f.ux, f.cy - e.cy + f.a * f.uy);
-  const auto radius = e.a * e.b * exact::dot(e.ux, e.uy, e.ux, e.uy);
-  return exact::compare(exact::square(z.x) + exact::square(z.y), exact::square(radius)) == 0;
+/// Where a point of a circle about the origin is along it: quarters, and within one the tangent of half the angle.
+inline Real along_circle(const Real& x, const Real& y, const Real& radius) noexcept {
+  const double at_x = rounded(x), at_y = rounded(y);
+  if (at_x > 0 && at_y >= 0) return y / (radius + x);
+  if (at_y > 0) return Real(1.0) - x / (radius + y);
+  if (at_x < 0) return Real(2.0) - y / (radius - x);
+  return Real(3.0) + x / (radius - y);
 }
 
-/// The place at which f's outline begins, if it is one of them, is the first along f.
+/// The place at which f's outline begins, if it is one of them, is the first along f. Others may be nearer to it than
+/// roundings, as seen from f; along e places are told apart.
 inline void mend_start(const exact::Ellipse& e, const exact::Ellipse& f, Found& found) noexcept {
-  Place* place = found.next_to_start_of_b();
-  if (place != nullptr && begins_on(e, f)) place->along_b = Real(0.0);
+  const auto z = image(e, f.cx - e.cx + f.a * f.ux, f.cy - e.cy + f.a * f.uy);
+  const auto radius = e.a * e.b * exact::dot(e.ux, e.uy, e.ux, e.uy);
+  if (exact::compare(exact::square(z.x) + exact::square(z.y), exact::square(radius)) != 0) return;
+  const int unit = exact::rounded(radius).exponent;
+  const Real start = along_circle(two_doubles(z.x, unit), two_doubles(z.y, unit), two_doubles(radius, unit));
+  const auto off = [&start](const Place& p) {
+    const Real way = abs(p.along_a - start);
+    return rounded(way) > 2 ? Real(4.0) - way : way;
+  };
+  Place* const end = found.place + found.count;
+  Place* const next =
+      std::min_element(found.place, end, [&](const Place& p, const Place& q) { return off(p) < off(q); });
+  if (next != end) next->begins_b();
 }
 
 /// The places along e, whose outline is `stored`, with where they are along f.
@@ -311,7 +329,7 @@ inline Found places(const exact::Ellipse& e, const StoredOutline& stored, const 
     stored.point(d, place.x, place.y);
     for (int k = 0; k < g.places; ++k) found.add(place);
   }
-  mend_start(e, f, found);
+  if (!along_other.is_precise() || found.is_near_start_of_b()) mend_start(e, f, found);
   return found;
 }
 

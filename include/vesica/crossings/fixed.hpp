@@ -46,25 +46,16 @@ inline Fixed operator-(const Fixed& a, const Fixed& b) noexcept {
 
 inline Fixed operator-(const Fixed& a) noexcept { return Fixed{} - a; }
 
-/// a * s / 2^64, rounded down.
-inline Fixed times(const Fixed& a, exact::Limb s) noexcept {
-  Fixed product;
-  exact::Limb carry = exact::detail::multiply_add(a.limb[0], s, 0, 0).high;
-  for (int i = 1; i < Fixed::limbs; ++i) {
-    const auto sum = exact::detail::multiply_add(a.limb[i], s, carry, 0);
-    product.limb[i - 1] = sum.low;
-    carry = sum.high;
+/// a = (a + b) / 2, rounded down.
+inline void move_halfway(Fixed& a, const Fixed& b) noexcept {
+  exact::Limb carry = 0, below = 0;
+  for (int i = 0; i < Fixed::limbs; ++i) {
+    const exact::Limb part = a.limb[i] + b.limb[i], total = part + carry;
+    carry = static_cast<exact::Limb>(part < b.limb[i]) | static_cast<exact::Limb>(total < part);
+    if (i > 0) a.limb[i - 1] = below >> 1 | total << 63;
+    below = total;
   }
-  product.limb[Fixed::limbs - 1] = a.negative() ? carry - s : carry;
-  return product;
-}
-
-/// a / 2, rounded down.
-inline Fixed halved(const Fixed& a) noexcept {
-  Fixed half;
-  for (int i = 0; i + 1 < Fixed::limbs; ++i) half.limb[i] = a.limb[i] >> 1 | a.limb[i + 1] << 63;
-  half.limb[Fixed::limbs - 1] = a.limb[Fixed::limbs - 1] >> 1 | (a.limb[Fixed::limbs - 1] & exact::Limb{1} << 63);
-  return half;
+  a.limb[Fixed::limbs - 1] = below >> 1 | (below & exact::Limb{1} << 63);
 }
 
 /// x / 2^exponent, rounded towards 0, for |x| < 2^exponent.
@@ -115,9 +106,26 @@ struct Quartic {
   }
 };
 
+/// a = a + (b - a) s / 2^64 for s > 0, rounded down: a (2^64 - s) + b s over 2^64.
+inline void move_towards(Fixed& a, const Fixed& b, exact::Limb s) noexcept {
+  const exact::Limb rest = exact::Limb{0} - s;
+  // A number that is negative is 2^384 less than its limbs.
+  const exact::Limb excess = (a.negative() ? rest : 0) + (b.negative() ? s : 0);
+  exact::Limb carry_a = 0, carry_b = 0;
+  for (int i = 0; i < Fixed::limbs; ++i) {
+    const auto part = exact::detail::multiply_add(a.limb[i], rest, carry_a, 0);
+    const auto sum = exact::detail::multiply_add(b.limb[i], s, carry_b, part.low);
+    carry_a = part.high;
+    carry_b = sum.high;
+    if (i > 0) a.limb[i - 1] = sum.low;
+  }
+  a.limb[Fixed::limbs - 1] = carry_a + carry_b - excess;
+}
+
 /// One stage of de Casteljau's construction: n + 1 coefficients become n.
 inline void interpolate(Fixed* c, int n, exact::Limb s) noexcept {
-  for (int i = 0; i < n; ++i) c[i] = c[i] + times(c[i + 1] - c[i], s);
+  if (s == 0) return;
+  for (int i = 0; i < n; ++i) move_towards(c[i], c[i + 1], s);
 }
 
 /// The same quartic from t = from / 2^64 to t = to / 2^64, or to t = 1 for a `to` of 0, by its polar form: coefficient
@@ -125,10 +133,13 @@ inline void interpolate(Fixed* c, int n, exact::Limb s) noexcept {
 inline Quartic part(const Quartic& q, exact::Limb from, exact::Limb to) noexcept {
   Quartic out, at_from = q;
   for (int i = 4; i >= 0; --i) {
-    Fixed rest[5];
-    for (int k = 0; k <= i; ++k) rest[k] = at_from.coefficient[k];
-    for (int n = to == 0 ? 0 : i; n > 0; --n) interpolate(rest, n, to);
-    out.coefficient[i] = rest[to == 0 ? i : 0];
+    if (to == 0) {
+      out.coefficient[i] = at_from.coefficient[i];
+    } else {
+      Quartic rest = at_from;
+      for (int n = i; n > 0; --n) interpolate(rest.coefficient, n, to);
+      out.coefficient[i] = rest.coefficient[0];
+    }
     if (i > 0) interpolate(at_from.coefficient, i, from);
   }
   return out;
@@ -140,7 +151,7 @@ struct Halves {
   explicit Halves(const Quartic& q) noexcept : high(q) {
     for (int i = 0; i < 5; ++i) {
       low.coefficient[i] = high.coefficient[0];
-      for (int k = 0; k < 4 - i; ++k) high.coefficient[k] = halved(high.coefficient[k] + high.coefficient[k + 1]);
+      for (int k = 0; k < 4 - i; ++k) move_halfway(high.coefficient[k], high.coefficient[k + 1]);
     }
   }
 };

@@ -65,6 +65,9 @@ inline Real turn(const Real& x, const Real& y) noexcept {
 struct Place {
   double x, y;
   Real along_a, along_b;
+
+  /// Exactly where the second outline begins: before what is so near that it rounds to there.
+  void begins_b() noexcept { along_b = Real(-1.0); }
 };
 
 struct Found {
@@ -75,18 +78,14 @@ struct Found {
   void add(const Place& p) noexcept {
     if (count < 8) place[count++] = p;
   }
-  /// The place nearest to where the second outline begins, if one is near it; of several the first, a corner perhaps,
-  /// which is exact.
-  Place* next_to_start_of_b() noexcept {
-    Place* next = nullptr;
-    Real least(0x1p-30);
+  /// Whether a place may be the one where the second outline begins: all are known to far less than this.
+  bool is_near_start_of_b() const noexcept {
+    const Real near(0x1p-30);
     for (int i = 0; i < count; ++i) {
       const Real at = place[i].along_b, off = rounded(at) > 2 ? Real(4.0) - at : at;
-      if (!(off < least)) continue;
-      least = off;
-      next = &place[i];
+      if (off < near) return true;
     }
-    return next;
+    return false;
   }
   /// Sorts along the first shape, or along the second.
   CrossingPoints<double> in_order(bool along_b) noexcept {
@@ -113,20 +112,21 @@ using Position = exact::Number<2>;
 struct Corners {
   Position x[4], y[4];
   int count, edges;
+  bool wide, high;
 
-  explicit Corners(const exact::Box& b) noexcept {
-    const bool wide = b.hx.sign != 0, high = b.hy.sign != 0;
+  explicit Corners(const exact::Box& b) noexcept : wide(b.hx.sign != 0), high(b.hy.sign != 0) {
     count = (wide ? 2 : 1) * (high ? 2 : 1);
     edges = count == 2 ? 1 : count == 4 ? 4 : 0;
     const Position ax = b.hx * b.ux, ay = b.hx * b.uy, bx = exact::integer(-1) * (b.hy * b.uy), by = b.hy * b.ux;
     for (int i = 0; i < count; ++i) {
-      const bool right = wide && (i == 1 || i == 2), top = high && (count == 2 ? i == 1 : i >= 2);
-      x[i] = (right ? b.cx + ax : b.cx - ax);
-      y[i] = (right ? b.cy + ay : b.cy - ay);
-      x[i] = top ? x[i] + bx : x[i] - bx;
-      y[i] = top ? y[i] + by : y[i] - by;
+      x[i] = (is_right(i) ? b.cx + ax : b.cx - ax);
+      y[i] = (is_right(i) ? b.cy + ay : b.cy - ay);
+      x[i] = is_top(i) ? x[i] + bx : x[i] - bx;
+      y[i] = is_top(i) ? y[i] + by : y[i] - by;
     }
   }
+  bool is_right(int i) const noexcept { return wide && (i == 1 || i == 2); }
+  bool is_top(int i) const noexcept { return high && (count == 2 ? i == 1 : i >= 2); }
   int next(int i) const noexcept { return i + 1 == count ? 0 : i + 1; }
 };
 

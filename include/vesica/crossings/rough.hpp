@@ -62,15 +62,29 @@ inline Rough operator-(const Rough& a, const Rough& b) noexcept { return a + -b;
 inline Rough square(const Rough& a) noexcept { return a * a; }
 inline Rough times(double factor, const Rough& a) noexcept { return a * Rough(Real(factor), 0, 0); }
 
-/// A sign, from the rough number or else the exact one.
-template <class Exact>
-int sign_of(const Rough& rough, const Exact& exact_number) noexcept {
-  return rough.sign_is_known() ? rough.sign() : exact_number().sign;
+/// The sign of a polynomial in exact numbers, from the rough one or else from these.
+template <class Polynomial, int... Degree>
+int sign_of(const Rough& rough, const Polynomial& value, const exact::Number<Degree>&... x) noexcept {
+  return rough.sign_is_known() ? rough.sign() : exact::sign_of(value, x...);
 }
 /// A size and sign to 2^-52, the same way.
-template <class Exact>
-Scaled size_of(const Rough& rough, const Exact& exact_number) noexcept {
-  return rough.is_precise() ? rough.scaled() : exact::rounded(exact_number());
+template <class Polynomial, int... Degree>
+Scaled size_of(const Rough& rough, const Polynomial& value, const exact::Number<Degree>&... x) noexcept {
+  return rough.is_precise() ? rough.scaled() : exact::rounded_value(value, x...);
 }
+
+/// a b + c d, and a b - c d.
+struct SumOfProducts {
+  template <class A, class B, class C, class D>
+  auto operator()(const A& a, const B& b, const C& c, const D& d) const noexcept {
+    return a * b + c * d;
+  }
+};
+struct DifferenceOfProducts {
+  template <class A, class B, class C, class D>
+  auto operator()(const A& a, const B& b, const C& c, const D& d) const noexcept {
+    return a * b - c * d;
+  }
+};
 
 }  // namespace vesica::detail::crossings

@@ -2,6 +2,7 @@
 /// Overlapping shapes of depth 0, exactly: is the offset of centres on the outline of their Minkowski sum?
 #pragma once
 
+#include <cstdint>
 #include <vesica/exact/relation.hpp>
 
 namespace vesica::detail::depth {
@@ -24,6 +25,17 @@ inline bool sum_is_flat(const exact::Box& a, const exact::Box& b) noexcept {
   if (has_no_length(a) || has_no_length(b)) return true;
   const Line m = line(a), n = line(b);
   return exact::cross(m.x, m.y, n.x, n.y).sign == 0;
+}
+
+/// What is known of shapes: that they are disjoint, that they overlap, and then perhaps whether their depth is 0.
+enum class Overlap : std::int32_t { none, some, some_without_depth, some_with_depth };
+
+/// Both questions at once: they cost no more than the first.
+inline Overlap overlap_and_depth(const exact::Box& a, const exact::Ellipse& b) noexcept {
+  const bool flat = degenerate(b);
+  const int gap = flat ? contact(a, as_box(b)) : contact(a, b);
+  if (gap > 0) return Overlap::none;
+  return gap == 0 || (flat && sum_is_flat(a, as_box(b))) ? Overlap::some_without_depth : Overlap::some_with_depth;
 }
 
 /// For shapes that overlap. contact() asks for the sum's relative inside, which with area is its inside.

@@ -20,20 +20,33 @@ struct FramedEllipse {
   /// The sign of 1 - z . P^-1 z for z = (x, y). Degree 12.
   template <class Place>
   int inside(const Place& x, const Place& y, Signs& sign) const noexcept {
-    const auto along = b * (c * x + s * y), across = a * (c * y - s * x);
-    return sign.of(square(a * b * nn) - (square(along) + square(across)));
+    const auto room = [](const auto& radius, const auto& along, const auto& across) {
+      return square(radius) - (square(along) + square(across));
+    };
+    return sign.of_polynomial(room, a * b * nn, b * (c * x + s * y), a * (c * y - s * x));
   }
   /// The same from room = p00 - x^2 and gap = |p00 y - p01 x|: that of det P room - gap^2. Degree 18, but of numbers that
-  /// are there already, and so quicker unless they are long.
+  /// are there already, and so quicker for short ones.
   template <class Place, int R, int G>
-  int inside(const Place& x, const Place& y, const Number<R>& room, const Number<G>& gap, Signs& sign) const noexcept {
-    return room.size > least_long ? inside(x, y, sign) : compare_product_with_square(square(a * b * nn), room, gap);
+  int inside(const Place&, const Place&, const Number<R>& room, const Number<G>& gap, Signs&) const noexcept {
+    return compare_product_with_square(square(a * b * nn), room, gap);
   }
   template <class Place, int limbs>
   int inside(const Place& x, const Place& y, const Leading<limbs>&, const Leading<limbs>&, Signs& sign) const noexcept {
     return inside(x, y, sign);
   }
 };
+
+/// The rest of segment_gap() for long numbers: no product is formed where its factors' leading digits tell.
+template <class P, class Place, class Inside>
+VESICA_CALLED int long_segment_gap(int room_sign, const P& p00, const P& p01, const Place& x, const Place& from,
+                                   const Place& to, const Inside& inside, Signs& sign) noexcept {
+  const auto beyond_centre = [](const auto& p, const auto& end, const auto& q, const auto& side) {
+    return p * end - q * side;
+  };
+  if (sign.of_polynomial(beyond_centre, p00, from, p01, x) > 0) return -inside(from);
+  return sign.of_polynomial(beyond_centre, p00, to, p01, x) < 0 ? -inside(to) : -room_sign;
+}
 
 /// A segment at distance x >= 0 from the ellipse's centre along the first axis of the frame, from `from` to `to` across
 /// it: 1 when it misses the ellipse, 0 when it only touches, -1 when it meets the inside. The line cuts the ellipse in
@@ -44,6 +57,9 @@ int segment_gap(const P& p00, const P& p01, const Place& x, const Place& from, c
   const auto room = p00 - square(x);
   const int room_sign = sign.of(room);
   if (room_sign < 0) return 1;
+  if (is_long(p00) || is_long(p01) || is_long(x)) {
+    return long_segment_gap(room_sign, p00, p01, x, from, to, inside, sign);
+  }
   const auto centre = p01 * x;
   const auto before = p00 * from - centre;
   if (sign.of(before) > 0) return -inside(from, room, before);
@@ -88,6 +104,8 @@ struct VisibleEdges {
   }
 
  private:
+  static constexpr int not_asked = 2;
+
   template <class Size, class Axis, class Place>
   static int least_gap(int enough, Signs& sign, const Size& a, const Size& b, const Axis& c, const Axis& s,
                        const Place& x0, const Place& x1, const Place& y0, const Place& y1) noexcept {
@@ -97,13 +115,19 @@ struct VisibleEdges {
     const auto p01 = (aa - bb) * (c * s);
     const Place none;
     const Place &x = x0.sign < 0 ? none : x0, &y = y0.sign < 0 ? none : y0;
-    const auto at_x = [&](const Place& end, const auto& room, const auto& gap) {
-      return e.inside(x, end, room, gap, sign);
+    // Both edges have the near corner, whose distance from the ellipse is worked out once.
+    const bool has_near_corner = x0.sign >= 0 && y0.sign >= 0;
+    int near_corner = not_asked;
+    const auto at_x = [&](const Place& end, const auto&... known) {
+      const int inside = e.inside(x, end, known..., sign);
+      if (has_near_corner && &end == &y0) near_corner = inside;
+      return inside;
     };
     const int gap_x = segment_gap(aa * cc + bb * ss, p01, x, y0, y1, at_x, sign);
     if (gap_x <= enough) return gap_x;
-    const auto at_y = [&](const Place& end, const auto& room, const auto& gap) {
-      return e.inside(end, y, room, gap, sign);
+    const auto at_y = [&](const Place& end, const auto&... known) {
+      if (&end == &x0 && near_corner != not_asked) return near_corner;
+      return e.inside(end, y, known..., sign);
     };
     const int gap_y = segment_gap(aa * ss + bb * cc, p01, y, x0, x1, at_y, sign);
     return gap_x < gap_y ? gap_x : gap_y;
@@ -135,13 +159,16 @@ inline int clearance(const Box& box, const Ellipse& ellipse) noexcept {
   const auto m0 = b * dot(vx, vy, dx, dy), m1 = a * cross(vx, vy, dx, dy);
   const auto c = dot(vx, vy, box.ux, box.uy), s = cross(vx, vy, box.ux, box.uy);
   const auto g0 = b * (box.hx * c), g1 = a * (box.hx * s), h0 = b * (box.hy * s), h1 = a * (box.hy * c);
-  const auto radius = square(a * b * dot(vx, vy, vx, vy));
+  const auto radius = a * b * dot(vx, vy, vx, vy);
+  const auto room = [](const auto& r, const auto& x, const auto& y, const auto& ex, const auto& ey) {
+    const auto product = abs(x * ex + y * ey);
+    return square(r) - (square(x) + square(y) + (product + product) + square(ex) + square(ey));
+  };
   int least = 1;
   for (int side = -1; side <= 1; side += 2) {
     // The further of m + e and m - e is at |m|^2 + 2 |m . e| + |e|^2.
     const auto e0 = side > 0 ? g0 - h0 : g0 + h0, e1 = side > 0 ? g1 + h1 : g1 - h1;
-    const auto reach = square(m0) + square(m1) + integer(2) * abs(m0 * e0 + m1 * e1) + square(e0) + square(e1);
-    const int sign = compare(radius, reach);
+    const int sign = sign_of(room, radius, m0, m1, e0, e1);
     if (sign < least) least = sign;
   }
   return least;
@@ -157,9 +184,12 @@ inline int clearance(const Ellipse& ellipse, const Box& box) noexcept {
   if (room_x.sign <= 0 || room_y.sign <= 0) return -1;
   const auto c = dot(box.ux, box.uy, ellipse.ux, ellipse.uy);
   const auto s = cross(box.ux, box.uy, ellipse.ux, ellipse.uy);
-  const int along = compare(square(room_x), square(ellipse.a * c) + square(ellipse.b * s));
+  const auto beyond = [](const auto& room, const auto& x, const auto& y) {
+    return square(room) - (square(x) + square(y));
+  };
+  const int along = sign_of(beyond, room_x, ellipse.a * c, ellipse.b * s);
   if (along < 0) return -1;
-  const int across = compare(square(room_y), square(ellipse.a * s) + square(ellipse.b * c));
+  const int across = sign_of(beyond, room_y, ellipse.a * s, ellipse.b * c);
   return along < across ? along : across;
 }
 

@@ -11,7 +11,7 @@ namespace vesica::exact {
 
 /// Sign of the discriminant of p, up to a positive factor: 1 for three real roots, 0 for a multiple one, -1 for a
 /// single real root. Degree 32.
-VESICA_COLD inline int discriminant_sign(const ContactCubic& p) noexcept {
+VESICA_CALLED inline int discriminant_sign(const ContactCubic& p) noexcept {
   if (is_long(p)) {
     Signs signs;
     const int sign = discriminant_sign(p, signs);
@@ -62,7 +62,7 @@ inline Relation concentric(const ContactCubic& p) noexcept {
 /// is positive semidefinite, that is from y+ = (mu + sqrt(mu^2 - 4 d1 d2)) / (2 d2) on. There q <= 0, so q must rise at
 /// or beyond y+ to a local maximum; with three real roots that maximum is not negative. q'(y+), q''(y+) and q(y+) times
 /// positive factors are numbers a + b sqrt(delta). Degree 32.
-VESICA_COLD inline bool first_in_second(const ContactCubic& p) noexcept {
+VESICA_CALLED inline bool first_in_second(const ContactCubic& p) noexcept {
   if (is_long(p)) {
     Signs signs;
     const bool inside = exact::first_in_second(p, signs);

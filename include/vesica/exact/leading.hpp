@@ -127,23 +127,55 @@ Leading<limbs> operator-(const Leading<limbs>& a, const Leading<limbs>& b) noexc
 }
 
 /// Of numbers with more limbs the leading digits are worth asking first: few of them, and then more.
-inline constexpr int least_long = 16, few_limbs = 6, some_limbs = 16, more_limbs = 40;
+inline constexpr int least_long = 16, few_limbs = 6, some_limbs = 12, more_limbs = 24, most_limbs = 48;
+
+template <int Degree>
+bool is_long(const Number<Degree>& x) noexcept {
+  return x.size > least_long;
+}
+template <int limbs>
+bool is_long(const Leading<limbs>&) noexcept {
+  return false;
+}
+
+namespace detail {
+
+template <int limbs, class Polynomial, int... Degree>
+bool digits_tell(int& sign, const Polynomial& value, const Number<Degree>&... x) noexcept {
+  const auto leading = value(Leading<limbs>(x)...);
+  sign = leading.sign;
+  return leading.sign_is_certain();
+}
+
+/// Whether leading digits of long numbers tell the sign of a polynomial in them.
+template <class Polynomial, int... Degree>
+bool leading_digits_tell(int& sign, const Polynomial& value, const Number<Degree>&... x) noexcept {
+  if (!(is_long(x) || ...)) return false;
+  if (digits_tell<few_limbs>(sign, value, x...) || digits_tell<some_limbs>(sign, value, x...)) return true;
+  if (((x.size > more_limbs) || ...) && digits_tell<more_limbs>(sign, value, x...)) return true;
+  return ((x.size > most_limbs) || ...) && digits_tell<most_limbs>(sign, value, x...);
+}
+
+}  // namespace detail
+
+/// The sign of a polynomial in these numbers, given as a function of numbers of any type.
+template <class Polynomial, int... Degree>
+int sign_of(const Polynomial& value, const Number<Degree>&... x) noexcept {
+  int sign = 0;
+  return detail::leading_digits_tell(sign, value, x...) ? sign : value(x...).sign;
+}
 
 /// Sign of a b - c^2, with neither product formed where signs or magnitudes tell.
 template <int A, int B, int C>
 int compare_product_with_square(const Number<A>& a, const Number<B>& b, const Number<C>& c) noexcept {
-  const int sign = a.sign * b.sign;
+  int sign = a.sign * b.sign;
   if (sign <= 0 || c.sign == 0) return sign < 0 || c.sign == 0 ? sign : -1;
   // The top bit of a product is that of its factors' sum, or one below.
   const std::int64_t left = detail::top_bit(a) + detail::top_bit(b), right = 2 * detail::top_bit(c);
   if (left + 1 < right) return -1;
   if (right + 1 < left) return 1;
-  if (a.size > least_long || b.size > least_long || c.size > least_long) {
-    using Few = Leading<few_limbs>;
-    const Few few = Few(a) * Few(b) - square(Few(c));
-    if (few.sign_is_certain()) return few.sign;
-  }
-  return compare(a * b, square(c));
+  const auto difference = [](const auto& p, const auto& q, const auto& r) { return p * q - square(r); };
+  return detail::leading_digits_tell(sign, difference, a, b, c) ? sign : compare(a * b, square(c));
 }
 
 /// The signs of numbers; once one was not certain nothing is.
@@ -159,17 +191,25 @@ struct Signs {
     certain = certain && x.sign_is_certain();
     return x.sign;
   }
+  /// Of a polynomial in these numbers.
+  template <class Polynomial, int... Degree>
+  int of_polynomial(const Polynomial& value, const Number<Degree>&... x) noexcept {
+    return sign_of(value, x...);
+  }
+  template <class Polynomial, int limbs, class... Same>
+  int of_polynomial(const Polynomial& value, const Leading<limbs>& x, const Same&... rest) noexcept {
+    return of(value(x, rest...));
+  }
 };
 
-/// The answer to a question about signs: from the numbers' leading digits where these tell, else from all digits.
+/// The answer to a question about signs: from a few leading digits where these tell. Else the numbers that it forms are
+/// exact, and of_polynomial() asks for their digits as it needs them: most of what cancels cancels in the first sums.
 template <class Question, int... Degree>
 auto decide(const Question& question, const Number<Degree>&... x) noexcept {
-  if (((x.size > least_long) || ...)) {
-    Signs of_few, of_some;
+  if ((is_long(x) || ...)) {
+    Signs of_few;
     const auto few = question(of_few, Leading<few_limbs>(x)...);
     if (of_few.certain) return few;
-    const auto some = question(of_some, Leading<some_limbs>(x)...);
-    if (of_some.certain) return some;
   }
   Signs signs;
   return question(signs, x...);

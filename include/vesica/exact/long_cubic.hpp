@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Signs about two ellipses from leading digits, where exponents are wildly unlike and all digits would take hundreds of
-/// microseconds.
+/// Signs about two ellipses from leading digits, where exponents are wildly unlike and all digits would take a hundred
+/// microseconds and more.
 #pragma once
 
 #include <vesica/exact/contact_cubic.hpp>
@@ -8,20 +8,25 @@
 
 namespace vesica::exact {
 
-inline bool is_long(const ContactCubic& p) noexcept { return p.c1.size > least_long || p.c2.size > least_long; }
+inline bool is_long(const ContactCubic& p) noexcept { return is_long(p.c1) || is_long(p.c2); }
 
-/// What may be far smaller than its terms, formed exactly: delta = mu^2 - 4 d1 d2, which is 0 iff S1 and S2 are
-/// proportional, and g = d1 + d2 - mu = det(S1 - S2).
+/// What may be far smaller than its terms: delta = mu^2 - 4 d1 d2, which is 0 iff S1 and S2 are proportional, and g = d1
+/// + d2 - mu = det(S1 - S2). From leading digits these lose what cancels; so, where it must be, they are formed exactly.
+template <class Degree16, class Degree8>
 struct SmallParts {
-  Number<16> delta;
-  Number<8> g, al_less_be, al_less_2be;
-
-  explicit SmallParts(const ContactCubic& p) noexcept
-      : delta(square(p.mu) - integer(4) * (p.d1 * p.d2)),
-        g(p.d1 + p.d2 - p.mu),
-        al_less_be(p.al - p.be),
-        al_less_2be(p.al - integer(2) * p.be) {}
+  Degree16 delta;
+  Degree8 g, al_less_be, al_less_2be;
 };
+
+inline SmallParts<Number<16>, Number<8>> exact_small_parts(const ContactCubic& p) noexcept {
+  return {square(p.mu) - integer(4) * (p.d1 * p.d2), p.d1 + p.d2 - p.mu, p.al - p.be, p.al - integer(2) * p.be};
+}
+
+template <class Real>
+SmallParts<Real, Real> leading_small_parts(const ContactCubic& p) noexcept {
+  const Real d1(p.d1), d2(p.d2), mu(p.mu), al(p.al), be(p.be);
+  return {square(mu) - times(4, d1 * d2), d1 + d2 - mu, al - be, al - times(2, be)};
+}
 
 namespace detail {
 
@@ -35,8 +40,8 @@ Real discriminant(const ContactCubic& p) noexcept {
 
 /// A third of it, in powers of al and be: with both 0 it is delta g^2. So nothing cancels where the ellipses' centres
 /// are close to each other, as seen from an ellipse that is large or thin.
-template <class Real>
-Real discriminant_by_offset(const ContactCubic& p, const SmallParts& small) noexcept {
+template <class Real, class Small>
+Real discriminant_by_offset(const ContactCubic& p, const Small& small) noexcept {
   const Real d1(p.d1), d2(p.d2), mu(p.mu), al(p.al), be(p.be), delta(small.delta), g(small.g);
   const Real al_al = square(al), be_be = square(be), al_be = al * be, d1_d2 = d1 * d2;
   const Real linear = g * (al * d2 * (times(2, d1) - mu) + be * d1 * (times(2, d2) - mu)) +
@@ -49,16 +54,19 @@ Real discriminant_by_offset(const ContactCubic& p, const SmallParts& small) noex
 }
 
 /// The same for proportional S1 and S2 with offset centres, over factors that are positive: a degree of 16.
-template <class Real>
-Real discriminant_of_proportional(const ContactCubic& p) noexcept {
-  const Real al(p.al), mu(p.mu), twice_d1(integer(2) * p.d1);
-  return square(twice_d1 - mu) + times(4, al * (al - twice_d1 - mu));
+inline int sign_of_discriminant_of_proportional(const ContactCubic& p) noexcept {
+  const auto value = [](const auto& al, const auto& less, const auto& twice_less) {
+    const auto product = al * (al - less), twice = product + product;
+    return square(twice_less) + (twice + twice);
+  };
+  const auto twice_d1 = integer(2) * p.d1;
+  return sign_of(value, p.al, twice_d1 + p.mu, twice_d1 - p.mu);
 }
 
 /// With r = d2 al - be mu and h = al - 2 be: q' is a positive multiple of 2 r - delta + slope sqrt(delta), and
 /// slope^2 delta - (2 r - delta)^2 = 4 d2 (delta (g + h) + h (2 be d1 - al d2) - 2 al be g).
-template <class Real>
-bool first_in_second(const ContactCubic& p, const SmallParts& small, Signs& signs) noexcept {
+template <class Real, class Small>
+bool first_in_second(const ContactCubic& p, const Small& small, Signs& signs) noexcept {
   const Real d2(p.d2), mu(p.mu), al(p.al), be(p.be), delta(small.delta);
   const Real slope = times(2, Real(p.c2)) - times(3, mu);
   const int slope_sign = signs.of(slope), delta_sign = signs.of(delta);
@@ -79,20 +87,22 @@ bool first_in_second(const ContactCubic& p, const SmallParts& small, Signs& sign
 /// As the functions of the same names in ellipse_ellipse.hpp; not certain where the leading digits do not tell.
 inline int discriminant_sign(const ContactCubic& p, Signs& signs) noexcept {
   using Few = Leading<few_limbs>;
-  using More = Leading<more_limbs>;
   const Few few = detail::discriminant<Few>(p);
   if (few.sign_is_certain()) return few.sign;
-  const SmallParts small(p);
-  if (small.delta.sign == 0) return signs.of(detail::discriminant_of_proportional<More>(p));
+  const auto small = exact_small_parts(p);
+  if (small.delta.sign == 0) return detail::sign_of_discriminant_of_proportional(p);
   const Few by_offset = detail::discriminant_by_offset<Few>(p, small);
-  return by_offset.sign_is_certain() ? by_offset.sign : signs.of(detail::discriminant<More>(p));
+  return by_offset.sign_is_certain() ? by_offset.sign : signs.of(detail::discriminant<Leading<more_limbs>>(p));
 }
 
 inline bool first_in_second(const ContactCubic& p, Signs& signs) noexcept {
-  const SmallParts small(p);
-  Signs of_few;
-  const bool inside = detail::first_in_second<Leading<few_limbs>>(p, small, of_few);
-  return of_few.certain ? inside : detail::first_in_second<Leading<more_limbs>>(p, small, signs);
+  using Few = Leading<few_limbs>;
+  Signs of_few, of_small;
+  const bool by_few = detail::first_in_second<Few>(p, leading_small_parts<Few>(p), of_few);
+  if (of_few.certain) return by_few;
+  const auto small = exact_small_parts(p);
+  const bool by_small = detail::first_in_second<Few>(p, small, of_small);
+  return of_small.certain ? by_small : detail::first_in_second<Leading<more_limbs>>(p, small, signs);
 }
 
 }  // namespace vesica::exact

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <vesica/arithmetic/scaled.hpp>
-#include <vesica/exact/number.hpp>
+#include <vesica/exact/leading.hpp>
 
 namespace vesica::exact {
 
@@ -23,7 +23,47 @@ vesica::detail::arithmetic::Scaled rounded(const Number<Degree>& x) noexcept {
   return {x.sign < 0 ? -value : value, 64 * (x.low + x.size) - shift};
 }
 
-/// The same, and what it leaves: (high.value + low) * 2^high.exponent, low rounded as high is.
+namespace detail {
+
+/// rounded(), where what is missing makes no difference to it.
+template <int limbs>
+bool rounds_surely(const Leading<limbs>& x, vesica::detail::arithmetic::Scaled& out) noexcept {
+  constexpr int degree = (limbs + 31) / 32 + 1;
+  if (!x.sign_is_certain()) return false;
+  Number<degree> kept;
+  kept.sign = x.sign;
+  kept.low = x.low;
+  kept.size = x.sign == 0 ? 0 : limbs;
+  for (int i = 0; i < kept.size; ++i) kept.limb[i] = x.limb[i];
+  kept.strip();
+  out = rounded(kept);
+  if (x.error == Leading<limbs>::nothing) return true;
+  if (x.error < std::int64_t{64} * x.low) return false;  // beyond the digits kept
+  Number<degree> missing;
+  const int place = static_cast<int>(x.error - std::int64_t{64} * x.low);
+  missing.sign = 1;
+  missing.low = x.low + place / 64;
+  missing.size = 1;
+  missing.limb[0] = Limb{1} << place % 64;
+  const auto most = rounded(kept + missing), least = rounded(kept - missing);
+  return most.value == out.value && most.exponent == out.exponent && least.value == out.value &&
+         least.exponent == out.exponent;
+}
+
+}  // namespace detail
+
+/// rounded() of a polynomial in these numbers, from the leading digits of long ones where these tell.
+template <class Polynomial, int... Degree>
+vesica::detail::arithmetic::Scaled rounded_value(const Polynomial& value, const Number<Degree>&... x) noexcept {
+  vesica::detail::arithmetic::Scaled out{0, 0};
+  if ((is_long(x) || ...)) {
+    if (detail::rounds_surely(value(Leading<few_limbs>(x)...), out)) return out;
+    if (detail::rounds_surely(value(Leading<more_limbs>(x)...), out)) return out;
+  }
+  return rounded(value(x...));
+}
+
+/// The same as rounded(), and what it leaves: (high.value + low) * 2^high.exponent, low rounded as high is.
 struct RoundedTwice {
   vesica::detail::arithmetic::Scaled high;
   double low;

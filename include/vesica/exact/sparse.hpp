@@ -58,13 +58,14 @@ class Runs {
 };
 
 /// sum += a * b, both of at least one limb. The sum has room for it.
-inline void add_product(const Span& a, const Span& b, Limb* sum) noexcept {
+VESICA_CALLED inline void add_product(const Span& a, const Span& b, Limb* sum) noexcept {
   for (int i = 0; i < a.size; ++i) {
-    if (a.limb[i] == 0) continue;
+    const Limb factor = a.limb[i];
+    if (factor == 0) continue;
     Limb* out = sum + (a.low + i + b.low);
     Limb carry = 0;
     for (int j = 0; j < b.size; ++j, ++out) {
-      const LimbPair total = multiply_add(a.limb[i], b.limb[j], *out, carry);
+      const LimbPair total = multiply_add(factor, b.limb[j], *out, carry);
       *out = total.low;
       carry = total.high;
     }
@@ -73,24 +74,22 @@ inline void add_product(const Span& a, const Span& b, Limb* sum) noexcept {
   }
 }
 
-inline void double_all(Limb* a, int n) noexcept {
-  for (int i = n - 1; i > 0; --i) a[i] = a[i] << 1 | a[i - 1] >> 63;
-  a[0] <<= 1;
-}
-
-/// The products of all runs in `plus` and `minus`, of a number by itself in half as many.
-inline void add_products(const Runs& x, const Runs& y, bool same, int n, Limb* plus, Limb* minus) noexcept {
-  for (int i = 0; i < x.count; ++i) {
-    for (int j = same ? i + 1 : 0; j < y.count; ++j) {
-      const auto &p = x.run[i], &q = y.run[j];
-      Limb* const sum = p.negative == q.negative ? plus : minus;
-      p.span.size < q.span.size ? add_product(p.span, q.span, sum) : add_product(q.span, p.span, sum);
+/// sum -= a * b, for a sum that is not less.
+VESICA_CALLED inline void subtract_product(const Span& a, const Span& b, Limb* sum) noexcept {
+  for (int i = 0; i < a.size; ++i) {
+    const Limb factor = a.limb[i];
+    if (factor == 0) continue;
+    Limb* out = sum + (a.low + i + b.low);
+    Limb carry = 0;
+    for (int j = 0; j < b.size; ++j, ++out) {
+      const LimbPair product = multiply_add(factor, b.limb[j], carry, 0);
+      carry = product.high + static_cast<Limb>(*out < product.low);
+      *out -= product.low;
     }
+    Limb borrow = *out < carry;
+    *out -= carry;
+    while (borrow != 0) borrow = (*++out)-- == 0;
   }
-  if (!same) return;
-  double_all(plus, n);
-  double_all(minus, n);
-  for (int i = 0; i < x.count; ++i) add_product(x.run[i].span, x.run[i].span, plus);
 }
 
 /// Numbers of fewer limbs are multiplied limb by limb.
@@ -98,21 +97,52 @@ inline constexpr int least_sparse = 12;
 /// Limbs of the longest product that is tried here. Those of degree 32 are shorter.
 inline constexpr int most_sparse = 1100;
 
+/// The runs of a number, twice as great: `room` is where their limbs are put.
+inline void double_runs(Runs& x, Limb* room) noexcept {
+  for (int i = 0; i < x.count; ++i) {
+    Span& s = x.run[i].span;
+    Limb below = 0;
+    for (int k = 0; k < s.size; ++k) {
+      room[k] = s.limb[k] << 1 | below >> 63;
+      below = s.limb[k];
+    }
+    room[s.size] = below >> 63;
+    s = {room, s.low, s.size + static_cast<int>(below >> 63)};
+    room += s.size;
+  }
+}
+
+/// All products of a run of x and one of y that have this sign. Of a number by itself, x is twice y, and runs that are
+/// the same number are left out.
+template <bool negative>
+void take_products(const Runs& x, const Runs& y, bool same, Limb* out) noexcept {
+  for (int i = 0; i < x.count; ++i) {
+    for (int j = same ? i + 1 : 0; j < y.count; ++j) {
+      const auto &p = x.run[i], &q = y.run[j];
+      if ((p.negative != q.negative) != negative) continue;
+      const bool in_order = p.span.size < q.span.size;
+      const Span &a = in_order ? p.span : q.span, &b = in_order ? q.span : p.span;
+      negative ? subtract_product(a, b, out) : add_product(a, b, out);
+    }
+  }
+}
+
 /// out = a * b, two limbs longer than both together, where few limbs matter; false where limb by limb is as quick.
-VESICA_COLD inline bool multiply_sparse(const Span& a, const Span& b, Limb* out) noexcept {
+VESICA_CALLED inline bool multiply_sparse(const Span& a, const Span& b, Limb* out) noexcept {
   const int n = a.size + b.size + 2;
   Runs x, y;
   if (n > most_sparse || !x.set(a.limb, a.size) || !y.set(b.limb, b.size)) return false;
   if (2 * x.limbs * y.limbs > a.size * b.size) return false;
-  Limb minus[most_sparse];
-  for (int i = 0; i < n; ++i) out[i] = minus[i] = 0;
-  add_products(x, y, a.limb == b.limb, n, out, minus);
-  Limb borrow = 0;
-  for (int i = 0; i < n; ++i) {
-    const Limb difference = out[i] - minus[i], total = difference - borrow;
-    borrow = static_cast<Limb>(out[i] < minus[i]) | static_cast<Limb>(difference < borrow);
-    out[i] = total;
+  for (int i = 0; i < n; ++i) out[i] = 0;
+  const bool same = a.limb == b.limb;
+  Limb room[most_sparse];
+  if (same) {
+    for (int i = 0; i < y.count; ++i) add_product(y.run[i].span, y.run[i].span, out);
+    double_runs(x, room);
   }
+  // What is taken away last never makes the sum negative.
+  take_products<false>(x, y, same, out);
+  take_products<true>(x, y, same, out);
   return true;
 }
 

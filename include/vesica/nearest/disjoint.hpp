@@ -53,31 +53,67 @@ inline Closest closest_boxes(const Box<double>& a, const Box<double>& b, const V
 
 /// farthest_direction() by halving alone, to the last place of the direction.
 struct Halving {
+  /// At the end the same few directions may come again and again, by turns of middle(): whole rounds of them are left
+  /// out, which changes nothing.
+  static constexpr int most_steps = 200, round = 6, last_round = most_steps / round * round;
+
   template <class Shapes>
   FoundDirection<double> operator()(const Shapes& shapes, const Direction<double>& d, double size) const noexcept {
-    Direction<double> n = first_direction(shapes, d);
-    Bracket<double> bracket = first_bracket(d, n);
+    Direction<double> n = first_direction(shapes, d), n_before{0, 0};
+    Bracket<double> bracket = first_bracket(d, n), before{{0, 0}, {0, 0}};
     int step = 0;
-    for (; step < 200; ++step) {
+    for (; step < most_steps; ++step) {
+      if (step % round == 0) {
+        if (same(n, n_before) && same(bracket.low, before.low) && same(bracket.high, before.high)) step = last_round;
+        n_before = n;
+        before = bracket;
+      }
       (turn_at(shapes, d, size, n).slope > 0 ? bracket.low : bracket.high) = n;
       const Direction<double> next = middle(shapes, d, bracket, step);
-      if (next.x == n.x && next.y == n.y) break;
+      if (same(next, n)) break;
       n = next;
     }
     return {n, true, step};
   }
+
+ private:
+  static bool same(const Direction<double>& a, const Direction<double>& b) noexcept { return a.x == b.x && a.y == b.y; }
 };
 
-/// All four vertices, and the faces that the ellipse's support point stands above.
+/// The signs of a feature's vertex, by its number: vertices, faces across x, faces across y.
+inline Feature<double> feature(int k) noexcept {
+  return {(k & 1) != 0 ? 1.0 : -1.0, (k & 2) != 0 ? 1.0 : -1.0, k >= 4 && k < 8, k >= 8};
+}
+
+/// Whether vertex k needs no search: it is one that came before, or behind the best one as seen along the best one's
+/// normal, which alone keeps the ellipse farther from it.
+inline bool is_vertex_beaten(const Box<double>& box, int k, const BoxEllipse<double>& best, double size) noexcept {
+  if ((box.hx.high == 0 && (k & 1) != 0) || (box.hy.high == 0 && (k & 2) != 0)) return true;
+  const Feature<double> f = feature(k);
+  const Vector<double> at = vertex(box, f.i, f.j);
+  const Vector<double> from = vertex(box, std::copysign(1.0, best.spot.s), std::copysign(1.0, best.spot.t));
+  return best.nx * (from.x.high - at.x.high) + best.ny * (from.y.high - at.y.high) > 0x1p-30 * size;
+}
+
+/// All four vertices, and the faces that the ellipse's support point stands above. The vertex that is likely to be the
+/// closest is tried first: then few others need a search. Of equally close features the first counts.
 inline BoxEllipse<double> box_ellipse_by_features(const Box<double>& box, const Axes<double>& e,
                                                   const Vector<double>& d, double size, int& steps) noexcept {
   BoxEllipse<double> best{{0x1p1000, 0}, {0, 0}, 0, 0, 0, 0, false};
+  int of_best = 12;
+  const auto attempt = [&](int k) {
+    const BoxEllipse<double> found = feature_ellipse(box, e, d, size, feature(k), Halving{}, steps);
+    if (k >= 4 && !(found.settled && rounded(found.distance) > -0x1p-80 * size)) return;
+    const double farther = rounded(renormalised(found.distance - best.distance));
+    if (!(farther < 0 || (farther == 0 && k < of_best))) return;
+    best = found;
+    of_best = k;
+  };
+  const Feature<double> guess = closest_feature(box, e, d.x.high, d.y.high);
+  const int likely = (guess.i > 0 && box.hx.high != 0 ? 1 : 0) + (guess.j > 0 && box.hy.high != 0 ? 2 : 0);
+  attempt(likely);
   for (int k = 0; k < 12; ++k) {
-    const double i = (k & 1) != 0 ? 1 : -1, j = (k & 2) != 0 ? 1 : -1;
-    const Feature<double> feature{i, j, k >= 4 && k < 8, k >= 8};
-    const BoxEllipse<double> found = feature_ellipse(box, e, d, size, feature, Halving{}, steps);
-    const bool usable = k < 4 || (found.settled && rounded(found.distance) > -0x1p-80 * size);
-    if (usable && less(found.distance, best.distance)) best = found;
+    if (k >= 4 || (k != likely && !is_vertex_beaten(box, k, best, size))) attempt(k);
   }
   return best;
 }

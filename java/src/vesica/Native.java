@@ -116,7 +116,7 @@ final class Native {
    *
    * <p>Accuracy: exact.
    *
-   * <p>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal, at worst 300.
+   * <p>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal, at worst 30.
    *
    * <p>Since: 0.1.
    */
@@ -155,7 +155,7 @@ final class Native {
    * closely the outlines touch or coincide. Places closer to one another than that may come in either order or be equal.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
-   * <p>Cost: 1 to 10 us; at worst 300 us, where exponents are wildly unlike.
+   * <p>Cost: 1 to 10 us; at worst 100 us, where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */
@@ -179,7 +179,7 @@ final class Native {
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
    * <p>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
-   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 300.
+   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 30.
    *
    * <p>Since: 0.1.
    */
@@ -203,7 +203,7 @@ final class Native {
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
    * <p>Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2 us
-   * for a common point, of needles as vesica_crossings_f64; 5 us more if exact arithmetic must tell; at worst 300 us.
+   * for a common point, of needles as vesica_crossings_f64; 5 us more if exact arithmetic must tell; at worst 100 us.
    *
    * <p>Since: 0.1.
    */
@@ -229,7 +229,7 @@ final class Native {
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
    * <p>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
-   * if only exact arithmetic can tell the depth from 0; at worst 300 us, where exponents are wildly unlike.
+   * if only exact arithmetic can tell the depth from 0; at worst 30 us, where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */
@@ -268,7 +268,7 @@ final class Native {
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
    * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
-   * nearly touch or coincide, or if one shape is far larger; at worst 300 us, where exponents are wildly unlike.
+   * nearly touch or coincide, or if one shape is far larger; at worst 40 us, where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */
@@ -794,7 +794,7 @@ final class Native {
    *
    * <p>Accuracy: exact.
    *
-   * <p>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal, at worst 300.
+   * <p>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal, at worst 30.
    *
    * <p>Since: 0.1.
    */
@@ -834,7 +834,7 @@ final class Native {
    * Each number is computed in double, within these bounds, and then rounded to float once.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
-   * <p>Cost: 1 to 10 us; at worst 300 us, where exponents are wildly unlike.
+   * <p>Cost: 1 to 10 us; at worst 100 us, where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */
@@ -859,7 +859,7 @@ final class Native {
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
    * <p>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
-   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 300.
+   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 30.
    *
    * <p>Since: 0.1.
    */
@@ -884,7 +884,7 @@ final class Native {
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
    * <p>Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2 us
-   * for a common point, of needles as vesica_crossings_f32; 5 us more if exact arithmetic must tell; at worst 300 us.
+   * for a common point, of needles as vesica_crossings_f32; 5 us more if exact arithmetic must tell; at worst 100 us.
    *
    * <p>Since: 0.1.
    */
@@ -911,7 +911,7 @@ final class Native {
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
    * <p>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
-   * if only exact arithmetic can tell the depth from 0; at worst 300 us, where exponents are wildly unlike.
+   * if only exact arithmetic can tell the depth from 0; at worst 30 us, where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */
@@ -952,7 +952,7 @@ final class Native {
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
    * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
-   * nearly touch or coincide, or if one shape is far larger; at worst 300 us, where exponents are wildly unlike.
+   * nearly touch or coincide, or if one shape is far larger; at worst 40 us, where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */
