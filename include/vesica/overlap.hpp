@@ -40,17 +40,19 @@ namespace detail {
 
 /// For pairs in double that a filter left undecided. Invalid shapes get their error here, valid ones their exact answer.
 template <class A, class B>
-VESICA_COLD std::int32_t decide_undecided(const A& a, const B& b) noexcept {
+VESICA_COLD constexpr std::int32_t decide_undecided(const A& a, const B& b) noexcept {
   if constexpr (filter::HasErrorFree<A, B>) {
-    const auto verdict = filter::error_free(a, b);
-    if (verdict.overlap || verdict.disjoint) return verdict.overlap ? 1 : 0;
+    if (!std::is_constant_evaluated()) {
+      const auto verdict = filter::error_free(a, b);
+      if (verdict.overlap || verdict.disjoint) return verdict.overlap ? 1 : 0;
+    }
   }
   if (check(a) != 0 || check(b) != 0) return error_shape;
   return detail::overlap::exact(a, b) ? 1 : 0;
 }
 /// Here and not by the caller, who would widen floats to memory before it knew that it must.
 template <template <class> class A, template <class> class B>
-VESICA_COLD std::int32_t decide_undecided(const A<float>& a, const B<float>& b) noexcept {
+VESICA_COLD constexpr std::int32_t decide_undecided(const A<float>& a, const B<float>& b) noexcept {
   return decide_undecided(widen(a), widen(b));
 }
 
@@ -62,10 +64,11 @@ inline constexpr bool in_order = ShapeTraits<A>::kind <= ShapeTraits<B>::kind;
 /// The checked form: 1 when the shapes share a point, 0 when not, error_shape when either is invalid, as the C
 /// functions return. Any kinds, in either order. A float is a double exactly, so one path serves both.
 template <template <class> class A, template <class> class B, class T>
-VESICA_INLINE std::int32_t overlap_or_error(const A<T>& a, const B<T>& b) noexcept {
+VESICA_INLINE constexpr std::int32_t overlap_or_error(const A<T>& a, const B<T>& b) noexcept {
   if constexpr (!detail::in_order<A<T>, B<T>>) {
     return overlap_or_error(b, a);
   } else {
+    if (std::is_constant_evaluated()) return detail::decide_undecided(a, b);
     const auto verdict = detail::overlap::filter(widen(a), widen(b));
     // 1, 0, or -1 for undecided; by arithmetic, since a jump on the answer could not be predicted.
     const std::int32_t answer = 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
@@ -78,7 +81,7 @@ VESICA_INLINE std::int32_t overlap_or_error(const A<T>& a, const B<T>& b) noexce
 /// Whether two shapes of any kinds, in either order, share a point. For valid shapes: an invalid one overlaps nothing.
 /// overlap_or_error() is the checked form.
 template <template <class> class A, template <class> class B, class T>
-VESICA_INLINE bool overlap(const A<T>& a, const B<T>& b) noexcept {
+VESICA_INLINE constexpr bool overlap(const A<T>& a, const B<T>& b) noexcept {
   return overlap_or_error(a, b) == 1;
 }
 

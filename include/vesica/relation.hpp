@@ -39,7 +39,7 @@ inline constexpr bool are_points = ShapeTraits<A>::kind == Kind::point&& ShapeTr
 
 /// For pairs in double, of kinds in order, that a filter left undecided.
 template <class A, class B>
-VESICA_COLD std::int32_t decide_relation(const A& a, const B& b) noexcept {
+VESICA_COLD constexpr std::int32_t decide_relation(const A& a, const B& b) noexcept {
   if (check(a) != 0 || check(b) != 0) return error_shape;
   if constexpr (is_compared<A> && is_compared<B>) {
     return static_cast<std::int32_t>(
@@ -50,13 +50,13 @@ VESICA_COLD std::int32_t decide_relation(const A& a, const B& b) noexcept {
 }
 
 template <template <class> class A, template <class> class B>
-VESICA_COLD std::int32_t decide_relation(const A<float>& a, const B<float>& b) noexcept {
+VESICA_COLD constexpr std::int32_t decide_relation(const A<float>& a, const B<float>& b) noexcept {
   return decide_relation(widen(a), widen(b));
 }
 
 /// Whether a contains all of b, or the other way round. For pairs as above.
 template <class A, class B>
-VESICA_COLD std::int32_t decide_containment(const A& a, const B& b, bool other_way) noexcept {
+VESICA_COLD constexpr std::int32_t decide_containment(const A& a, const B& b, bool other_way) noexcept {
   if (check(a) != 0 || check(b) != 0) return error_shape;
   if constexpr (is_compared<A> && is_compared<B>) {
     const auto relation = static_cast<Relation>(decide_relation(a, b));
@@ -68,7 +68,7 @@ VESICA_COLD std::int32_t decide_containment(const A& a, const B& b, bool other_w
   }
 }
 template <template <class> class A, template <class> class B>
-VESICA_COLD std::int32_t decide_containment(const A<float>& a, const B<float>& b, bool other_way) noexcept {
+VESICA_COLD constexpr std::int32_t decide_containment(const A<float>& a, const B<float>& b, bool other_way) noexcept {
   return decide_containment(widen(a), widen(b), other_way);
 }
 
@@ -87,17 +87,19 @@ VESICA_INLINE auto certain_facts(const A& a, const B& b) noexcept {
 /// The checked form: the relation of a to b as a number of 0 to 7 (see Relation), error_shape when either is invalid,
 /// as the C functions return. Any kinds, in either order.
 template <template <class> class A, template <class> class B, class T>
-VESICA_INLINE std::int32_t relation_or_error(const A<T>& a, const B<T>& b) noexcept {
+VESICA_INLINE constexpr std::int32_t relation_or_error(const A<T>& a, const B<T>& b) noexcept {
   if constexpr (detail::are_points<A<T>, B<T>>) {
     const std::int32_t same = overlap_or_error(a, b);
     return same > 0 ? static_cast<std::int32_t>(Relation::equal) : same;
   } else {
-    const auto certain = filter::certain_relation(detail::certain_facts(a, b));
-    // By arithmetic, without a jump, as in overlap. At most one of them is certain; -1 stands for none.
-    const std::int32_t answer = std::int32_t{certain.disjoint} + 3 * std::int32_t{certain.cross} +
-                                4 * std::int32_t{certain.inside} + 6 * std::int32_t{certain.contains} - 1;
-    if (answer >= 0) [[likely]]
-      return answer;
+    if (!std::is_constant_evaluated()) {
+      const auto certain = filter::certain_relation(detail::certain_facts(a, b));
+      // By arithmetic, without a jump, as in overlap. At most one of them is certain; -1 stands for none.
+      const std::int32_t answer = std::int32_t{certain.disjoint} + 3 * std::int32_t{certain.cross} +
+                                  4 * std::int32_t{certain.inside} + 6 * std::int32_t{certain.contains} - 1;
+      if (answer >= 0) [[likely]]
+        return answer;
+    }
     if constexpr (detail::in_order<A<T>, B<T>>) {
       return detail::decide_relation(a, b);
     } else {
@@ -120,21 +122,23 @@ VESICA_CALLED std::int32_t called_relation(const A& a, const B& b) noexcept {
 /// The relation of a to b, shapes of any kinds. For valid shapes: an invalid one is disjoint from everything.
 /// relation_or_error() is the checked form.
 template <template <class> class A, template <class> class B, class T>
-VESICA_INLINE Relation relation(const A<T>& a, const B<T>& b) noexcept {
+VESICA_INLINE constexpr Relation relation(const A<T>& a, const B<T>& b) noexcept {
   const std::int32_t answer = relation_or_error(a, b);
   return answer < 0 ? Relation::disjoint : static_cast<Relation>(answer);
 }
 
 /// The checked form: 1 when a contains all of b, 0 when not, error_shape when either is invalid.
 template <template <class> class A, template <class> class B, class T>
-VESICA_INLINE std::int32_t contains_or_error(const A<T>& a, const B<T>& b) noexcept {
+VESICA_INLINE constexpr std::int32_t contains_or_error(const A<T>& a, const B<T>& b) noexcept {
   if constexpr (detail::are_points<A<T>, B<T>>) {
     return overlap_or_error(a, b);
   } else {
-    const auto certain = filter::certain_containment(detail::certain_facts(a, b));
-    const std::int32_t answer = 2 * std::int32_t{certain.overlap} + std::int32_t{certain.disjoint} - 1;
-    if (answer >= 0) [[likely]]
-      return answer;
+    if (!std::is_constant_evaluated()) {
+      const auto certain = filter::certain_containment(detail::certain_facts(a, b));
+      const std::int32_t answer = 2 * std::int32_t{certain.overlap} + std::int32_t{certain.disjoint} - 1;
+      if (answer >= 0) [[likely]]
+        return answer;
+    }
     if constexpr (detail::in_order<A<T>, B<T>>) {
       return detail::decide_containment(a, b, false);
     } else {
@@ -146,7 +150,7 @@ VESICA_INLINE std::int32_t contains_or_error(const A<T>& a, const B<T>& b) noexc
 /// Whether a contains all of b, shapes of any kinds. For valid shapes: an invalid one contains nothing and is contained
 /// in nothing. contains_or_error() is the checked form.
 template <template <class> class A, template <class> class B, class T>
-VESICA_INLINE bool contains(const A<T>& a, const B<T>& b) noexcept {
+VESICA_INLINE constexpr bool contains(const A<T>& a, const B<T>& b) noexcept {
   return contains_or_error(a, b) == 1;
 }
 

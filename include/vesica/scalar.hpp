@@ -7,6 +7,7 @@
 #include <cfloat>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 
 // Error bounds and checks for NaN hold in IEEE arithmetic alone. What the compiler says about its flags is refused; Clang
 // says nothing of reassociation, reciprocals and signed zeros, and is told to do without them for the rest of the source.
@@ -130,10 +131,17 @@ inline double fused_difference(double a, double b, double c) noexcept { return s
 
 namespace detail {
 
+constexpr bool has_finite_bits(double x) noexcept { return (std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff) != 0x7ff; }
+
 /// Whether all numbers are finite, scalars or lanes: x - x is 0 for a finite x and NaN for any other, and NaN survives
-/// the sum.
+/// the sum. No constant is NaN: there bits tell.
 template <class V, class... W>
 VESICA_INLINE constexpr auto all_finite(V first, W... rest) noexcept {
+  if constexpr (std::is_arithmetic_v<V>) {
+    if (std::is_constant_evaluated()) {
+      return has_finite_bits(static_cast<double>(first)) && (has_finite_bits(static_cast<double>(rest)) && ...);
+    }
+  }
   return ((first - first) + ... + (rest - rest)) == V(0.0f);
 }
 

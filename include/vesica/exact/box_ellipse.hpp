@@ -19,7 +19,7 @@ struct FramedEllipse {
 
   /// The sign of 1 - z . P^-1 z for z = (x, y). Degree 12.
   template <class Place>
-  int inside(const Place& x, const Place& y, Signs& sign) const noexcept {
+  constexpr int inside(const Place& x, const Place& y, Signs& sign) const noexcept {
     const auto room = [](const auto& radius, const auto& along, const auto& across) {
       return square(radius) - (square(along) + square(across));
     };
@@ -28,18 +28,18 @@ struct FramedEllipse {
   /// The same from room = p00 - x^2 and gap = |p00 y - p01 x|: that of det P room - gap^2. Degree 18, but of numbers that
   /// are there already, and so quicker for short ones.
   template <class Place, int R, int G>
-  int inside(const Place&, const Place&, const Number<R>& room, const Number<G>& gap, Signs&) const noexcept {
+  constexpr int inside(const Place&, const Place&, const Number<R>& room, const Number<G>& gap, Signs&) const noexcept {
     return compare_product_with_square(square(a * b * nn), room, gap);
   }
   template <class Place, int limbs>
-  int inside(const Place& x, const Place& y, const Leading<limbs>&, const Leading<limbs>&, Signs& sign) const noexcept {
+  constexpr int inside(const Place& x, const Place& y, const Leading<limbs>&, const Leading<limbs>&, Signs& sign) const noexcept {
     return inside(x, y, sign);
   }
 };
 
 /// The rest of segment_gap() for long numbers: no product is formed where its factors' leading digits tell.
 template <class P, class Place, class Inside>
-VESICA_CALLED int long_segment_gap(int room_sign, const P& p00, const P& p01, const Place& x, const Place& from,
+VESICA_CALLED constexpr int long_segment_gap(int room_sign, const P& p00, const P& p01, const Place& x, const Place& from,
                                    const Place& to, const Inside& inside, Signs& sign) noexcept {
   const auto beyond_centre = [](const auto& p, const auto& end, const auto& q, const auto& side) {
     return p * end - q * side;
@@ -52,7 +52,7 @@ VESICA_CALLED int long_segment_gap(int room_sign, const P& p00, const P& p01, co
 /// it: 1 when it misses the ellipse, 0 when it only touches, -1 when it meets the inside. The line cuts the ellipse in
 /// a chord with centre p01 x / p00, if p00 >= x^2. Where that lies beyond an end, the end tells.
 template <class P, class Place, class Inside>
-int segment_gap(const P& p00, const P& p01, const Place& x, const Place& from, const Place& to, const Inside& inside,
+constexpr int segment_gap(const P& p00, const P& p01, const Place& x, const Place& from, const Place& to, const Inside& inside,
                 Signs& sign) noexcept {
   const auto room = p00 - square(x);
   const int room_sign = sign.of(room);
@@ -79,7 +79,7 @@ struct VisibleEdges {
   const Length &a, &b;
   bool centre_inside;  ///< the ellipse's centre is in the box
 
-  VisibleEdges(const Box& box, const Ellipse& ellipse) noexcept
+  constexpr VisibleEdges(const Box& box, const Ellipse& ellipse) noexcept
       : c(dot(box.ux, box.uy, ellipse.ux, ellipse.uy)),
         s(cross(box.ux, box.uy, ellipse.ux, ellipse.uy)),
         a(ellipse.a),
@@ -98,7 +98,7 @@ struct VisibleEdges {
     centre_inside = near_x.sign <= 0 && near_y.sign <= 0;
   }
   /// The lesser gap of the two edges; that of the first if it is at most `enough`.
-  int gap(int enough) const noexcept {
+  constexpr int gap(int enough) const noexcept {
     return decide([enough](Signs& sign, const auto&... numbers) { return least_gap(enough, sign, numbers...); }, a, b,
                   c, s, near_x, far_x, near_y, far_y);
   }
@@ -107,7 +107,7 @@ struct VisibleEdges {
   static constexpr int not_asked = 2;
 
   template <class Size, class Axis, class Place>
-  static int least_gap(int enough, Signs& sign, const Size& a, const Size& b, const Axis& c, const Axis& s,
+  static constexpr int least_gap(int enough, Signs& sign, const Size& a, const Size& b, const Axis& c, const Axis& s,
                        const Place& x0, const Place& x1, const Place& y0, const Place& y1) noexcept {
     const auto aa = square(a), bb = square(b);
     const auto cc = square(c), ss = square(s), nn = cc + ss;
@@ -137,7 +137,7 @@ struct VisibleEdges {
 }  // namespace detail
 
 /// Whether a box and an ellipse share a point.
-inline bool overlap(const Box& box, const Ellipse& ellipse) noexcept {
+constexpr bool overlap(const Box& box, const Ellipse& ellipse) noexcept {
   if (degenerate(ellipse)) return overlap(box, as_box(ellipse));
   const detail::VisibleEdges edges(box, ellipse);
   return edges.centre_inside || edges.gap(0) <= 0;
@@ -145,7 +145,7 @@ inline bool overlap(const Box& box, const Ellipse& ellipse) noexcept {
 
 /// -1 when the inside of an ellipse that is not degenerate meets the box, 0 when only its outline does, 1 when they are
 /// disjoint. The inside of the ellipse is open, so if it meets the box, it also meets the box's relative inside.
-inline int contact(const Box& box, const Ellipse& ellipse) noexcept {
+constexpr int contact(const Box& box, const Ellipse& ellipse) noexcept {
   const detail::VisibleEdges edges(box, ellipse);
   return edges.centre_inside ? -1 : edges.gap(-1);
 }
@@ -153,7 +153,7 @@ inline int contact(const Box& box, const Ellipse& ellipse) noexcept {
 /// How far a box stays within an ellipse that is not degenerate: 1 clear of the outline, 0 up to it, -1 not within.
 /// With m, g and h the offset of centres and the half edges in the frame in which the ellipse is the disc of radius a b
 /// V about the origin, the corners are m +- (g + h) and m +- (g - h). Degree 8.
-inline int clearance(const Box& box, const Ellipse& ellipse) noexcept {
+constexpr int clearance(const Box& box, const Ellipse& ellipse) noexcept {
   const Length dx = box.cx - ellipse.cx, dy = box.cy - ellipse.cy;
   const auto& [cx, cy, vx, vy, a, b] = ellipse;
   const auto m0 = b * dot(vx, vy, dx, dy), m1 = a * cross(vx, vy, dx, dy);
@@ -176,7 +176,7 @@ inline int clearance(const Box& box, const Ellipse& ellipse) noexcept {
 
 /// How far an ellipse that is not degenerate stays within a box. Its half extent along an axis is a square root:
 /// squared once. Degree 6.
-inline int clearance(const Ellipse& ellipse, const Box& box) noexcept {
+constexpr int clearance(const Ellipse& ellipse, const Box& box) noexcept {
   const Length dx = ellipse.cx - box.cx, dy = ellipse.cy - box.cy;
   const auto uu = dot(box.ux, box.uy, box.ux, box.uy);
   const auto room_x = box.hx * uu - abs(dot(box.ux, box.uy, dx, dy));

@@ -16,7 +16,7 @@ struct ContactCubic {
   Number<8> d1, c1, c2, d2, mu, al, be;
 };
 
-inline ContactCubic contact_cubic(const Ellipse& e, const Ellipse& f) noexcept {
+constexpr ContactCubic contact_cubic(const Ellipse& e, const Ellipse& f) noexcept {
   const Length dx = f.cx - e.cx, dy = f.cy - e.cy;
   const auto c = dot(e.ux, e.uy, f.ux, f.uy), s = cross(e.ux, e.uy, f.ux, f.uy);
   const auto a0 = square(e.a), a1 = square(e.b), b0 = square(f.a), b1 = square(f.b);

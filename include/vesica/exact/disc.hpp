@@ -8,7 +8,7 @@
 namespace vesica::exact {
 
 /// Whether the offset (dx, dy) is at most r long. Degree 2.
-inline bool within(const Length& dx, const Length& dy, const Length& r) noexcept {
+constexpr bool within(const Length& dx, const Length& dy, const Length& r) noexcept {
   return compare(square(dx) + square(dy), square(r)) <= 0;
 }
 
@@ -17,7 +17,7 @@ struct BoxAndCentre {
   Number<2> uu, kx, ky;
   Number<3> ex, ey;
 
-  BoxAndCentre(const Box& box, const Circle<double>& disc) noexcept {
+  constexpr BoxAndCentre(const Box& box, const Circle<double>& disc) noexcept {
     const Length dx = from_double(disc.cx) - box.cx, dy = from_double(disc.cy) - box.cy;
     uu = dot(box.ux, box.uy, box.ux, box.uy);
     kx = abs(dot(box.ux, box.uy, dx, dy));
@@ -29,7 +29,7 @@ struct BoxAndCentre {
 
 /// Sign of the distance from the disc's centre to the box less r: for r > 0, -1 when the disc's inside meets the box, 0
 /// when only its rim does, 1 when they are disjoint. Degree 6.
-inline int contact(const Box& box, const Circle<double>& disc) noexcept {
+constexpr int contact(const Box& box, const Circle<double>& disc) noexcept {
   const BoxAndCentre f(box, disc);
   auto x = f.kx - f.ex, y = f.ky - f.ey;
   if (x.sign < 0) x = {};
@@ -38,16 +38,16 @@ inline int contact(const Box& box, const Circle<double>& disc) noexcept {
 }
 
 /// Whether a box and a disc share a point.
-inline bool overlap(const Box& box, const Circle<double>& disc) noexcept { return contact(box, disc) <= 0; }
+constexpr bool overlap(const Box& box, const Circle<double>& disc) noexcept { return contact(box, disc) <= 0; }
 
 /// How far a box stays within a disc: 1 clear of the rim, 0 up to it, -1 not within. Degree 6.
-inline int clearance(const Box& box, const Circle<double>& disc) noexcept {
+constexpr int clearance(const Box& box, const Circle<double>& disc) noexcept {
   const BoxAndCentre f(box, disc);
   return compare(square(from_double(disc.r)) * f.uu, square(f.kx + f.ex) + square(f.ky + f.ey));
 }
 
 /// How far a disc of radius r > 0 stays within a box. Degree 6.
-inline int clearance(const Circle<double>& disc, const Box& box) noexcept {
+constexpr int clearance(const Circle<double>& disc, const Box& box) noexcept {
   const BoxAndCentre f(box, disc);
   const auto x = f.ex - f.kx, y = f.ey - f.ky;
   if (x.sign <= 0 || y.sign <= 0) return -1;
@@ -55,7 +55,7 @@ inline int clearance(const Circle<double>& disc, const Box& box) noexcept {
 }
 
 /// How two discs of positive radius relate. Degree 2.
-inline Relation relation(const Circle<double>& a, const Circle<double>& b) noexcept {
+constexpr Relation relation(const Circle<double>& a, const Circle<double>& b) noexcept {
   const Length dx = from_double(b.cx) - from_double(a.cx), dy = from_double(b.cy) - from_double(a.cy);
   const Length ra = from_double(a.r), rb = from_double(b.r);
   const auto distance = square(dx) + square(dy);

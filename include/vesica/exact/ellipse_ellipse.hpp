@@ -11,7 +11,7 @@ namespace vesica::exact {
 
 /// Sign of the discriminant of p, up to a positive factor: 1 for three real roots, 0 for a multiple one, -1 for a
 /// single real root. Degree 32.
-VESICA_CALLED inline int discriminant_sign(const ContactCubic& p) noexcept {
+VESICA_CALLED constexpr int discriminant_sign(const ContactCubic& p) noexcept {
   if (is_long(p)) {
     Signs signs;
     const int sign = discriminant_sign(p, signs);
@@ -26,7 +26,7 @@ VESICA_CALLED inline int discriminant_sign(const ContactCubic& p) noexcept {
 
 /// Whether two ellipses share a point: both inner coefficients non-negative, or a discriminant that is not positive
 /// (p has one real root, which is negative, or a multiple one).
-inline bool overlap(const Ellipse& e, const Ellipse& f) noexcept {
+constexpr bool overlap(const Ellipse& e, const Ellipse& f) noexcept {
   if (degenerate(e)) return overlap(as_box(e), f);
   if (degenerate(f)) return overlap(as_box(f), e);
   const ContactCubic p = contact_cubic(e, f);
@@ -38,7 +38,7 @@ namespace detail {
 
 /// Sign of a + b sqrt(delta), delta >= 0.
 template <int A, int B, int D>
-int sign_with_root(const Number<A>& a, const Number<B>& b, const Number<D>& delta) noexcept {
+constexpr int sign_with_root(const Number<A>& a, const Number<B>& b, const Number<D>& delta) noexcept {
   const int root_sign = delta.sign == 0 ? 0 : b.sign;
   if (a.sign * root_sign >= 0) return a.sign + root_sign > 0 ? 1 : a.sign + root_sign < 0 ? -1 : 0;
   return root_sign * compare_product_with_square(square(b), delta, a);
@@ -46,7 +46,7 @@ int sign_with_root(const Number<A>& a, const Number<B>& b, const Number<D>& delt
 
 /// Ellipses about one centre, where p(x) = (1 + x) det(S1 + x S2): one contains the other iff S2 - S1 is semidefinite,
 /// and touches it iff that is singular.
-inline Relation concentric(const ContactCubic& p) noexcept {
+constexpr Relation concentric(const ContactCubic& p) noexcept {
   const int order = compare(p.d1, p.d2), det = compare(p.d1 + p.d2, p.mu);
   if (det < 0) return Relation::cross;
   if (order == 0) return Relation::equal;  // mu >= 2 sqrt(d1 d2), with equality iff S1 and S2 are proportional
@@ -62,7 +62,7 @@ inline Relation concentric(const ContactCubic& p) noexcept {
 /// is positive semidefinite, that is from y+ = (mu + sqrt(mu^2 - 4 d1 d2)) / (2 d2) on. There q <= 0, so q must rise at
 /// or beyond y+ to a local maximum; with three real roots that maximum is not negative. q'(y+), q''(y+) and q(y+) times
 /// positive factors are numbers a + b sqrt(delta). Degree 32.
-VESICA_CALLED inline bool first_in_second(const ContactCubic& p) noexcept {
+VESICA_CALLED constexpr bool first_in_second(const ContactCubic& p) noexcept {
   if (is_long(p)) {
     Signs signs;
     const bool inside = exact::first_in_second(p, signs);
@@ -81,20 +81,20 @@ VESICA_CALLED inline bool first_in_second(const ContactCubic& p) noexcept {
 
 /// Whether a double root of p is the greater of its roots, so that p'' > 0 there: x0 = -b / (2a) > -c2 / (3 d2), a > 0
 /// unless the root is triple, and then both sides are 0. Degree 24.
-inline bool double_root_is_greater(const ContactCubic& p) noexcept {
+constexpr bool double_root_is_greater(const ContactCubic& p) noexcept {
   const auto a = square(p.c2) - integer(3) * (p.d2 * p.c1);
   const auto b = p.c1 * p.c2 - integer(9) * (p.d1 * p.d2);
   return compare(integer(2) * (p.c2 * a), integer(3) * (p.d2 * b)) > 0;
 }
 
-inline void exchange(Number<8>& a, Number<8>& b) noexcept {
+constexpr void exchange(Number<8>& a, Number<8>& b) noexcept {
   const Number<8> first = a;
   a = b;
   b = first;
 }
 
 /// The cubic with the ellipses in the other order; in place, since a copy would be large.
-inline void exchange_ellipses(ContactCubic& p) noexcept {
+constexpr void exchange_ellipses(ContactCubic& p) noexcept {
   exchange(p.d1, p.d2);
   exchange(p.c1, p.c2);
   exchange(p.al, p.be);
@@ -105,7 +105,7 @@ inline void exchange_ellipses(ContactCubic& p) noexcept {
 /// How two ellipses relate, neither degenerate. If p has a multiple root and one ellipse contains the other, they
 /// touch, with one exception: ellipses that are a projective image of two concentric circles. Then, and only then, the
 /// double root of q is the pair of lower roots, which enclose y+ whenever one ellipse contains the other.
-inline Relation relation(const Ellipse& e, const Ellipse& f) noexcept {
+constexpr Relation relation(const Ellipse& e, const Ellipse& f) noexcept {
   ContactCubic p = contact_cubic(e, f);
   if (p.al.sign == 0) return detail::concentric(p);
   const int roots = discriminant_sign(p);

@@ -19,26 +19,26 @@ struct Ellipse {
   Length cx, cy, ux, uy, a, b;
 };
 
-inline Length half(double x) noexcept { return from_double(x, -1); }
+constexpr Length half(double x) noexcept { return from_double(x, -1); }
 
 namespace detail {
 
 namespace parts = vesica::detail::form;
 
-inline Length number(const parts::Length<double>& l) noexcept { return from_double(l.x); }
-inline Length number(const parts::Ratio<double>& r) noexcept { return from_double(r.x); }
-inline Length number(const parts::Difference<double>& d) noexcept { return from_double(d.to) - from_double(d.from); }
-inline Length number(const parts::HalfWidth<double>& w) noexcept { return half(w.to) - half(w.from); }
-inline Length number(parts::Constant c) noexcept { return from_double(static_cast<double>(c.x)); }
-inline Length number(parts::WidthAxis) noexcept { return from_double(1); }
+constexpr Length number(const parts::Length<double>& l) noexcept { return from_double(l.x); }
+constexpr Length number(const parts::Ratio<double>& r) noexcept { return from_double(r.x); }
+constexpr Length number(const parts::Difference<double>& d) noexcept { return from_double(d.to) - from_double(d.from); }
+constexpr Length number(const parts::HalfWidth<double>& w) noexcept { return half(w.to) - half(w.from); }
+constexpr Length number(parts::Constant c) noexcept { return from_double(static_cast<double>(c.x)); }
+constexpr Length number(parts::WidthAxis) noexcept { return from_double(1); }
 
-inline Length centre_x(const parts::Centre<double>& p) noexcept { return from_double(p.x); }
-inline Length centre_y(const parts::Centre<double>& p) noexcept { return from_double(p.y); }
-inline Length centre_x(const parts::Corners<double>& p) noexcept { return half(p.x0) + half(p.x1); }
-inline Length centre_y(const parts::Corners<double>& p) noexcept { return half(p.y0) + half(p.y1); }
+constexpr Length centre_x(const parts::Centre<double>& p) noexcept { return from_double(p.x); }
+constexpr Length centre_y(const parts::Centre<double>& p) noexcept { return from_double(p.y); }
+constexpr Length centre_x(const parts::Corners<double>& p) noexcept { return half(p.x0) + half(p.x1); }
+constexpr Length centre_y(const parts::Corners<double>& p) noexcept { return half(p.y0) + half(p.y1); }
 
 template <class Exact, class Form>
-Exact exact_form(const Form& f) noexcept {
+constexpr Exact exact_form(const Form& f) noexcept {
   return {centre_x(f.place), centre_y(f.place), number(f.ux), number(f.uy), number(f.hx), number(f.hy)};
 }
 
@@ -46,7 +46,7 @@ Exact exact_form(const Form& f) noexcept {
 
 /// A shape, exactly. Where its axis vanishes it is the point it starts at.
 template <class Shape>
-auto form(const Shape& s) noexcept {
+constexpr auto form(const Shape& s) noexcept {
   const auto f = vesica::detail::form::of(s);
   if constexpr (f.outline != vesica::detail::form::Outline::straight) {
     return detail::exact_form<Ellipse>(f);
@@ -61,18 +61,18 @@ auto form(const Shape& s) noexcept {
 }
 
 /// With a half length of zero an ellipse is the segment or point that the box of the same numbers is.
-inline bool degenerate(const Ellipse& e) noexcept { return e.a.sign == 0 || e.b.sign == 0; }
-inline Box as_box(const Ellipse& e) noexcept { return {e.cx, e.cy, e.ux, e.uy, e.a, e.b}; }
+constexpr bool degenerate(const Ellipse& e) noexcept { return e.a.sign == 0 || e.b.sign == 0; }
+constexpr Box as_box(const Ellipse& e) noexcept { return {e.cx, e.cy, e.ux, e.uy, e.a, e.b}; }
 
 /// u.w
 template <int A, int B>
-Number<A + B> dot(const Number<A>& ux, const Number<A>& uy, const Number<B>& wx, const Number<B>& wy) noexcept {
+constexpr Number<A + B> dot(const Number<A>& ux, const Number<A>& uy, const Number<B>& wx, const Number<B>& wy) noexcept {
   return ux * wx + uy * wy;
 }
 
 /// u x w
 template <int A, int B>
-Number<A + B> cross(const Number<A>& ux, const Number<A>& uy, const Number<B>& wx, const Number<B>& wy) noexcept {
+constexpr Number<A + B> cross(const Number<A>& ux, const Number<A>& uy, const Number<B>& wx, const Number<B>& wy) noexcept {
   return ux * wy - uy * wx;
 }
 

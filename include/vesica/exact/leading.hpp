@@ -18,13 +18,13 @@ struct Leading {
   std::int64_t error = nothing;  ///< the number is less than 2^error away, or `nothing` is missing
   Limb limb[limbs] = {};         ///< the last one not zero, unless the sign is 0
 
-  Leading() noexcept = default;
+  constexpr Leading() noexcept = default;
   template <int Degree>
-  explicit Leading(const Number<Degree>& x) noexcept {
+  constexpr explicit Leading(const Number<Degree>& x) noexcept {
     if (x.sign != 0) set(x.sign, x.span());
   }
   /// Of a magnitude that may begin with zeros.
-  void set(int its_sign, detail::Span x) noexcept {
+  constexpr void set(int its_sign, detail::Span x) noexcept {
     while (x.size > 0 && x.limb[x.size - 1] == 0) --x.size;
     if (x.size == 0) return;
     sign = its_sign;
@@ -34,25 +34,25 @@ struct Leading {
       if (x.limb[i] != 0) return lose(std::int64_t{64} * low);
     }
   }
-  void lose(std::int64_t exponent) noexcept { error = (error > exponent ? error : exponent) + 1; }
+  constexpr void lose(std::int64_t exponent) noexcept { error = (error > exponent ? error : exponent) + 1; }
 
   /// As a product.
-  void lose_factors(const Leading& a, const Leading& b) noexcept {
+  constexpr void lose_factors(const Leading& a, const Leading& b) noexcept {
     for (const std::int64_t part : {a.top() + b.error, b.top() + a.error, a.error + b.error}) {
       if (part > nothing / 2) lose(part);
     }
   }
 
-  detail::Span span() const noexcept { return {limb, low, limbs}; }
+  constexpr detail::Span span() const noexcept { return {limb, low, limbs}; }
   /// Its magnitude is less than 2^top, and at least half of that unless it is 0.
-  std::int64_t top() const noexcept {
+  constexpr std::int64_t top() const noexcept {
     return sign == 0 ? nothing : 64 * (std::int64_t{low} + limbs) - std::countl_zero(limb[limbs - 1]);
   }
-  bool sign_is_certain() const noexcept { return error == nothing || top() - 1 > error; }
+  constexpr bool sign_is_certain() const noexcept { return error == nothing || top() - 1 > error; }
 };
 
 template <int limbs>
-Leading<limbs> operator*(const Leading<limbs>& a, const Leading<limbs>& b) noexcept {
+constexpr Leading<limbs> operator*(const Leading<limbs>& a, const Leading<limbs>& b) noexcept {
   Leading<limbs> product;
   if (a.sign != 0 && b.sign != 0) {
     Limb limb[2 * limbs];
@@ -65,12 +65,12 @@ Leading<limbs> operator*(const Leading<limbs>& a, const Leading<limbs>& b) noexc
 
 /// A small whole number of times.
 template <int limbs>
-Leading<limbs> times(int factor, const Leading<limbs>& a) noexcept {
+constexpr Leading<limbs> times(int factor, const Leading<limbs>& a) noexcept {
   return Leading<limbs>(integer(factor)) * a;
 }
 
 template <int limbs>
-Leading<limbs> square(const Leading<limbs>& a) noexcept {
+constexpr Leading<limbs> square(const Leading<limbs>& a) noexcept {
   Leading<limbs> product;
   if (a.sign != 0) {
     Limb limb[2 * limbs];
@@ -82,20 +82,20 @@ Leading<limbs> square(const Leading<limbs>& a) noexcept {
 }
 
 template <int limbs>
-Leading<limbs> abs(Leading<limbs> a) noexcept {
+constexpr Leading<limbs> abs(Leading<limbs> a) noexcept {
   a.sign = a.sign < 0 ? 1 : a.sign;
   return a;
 }
 
 template <int limbs>
-Leading<limbs> operator-(const Leading<limbs>& a) noexcept {
+constexpr Leading<limbs> operator-(const Leading<limbs>& a) noexcept {
   Leading<limbs> negative = a;
   negative.sign = -a.sign;
   return negative;
 }
 
 template <int limbs>
-Leading<limbs> operator+(const Leading<limbs>& a, const Leading<limbs>& b) noexcept {
+constexpr Leading<limbs> operator+(const Leading<limbs>& a, const Leading<limbs>& b) noexcept {
   Leading<limbs> sum;
   // One limb more than the longer of them; what is cut off below is the same for both, so that no order changes.
   constexpr int n = limbs + 2;
@@ -122,7 +122,7 @@ Leading<limbs> operator+(const Leading<limbs>& a, const Leading<limbs>& b) noexc
 }
 
 template <int limbs>
-Leading<limbs> operator-(const Leading<limbs>& a, const Leading<limbs>& b) noexcept {
+constexpr Leading<limbs> operator-(const Leading<limbs>& a, const Leading<limbs>& b) noexcept {
   return a + -b;
 }
 
@@ -130,18 +130,18 @@ Leading<limbs> operator-(const Leading<limbs>& a, const Leading<limbs>& b) noexc
 inline constexpr int least_long = 16, few_limbs = 6, some_limbs = 12, more_limbs = 24, most_limbs = 48;
 
 template <int Degree>
-bool is_long(const Number<Degree>& x) noexcept {
+constexpr bool is_long(const Number<Degree>& x) noexcept {
   return x.size > least_long;
 }
 template <int limbs>
-bool is_long(const Leading<limbs>&) noexcept {
+constexpr bool is_long(const Leading<limbs>&) noexcept {
   return false;
 }
 
 namespace detail {
 
 template <int limbs, class Polynomial, int... Degree>
-bool digits_tell(int& sign, const Polynomial& value, const Number<Degree>&... x) noexcept {
+constexpr bool digits_tell(int& sign, const Polynomial& value, const Number<Degree>&... x) noexcept {
   const auto leading = value(Leading<limbs>(x)...);
   sign = leading.sign;
   return leading.sign_is_certain();
@@ -149,7 +149,7 @@ bool digits_tell(int& sign, const Polynomial& value, const Number<Degree>&... x)
 
 /// Whether leading digits of long numbers tell the sign of a polynomial in them.
 template <class Polynomial, int... Degree>
-bool leading_digits_tell(int& sign, const Polynomial& value, const Number<Degree>&... x) noexcept {
+constexpr bool leading_digits_tell(int& sign, const Polynomial& value, const Number<Degree>&... x) noexcept {
   if (!(is_long(x) || ...)) return false;
   if (digits_tell<few_limbs>(sign, value, x...) || digits_tell<some_limbs>(sign, value, x...)) return true;
   if (((x.size > more_limbs) || ...) && digits_tell<more_limbs>(sign, value, x...)) return true;
@@ -160,14 +160,14 @@ bool leading_digits_tell(int& sign, const Polynomial& value, const Number<Degree
 
 /// The sign of a polynomial in these numbers, given as a function of numbers of any type.
 template <class Polynomial, int... Degree>
-int sign_of(const Polynomial& value, const Number<Degree>&... x) noexcept {
+constexpr int sign_of(const Polynomial& value, const Number<Degree>&... x) noexcept {
   int sign = 0;
   return detail::leading_digits_tell(sign, value, x...) ? sign : value(x...).sign;
 }
 
 /// Sign of a b - c^2, with neither product formed where signs or magnitudes tell.
 template <int A, int B, int C>
-int compare_product_with_square(const Number<A>& a, const Number<B>& b, const Number<C>& c) noexcept {
+constexpr int compare_product_with_square(const Number<A>& a, const Number<B>& b, const Number<C>& c) noexcept {
   int sign = a.sign * b.sign;
   if (sign <= 0 || c.sign == 0) return sign < 0 || c.sign == 0 ? sign : -1;
   // The top bit of a product is that of its factors' sum, or one below.
@@ -183,21 +183,21 @@ struct Signs {
   bool certain = true;
 
   template <int Degree>
-  int of(const Number<Degree>& x) noexcept {
+  constexpr int of(const Number<Degree>& x) noexcept {
     return x.sign;
   }
   template <int limbs>
-  int of(const Leading<limbs>& x) noexcept {
+  constexpr int of(const Leading<limbs>& x) noexcept {
     certain = certain && x.sign_is_certain();
     return x.sign;
   }
   /// Of a polynomial in these numbers.
   template <class Polynomial, int... Degree>
-  int of_polynomial(const Polynomial& value, const Number<Degree>&... x) noexcept {
+  constexpr int of_polynomial(const Polynomial& value, const Number<Degree>&... x) noexcept {
     return sign_of(value, x...);
   }
   template <class Polynomial, int limbs, class... Same>
-  int of_polynomial(const Polynomial& value, const Leading<limbs>& x, const Same&... rest) noexcept {
+  constexpr int of_polynomial(const Polynomial& value, const Leading<limbs>& x, const Same&... rest) noexcept {
     return of(value(x, rest...));
   }
 };
@@ -205,7 +205,7 @@ struct Signs {
 /// The answer to a question about signs: from a few leading digits where these tell. Else the numbers that it forms are
 /// exact, and of_polynomial() asks for their digits as it needs them: most of what cancels cancels in the first sums.
 template <class Question, int... Degree>
-auto decide(const Question& question, const Number<Degree>&... x) noexcept {
+constexpr auto decide(const Question& question, const Number<Degree>&... x) noexcept {
   if ((is_long(x) || ...)) {
     Signs of_few;
     const auto few = question(of_few, Leading<few_limbs>(x)...);

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace vesica::exact {
 
@@ -17,8 +18,17 @@ struct LimbPair {
   Limb low, high;
 };
 
+/// Moves n limbs, in place only downwards.
+constexpr void move_limbs(const Limb* from, int n, Limb* to) noexcept {
+  if (std::is_constant_evaluated()) {
+    for (int i = 0; i < n; ++i) to[i] = from[i];
+  } else {
+    std::memmove(to, from, static_cast<std::size_t>(n) * sizeof(Limb));
+  }
+}
+
 /// a * b + c + d, which cannot overflow two limbs.
-inline LimbPair multiply_add(Limb a, Limb b, Limb c, Limb d) noexcept {
+constexpr LimbPair multiply_add(Limb a, Limb b, Limb c, Limb d) noexcept {
 #if defined(__SIZEOF_INT128__)
   __extension__ using Wide = unsigned __int128;
   const Wide sum = Wide{a} * b + c + d;
@@ -38,7 +48,7 @@ inline LimbPair multiply_add(Limb a, Limb b, Limb c, Limb d) noexcept {
 }
 
 /// out[0, na + nb) = a * b, schoolbook. Zero limbs of a are skipped.
-inline void multiply(const Limb* a, int na, const Limb* b, int nb, Limb* out) noexcept {
+constexpr void multiply(const Limb* a, int na, const Limb* b, int nb, Limb* out) noexcept {
   for (int i = 0; i < na + nb; ++i) out[i] = 0;
   for (int i = 0; i < na; ++i) {
     if (a[i] == 0) continue;
@@ -53,7 +63,7 @@ inline void multiply(const Limb* a, int na, const Limb* b, int nb, Limb* out) no
 }
 
 /// out[0, 2 n) = a * a: products of different limbs once, doubled, and the squares.
-inline void multiply_by_itself(const Limb* a, int n, Limb* out) noexcept {
+constexpr void multiply_by_itself(const Limb* a, int n, Limb* out) noexcept {
   for (int i = 0; i < 2 * n; ++i) out[i] = 0;
   for (int i = 0; i < n; ++i) {
     if (a[i] == 0) continue;
@@ -80,11 +90,11 @@ inline void multiply_by_itself(const Limb* a, int n, Limb* out) noexcept {
 struct Span {
   const Limb* limb;
   int low, size;
-  Limb at(int i) const noexcept { return i < low || i >= low + size ? 0 : limb[i - low]; }
+  constexpr Limb at(int i) const noexcept { return i < low || i >= low + size ? 0 : limb[i - low]; }
 };
 
 /// Sign of |a| - |b|; both stripped of leading zeros.
-inline int compare_magnitude(const Span& a, const Span& b) noexcept {
+constexpr int compare_magnitude(const Span& a, const Span& b) noexcept {
   const int top_a = a.low + a.size, top_b = b.low + b.size;
   if (top_a != top_b) return top_a < top_b ? -1 : 1;
   const int bottom = a.low < b.low ? a.low : b.low;
@@ -95,24 +105,24 @@ inline int compare_magnitude(const Span& a, const Span& b) noexcept {
 }
 
 /// What is left of a magnitude above a place on the grid.
-inline Span from(const Span& a, int low) noexcept {
+constexpr Span from(const Span& a, int low) noexcept {
   const int cut = low > a.low ? low - a.low : 0;
   return cut >= a.size ? Span{a.limb, low, 0} : Span{a.limb + cut, a.low + cut, a.size - cut};
 }
 
 /// out[0, n) = |a| on the grid from low on.
-inline void place_magnitude(const Span& a, int low, int n, Limb* out) noexcept {
+constexpr void place_magnitude(const Span& a, int low, int n, Limb* out) noexcept {
   const Span kept = from(a, low);
   const int zeros = kept.low - low;
   for (int i = 0; i < zeros; ++i) out[i] = 0;
-  std::memcpy(out + zeros, kept.limb, static_cast<std::size_t>(kept.size) * sizeof(Limb));
+  move_limbs(kept.limb, kept.size, out + zeros);
   for (int i = zeros + kept.size; i < n; ++i) out[i] = 0;
 }
 
 /// Sums of fewer limbs are formed in one pass, of more where the lesser number is.
 inline constexpr int least_wide = 24;
 
-inline void add_wide(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
+constexpr void add_wide(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
   place_magnitude(a, low, n, out);
   const Span added = from(b, low);
   Limb carry = 0;
@@ -126,7 +136,7 @@ inline void add_wide(const Span& a, const Span& b, int low, int n, Limb* out) no
 }
 
 /// out[0, n) = |a| + |b| on the grid from low on; n leaves room for the carry.
-inline void add_magnitude(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
+constexpr void add_magnitude(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
   if (n >= least_wide) return add_wide(a, b, low, n, out);
   Limb carry = 0;
   for (int i = 0; i < n; ++i) {
@@ -136,7 +146,7 @@ inline void add_magnitude(const Span& a, const Span& b, int low, int n, Limb* ou
   }
 }
 
-inline void subtract_wide(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
+constexpr void subtract_wide(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
   place_magnitude(a, low, n, out);
   const Span taken = from(b, low);
   Limb borrow = 0;
@@ -150,7 +160,7 @@ inline void subtract_wide(const Span& a, const Span& b, int low, int n, Limb* ou
 }
 
 /// out[0, n) = |a| - |b|, which must not be negative.
-inline void subtract_magnitude(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
+constexpr void subtract_magnitude(const Span& a, const Span& b, int low, int n, Limb* out) noexcept {
   if (n >= least_wide) return subtract_wide(a, b, low, n, out);
   Limb borrow = 0;
   for (int i = 0; i < n; ++i) {

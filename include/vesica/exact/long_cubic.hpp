@@ -8,7 +8,7 @@
 
 namespace vesica::exact {
 
-inline bool is_long(const ContactCubic& p) noexcept { return is_long(p.c1) || is_long(p.c2); }
+constexpr bool is_long(const ContactCubic& p) noexcept { return is_long(p.c1) || is_long(p.c2); }
 
 /// What may be far smaller than its terms: delta = mu^2 - 4 d1 d2, which is 0 iff S1 and S2 are proportional, and g = d1
 /// + d2 - mu = det(S1 - S2). From leading digits these lose what cancels; so, where it must be, they are formed exactly.
@@ -18,12 +18,12 @@ struct SmallParts {
   Degree8 g, al_less_be, al_less_2be;
 };
 
-inline SmallParts<Number<16>, Number<8>> exact_small_parts(const ContactCubic& p) noexcept {
+constexpr SmallParts<Number<16>, Number<8>> exact_small_parts(const ContactCubic& p) noexcept {
   return {square(p.mu) - integer(4) * (p.d1 * p.d2), p.d1 + p.d2 - p.mu, p.al - p.be, p.al - integer(2) * p.be};
 }
 
 template <class Real>
-SmallParts<Real, Real> leading_small_parts(const ContactCubic& p) noexcept {
+constexpr SmallParts<Real, Real> leading_small_parts(const ContactCubic& p) noexcept {
   const Real d1(p.d1), d2(p.d2), mu(p.mu), al(p.al), be(p.be);
   return {square(mu) - times(4, d1 * d2), d1 + d2 - mu, al - be, al - times(2, be)};
 }
@@ -32,7 +32,7 @@ namespace detail {
 
 /// The discriminant from the cubic's coefficients.
 template <class Real>
-Real discriminant(const ContactCubic& p) noexcept {
+constexpr Real discriminant(const ContactCubic& p) noexcept {
   const Real d1(p.d1), c1(p.c1), c2(p.c2), d2(p.d2);
   const Real a = square(c2) - times(3, d2 * c1), b = c1 * c2 - times(9, d1 * d2), c = square(c1) - times(3, d1 * c2);
   return times(4, a * c) - square(b);
@@ -41,7 +41,7 @@ Real discriminant(const ContactCubic& p) noexcept {
 /// A third of it, in powers of al and be: with both 0 it is delta g^2. So nothing cancels where the ellipses' centres
 /// are close to each other, as seen from an ellipse that is large or thin.
 template <class Real, class Small>
-Real discriminant_by_offset(const ContactCubic& p, const Small& small) noexcept {
+constexpr Real discriminant_by_offset(const ContactCubic& p, const Small& small) noexcept {
   const Real d1(p.d1), d2(p.d2), mu(p.mu), al(p.al), be(p.be), delta(small.delta), g(small.g);
   const Real al_al = square(al), be_be = square(be), al_be = al * be, d1_d2 = d1 * d2;
   const Real linear = g * (al * d2 * (times(2, d1) - mu) + be * d1 * (times(2, d2) - mu)) +
@@ -54,7 +54,7 @@ Real discriminant_by_offset(const ContactCubic& p, const Small& small) noexcept 
 }
 
 /// The same for proportional S1 and S2 with offset centres, over factors that are positive: a degree of 16.
-inline int sign_of_discriminant_of_proportional(const ContactCubic& p) noexcept {
+constexpr int sign_of_discriminant_of_proportional(const ContactCubic& p) noexcept {
   const auto value = [](const auto& al, const auto& less, const auto& twice_less) {
     const auto product = al * (al - less), twice = product + product;
     return square(twice_less) + (twice + twice);
@@ -66,7 +66,7 @@ inline int sign_of_discriminant_of_proportional(const ContactCubic& p) noexcept 
 /// With r = d2 al - be mu and h = al - 2 be: q' is a positive multiple of 2 r - delta + slope sqrt(delta), and
 /// slope^2 delta - (2 r - delta)^2 = 4 d2 (delta (g + h) + h (2 be d1 - al d2) - 2 al be g).
 template <class Real, class Small>
-bool first_in_second(const ContactCubic& p, const Small& small, Signs& signs) noexcept {
+constexpr bool first_in_second(const ContactCubic& p, const Small& small, Signs& signs) noexcept {
   const Real d2(p.d2), mu(p.mu), al(p.al), be(p.be), delta(small.delta);
   const Real slope = times(2, Real(p.c2)) - times(3, mu);
   const int slope_sign = signs.of(slope), delta_sign = signs.of(delta);
@@ -85,7 +85,7 @@ bool first_in_second(const ContactCubic& p, const Small& small, Signs& signs) no
 }  // namespace detail
 
 /// As the functions of the same names in ellipse_ellipse.hpp; not certain where the leading digits do not tell.
-inline int discriminant_sign(const ContactCubic& p, Signs& signs) noexcept {
+constexpr int discriminant_sign(const ContactCubic& p, Signs& signs) noexcept {
   using Few = Leading<few_limbs>;
   const Few few = detail::discriminant<Few>(p);
   if (few.sign_is_certain()) return few.sign;
@@ -95,7 +95,7 @@ inline int discriminant_sign(const ContactCubic& p, Signs& signs) noexcept {
   return by_offset.sign_is_certain() ? by_offset.sign : signs.of(detail::discriminant<Leading<more_limbs>>(p));
 }
 
-inline bool first_in_second(const ContactCubic& p, Signs& signs) noexcept {
+constexpr bool first_in_second(const ContactCubic& p, Signs& signs) noexcept {
   using Few = Leading<few_limbs>;
   Signs of_few, of_small;
   const bool by_few = detail::first_in_second<Few>(p, leading_small_parts<Few>(p), of_few);

@@ -7,7 +7,6 @@
 #include <bit>
 #include <cassert>
 #include <cstdint>
-#include <cstring>
 #include <vesica/exact/limbs.hpp>
 #include <vesica/exact/sparse.hpp>
 
@@ -28,23 +27,23 @@ struct Number {
   std::int32_t size;
   Limb limb[capacity];  // [0, size) hold the value; neither end is zero
 
-  Number() noexcept : sign(0), low(0), size(0) {}
-  Number(const Number& other) noexcept { *this = other; }
+  constexpr Number() noexcept : sign(0), low(0), size(0) {}
+  constexpr Number(const Number& other) noexcept { *this = other; }
   /// A value of a lower degree is one of this degree too.
   template <int Lower>
-  Number(const Number<Lower>& other) noexcept {
+  constexpr Number(const Number<Lower>& other) noexcept {
     static_assert(Lower < Degree);
     copy(other);
   }
-  Number& operator=(const Number& other) noexcept {
+  constexpr Number& operator=(const Number& other) noexcept {
     copy(other);
     return *this;
   }
 
-  detail::Span span() const noexcept { return {limb, low, size}; }
+  constexpr detail::Span span() const noexcept { return {limb, low, size}; }
 
   /// Drops zero limbs at both ends.
-  void strip() noexcept {
+  constexpr void strip() noexcept {
     assert(size <= capacity);
     while (size > 0 && limb[size - 1] == 0) --size;
     if (size == 0) {
@@ -57,21 +56,21 @@ struct Number {
     if (zeros == 0) return;
     size -= zeros;
     low += zeros;
-    std::memmove(limb, limb + zeros, static_cast<std::size_t>(size) * sizeof(Limb));
+    detail::move_limbs(limb + zeros, size, limb);
   }
 
  private:
   template <int Other>
-  void copy(const Number<Other>& other) noexcept {
+  constexpr void copy(const Number<Other>& other) noexcept {
     sign = other.sign;
     low = other.low;
     size = other.size;
-    std::memmove(limb, other.limb, static_cast<std::size_t>(size) * sizeof(Limb));
+    detail::move_limbs(other.limb, size, limb);
   }
 };
 
 /// x * 2^shift for a finite x, exactly.
-inline Number<1> from_double(double x, int shift = 0) noexcept {
+constexpr Number<1> from_double(double x, int shift = 0) noexcept {
   Number<1> n;
   if (x == 0) return n;
   const auto bits = std::bit_cast<std::uint64_t>(x);
@@ -90,7 +89,7 @@ inline Number<1> from_double(double x, int shift = 0) noexcept {
 }
 
 /// A small whole number, as a factor of no degree.
-inline Number<0> integer(int value) noexcept {
+constexpr Number<0> integer(int value) noexcept {
   Number<0> n;
   if (value == 0) return n;
   n.sign = value < 0 ? -1 : 1;
@@ -100,7 +99,7 @@ inline Number<0> integer(int value) noexcept {
 }
 
 template <int A, int B>
-Number<A + B> operator*(const Number<A>& a, const Number<B>& b) noexcept {
+constexpr Number<A + B> operator*(const Number<A>& a, const Number<B>& b) noexcept {
   Number<A + B> product;
   if (a.sign == 0 || b.sign == 0) return product;
   product.sign = a.sign * b.sign;
@@ -117,7 +116,7 @@ Number<A + B> operator*(const Number<A>& a, const Number<B>& b) noexcept {
 }
 
 template <int A>
-Number<2 * A> square(const Number<A>& a) noexcept {
+constexpr Number<2 * A> square(const Number<A>& a) noexcept {
   Number<2 * A> product;
   if (a.sign == 0) return product;
   product.sign = 1;
@@ -135,7 +134,7 @@ namespace detail {
 
 /// a + flip * b, flip being 1 or -1.
 template <int A, int B>
-Number<(A > B ? A : B)> add(const Number<A>& a, const Number<B>& b, int flip) noexcept {
+constexpr Number<(A > B ? A : B)> add(const Number<A>& a, const Number<B>& b, int flip) noexcept {
   const int sign_b = b.sign * flip;
   Number<(A > B ? A : B)> sum;
   if (sign_b == 0) {
@@ -171,24 +170,24 @@ Number<(A > B ? A : B)> add(const Number<A>& a, const Number<B>& b, int flip) no
 }  // namespace detail
 
 template <int A, int B>
-Number<(A > B ? A : B)> operator+(const Number<A>& a, const Number<B>& b) noexcept {
+constexpr Number<(A > B ? A : B)> operator+(const Number<A>& a, const Number<B>& b) noexcept {
   return detail::add(a, b, 1);
 }
 
 template <int A, int B>
-Number<(A > B ? A : B)> operator-(const Number<A>& a, const Number<B>& b) noexcept {
+constexpr Number<(A > B ? A : B)> operator-(const Number<A>& a, const Number<B>& b) noexcept {
   return detail::add(a, b, -1);
 }
 
 template <int A>
-Number<A> abs(Number<A> a) noexcept {
+constexpr Number<A> abs(Number<A> a) noexcept {
   a.sign = a.sign < 0 ? 1 : a.sign;
   return a;
 }
 
 /// Sign of a - b: -1, 0 or 1. No difference is formed.
 template <int A, int B>
-int compare(const Number<A>& a, const Number<B>& b) noexcept {
+constexpr int compare(const Number<A>& a, const Number<B>& b) noexcept {
   if (a.sign != b.sign) return a.sign < b.sign ? -1 : 1;
   return a.sign * detail::compare_magnitude(a.span(), b.span());
 }
@@ -197,7 +196,7 @@ namespace detail {
 
 /// The position of the highest bit of a value that is not zero.
 template <int A>
-std::int64_t top_bit(const Number<A>& a) noexcept {
+constexpr std::int64_t top_bit(const Number<A>& a) noexcept {
   return 64 * (std::int64_t{a.low} + a.size) - std::countl_zero(a.limb[a.size - 1]);
 }
 

@@ -9,22 +9,22 @@ namespace vesica::exact {
 
 /// A shape in the form that relations are decided in.
 template <class Shape>
-auto relation_form(const Shape& shape) noexcept {
+constexpr auto relation_form(const Shape& shape) noexcept {
   return form(shape);
 }
-inline const Circle<double>& relation_form(const Circle<double>& disc) noexcept { return disc; }
+constexpr const Circle<double>& relation_form(const Circle<double>& disc) noexcept { return disc; }
 
-inline bool degenerate(const Circle<double>& disc) noexcept { return disc.r == 0; }
-inline Box as_box(const Circle<double>& disc) noexcept { return as_box(form(disc)); }
+constexpr bool degenerate(const Circle<double>& disc) noexcept { return disc.r == 0; }
+constexpr Box as_box(const Circle<double>& disc) noexcept { return as_box(form(disc)); }
 
 namespace detail {
 
-inline bool is_point(const Box& box) noexcept { return box.hx.sign == 0 && box.hy.sign == 0; }
+constexpr bool is_point(const Box& box) noexcept { return box.hx.sign == 0 && box.hy.sign == 0; }
 
 /// Neither round form may be degenerate. In the order of the definition: containment goes before contact, since a point
 /// on an outline touches but is inside.
 template <class Other>
-Relation box_relation(const Box& a, const Other& b) noexcept {
+constexpr Relation box_relation(const Box& a, const Other& b) noexcept {
   if (is_point(a)) {
     const int in_b = clearance(a, b);
     if (in_b <= 0) return in_b < 0 ? Relation::disjoint : Relation::inside_touch;
@@ -41,48 +41,48 @@ Relation box_relation(const Box& a, const Other& b) noexcept {
 
 }  // namespace detail
 
-inline Relation relate(const Box& a, const Box& b) noexcept { return detail::box_relation(a, b); }
+constexpr Relation relate(const Box& a, const Box& b) noexcept { return detail::box_relation(a, b); }
 
 template <class Round>
-Relation relate(const Box& a, const Round& b) noexcept {
+constexpr Relation relate(const Box& a, const Round& b) noexcept {
   return degenerate(b) ? detail::box_relation(a, as_box(b)) : detail::box_relation(a, b);
 }
 
 template <class Round>
-Relation relate(const Round& a, const Box& b) noexcept {
+constexpr Relation relate(const Round& a, const Box& b) noexcept {
   return converse(relate(b, a));
 }
 
-inline Relation relate(const Ellipse& a, const Ellipse& b) noexcept {
+constexpr Relation relate(const Ellipse& a, const Ellipse& b) noexcept {
   if (degenerate(a)) return relate(as_box(a), b);
   if (degenerate(b)) return relate(a, as_box(b));
   return relation(a, b);
 }
 
-inline Relation relate(const Circle<double>& a, const Circle<double>& b) noexcept {
+constexpr Relation relate(const Circle<double>& a, const Circle<double>& b) noexcept {
   if (degenerate(a)) return relate(as_box(a), b);
   if (degenerate(b)) return relate(a, as_box(b));
   return relation(a, b);
 }
 
-inline Relation relate(const Circle<double>& a, const Ellipse& b) noexcept { return relate(form(a), b); }
-inline Relation relate(const Ellipse& a, const Circle<double>& b) noexcept { return relate(a, form(b)); }
+constexpr Relation relate(const Circle<double>& a, const Ellipse& b) noexcept { return relate(form(a), b); }
+constexpr Relation relate(const Ellipse& a, const Circle<double>& b) noexcept { return relate(a, form(b)); }
 
 /// Whether b contains all of a.
-inline bool within(const Box& a, const Box& b) noexcept { return clearance(a, b) >= 0; }
+constexpr bool within(const Box& a, const Box& b) noexcept { return clearance(a, b) >= 0; }
 
 template <class Round>
-bool within(const Box& a, const Round& b) noexcept {
+constexpr bool within(const Box& a, const Round& b) noexcept {
   return degenerate(b) ? within(a, as_box(b)) : clearance(a, b) >= 0;
 }
 
 template <class Round>
-bool within(const Round& a, const Box& b) noexcept {
+constexpr bool within(const Round& a, const Box& b) noexcept {
   return degenerate(a) ? within(as_box(a), b) : clearance(a, b) >= 0;
 }
 
 template <class RoundA, class RoundB>
-bool within(const RoundA& a, const RoundB& b) noexcept {
+constexpr bool within(const RoundA& a, const RoundB& b) noexcept {
   const Relation r = relate(a, b);
   return r == Relation::inside || r == Relation::inside_touch || r == Relation::equal;
 }

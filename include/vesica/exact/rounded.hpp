@@ -10,7 +10,7 @@ namespace vesica::exact {
 /// The nearest value * 2^exponent with a value of 53 bits, half of it or more below 1 and ties to even; 0 for 0. The
 /// exponent may be far beyond those of double.
 template <int Degree>
-vesica::detail::arithmetic::Scaled rounded(const Number<Degree>& x) noexcept {
+constexpr vesica::detail::arithmetic::Scaled rounded(const Number<Degree>& x) noexcept {
   if (x.sign == 0) return {0, 0};
   const auto at = [&](int i) { return i < 0 ? Limb{0} : x.limb[i]; };
   const int last = x.size - 1, shift = std::countl_zero(x.limb[last]);
@@ -27,7 +27,7 @@ namespace detail {
 
 /// rounded(), where what is missing makes no difference to it.
 template <int limbs>
-bool rounds_surely(const Leading<limbs>& x, vesica::detail::arithmetic::Scaled& out) noexcept {
+constexpr bool rounds_surely(const Leading<limbs>& x, vesica::detail::arithmetic::Scaled& out) noexcept {
   constexpr int degree = (limbs + 31) / 32 + 1;
   if (!x.sign_is_certain()) return false;
   Number<degree> kept;
@@ -54,7 +54,7 @@ bool rounds_surely(const Leading<limbs>& x, vesica::detail::arithmetic::Scaled& 
 
 /// rounded() of a polynomial in these numbers, from the leading digits of long ones where these tell.
 template <class Polynomial, int... Degree>
-vesica::detail::arithmetic::Scaled rounded_value(const Polynomial& value, const Number<Degree>&... x) noexcept {
+constexpr vesica::detail::arithmetic::Scaled rounded_value(const Polynomial& value, const Number<Degree>&... x) noexcept {
   vesica::detail::arithmetic::Scaled out{0, 0};
   if ((is_long(x) || ...)) {
     if (detail::rounds_surely(value(Leading<few_limbs>(x)...), out)) return out;
@@ -69,7 +69,7 @@ struct RoundedTwice {
   double low;
 };
 template <int Degree>
-RoundedTwice rounded_twice(const Number<Degree>& x) noexcept {
+constexpr RoundedTwice rounded_twice(const Number<Degree>& x) noexcept {
   const auto high = rounded(x), low = rounded(x - from_double(high.value, high.exponent));
   return {high, vesica::detail::arithmetic::scale_far(low.value, low.exponent - high.exponent)};
 }

@@ -22,7 +22,7 @@ class Runs {
   int limbs = 0;  ///< of all runs
 
   /// False where it falls into more runs than are worth while.
-  bool set(const Limb* a, int n) noexcept {
+  constexpr bool set(const Limb* a, int n) noexcept {
     int from = 0;  // of limbs that are in no run yet
     for (int i = 0; i < n;) {
       const int end = end_of_filling(a, i, n);
@@ -42,13 +42,13 @@ class Runs {
   static constexpr int least_filling = 2;
 
   /// Where limbs that are all zeros, or all ones, end that begin at i.
-  static int end_of_filling(const Limb* a, int i, int n) noexcept {
+  static constexpr int end_of_filling(const Limb* a, int i, int n) noexcept {
     if (a[i] + 1 > 1) return i;
     int end = i + 1;
     while (end < n && a[end] == a[i]) ++end;
     return end;
   }
-  bool add(const Span& span, bool negative) noexcept {
+  constexpr bool add(const Span& span, bool negative) noexcept {
     if (span.size == 0) return true;
     if (count == static_cast<int>(sizeof run / sizeof run[0])) return false;
     run[count++] = {span, negative};
@@ -58,7 +58,7 @@ class Runs {
 };
 
 /// sum += a * b, both of at least one limb. The sum has room for it.
-VESICA_CALLED inline void add_product(const Span& a, const Span& b, Limb* sum) noexcept {
+VESICA_CALLED constexpr void add_product(const Span& a, const Span& b, Limb* sum) noexcept {
   for (int i = 0; i < a.size; ++i) {
     const Limb factor = a.limb[i];
     if (factor == 0) continue;
@@ -75,7 +75,7 @@ VESICA_CALLED inline void add_product(const Span& a, const Span& b, Limb* sum) n
 }
 
 /// sum -= a * b, for a sum that is not less.
-VESICA_CALLED inline void subtract_product(const Span& a, const Span& b, Limb* sum) noexcept {
+VESICA_CALLED constexpr void subtract_product(const Span& a, const Span& b, Limb* sum) noexcept {
   for (int i = 0; i < a.size; ++i) {
     const Limb factor = a.limb[i];
     if (factor == 0) continue;
@@ -98,7 +98,7 @@ inline constexpr int least_sparse = 12;
 inline constexpr int most_sparse = 1100;
 
 /// The runs of a number, twice as great: `room` is where their limbs are put.
-inline void double_runs(Runs& x, Limb* room) noexcept {
+constexpr void double_runs(Runs& x, Limb* room) noexcept {
   for (int i = 0; i < x.count; ++i) {
     Span& s = x.run[i].span;
     Limb below = 0;
@@ -115,7 +115,7 @@ inline void double_runs(Runs& x, Limb* room) noexcept {
 /// All products of a run of x and one of y that have this sign. Of a number by itself, x is twice y, and runs that are
 /// the same number are left out.
 template <bool negative>
-void take_products(const Runs& x, const Runs& y, bool same, Limb* out) noexcept {
+constexpr void take_products(const Runs& x, const Runs& y, bool same, Limb* out) noexcept {
   for (int i = 0; i < x.count; ++i) {
     for (int j = same ? i + 1 : 0; j < y.count; ++j) {
       const auto &p = x.run[i], &q = y.run[j];
@@ -128,7 +128,7 @@ void take_products(const Runs& x, const Runs& y, bool same, Limb* out) noexcept 
 }
 
 /// out = a * b, two limbs longer than both together, where few limbs matter; false where limb by limb is as quick.
-VESICA_CALLED inline bool multiply_sparse(const Span& a, const Span& b, Limb* out) noexcept {
+VESICA_CALLED constexpr bool multiply_sparse(const Span& a, const Span& b, Limb* out) noexcept {
   const int n = a.size + b.size + 2;
   Runs x, y;
   if (n > most_sparse || !x.set(a.limb, a.size) || !y.set(b.limb, b.size)) return false;

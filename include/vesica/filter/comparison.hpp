@@ -9,12 +9,12 @@ namespace vesica::filter {
 using vesica::detail::all_finite;
 
 template <class V>
-VESICA_INLINE auto valid_aabb(const Aabb<V>& s) noexcept {
+VESICA_INLINE constexpr auto valid_aabb(const Aabb<V>& s) noexcept {
   return both(all_finite(s.min_x, s.min_y, s.max_x, s.max_y), both(s.min_x <= s.max_x, s.min_y <= s.max_y));
 }
 
 template <class Mask>
-VESICA_INLINE Verdict<Mask> compared(Mask valid, Mask overlap) noexcept {
+VESICA_INLINE constexpr Verdict<Mask> compared(Mask valid, Mask overlap) noexcept {
   return {both(valid, overlap), and_not(valid, overlap)};
 }
 

@@ -12,7 +12,7 @@ VESICA_INLINE auto filter(const Aabb<V>& aabb, const Ellipse<V>& ellipse) noexce
   return filter::box_ellipse(filter::box(aabb), ellipse, filter::offset(filter::place(aabb), filter::place(ellipse)));
 }
 
-inline bool exact(const Aabb<double>& aabb, const Ellipse<double>& ellipse) noexcept {
+constexpr bool exact(const Aabb<double>& aabb, const Ellipse<double>& ellipse) noexcept {
   return exact::overlap(exact::form(aabb), exact::form(ellipse));
 }
 

@@ -13,7 +13,7 @@ VESICA_INLINE auto filter(const Aabb<V>& aabb, const Rect<V>& rect) noexcept {
                          filter::offset(filter::place(aabb), filter::place(rect)));
 }
 
-inline bool exact(const Aabb<double>& aabb, const Rect<double>& rect) noexcept {
+constexpr bool exact(const Aabb<double>& aabb, const Rect<double>& rect) noexcept {
   return exact::overlap(exact::form(aabb), exact::form(rect));
 }
 

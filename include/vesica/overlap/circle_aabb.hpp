@@ -12,7 +12,7 @@ VESICA_INLINE auto filter(const Circle<V>& circle, const Aabb<V>& aabb) noexcept
   return filter::disc_aabb(circle, aabb);
 }
 
-inline bool exact(const Circle<double>& circle, const Aabb<double>& aabb) noexcept {
+constexpr bool exact(const Circle<double>& circle, const Aabb<double>& aabb) noexcept {
   return exact::overlap(exact::form(aabb), circle);
 }
 

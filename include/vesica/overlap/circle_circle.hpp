@@ -12,7 +12,7 @@ VESICA_INLINE auto filter(const Circle<V>& a, const Circle<V>& b) noexcept {
   return filter::disc_disc(filter::offset(filter::place(a), filter::place(b)), a.r, b.r);
 }
 
-inline bool exact(const Circle<double>& a, const Circle<double>& b) noexcept {
+constexpr bool exact(const Circle<double>& a, const Circle<double>& b) noexcept {
   const exact::Length dx = exact::from_double(b.cx) - exact::from_double(a.cx);
   const exact::Length dy = exact::from_double(b.cy) - exact::from_double(a.cy);
   return exact::within(dx, dy, exact::from_double(a.r) + exact::from_double(b.r));

@@ -12,7 +12,7 @@ VESICA_INLINE auto filter(const Circle<V>& circle, const Ellipse<V>& ellipse) no
   return filter::circle_ellipse(circle, ellipse);
 }
 
-inline bool exact(const Circle<double>& circle, const Ellipse<double>& ellipse) noexcept {
+constexpr bool exact(const Circle<double>& circle, const Ellipse<double>& ellipse) noexcept {
   return exact::overlap(exact::form(circle), exact::form(ellipse));
 }
 

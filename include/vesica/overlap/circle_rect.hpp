@@ -12,7 +12,7 @@ VESICA_INLINE auto filter(const Circle<V>& circle, const Rect<V>& rect) noexcept
   return filter::disc_box(filter::box(rect), filter::offset(filter::place(rect), filter::place(circle)), circle.r);
 }
 
-inline bool exact(const Circle<double>& circle, const Rect<double>& rect) noexcept {
+constexpr bool exact(const Circle<double>& circle, const Rect<double>& rect) noexcept {
   return exact::overlap(exact::form(rect), circle);
 }
 

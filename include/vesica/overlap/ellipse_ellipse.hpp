@@ -12,7 +12,7 @@ VESICA_INLINE auto filter(const Ellipse<V>& a, const Ellipse<V>& b) noexcept {
   return filter::ellipse_ellipse(a, b);
 }
 
-inline bool exact(const Ellipse<double>& a, const Ellipse<double>& b) noexcept {
+constexpr bool exact(const Ellipse<double>& a, const Ellipse<double>& b) noexcept {
   return exact::overlap(exact::form(a), exact::form(b));
 }
 

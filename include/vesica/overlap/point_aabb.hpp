@@ -9,12 +9,12 @@ namespace vesica::detail::overlap {
 using namespace lane;
 
 template <class V>
-VESICA_INLINE auto filter(const Point<V>& point, const Aabb<V>& aabb) noexcept {
+VESICA_INLINE constexpr auto filter(const Point<V>& point, const Aabb<V>& aabb) noexcept {
   const auto in_x = both(aabb.min_x <= point.x, point.x <= aabb.max_x);
   const auto in_y = both(aabb.min_y <= point.y, point.y <= aabb.max_y);
   return filter::compared(both(filter::valid_aabb(aabb), filter::all_finite(point.x, point.y)), both(in_x, in_y));
 }
 
-inline bool exact(const Point<double>& point, const Aabb<double>& aabb) noexcept { return filter(point, aabb).overlap; }
+constexpr bool exact(const Point<double>& point, const Aabb<double>& aabb) noexcept { return filter(point, aabb).overlap; }
 
 }  // namespace vesica::detail::overlap

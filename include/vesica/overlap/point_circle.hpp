@@ -12,7 +12,7 @@ VESICA_INLINE auto filter(const Point<V>& point, const Circle<V>& circle) noexce
   return filter::point_disc(filter::offset(filter::place(point), filter::place(circle)), circle.r);
 }
 
-inline bool exact(const Point<double>& point, const Circle<double>& circle) noexcept {
+constexpr bool exact(const Point<double>& point, const Circle<double>& circle) noexcept {
   const exact::Length dx = exact::from_double(circle.cx) - exact::from_double(point.x);
   const exact::Length dy = exact::from_double(circle.cy) - exact::from_double(point.y);
   return exact::within(dx, dy, exact::from_double(circle.r));

@@ -12,7 +12,7 @@ VESICA_INLINE auto filter(const Point<V>& point, const Ellipse<V>& ellipse) noex
   return filter::point_ellipse(ellipse, filter::offset(filter::place(ellipse), filter::place(point)));
 }
 
-inline bool exact(const Point<double>& point, const Ellipse<double>& ellipse) noexcept {
+constexpr bool exact(const Point<double>& point, const Ellipse<double>& ellipse) noexcept {
   const exact::Ellipse e = exact::form(ellipse);
   if (exact::degenerate(e)) return exact::overlap(exact::form(point), exact::as_box(e));
   const exact::Length dx = exact::from_double(point.x) - e.cx, dy = exact::from_double(point.y) - e.cy;

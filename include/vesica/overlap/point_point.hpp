@@ -9,10 +9,10 @@ namespace vesica::detail::overlap {
 using namespace lane;
 
 template <class V>
-VESICA_INLINE auto filter(const Point<V>& a, const Point<V>& b) noexcept {
+VESICA_INLINE constexpr auto filter(const Point<V>& a, const Point<V>& b) noexcept {
   return filter::compared(filter::all_finite(a.x, a.y, b.x, b.y), both(a.x == b.x, a.y == b.y));
 }
 
-inline bool exact(const Point<double>& a, const Point<double>& b) noexcept { return filter(a, b).overlap; }
+constexpr bool exact(const Point<double>& a, const Point<double>& b) noexcept { return filter(a, b).overlap; }
 
 }  // namespace vesica::detail::overlap

@@ -12,7 +12,7 @@ VESICA_INLINE auto filter(const Point<V>& point, const Rect<V>& rect) noexcept {
   return filter::point_box(filter::box(rect), filter::offset(filter::place(rect), filter::place(point)));
 }
 
-inline bool exact(const Point<double>& point, const Rect<double>& rect) noexcept {
+constexpr bool exact(const Point<double>& point, const Rect<double>& rect) noexcept {
   return exact::overlap(exact::form(point), exact::form(rect));
 }
 

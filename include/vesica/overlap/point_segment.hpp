@@ -13,7 +13,7 @@ VESICA_INLINE auto filter(const Point<V>& point, const Segment<V>& segment) noex
   return filter::point_box(filter::box(segment), filter::offset(filter::place(segment), filter::place(point)));
 }
 
-inline bool exact(const Point<double>& point, const Segment<double>& segment) noexcept {
+constexpr bool exact(const Point<double>& point, const Segment<double>& segment) noexcept {
   return exact::overlap(exact::form(point), exact::form(segment));
 }
 

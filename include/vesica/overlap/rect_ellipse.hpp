@@ -12,7 +12,7 @@ VESICA_INLINE auto filter(const Rect<V>& rect, const Ellipse<V>& ellipse) noexce
   return filter::box_ellipse(filter::box(rect), ellipse, filter::offset(filter::place(rect), filter::place(ellipse)));
 }
 
-inline bool exact(const Rect<double>& rect, const Ellipse<double>& ellipse) noexcept {
+constexpr bool exact(const Rect<double>& rect, const Ellipse<double>& ellipse) noexcept {
   return exact::overlap(exact::form(rect), exact::form(ellipse));
 }
 

@@ -12,7 +12,7 @@ VESICA_INLINE auto filter(const Rect<V>& a, const Rect<V>& b) noexcept {
   return filter::box_box(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
 }
 
-inline bool exact(const Rect<double>& a, const Rect<double>& b) noexcept {
+constexpr bool exact(const Rect<double>& a, const Rect<double>& b) noexcept {
   return exact::overlap(exact::form(a), exact::form(b));
 }
 

@@ -13,7 +13,7 @@ VESICA_INLINE auto filter(const Segment<V>& segment, const Aabb<V>& aabb) noexce
                          filter::offset(filter::place(segment), filter::place(aabb)));
 }
 
-inline bool exact(const Segment<double>& segment, const Aabb<double>& aabb) noexcept {
+constexpr bool exact(const Segment<double>& segment, const Aabb<double>& aabb) noexcept {
   return exact::overlap(exact::form(segment), exact::form(aabb));
 }
 

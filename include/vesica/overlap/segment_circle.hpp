@@ -13,7 +13,7 @@ VESICA_INLINE auto filter(const Segment<V>& segment, const Circle<V>& circle) no
                           circle.r);
 }
 
-inline bool exact(const Segment<double>& segment, const Circle<double>& circle) noexcept {
+constexpr bool exact(const Segment<double>& segment, const Circle<double>& circle) noexcept {
   return exact::overlap(exact::form(segment), circle);
 }
 

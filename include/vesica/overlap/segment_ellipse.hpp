@@ -13,7 +13,7 @@ VESICA_INLINE auto filter(const Segment<V>& segment, const Ellipse<V>& ellipse) 
                              filter::offset(filter::place(segment), filter::place(ellipse)));
 }
 
-inline bool exact(const Segment<double>& segment, const Ellipse<double>& ellipse) noexcept {
+constexpr bool exact(const Segment<double>& segment, const Ellipse<double>& ellipse) noexcept {
   return exact::overlap(exact::form(segment), exact::form(ellipse));
 }
 

@@ -13,7 +13,7 @@ VESICA_INLINE auto filter(const Segment<V>& segment, const Rect<V>& rect) noexce
                          filter::offset(filter::place(segment), filter::place(rect)));
 }
 
-inline bool exact(const Segment<double>& segment, const Rect<double>& rect) noexcept {
+constexpr bool exact(const Segment<double>& segment, const Rect<double>& rect) noexcept {
   return exact::overlap(exact::form(segment), exact::form(rect));
 }
 

@@ -12,7 +12,7 @@ VESICA_INLINE auto filter(const Segment<V>& a, const Segment<V>& b) noexcept {
   return filter::box_box(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
 }
 
-inline bool exact(const Segment<double>& a, const Segment<double>& b) noexcept {
+constexpr bool exact(const Segment<double>& a, const Segment<double>& b) noexcept {
   return exact::overlap(exact::form(a), exact::form(b));
 }
 
