@@ -32,15 +32,17 @@ struct FramedEllipse {
     return compare_product_with_square(square(a * b * nn), room, gap);
   }
   template <class Place, int limbs>
-  constexpr int inside(const Place& x, const Place& y, const Leading<limbs>&, const Leading<limbs>&, Signs& sign) const noexcept {
+  constexpr int inside(const Place& x, const Place& y, const Leading<limbs>&, const Leading<limbs>&,
+                       Signs& sign) const noexcept {
     return inside(x, y, sign);
   }
 };
 
 /// The rest of segment_gap() for long numbers: no product is formed where its factors' leading digits tell.
 template <class P, class Place, class Inside>
-VESICA_CALLED constexpr int long_segment_gap(int room_sign, const P& p00, const P& p01, const Place& x, const Place& from,
-                                   const Place& to, const Inside& inside, Signs& sign) noexcept {
+VESICA_CALLED constexpr int long_segment_gap(int room_sign, const P& p00, const P& p01, const Place& x,
+                                             const Place& from, const Place& to, const Inside& inside,
+                                             Signs& sign) noexcept {
   const auto beyond_centre = [](const auto& p, const auto& end, const auto& q, const auto& side) {
     return p * end - q * side;
   };
@@ -52,8 +54,8 @@ VESICA_CALLED constexpr int long_segment_gap(int room_sign, const P& p00, const 
 /// it: 1 when it misses the ellipse, 0 when it only touches, -1 when it meets the inside. The line cuts the ellipse in
 /// a chord with centre p01 x / p00, if p00 >= x^2. Where that lies beyond an end, the end tells.
 template <class P, class Place, class Inside>
-constexpr int segment_gap(const P& p00, const P& p01, const Place& x, const Place& from, const Place& to, const Inside& inside,
-                Signs& sign) noexcept {
+constexpr int segment_gap(const P& p00, const P& p01, const Place& x, const Place& from, const Place& to,
+                          const Inside& inside, Signs& sign) noexcept {
   const auto room = p00 - square(x);
   const int room_sign = sign.of(room);
   if (room_sign < 0) return 1;
@@ -97,18 +99,13 @@ struct VisibleEdges {
     far_y = ky + ey;
     centre_inside = near_x.sign <= 0 && near_y.sign <= 0;
   }
-  /// The lesser gap of the two edges; that of the first if it is at most `enough`.
-  constexpr int gap(int enough) const noexcept {
-    return decide([enough](Signs& sign, const auto&... numbers) { return least_gap(enough, sign, numbers...); }, a, b,
-                  c, s, near_x, far_x, near_y, far_y);
-  }
 
  private:
   static constexpr int not_asked = 2;
 
   template <class Size, class Axis, class Place>
   static constexpr int least_gap(int enough, Signs& sign, const Size& a, const Size& b, const Axis& c, const Axis& s,
-                       const Place& x0, const Place& x1, const Place& y0, const Place& y1) noexcept {
+                                 const Place& x0, const Place& x1, const Place& y0, const Place& y1) noexcept {
     const auto aa = square(a), bb = square(b);
     const auto cc = square(c), ss = square(s), nn = cc + ss;
     const FramedEllipse<Size, Axis, std::decay_t<decltype(nn)>> e{a, b, c, s, nn};
@@ -131,6 +128,13 @@ struct VisibleEdges {
     };
     const int gap_y = segment_gap(aa * ss + bb * cc, p01, y, x0, x1, at_y, sign);
     return gap_x < gap_y ? gap_x : gap_y;
+  }
+
+ public:
+  /// The lesser gap of the two edges; that of the first if it is at most `enough`.
+  constexpr int gap(int enough) const noexcept {
+    return decide([enough](Signs& sign, const auto&... numbers) { return least_gap(enough, sign, numbers...); }, a, b,
+                  c, s, near_x, far_x, near_y, far_y);
   }
 };
 

@@ -66,13 +66,15 @@ constexpr Box as_box(const Ellipse& e) noexcept { return {e.cx, e.cy, e.ux, e.uy
 
 /// u.w
 template <int A, int B>
-constexpr Number<A + B> dot(const Number<A>& ux, const Number<A>& uy, const Number<B>& wx, const Number<B>& wy) noexcept {
+constexpr Number<A + B> dot(const Number<A>& ux, const Number<A>& uy, const Number<B>& wx,
+                            const Number<B>& wy) noexcept {
   return ux * wx + uy * wy;
 }
 
 /// u x w
 template <int A, int B>
-constexpr Number<A + B> cross(const Number<A>& ux, const Number<A>& uy, const Number<B>& wx, const Number<B>& wy) noexcept {
+constexpr Number<A + B> cross(const Number<A>& ux, const Number<A>& uy, const Number<B>& wx,
+                              const Number<B>& wy) noexcept {
   return ux * wy - uy * wx;
 }
 

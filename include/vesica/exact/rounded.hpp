@@ -54,7 +54,8 @@ constexpr bool rounds_surely(const Leading<limbs>& x, vesica::detail::arithmetic
 
 /// rounded() of a polynomial in these numbers, from the leading digits of long ones where these tell.
 template <class Polynomial, int... Degree>
-constexpr vesica::detail::arithmetic::Scaled rounded_value(const Polynomial& value, const Number<Degree>&... x) noexcept {
+constexpr vesica::detail::arithmetic::Scaled rounded_value(const Polynomial& value,
+                                                           const Number<Degree>&... x) noexcept {
   vesica::detail::arithmetic::Scaled out{0, 0};
   if ((is_long(x) || ...)) {
     if (detail::rounds_surely(value(Leading<few_limbs>(x)...), out)) return out;

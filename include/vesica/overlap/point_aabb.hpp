@@ -15,6 +15,8 @@ VESICA_INLINE constexpr auto filter(const Point<V>& point, const Aabb<V>& aabb) 
   return filter::compared(both(filter::valid_aabb(aabb), filter::all_finite(point.x, point.y)), both(in_x, in_y));
 }
 
-constexpr bool exact(const Point<double>& point, const Aabb<double>& aabb) noexcept { return filter(point, aabb).overlap; }
+constexpr bool exact(const Point<double>& point, const Aabb<double>& aabb) noexcept {
+  return filter(point, aabb).overlap;
+}
 
 }  // namespace vesica::detail::overlap
