@@ -142,7 +142,7 @@ export interface C {
    * of both shapes.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    * Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
-   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 30.
+   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 40.
    * Since: 0.1.
    */
   vesica_nearest_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -182,7 +182,7 @@ export interface C {
    * is exact.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    * Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
-   * if only exact arithmetic can tell the depth from 0; at worst 30 us, where exponents are wildly unlike.
+   * if only exact arithmetic can tell the depth from 0; at worst 40 us, where exponents are wildly unlike.
    * Since: 0.1.
    */
   vesica_depth_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -861,7 +861,7 @@ export interface C {
    * Each number is computed in double, within these bounds, and then rounded to float once.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    * Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
-   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 30.
+   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 40.
    * Since: 0.1.
    */
   vesica_nearest_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
@@ -903,7 +903,7 @@ export interface C {
    * Each number is computed in double, within these bounds, and then rounded to float once.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    * Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
-   * if only exact arithmetic can tell the depth from 0; at worst 30 us, where exponents are wildly unlike.
+   * if only exact arithmetic can tell the depth from 0; at worst 40 us, where exponents are wildly unlike.
    * Since: 0.1.
    */
   vesica_depth_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;

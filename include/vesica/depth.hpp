@@ -67,9 +67,7 @@ VESICA_COLD bool has_no_depth_exactly(const A& a, const B& b) noexcept {
 /// What the filter of overlap leaves undecided; of a shape that is not valid its error, a negative number.
 template <class A, class B>
 VESICA_COLD std::int32_t undecided_overlap(const A& a, const B& b) noexcept {
-  constexpr bool box_and_ellipse =
-      !is_round<A> && ShapeTraits<A>::kind != Kind::point && ShapeTraits<B>::kind == Kind::ellipse;
-  if constexpr (box_and_ellipse) {
+  if constexpr (ShapeTraits<A>::kind != Kind::point && ShapeTraits<B>::kind == Kind::ellipse) {
     if (check(a) != 0 || check(b) != 0) return error_shape;
     return static_cast<std::int32_t>(overlap_and_depth(exact::form(a), exact::form(b)));
   } else {

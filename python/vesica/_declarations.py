@@ -492,7 +492,7 @@ coordinates are rounded, closest points are within 4 u scale of the outlines, an
 of both shapes.
 Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
 Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
-0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 30.
+0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 40.
 Since: 0.1.""",
     ),
     "vesica_boundary_distance_f64": (
@@ -538,7 +538,7 @@ its last place. The length of (x, y) is 1 but for 3 u, and it moves b clear but 
 is exact.
 Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
 Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
-if only exact arithmetic can tell the depth from 0; at worst 30 us, where exponents are wildly unlike.
+if only exact arithmetic can tell the depth from 0; at worst 40 us, where exponents are wildly unlike.
 Since: 0.1.""",
     ),
     "vesica_shape_area_f64": (
@@ -1382,7 +1382,7 @@ of both shapes.
 Each number is computed in double, within these bounds, and then rounded to float once.
 Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
 Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
-0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 30.
+0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 40.
 Since: 0.1.""",
     ),
     "vesica_boundary_distance_f32": (
@@ -1430,7 +1430,7 @@ is exact.
 Each number is computed in double, within these bounds, and then rounded to float once.
 Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
 Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
-if only exact arithmetic can tell the depth from 0; at worst 30 us, where exponents are wildly unlike.
+if only exact arithmetic can tell the depth from 0; at worst 40 us, where exponents are wildly unlike.
 Since: 0.1.""",
     ),
     "vesica_shape_area_f32": (

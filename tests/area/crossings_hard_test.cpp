@@ -298,12 +298,13 @@ TEST(CrossingsHard, AStartComesBeforePlacesNearerThanRoundings) {
   Random random(seed());
   int asked = 0;
   for (int i = 0; i < 300 * repeat(); ++i) {
-    const double r = random.integer(1, 9), near = random.sign() * std::ldexp(1, -random.integer(20, 900));
+    const double r = random.integer(1, 9), near = random.sign() * std::ldexp(1, -random.integer(20, 450));
+    const double h = 256 * std::fabs(near);  // edges short enough to tell the places apart
     const Shape firsts[] = {circle(-r, 0, r), ellipse(-r, 0, 1, 0, r, r), ellipse(-2 * r, 0, 2, 0, r, 2 * r)};
     // The line x = -near y, and a small circle, through the origin.
-    const Shape others[] = {{VESICA_SEGMENT, {near, -1, -near, 1}},
-                            {VESICA_SEGMENT, {-near, 1, near, -1}},
-                            {VESICA_RECT, {1, near, 1, near, 1, 1}},
+    const Shape others[] = {{VESICA_SEGMENT, {near * h, -h, -near * h, h}},
+                            {VESICA_SEGMENT, {-near * h, h, near * h, -h}},
+                            {VESICA_RECT, {1, near, 1, near, 1, h}},
                             circle(0, near, std::fabs(near)),
                             ellipse(0, near, 0, -1, std::fabs(near), std::fabs(near))};
     for (const Shape& a : firsts) {
@@ -320,6 +321,42 @@ TEST(CrossingsHard, AStartComesBeforePlacesNearerThanRoundings) {
     }
   }
   EXPECT_GT(asked, 1000);
+}
+
+// So near that their angles underflow: the place just before the start was taken for it, and the start's own place came
+// next. It is the last.
+TEST(CrossingsHard, APlaceJustBeforeTheStartIsTheLast) {
+  const Shape a = ellipse(-0x1.8p-568, -0x1.4p-569, 0x1.8p+1, 0x1p-1073, 0x1p-571, 0x1p-569);
+  const Shape b{VESICA_AABB, {-0x1.8p-568, -0x1.1p-567, -0x1.2p-568, -0x1.3ffffffffffffp-569}};
+  vesica_crossing_points_f64 out;
+  ASSERT_EQ(vesica_crossings_f64(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out), 6);
+  EXPECT_EQ(out.x[0], -0x1.2p-568);
+  EXPECT_EQ(out.y[0], -0x1.4p-569);
+  EXPECT_EQ(out.x[5], -0x1.2p-568);
+}
+
+/// Of two places on an edge, an ellipse's start and another: it is turned as little as exponents allow, and the edge
+/// runs across the end of its axis.
+TEST(CrossingsHard, AStartOnAnEdgeComesBeforeTheOtherPlaceThere) {
+  Random random(seed());
+  for (int i = 0; i < 300 * repeat(); ++i) {
+    const double a = random.integer(1, 9), b = a * random.integer(1, 3);
+    const double tilt = random.sign() * std::ldexp(1, -random.integer(20, 450)), h = 1024 * std::fabs(tilt);
+    const Shape first = ellipse(-a, 0, 1, tilt, a, b);
+    // To first order in the tilt.
+    const double other = a * tilt * (1 - 2 * b * b / (a * a));
+    const Shape others[] = {{VESICA_SEGMENT, {0, -h, 0, h}},
+                            {VESICA_SEGMENT, {0, h, 0, -h}},
+                            {VESICA_AABB, {0, -h, 1, h}},
+                            {VESICA_RECT, {1, 0, 0, -1, h, 1}}};
+    for (const Shape& second : others) {
+      vesica_crossing_points_f64 out;
+      ASSERT_EQ(vesica_crossings_f64(first.kind, first.numbers.data(), second.kind, second.numbers.data(), &out), 2)
+          << text(first) << " | " << text(second);
+      EXPECT_NEAR(out.y[0], a * tilt, 1e-9 * h) << text(first) << " | " << text(second);
+      EXPECT_NEAR(out.y[1], other, 1e-9 * h) << text(first) << " | " << text(second);
+    }
+  }
 }
 
 /// One of the places is where the first outline begins, exactly; and it comes first.

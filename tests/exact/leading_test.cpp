@@ -214,7 +214,7 @@ TEST(LongCubic, SignsAreThoseOfAllDigits) {
     const mpq_class d1 = value(p.d1), c1 = value(p.c1), c2 = value(p.c2), d2 = value(p.d2), mu = value(p.mu);
     const mpq_class a = c2 * c2 - 3 * d2 * c1, b = c1 * c2 - 9 * d1 * d2, c = c1 * c1 - 3 * d1 * c2;
     const mpq_class discriminant = 4 * a * c - b * b;
-    const exact::SmallParts small(p);
+    const auto small = exact::exact_small_parts(p);
     expect_within_bound(exact::detail::discriminant<exact::Leading<6>>(p), discriminant);
     expect_within_bound(exact::detail::discriminant_by_offset<exact::Leading<6>>(p, small), discriminant / 3);
     exact::Signs of_discriminant, of_containment;

@@ -38,6 +38,15 @@ inline Overlap overlap_and_depth(const exact::Box& a, const exact::Ellipse& b) n
   return gap == 0 || (flat && sum_is_flat(a, as_box(b))) ? Overlap::some_without_depth : Overlap::some_with_depth;
 }
 
+/// As exact::overlap and exact::relation decide it.
+inline Overlap overlap_and_depth(const exact::Ellipse& a, const exact::Ellipse& b) noexcept {
+  if (degenerate(a)) return overlap_and_depth(as_box(a), b);
+  if (degenerate(b)) return overlap_and_depth(as_box(b), a);
+  const exact::ContactCubic p = exact::contact_cubic(a, b);
+  const int roots = p.c1.sign < 0 || p.c2.sign < 0 ? exact::discriminant_sign(p) : -1;
+  return roots > 0 ? Overlap::none : roots == 0 ? Overlap::some_without_depth : Overlap::some_with_depth;
+}
+
 /// For shapes that overlap. contact() asks for the sum's relative inside, which with area is its inside.
 inline bool has_no_depth(const exact::Box& a, const exact::Box& b) noexcept {
   return sum_is_flat(a, b) || contact(a, b) == 0;

@@ -152,8 +152,9 @@ template <class Polynomial, int... Degree>
 constexpr bool leading_digits_tell(int& sign, const Polynomial& value, const Number<Degree>&... x) noexcept {
   if (!(is_long(x) || ...)) return false;
   if (digits_tell<few_limbs>(sign, value, x...) || digits_tell<some_limbs>(sign, value, x...)) return true;
-  if (((x.size > more_limbs) || ...) && digits_tell<more_limbs>(sign, value, x...)) return true;
-  return ((x.size > most_limbs) || ...) && digits_tell<most_limbs>(sign, value, x...);
+  // More are worth while for twice as many alone: many limbs of such numbers are zero, and then cost nothing.
+  if (((x.size > 2 * more_limbs) || ...) && digits_tell<more_limbs>(sign, value, x...)) return true;
+  return ((x.size > 2 * most_limbs) || ...) && digits_tell<most_limbs>(sign, value, x...);
 }
 
 }  // namespace detail

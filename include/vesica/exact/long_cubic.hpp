@@ -92,7 +92,9 @@ constexpr int discriminant_sign(const ContactCubic& p, Signs& signs) noexcept {
   const auto small = exact_small_parts(p);
   if (small.delta.sign == 0) return detail::sign_of_discriminant_of_proportional(p);
   const Few by_offset = detail::discriminant_by_offset<Few>(p, small);
-  return by_offset.sign_is_certain() ? by_offset.sign : signs.of(detail::discriminant<Leading<more_limbs>>(p));
+  if (by_offset.sign_is_certain()) return by_offset.sign;
+  signs.certain = p.c1.size > 2 * more_limbs || p.c2.size > 2 * more_limbs;
+  return signs.certain ? signs.of(detail::discriminant<Leading<more_limbs>>(p)) : 0;
 }
 
 constexpr bool first_in_second(const ContactCubic& p, Signs& signs) noexcept {

@@ -59,7 +59,7 @@ constexpr vesica::detail::arithmetic::Scaled rounded_value(const Polynomial& val
   vesica::detail::arithmetic::Scaled out{0, 0};
   if ((is_long(x) || ...)) {
     if (detail::rounds_surely(value(Leading<few_limbs>(x)...), out)) return out;
-    if (detail::rounds_surely(value(Leading<more_limbs>(x)...), out)) return out;
+    if (((x.size > 2 * more_limbs) || ...) && detail::rounds_surely(value(Leading<more_limbs>(x)...), out)) return out;
   }
   return rounded(value(x...));
 }

@@ -179,7 +179,7 @@ final class Native {
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
    * <p>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
-   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 30.
+   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 40.
    *
    * <p>Since: 0.1.
    */
@@ -229,7 +229,7 @@ final class Native {
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
    * <p>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
-   * if only exact arithmetic can tell the depth from 0; at worst 30 us, where exponents are wildly unlike.
+   * if only exact arithmetic can tell the depth from 0; at worst 40 us, where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */
@@ -859,7 +859,7 @@ final class Native {
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
    * <p>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
-   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 30.
+   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 40.
    *
    * <p>Since: 0.1.
    */
@@ -911,7 +911,7 @@ final class Native {
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
    * <p>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
-   * if only exact arithmetic can tell the depth from 0; at worst 30 us, where exponents are wildly unlike.
+   * if only exact arithmetic can tell the depth from 0; at worst 40 us, where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */
