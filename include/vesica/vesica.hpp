@@ -25,3 +25,5 @@
 #include <vesica/relation.hpp>
 #include <vesica/shape_area.hpp>
 #include <vesica/shapes.hpp>
+#include <vesica/signed_distance.hpp>
+#include <vesica/within.hpp>
