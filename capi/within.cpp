@@ -55,18 +55,17 @@ int64_t matrix(const CShapesOf<T>* a, const CShapesOf<T>* b, T distance, uint8_t
 
 }  // namespace
 
-#define VESICA_WITHIN(scalar, T)                                                                                    \
-  int32_t vesica_within_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b,            \
-                                 T distance) {                                                                      \
-    return within(kind_a, numbers_a, kind_b, numbers_b, distance);                                                  \
-  }                                                                                                                 \
-  int64_t vesica_within_many_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, T distance, \
-                                      uint8_t* out) {                                                               \
-    return many<T>(a, b, distance, out);                                                                            \
-  }                                                                                                                 \
-  int64_t vesica_within_matrix_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b,           \
-                                        T distance, uint8_t* out, ptrdiff_t row_stride) {                           \
-    return matrix<T>(a, b, distance, out, row_stride);                                                              \
+#define VESICA_WITHIN(scalar, T)                                                                                       \
+  int32_t vesica_within_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b, T distance) { \
+    return within(kind_a, numbers_a, kind_b, numbers_b, distance);                                                     \
+  }                                                                                                                    \
+  int64_t vesica_within_many_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, T distance,    \
+                                      uint8_t* out) {                                                                  \
+    return many<T>(a, b, distance, out);                                                                               \
+  }                                                                                                                    \
+  int64_t vesica_within_matrix_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, T distance,  \
+                                        uint8_t* out, ptrdiff_t row_stride) {                                          \
+    return matrix<T>(a, b, distance, out, row_stride);                                                                 \
   }
 
 VESICA_WITHIN(f64, double)

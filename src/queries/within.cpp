@@ -27,7 +27,7 @@ struct Table {
 
 consteval Table table() noexcept {
   Table t{};
-#define VESICA_ENTRY(a, A, b, B)                                                              \
+#define VESICA_ENTRY(a, A, b, B)                                                               \
   t.of[static_cast<int>(Kind::b)][static_cast<int>(Kind::a)] = reversed<B<double>, A<double>>; \
   t.of[static_cast<int>(Kind::a)][static_cast<int>(Kind::b)] = answer<A<double>, B<double>>;
   VESICA_EACH_PAIR_OF_FORMS(VESICA_ENTRY)
@@ -92,9 +92,10 @@ WithinTally within_matrix(const Shapes<T>& a, const Shapes<T>& b, double distanc
   return tally;
 }
 
-#define VESICA_WITHIN(T)                                                                                               \
+#define VESICA_WITHIN(T)                                                                                              \
   template WithinTally within_many(const Shapes<T>&, const Shapes<T>&, std::int64_t, double, std::uint8_t*) noexcept; \
-  template WithinTally within_matrix(const Shapes<T>&, const Shapes<T>&, double, std::uint8_t*, std::ptrdiff_t) noexcept;
+  template WithinTally within_matrix(const Shapes<T>&, const Shapes<T>&, double, std::uint8_t*,                       \
+                                     std::ptrdiff_t) noexcept;
 VESICA_WITHIN(double)
 VESICA_WITHIN(float)
 #undef VESICA_WITHIN

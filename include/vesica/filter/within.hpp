@@ -63,11 +63,10 @@ VESICA_INLINE auto within_usable(V uu, V high, V reached) noexcept {
 template <class V>
 VESICA_INLINE auto point_box_within(const Box<V>& b, const Centre<V>& d, V reach) noexcept {
   const V uu = b.ux * b.ux + b.uy * b.uy;
-  const LeastSquare<V> least =
-      least_square(b.ux * d.x + b.uy * d.y, b.ux * d.y - b.uy * d.x, b.hx * uu, b.hy * uu);
+  const LeastSquare<V> least = least_square(b.ux * d.x + b.uy * d.y, b.ux * d.y - b.uy * d.x, b.hx * uu, b.hy * uu);
   const Reached<V> reached(reach, uu);
   const auto usable = both(within_usable(uu, least.high, reached.high), at_least(V(0.0f), b.hx, b.hy, reach));
-  return guarded(usable, least.high < reached.low, least.low > reached.high);
+  return guarded(usable, least.high<reached.low, least.low> reached.high);
 }
 
 /// Two boxes, d from the centre of a to that of b.
@@ -88,8 +87,9 @@ VESICA_INLINE auto box_box_within(const Box<V>& a, const Box<V>& b, const Centre
   const auto apart = either(certainly_positive(axes.gap_a), certainly_positive(axes.gap_b));
   const auto near = either(of_b.high < in_a.low, of_a.high < in_b.low);
   const auto far = both(of_b.low > in_a.high, of_a.low > in_b.high);
-  const auto usable = both(both(within_usable(axes.uu, of_b.high, in_a.high), within_usable(axes.ww, of_a.high, in_b.high)),
-                           at_least(V(0.0f), a.hx, a.hy, b.hx, b.hy, reach));
+  const auto usable =
+      both(both(within_usable(axes.uu, of_b.high, in_a.high), within_usable(axes.ww, of_a.high, in_b.high)),
+           at_least(V(0.0f), a.hx, a.hy, b.hx, b.hy, reach));
   return guarded(usable, either(meet, near), both(apart, far));
 }
 
