@@ -17,6 +17,7 @@
 #include <vesica/check.hpp>
 #include <vesica/construct.hpp>
 #include <vesica/crossings.hpp>
+#include <vesica/de9im.hpp>
 #include <vesica/depth.hpp>
 #include <vesica/iou.hpp>
 #include <vesica/nearest.hpp>
