@@ -25,10 +25,14 @@ int32_t vesica_de9im_match(const char* matrix, const char* pattern) {
   return matrix == nullptr || pattern == nullptr ? VESICA_E_NULL : vesica::de9im_match(matrix, pattern);
 }
 
-#define VESICA_TOPOLOGY(scalar, T)                                                                      \
-  int32_t vesica_de9im_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b, \
-                                char* matrix) {                                                         \
-    return answer(queries::de9im, kind_a, numbers_a, kind_b, numbers_b, matrix);                        \
+#define VESICA_TOPOLOGY(scalar, T)                                                                             \
+  int32_t vesica_de9im_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b,        \
+                                char* matrix) {                                                                \
+    return answer(queries::de9im, kind_a, numbers_a, kind_b, numbers_b, matrix);                               \
+  }                                                                                                            \
+  int32_t vesica_intersection_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b, \
+                                       T vertices[16]) {                                                       \
+    return answer(queries::intersection, kind_a, numbers_a, kind_b, numbers_b, vertices);                      \
   }
 
 VESICA_TOPOLOGY(f64, double)

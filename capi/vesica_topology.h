@@ -56,7 +56,7 @@ VESICA_API int32_t vesica_de9im_match(const char *matrix, const char *pattern);
  * The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the one that is
  * lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two are a segment's
  * ends. Of the same two shapes in either order they are the same numbers.
- * Requires: vertices with room for 16 numbers; those that are not used become 0.
+ * Vertices that are not used become 0.
  * Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is shared.
  * Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE (a
  * vertex exceeds the finite numbers).
@@ -66,7 +66,7 @@ VESICA_API int32_t vesica_de9im_match(const char *matrix, const char *pattern);
  * Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly unlike.
  */
 VESICA_API int32_t vesica_intersection_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b,
-                                           const double *numbers_b, double *vertices);
+                                           const double *numbers_b, double vertices[16]);
 
 /* ---- The same functions with float in place of double ---- */
 
@@ -75,7 +75,7 @@ VESICA_API int32_t vesica_de9im_f32(int32_t kind_a, const float *numbers_a, int3
                                     char *matrix);
 /** As vesica_intersection_f64, rounded to float. */
 VESICA_API int32_t vesica_intersection_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b,
-                                           const float *numbers_b, float *vertices);
+                                           const float *numbers_b, float vertices[16]);
 
 #ifdef __cplusplus
 }

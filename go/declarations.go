@@ -515,11 +515,11 @@ func cJoin(wide bool, query C.int32_t, indexA unsafe.Pointer, setsA C.vesica_go_
 	return C.go_join_f32(query, indexA, setsA, setCountA, indexB, setsB, setCountB, part, parts, scratch, scratchSize, outA, outB, capacity, state)
 }
 
-func cJoinWithin(wide bool, indexA unsafe.Pointer, setsA C.vesica_go_sets, setCountA C.int32_t, indexB unsafe.Pointer, setsB C.vesica_go_sets, setCountB C.int32_t, distance float64, part C.int64_t, parts C.int64_t, scratch unsafe.Pointer, scratchSize C.int64_t, outA unsafe.Pointer, outB unsafe.Pointer, capacity C.int64_t, state unsafe.Pointer) C.int64_t {
+func cJoinWithin(wide bool, indexA unsafe.Pointer, setsA C.vesica_go_sets, setCountA C.int32_t, indexB unsafe.Pointer, setsB C.vesica_go_sets, setCountB C.int32_t, distance float64, part C.int64_t, parts C.int64_t, outA unsafe.Pointer, outB unsafe.Pointer, capacity C.int64_t, state unsafe.Pointer) C.int64_t {
 	if wide {
-		return C.go_join_within_f64(indexA, setsA, setCountA, indexB, setsB, setCountB, C.double(distance), part, parts, scratch, scratchSize, outA, outB, capacity, state)
+		return C.go_join_within_f64(indexA, setsA, setCountA, indexB, setsB, setCountB, C.double(distance), part, parts, outA, outB, capacity, state)
 	}
-	return C.go_join_within_f32(indexA, setsA, setCountA, indexB, setsB, setCountB, C.float(distance), part, parts, scratch, scratchSize, outA, outB, capacity, state)
+	return C.go_join_within_f32(indexA, setsA, setCountA, indexB, setsB, setCountB, C.float(distance), part, parts, outA, outB, capacity, state)
 }
 
 func cIndexNearest(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view, k C.int64_t, within float64, out unsafe.Pointer, distance unsafe.Pointer) C.int64_t {

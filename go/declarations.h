@@ -592,20 +592,20 @@ static inline int64_t go_join_f32(int32_t query, const void *index_a, vesica_go_
     return vesica_join_f32(query, index_a, of_sets_a, set_count_a, index_b, of_sets_b, set_count_b, part, parts, scratch, scratch_size, out_a, out_b, capacity, state);
 }
 
-static inline int64_t go_join_within_f64(const void *index_a, vesica_go_sets sets_a, int32_t set_count_a, const void *index_b, vesica_go_sets sets_b, int32_t set_count_b, double distance, int64_t part, int64_t parts, void *scratch, int64_t scratch_size, void *out_a, void *out_b, int64_t capacity, void *state) {
+static inline int64_t go_join_within_f64(const void *index_a, vesica_go_sets sets_a, int32_t set_count_a, const void *index_b, vesica_go_sets sets_b, int32_t set_count_b, double distance, int64_t part, int64_t parts, void *out_a, void *out_b, int64_t capacity, void *state) {
     vesica_shapes_f64 of_sets_a[64];
     memcpy(of_sets_a, &sets_a, sizeof of_sets_a);
     vesica_shapes_f64 of_sets_b[64];
     memcpy(of_sets_b, &sets_b, sizeof of_sets_b);
-    return vesica_join_within_f64(index_a, of_sets_a, set_count_a, index_b, of_sets_b, set_count_b, distance, part, parts, scratch, scratch_size, out_a, out_b, capacity, state);
+    return vesica_join_within_f64(index_a, of_sets_a, set_count_a, index_b, of_sets_b, set_count_b, distance, part, parts, out_a, out_b, capacity, state);
 }
 
-static inline int64_t go_join_within_f32(const void *index_a, vesica_go_sets sets_a, int32_t set_count_a, const void *index_b, vesica_go_sets sets_b, int32_t set_count_b, float distance, int64_t part, int64_t parts, void *scratch, int64_t scratch_size, void *out_a, void *out_b, int64_t capacity, void *state) {
+static inline int64_t go_join_within_f32(const void *index_a, vesica_go_sets sets_a, int32_t set_count_a, const void *index_b, vesica_go_sets sets_b, int32_t set_count_b, float distance, int64_t part, int64_t parts, void *out_a, void *out_b, int64_t capacity, void *state) {
     vesica_shapes_f32 of_sets_a[64];
     memcpy(of_sets_a, &sets_a, sizeof of_sets_a);
     vesica_shapes_f32 of_sets_b[64];
     memcpy(of_sets_b, &sets_b, sizeof of_sets_b);
-    return vesica_join_within_f32(index_a, of_sets_a, set_count_a, index_b, of_sets_b, set_count_b, distance, part, parts, scratch, scratch_size, out_a, out_b, capacity, state);
+    return vesica_join_within_f32(index_a, of_sets_a, set_count_a, index_b, of_sets_b, set_count_b, distance, part, parts, out_a, out_b, capacity, state);
 }
 
 static inline int64_t go_index_nearest_f64(const void *index, vesica_go_sets sets, int32_t set_count, vesica_go_view one, int64_t k, double within, void *out, void *distance) {

@@ -1789,16 +1789,18 @@ export interface C {
    * All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those whose
    * answer from vesica_within_f64 is > 0.
    *
-   * Everything else is as vesica_join_f64 has it, but the order of pairs, which is that of index_a's items in its order.
+   * If both indexes are the same pointer, pairs are those of two different items a < b. They come in index_a's order.
+   * Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f64.
    *
-   * Requires: distance >= 0, or infinity, which asks for all pairs of valid shapes. The rest as vesica_join_f64.
+   * Requires: distance >= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity and
+   * state as vesica_join_f64.
    * Returns: the number of pairs written; with capacity 0, how many the whole part has.
    * Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
    * Accuracy: that of vesica_within_f64; a pair that is VESICA_WITHIN_NEARLY is among them.
-   * Cost: about 0.2 us a shape of index_a, and that of vesica_within_f64 a candidate.
+   * Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f64 a candidate.
    * Since: 0.1.
    */
-  vesica_join_within_f64(index_a: number, sets_a: number, set_count_a: number, index_b: number, sets_b: number, set_count_b: number, distance: number, part: bigint, parts: bigint, scratch: number, scratch_size: bigint, out_a: number, out_b: number, capacity: bigint, state: number): bigint;
+  vesica_join_within_f64(index_a: number, sets_a: number, set_count_a: number, index_b: number, sets_b: number, set_count_b: number, distance: number, part: bigint, parts: bigint, out_a: number, out_b: number, capacity: bigint, state: number): bigint;
   /**
    * Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.
    *
@@ -1893,16 +1895,18 @@ export interface C {
    * All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those whose
    * answer from vesica_within_f32 is > 0.
    *
-   * Everything else is as vesica_join_f32 has it, but the order of pairs, which is that of index_a's items in its order.
+   * If both indexes are the same pointer, pairs are those of two different items a < b. They come in index_a's order.
+   * Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f32.
    *
-   * Requires: distance >= 0, or infinity, which asks for all pairs of valid shapes. The rest as vesica_join_f32.
+   * Requires: distance >= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity and
+   * state as vesica_join_f32.
    * Returns: the number of pairs written; with capacity 0, how many the whole part has.
    * Errors: those of vesica_join_f32; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
    * Accuracy: that of vesica_within_f32; a pair that is VESICA_WITHIN_NEARLY is among them.
-   * Cost: about 0.2 us a shape of index_a, and that of vesica_within_f32 a candidate.
+   * Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f32 a candidate.
    * Since: 0.1.
    */
-  vesica_join_within_f32(index_a: number, sets_a: number, set_count_a: number, index_b: number, sets_b: number, set_count_b: number, distance: number, part: bigint, parts: bigint, scratch: number, scratch_size: bigint, out_a: number, out_b: number, capacity: bigint, state: number): bigint;
+  vesica_join_within_f32(index_a: number, sets_a: number, set_count_a: number, index_b: number, sets_b: number, set_count_b: number, distance: number, part: bigint, parts: bigint, out_a: number, out_b: number, capacity: bigint, state: number): bigint;
   /**
    * Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.
    *
@@ -2523,8 +2527,8 @@ export interface C {
    * The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the one that is
    * lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two are a segment's
    * ends. Of the same two shapes in either order they are the same numbers.
+   * Vertices that are not used become 0.
    *
-   * Requires: vertices with room for 16 numbers; those that are not used become 0.
    * Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is shared.
    * Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE (a
    * vertex exceeds the finite numbers).
@@ -2561,8 +2565,8 @@ export interface C {
    * The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the one that is
    * lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two are a segment's
    * ends. Of the same two shapes in either order they are the same numbers.
+   * Vertices that are not used become 0.
    *
-   * Requires: vertices with room for 16 numbers; those that are not used become 0.
    * Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f32 says that nothing is shared.
    * Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE (a
    * vertex exceeds the finite numbers).

@@ -1401,16 +1401,18 @@ namespace Vesica
         /// <summary>
         /// <para>All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those whose
         /// answer from vesica_within_f64 is &gt; 0.</para>
-        /// <para>Everything else is as vesica_join_f64 has it, but the order of pairs, which is that of index_a's items in its order.</para>
-        /// <para>Requires: distance &gt;= 0, or infinity, which asks for all pairs of valid shapes. The rest as vesica_join_f64.</para>
+        /// <para>If both indexes are the same pointer, pairs are those of two different items a &lt; b. They come in index_a's order.
+        /// Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f64.</para>
+        /// <para>Requires: distance &gt;= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity and
+        /// state as vesica_join_f64.</para>
         /// <para>Returns: the number of pairs written; with capacity 0, how many the whole part has.</para>
         /// <para>Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or NaN.</para>
         /// <para>Accuracy: that of vesica_within_f64; a pair that is VESICA_WITHIN_NEARLY is among them.</para>
-        /// <para>Cost: about 0.2 us a shape of index_a, and that of vesica_within_f64 a candidate.</para>
+        /// <para>Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f64 a candidate.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern long vesica_join_within_f64(void* indexA, void* setsA, int setCountA, void* indexB, void* setsB, int setCountB, double distance, long part, long parts, void* scratch, long scratchSize, void* outA, void* outB, long capacity, void* state);
+        internal static extern long vesica_join_within_f64(void* indexA, void* setsA, int setCountA, void* indexB, void* setsB, int setCountB, double distance, long part, long parts, void* outA, void* outB, long capacity, void* state);
 
         /// <summary>
         /// <para>Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.</para>
@@ -1492,16 +1494,18 @@ namespace Vesica
         /// <summary>
         /// <para>All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those whose
         /// answer from vesica_within_f32 is &gt; 0.</para>
-        /// <para>Everything else is as vesica_join_f32 has it, but the order of pairs, which is that of index_a's items in its order.</para>
-        /// <para>Requires: distance &gt;= 0, or infinity, which asks for all pairs of valid shapes. The rest as vesica_join_f32.</para>
+        /// <para>If both indexes are the same pointer, pairs are those of two different items a &lt; b. They come in index_a's order.
+        /// Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f32.</para>
+        /// <para>Requires: distance &gt;= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity and
+        /// state as vesica_join_f32.</para>
         /// <para>Returns: the number of pairs written; with capacity 0, how many the whole part has.</para>
         /// <para>Errors: those of vesica_join_f32; VESICA_E_ARGUMENT also for a distance that is negative or NaN.</para>
         /// <para>Accuracy: that of vesica_within_f32; a pair that is VESICA_WITHIN_NEARLY is among them.</para>
-        /// <para>Cost: about 0.2 us a shape of index_a, and that of vesica_within_f32 a candidate.</para>
+        /// <para>Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f32 a candidate.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern long vesica_join_within_f32(void* indexA, void* setsA, int setCountA, void* indexB, void* setsB, int setCountB, float distance, long part, long parts, void* scratch, long scratchSize, void* outA, void* outB, long capacity, void* state);
+        internal static extern long vesica_join_within_f32(void* indexA, void* setsA, int setCountA, void* indexB, void* setsB, int setCountB, float distance, long part, long parts, void* outA, void* outB, long capacity, void* state);
 
         /// <summary>
         /// <para>Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.</para>
@@ -2140,8 +2144,8 @@ namespace Vesica
         /// <para>The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle or an ellipse.
         /// The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the one that is
         /// lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two are a segment's
-        /// ends. Of the same two shapes in either order they are the same numbers.</para>
-        /// <para>Requires: vertices with room for 16 numbers; those that are not used become 0.</para>
+        /// ends. Of the same two shapes in either order they are the same numbers.
+        /// Vertices that are not used become 0.</para>
         /// <para>Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is shared.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE (a
         /// vertex exceeds the finite numbers).</para>
@@ -2178,8 +2182,8 @@ namespace Vesica
         /// <para>The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle or an ellipse.
         /// The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the one that is
         /// lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two are a segment's
-        /// ends. Of the same two shapes in either order they are the same numbers.</para>
-        /// <para>Requires: vertices with room for 16 numbers; those that are not used become 0.</para>
+        /// ends. Of the same two shapes in either order they are the same numbers.
+        /// Vertices that are not used become 0.</para>
         /// <para>Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f32 says that nothing is shared.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE (a
         /// vertex exceeds the finite numbers).</para>
@@ -2488,11 +2492,11 @@ namespace Vesica
                 : vesica_join_f32(query, indexA, setsA, setCountA, indexB, setsB, setCountB, part, parts, scratch, scratchSize, outA, outB, capacity, state);
         }
 
-        internal static long JoinWithin(bool wide, void* indexA, void* setsA, int setCountA, void* indexB, void* setsB, int setCountB, double distance, long part, long parts, void* scratch, long scratchSize, void* outA, void* outB, long capacity, void* state)
+        internal static long JoinWithin(bool wide, void* indexA, void* setsA, int setCountA, void* indexB, void* setsB, int setCountB, double distance, long part, long parts, void* outA, void* outB, long capacity, void* state)
         {
             return wide
-                ? vesica_join_within_f64(indexA, setsA, setCountA, indexB, setsB, setCountB, distance, part, parts, scratch, scratchSize, outA, outB, capacity, state)
-                : vesica_join_within_f32(indexA, setsA, setCountA, indexB, setsB, setCountB, (float)distance, part, parts, scratch, scratchSize, outA, outB, capacity, state);
+                ? vesica_join_within_f64(indexA, setsA, setCountA, indexB, setsB, setCountB, distance, part, parts, outA, outB, capacity, state)
+                : vesica_join_within_f32(indexA, setsA, setCountA, indexB, setsB, setCountB, (float)distance, part, parts, outA, outB, capacity, state);
         }
 
         internal static long IndexNearest(bool wide, void* index, void* sets, int setCount, void* one, long k, double within, void* output, void* distance)

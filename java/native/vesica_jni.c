@@ -1382,8 +1382,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinF64(JNIEnv* env, jclass type, jin
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_joinWithinF64(JNIEnv* env, jclass type, jobject indexA, jintArray setsAKinds, jlongArray setsACounts, jlongArray setsAStrides, jlongArray setsASteps, jobjectArray setsABases, jobject indexB, jintArray setsBKinds, jlongArray setsBCounts, jlongArray setsBStrides, jlongArray setsBSteps, jobjectArray setsBBases, jdouble distance, jlong part, jlong parts, jobject scratch, jlong scratchSize, jobject outA, jobject outB, jlong capacity, jobject state) {
-  lent held[6];
+JNIEXPORT jlong JNICALL Java_vesica_Native_joinWithinF64(JNIEnv* env, jclass type, jobject indexA, jintArray setsAKinds, jlongArray setsACounts, jlongArray setsAStrides, jlongArray setsASteps, jobjectArray setsABases, jobject indexB, jintArray setsBKinds, jlongArray setsBCounts, jlongArray setsBStrides, jlongArray setsBSteps, jobjectArray setsBBases, jdouble distance, jlong part, jlong parts, jobject outA, jobject outB, jlong capacity, jobject state) {
+  lent held[5];
   lent_sets lent_to[2];
   int ok = 1;
   int64_t answer = NOT_LENT;
@@ -1392,18 +1392,17 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinWithinF64(JNIEnv* env, jclass typ
   ok = prepare_sets(env, setsAKinds, setsACounts, setsAStrides, setsASteps, setsABases, &lent_to[0]) && ok;
   prepare(env, indexB, &held[1]);
   ok = prepare_sets(env, setsBKinds, setsBCounts, setsBStrides, setsBSteps, setsBBases, &lent_to[1]) && ok;
-  prepare(env, scratch, &held[2]);
-  prepare(env, outA, &held[3]);
-  prepare(env, outB, &held[4]);
-  prepare(env, state, &held[5]);
-  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, lent_to[1].held, lent_to[1].count) && lend(env, held, 6)) {
+  prepare(env, outA, &held[2]);
+  prepare(env, outB, &held[3]);
+  prepare(env, state, &held[4]);
+  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, lent_to[1].held, lent_to[1].count) && lend(env, held, 5)) {
     vesica_shapes_f64 setsA[MAX_SETS];
     SETS(setsA, lent_to[0], double);
     vesica_shapes_f64 setsB[MAX_SETS];
     SETS(setsB, lent_to[1], double);
-    answer = vesica_join_within_f64(held[0].address, setsA, lent_to[0].count, held[1].address, setsB, lent_to[1].count, distance, part, parts, held[2].address, scratchSize, held[3].address, held[4].address, capacity, held[5].address);
+    answer = vesica_join_within_f64(held[0].address, setsA, lent_to[0].count, held[1].address, setsB, lent_to[1].count, distance, part, parts, held[2].address, held[3].address, capacity, held[4].address);
   }
-  give_back(env, held, 6);
+  give_back(env, held, 5);
   give_back(env, lent_to[0].held, lent_to[0].count);
   give_back(env, lent_to[1].held, lent_to[1].count);
   return answer;
@@ -1525,8 +1524,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinF32(JNIEnv* env, jclass type, jin
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_joinWithinF32(JNIEnv* env, jclass type, jobject indexA, jintArray setsAKinds, jlongArray setsACounts, jlongArray setsAStrides, jlongArray setsASteps, jobjectArray setsABases, jobject indexB, jintArray setsBKinds, jlongArray setsBCounts, jlongArray setsBStrides, jlongArray setsBSteps, jobjectArray setsBBases, jfloat distance, jlong part, jlong parts, jobject scratch, jlong scratchSize, jobject outA, jobject outB, jlong capacity, jobject state) {
-  lent held[6];
+JNIEXPORT jlong JNICALL Java_vesica_Native_joinWithinF32(JNIEnv* env, jclass type, jobject indexA, jintArray setsAKinds, jlongArray setsACounts, jlongArray setsAStrides, jlongArray setsASteps, jobjectArray setsABases, jobject indexB, jintArray setsBKinds, jlongArray setsBCounts, jlongArray setsBStrides, jlongArray setsBSteps, jobjectArray setsBBases, jfloat distance, jlong part, jlong parts, jobject outA, jobject outB, jlong capacity, jobject state) {
+  lent held[5];
   lent_sets lent_to[2];
   int ok = 1;
   int64_t answer = NOT_LENT;
@@ -1535,18 +1534,17 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinWithinF32(JNIEnv* env, jclass typ
   ok = prepare_sets(env, setsAKinds, setsACounts, setsAStrides, setsASteps, setsABases, &lent_to[0]) && ok;
   prepare(env, indexB, &held[1]);
   ok = prepare_sets(env, setsBKinds, setsBCounts, setsBStrides, setsBSteps, setsBBases, &lent_to[1]) && ok;
-  prepare(env, scratch, &held[2]);
-  prepare(env, outA, &held[3]);
-  prepare(env, outB, &held[4]);
-  prepare(env, state, &held[5]);
-  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, lent_to[1].held, lent_to[1].count) && lend(env, held, 6)) {
+  prepare(env, outA, &held[2]);
+  prepare(env, outB, &held[3]);
+  prepare(env, state, &held[4]);
+  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, lent_to[1].held, lent_to[1].count) && lend(env, held, 5)) {
     vesica_shapes_f32 setsA[MAX_SETS];
     SETS(setsA, lent_to[0], float);
     vesica_shapes_f32 setsB[MAX_SETS];
     SETS(setsB, lent_to[1], float);
-    answer = vesica_join_within_f32(held[0].address, setsA, lent_to[0].count, held[1].address, setsB, lent_to[1].count, distance, part, parts, held[2].address, scratchSize, held[3].address, held[4].address, capacity, held[5].address);
+    answer = vesica_join_within_f32(held[0].address, setsA, lent_to[0].count, held[1].address, setsB, lent_to[1].count, distance, part, parts, held[2].address, held[3].address, capacity, held[4].address);
   }
-  give_back(env, held, 6);
+  give_back(env, held, 5);
   give_back(env, lent_to[0].held, lent_to[0].count);
   give_back(env, lent_to[1].held, lent_to[1].count);
   return answer;

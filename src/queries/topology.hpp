@@ -6,6 +6,6 @@
 
 namespace vesica::queries {
 
-extern const Query de9im;
+extern const Query de9im, intersection;
 
 }  // namespace vesica::queries

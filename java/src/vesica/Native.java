@@ -1808,9 +1808,11 @@ final class Native {
    * All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those whose
    * answer from vesica_within_f64 is &gt; 0.
    *
-   * <p>Everything else is as vesica_join_f64 has it, but the order of pairs, which is that of index_a's items in its order.
+   * <p>If both indexes are the same pointer, pairs are those of two different items a &lt; b. They come in index_a's order.
+   * Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f64.
    *
-   * <p>Requires: distance &gt;= 0, or infinity, which asks for all pairs of valid shapes. The rest as vesica_join_f64.
+   * <p>Requires: distance &gt;= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity and
+   * state as vesica_join_f64.
    *
    * <p>Returns: the number of pairs written; with capacity 0, how many the whole part has.
    *
@@ -1818,11 +1820,11 @@ final class Native {
    *
    * <p>Accuracy: that of vesica_within_f64; a pair that is VESICA_WITHIN_NEARLY is among them.
    *
-   * <p>Cost: about 0.2 us a shape of index_a, and that of vesica_within_f64 a candidate.
+   * <p>Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f64 a candidate.
    *
    * <p>Since: 0.1.
    */
-  static native long joinWithinF64(Object indexA, int[] setsAKinds, long[] setsACounts, long[] setsAStrides, long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides, long[] setsBSteps, Object[] setsBBases, double distance, long part, long parts, Object scratch, long scratchSize, Object outA, Object outB, long capacity, Object state);
+  static native long joinWithinF64(Object indexA, int[] setsAKinds, long[] setsACounts, long[] setsAStrides, long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides, long[] setsBSteps, Object[] setsBBases, double distance, long part, long parts, Object outA, Object outB, long capacity, Object state);
 
   /**
    * Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.
@@ -1931,9 +1933,11 @@ final class Native {
    * All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those whose
    * answer from vesica_within_f32 is &gt; 0.
    *
-   * <p>Everything else is as vesica_join_f32 has it, but the order of pairs, which is that of index_a's items in its order.
+   * <p>If both indexes are the same pointer, pairs are those of two different items a &lt; b. They come in index_a's order.
+   * Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f32.
    *
-   * <p>Requires: distance &gt;= 0, or infinity, which asks for all pairs of valid shapes. The rest as vesica_join_f32.
+   * <p>Requires: distance &gt;= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity and
+   * state as vesica_join_f32.
    *
    * <p>Returns: the number of pairs written; with capacity 0, how many the whole part has.
    *
@@ -1941,11 +1945,11 @@ final class Native {
    *
    * <p>Accuracy: that of vesica_within_f32; a pair that is VESICA_WITHIN_NEARLY is among them.
    *
-   * <p>Cost: about 0.2 us a shape of index_a, and that of vesica_within_f32 a candidate.
+   * <p>Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f32 a candidate.
    *
    * <p>Since: 0.1.
    */
-  static native long joinWithinF32(Object indexA, int[] setsAKinds, long[] setsACounts, long[] setsAStrides, long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides, long[] setsBSteps, Object[] setsBBases, float distance, long part, long parts, Object scratch, long scratchSize, Object outA, Object outB, long capacity, Object state);
+  static native long joinWithinF32(Object indexA, int[] setsAKinds, long[] setsACounts, long[] setsAStrides, long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides, long[] setsBSteps, Object[] setsBBases, float distance, long part, long parts, Object outA, Object outB, long capacity, Object state);
 
   /**
    * Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.
@@ -2787,8 +2791,7 @@ final class Native {
    * The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the one that is
    * lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two are a segment's
    * ends. Of the same two shapes in either order they are the same numbers.
-   *
-   * <p>Requires: vertices with room for 16 numbers; those that are not used become 0.
+   * Vertices that are not used become 0.
    *
    * <p>Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is shared.
    *
@@ -2837,8 +2840,7 @@ final class Native {
    * The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the one that is
    * lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two are a segment's
    * ends. Of the same two shapes in either order they are the same numbers.
-   *
-   * <p>Requires: vertices with room for 16 numbers; those that are not used become 0.
+   * Vertices that are not used become 0.
    *
    * <p>Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f32 says that nothing is shared.
    *
@@ -3109,10 +3111,10 @@ final class Native {
         : joinF32(query, indexA, setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds, setsB.counts, setsB.strides, setsB.steps, setsB.bases, part, parts, scratch, scratchSize, outA, outB, capacity, state);
   }
 
-  static long joinWithin(boolean wide, Object indexA, Sets setsA, Object indexB, Sets setsB, double distance, long part, long parts, Object scratch, long scratchSize, Object outA, Object outB, long capacity, Object state) {
+  static long joinWithin(boolean wide, Object indexA, Sets setsA, Object indexB, Sets setsB, double distance, long part, long parts, Object outA, Object outB, long capacity, Object state) {
     return wide
-        ? joinWithinF64(indexA, setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds, setsB.counts, setsB.strides, setsB.steps, setsB.bases, distance, part, parts, scratch, scratchSize, outA, outB, capacity, state)
-        : joinWithinF32(indexA, setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds, setsB.counts, setsB.strides, setsB.steps, setsB.bases, (float) distance, part, parts, scratch, scratchSize, outA, outB, capacity, state);
+        ? joinWithinF64(indexA, setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds, setsB.counts, setsB.strides, setsB.steps, setsB.bases, distance, part, parts, outA, outB, capacity, state)
+        : joinWithinF32(indexA, setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds, setsB.counts, setsB.strides, setsB.steps, setsB.bases, (float) distance, part, parts, outA, outB, capacity, state);
   }
 
   static long indexNearest(boolean wide, Object index, Sets sets, Shapes one, long k, double within, Object out, Object distance) {

@@ -2325,9 +2325,11 @@ extern "C" {
     /// All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those whose
     /// answer from vesica_within_f64 is \> 0.
     ///
-    /// Everything else is as vesica_join_f64 has it, but the order of pairs, which is that of index_a's items in its order.
+    /// If both indexes are the same pointer, pairs are those of two different items a \< b. They come in index_a's order.
+    /// Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f64.
     ///
-    /// Requires: distance \>= 0, or infinity, which asks for all pairs of valid shapes. The rest as vesica_join_f64.
+    /// Requires: distance \>= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity and
+    /// state as vesica_join_f64.
     ///
     /// Returns: the number of pairs written; with capacity 0, how many the whole part has.
     ///
@@ -2335,10 +2337,10 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_within_f64; a pair that is VESICA_WITHIN_NEARLY is among them.
     ///
-    /// Cost: about 0.2 us a shape of index_a, and that of vesica_within_f64 a candidate.
+    /// Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f64 a candidate.
     ///
     /// Since: 0.1.
-    pub fn vesica_join_within_f64(index_a: *const c_void, sets_a: *const Shapes<f64>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f64>, set_count_b: i32, distance: f64, part: i64, parts: i64, scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64;
+    pub fn vesica_join_within_f64(index_a: *const c_void, sets_a: *const Shapes<f64>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f64>, set_count_b: i32, distance: f64, part: i64, parts: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64;
     /// Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.
     ///
     /// An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is not found.
@@ -2444,9 +2446,11 @@ extern "C" {
     /// All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those whose
     /// answer from vesica_within_f32 is \> 0.
     ///
-    /// Everything else is as vesica_join_f32 has it, but the order of pairs, which is that of index_a's items in its order.
+    /// If both indexes are the same pointer, pairs are those of two different items a \< b. They come in index_a's order.
+    /// Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f32.
     ///
-    /// Requires: distance \>= 0, or infinity, which asks for all pairs of valid shapes. The rest as vesica_join_f32.
+    /// Requires: distance \>= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity and
+    /// state as vesica_join_f32.
     ///
     /// Returns: the number of pairs written; with capacity 0, how many the whole part has.
     ///
@@ -2454,10 +2458,10 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_within_f32; a pair that is VESICA_WITHIN_NEARLY is among them.
     ///
-    /// Cost: about 0.2 us a shape of index_a, and that of vesica_within_f32 a candidate.
+    /// Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f32 a candidate.
     ///
     /// Since: 0.1.
-    pub fn vesica_join_within_f32(index_a: *const c_void, sets_a: *const Shapes<f32>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f32>, set_count_b: i32, distance: f32, part: i64, parts: i64, scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64;
+    pub fn vesica_join_within_f32(index_a: *const c_void, sets_a: *const Shapes<f32>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f32>, set_count_b: i32, distance: f32, part: i64, parts: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64;
     /// Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.
     ///
     /// An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is not found.
@@ -3162,8 +3166,7 @@ extern "C" {
     /// The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the one that is
     /// lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two are a segment's
     /// ends. Of the same two shapes in either order they are the same numbers.
-    ///
-    /// Requires: vertices with room for 16 numbers; those that are not used become 0.
+    /// Vertices that are not used become 0.
     ///
     /// Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is shared.
     ///
@@ -3206,8 +3209,7 @@ extern "C" {
     /// The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the one that is
     /// lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two are a segment's
     /// ends. Of the same two shapes in either order they are the same numbers.
-    ///
-    /// Requires: vertices with room for 16 numbers; those that are not used become 0.
+    /// Vertices that are not used become 0.
     ///
     /// Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f32 says that nothing is shared.
     ///
@@ -3297,7 +3299,7 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn index_step(step: i32, part: i64, parts: i64, sets: *const Shapes<Self>, set_count: i32, index: *mut c_void, index_size: i64, scratch: *mut c_void, scratch_size: i64) -> i64;
     unsafe fn index_select(index: *const c_void, sets: *const Shapes<Self>, set_count: i32, one: *const Shapes<Self>, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
     unsafe fn join(query: i32, index_a: *const c_void, sets_a: *const Shapes<Self>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<Self>, set_count_b: i32, part: i64, parts: i64, scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64;
-    unsafe fn join_within(index_a: *const c_void, sets_a: *const Shapes<Self>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<Self>, set_count_b: i32, distance: Self, part: i64, parts: i64, scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64;
+    unsafe fn join_within(index_a: *const c_void, sets_a: *const Shapes<Self>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<Self>, set_count_b: i32, distance: Self, part: i64, parts: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64;
     unsafe fn index_nearest(index: *const c_void, sets: *const Shapes<Self>, set_count: i32, one: *const Shapes<Self>, k: i64, within: Self, out: *mut i64, distance: *mut Self) -> i64;
     unsafe fn join_nearest(sets_a: *const Shapes<Self>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<Self>, set_count_b: i32, k: i64, within: Self, part: i64, parts: i64, out: *mut i64, distance: *mut Self) -> i64;
     unsafe fn ratio(ratio: i32, kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self, out: *mut Self) -> i32;
@@ -3585,8 +3587,8 @@ unsafe impl Scalar for f64 {
         vesica_join_f64(query, index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, part, parts, scratch, scratch_size, out_a, out_b, capacity, state)
     }
     #[inline]
-    unsafe fn join_within(index_a: *const c_void, sets_a: *const Shapes<f64>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f64>, set_count_b: i32, distance: f64, part: i64, parts: i64, scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64 {
-        vesica_join_within_f64(index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, distance, part, parts, scratch, scratch_size, out_a, out_b, capacity, state)
+    unsafe fn join_within(index_a: *const c_void, sets_a: *const Shapes<f64>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f64>, set_count_b: i32, distance: f64, part: i64, parts: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64 {
+        vesica_join_within_f64(index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, distance, part, parts, out_a, out_b, capacity, state)
     }
     #[inline]
     unsafe fn index_nearest(index: *const c_void, sets: *const Shapes<f64>, set_count: i32, one: *const Shapes<f64>, k: i64, within: f64, out: *mut i64, distance: *mut f64) -> i64 {
@@ -3947,8 +3949,8 @@ unsafe impl Scalar for f32 {
         vesica_join_f32(query, index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, part, parts, scratch, scratch_size, out_a, out_b, capacity, state)
     }
     #[inline]
-    unsafe fn join_within(index_a: *const c_void, sets_a: *const Shapes<f32>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f32>, set_count_b: i32, distance: f32, part: i64, parts: i64, scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64 {
-        vesica_join_within_f32(index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, distance, part, parts, scratch, scratch_size, out_a, out_b, capacity, state)
+    unsafe fn join_within(index_a: *const c_void, sets_a: *const Shapes<f32>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f32>, set_count_b: i32, distance: f32, part: i64, parts: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64 {
+        vesica_join_within_f32(index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, distance, part, parts, out_a, out_b, capacity, state)
     }
     #[inline]
     unsafe fn index_nearest(index: *const c_void, sets: *const Shapes<f32>, set_count: i32, one: *const Shapes<f32>, k: i64, within: f32, out: *mut i64, distance: *mut f32) -> i64 {
