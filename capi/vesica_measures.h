@@ -34,7 +34,7 @@ extern "C" {
 
 /* How soft suppression lowers the score of a shape, by its ratio r with one that is kept. */
 #define VESICA_DECAY_LINEAR 0   /**< score * (1 - r) if r exceeds the parameter, a threshold from 0 to 1 */
-#define VESICA_DECAY_GAUSSIAN 1 /**< score * exp(-r^2 / parameter), which is > 0; 1 where r < 0 */
+#define VESICA_DECAY_GAUSSIAN 1 /**< score * exp(-r^2 / parameter) if r > 0; the parameter is at least 2^-100 */
 
 /* ---- Ratios of shared area, double ----
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
@@ -199,7 +199,7 @@ VESICA_API int32_t vesica_suppress_f64(const vesica_shapes_f64 *shapes, const do
 
 /**
  * How many bytes of scratch does soft suppression of `count` shapes need?
- * Returns: 80 bytes a shape and 4 KiB.
+ * Returns: 64 bytes a shape.
  * Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
  */
 VESICA_API int64_t vesica_suppress_soft_scratch(int64_t count);
@@ -216,9 +216,9 @@ VESICA_API int64_t vesica_suppress_soft_scratch(int64_t count);
  * Returns: 0, with *kept set to how many are kept.
  * Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and all
  * else is written.
- * Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right to
- * 1 unit in the last place. So the choice is that of the definition in double, the same bits on every machine. Floats
- * are widened first, and only the final scores rounded.
+ * Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right
+ * to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every machine.
+ * Floats are widened first, and only the final scores rounded.
  * Cost: that of vesica_ratio_matrix_f64 for each kept shape with all of its label that are left.
  */
 VESICA_API int32_t vesica_suppress_soft_f64(const vesica_shapes_f64 *shapes, const double *scores,

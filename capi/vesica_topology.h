@@ -61,8 +61,8 @@ VESICA_API int32_t vesica_de9im_match(const char *matrix, const char *pattern);
  * Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE (a
  * vertex exceeds the finite numbers).
  * Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has the
- * numbers that are stored, or of a rectangle those of vesica_rect_corners_f64. Others are right to 4 u times the largest
- * coordinate or size of either shape.
+ * numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f64. Others are right to 4 u times the
+ * largest coordinate or size of either shape.
  * Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly unlike.
  */
 VESICA_API int32_t vesica_intersection_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b,

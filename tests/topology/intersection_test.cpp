@@ -129,7 +129,8 @@ double largest(const Pair& p) {
   double most = 0;
   for (const auto& [kind, n] : {std::pair{p.kind_a, &p.a}, {p.kind_b, &p.b}}) {
     const bool sized = kind == VESICA_RECT || kind == VESICA_ELLIPSE;
-    for (std::size_t i = 0; i < (sized ? 2U : kind == VESICA_CIRCLE ? 3U : 4U); ++i) most = std::fmax(most, std::fabs((*n)[i]));
+    for (std::size_t i = 0; i < (sized ? 2U : kind == VESICA_CIRCLE ? 3U : 4U); ++i)
+      most = std::fmax(most, std::fabs((*n)[i]));
     if (sized) most = std::fmax(most, std::fmax((*n)[4], (*n)[5]) * std::hypot((*n)[2], (*n)[3]));
   }
   return most;
@@ -142,7 +143,9 @@ std::vector<std::array<double, 2>> own_corners(int kind, const Numbers& n) {
   if (kind == VESICA_AABB) return {{n[0], n[1]}, {n[2], n[1]}, {n[2], n[3]}, {n[0], n[3]}};
   if (kind != VESICA_RECT) return {};
   double c[8];
-  if (vesica_rect_corners_f64(reinterpret_cast<const vesica_rect_f64*>(n.data()), c) != 0) return {};
+  vesica_shapes_f64 one;
+  vesica_shapes_from_records_f64(VESICA_RECT, 1, n.data(), sizeof n, &one);
+  if (vesica_corners_of_shapes_f64(&one, c) < 0) return {};
   return {{c[0], c[1]}, {c[2], c[3]}, {c[4], c[5]}, {c[6], c[7]}};
 }
 
@@ -164,8 +167,10 @@ class Intersection : public testing::TestWithParam<properties::Kinds> {
     for (std::size_t i = 1; i < static_cast<std::size_t>(r.count); ++i) {
       EXPECT_TRUE(r.at[2 * i + 1] > r.at[1] || (r.at[2 * i + 1] == r.at[1] && r.at[2 * i] >= r.at[0]));
     }
-    if (is_round(p.kind_b)) check_round(p, r);
-    else check_straight(p, r);
+    if (is_round(p.kind_b))
+      check_round(p, r);
+    else
+      check_straight(p, r);
   }
 
   mpq_class allowed(const Pair& p, double x) const {
