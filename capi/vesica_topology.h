@@ -59,7 +59,7 @@ VESICA_API int32_t vesica_de9im_match(const char *matrix, const char *pattern);
  * Vertices that are not used become 0.
  * Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is shared.
  * Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE (a
- * vertex exceeds the finite numbers).
+ * vertex, or the length of a side that makes one, exceeds the finite numbers).
  * Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has the
  * numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f64. Others are right to 4 u times the
  * largest coordinate or size of either shape.
