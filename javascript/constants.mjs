@@ -90,7 +90,7 @@ export const WITHIN_YES = 1;
 export const WITHIN_NEARLY = 2;
 /** score * (1 - r) if r exceeds the parameter, a threshold from 0 to 1 */
 export const DECAY_LINEAR = 0;
-/** score * exp(-r^2 / parameter), which is > 0; 1 where r < 0 */
+/** score * exp(-r^2 / parameter) if r > 0; the parameter is at least 2^-100 */
 export const DECAY_GAUSSIAN = 1;
 /** no contact from 0 to t_end */
 export const CAST_MISS = 0;

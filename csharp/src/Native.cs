@@ -1711,7 +1711,7 @@ namespace Vesica
 
         /// <summary>
         /// <para>How many bytes of scratch does soft suppression of `count` shapes need?</para>
-        /// <para>Returns: 80 bytes a shape and 4 KiB.</para>
+        /// <para>Returns: 64 bytes a shape.</para>
         /// <para>Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1729,9 +1729,9 @@ namespace Vesica
         /// <para>Returns: 0, with *kept set to how many are kept.</para>
         /// <para>Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and all
         /// else is written.</para>
-        /// <para>Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right to
-        /// 1 unit in the last place. So the choice is that of the definition in double, the same bits on every machine. Floats
-        /// are widened first, and only the final scores rounded.</para>
+        /// <para>Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right
+        /// to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every machine.
+        /// Floats are widened first, and only the final scores rounded.</para>
         /// <para>Cost: that of vesica_ratio_matrix_f64 for each kept shape with all of its label that are left.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1929,9 +1929,9 @@ namespace Vesica
         /// <para>Returns: 0, with *kept set to how many are kept.</para>
         /// <para>Errors: as vesica_suppress_f32. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and all
         /// else is written.</para>
-        /// <para>Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right to
-        /// 1 unit in the last place. So the choice is that of the definition in double, the same bits on every machine. Floats
-        /// are widened first, and only the final scores rounded.</para>
+        /// <para>Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right
+        /// to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every machine.
+        /// Floats are widened first, and only the final scores rounded.</para>
         /// <para>Cost: that of vesica_ratio_matrix_f32 for each kept shape with all of its label that are left.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -2148,10 +2148,10 @@ namespace Vesica
         /// Vertices that are not used become 0.</para>
         /// <para>Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is shared.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE (a
-        /// vertex exceeds the finite numbers).</para>
+        /// vertex, or the length of a side that makes one, exceeds the finite numbers).</para>
         /// <para>Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has the
-        /// numbers that are stored, or of a rectangle those of vesica_rect_corners_f64. Others are right to 4 u times the largest
-        /// coordinate or size of either shape.
+        /// numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f64. Others are right to 4 u times the
+        /// largest coordinate or size of either shape.
         /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.</para>
         /// <para>Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly unlike.</para>
         /// <para>Since: 0.1.</para>
@@ -2186,10 +2186,10 @@ namespace Vesica
         /// Vertices that are not used become 0.</para>
         /// <para>Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f32 says that nothing is shared.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE (a
-        /// vertex exceeds the finite numbers).</para>
+        /// vertex, or the length of a side that makes one, exceeds the finite numbers).</para>
         /// <para>Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has the
-        /// numbers that are stored, or of a rectangle those of vesica_rect_corners_f32. Others are right to 4 u times the largest
-        /// coordinate or size of either shape.
+        /// numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f32. Others are right to 4 u times the
+        /// largest coordinate or size of either shape.
         /// Each number is computed in double, within these bounds, and then rounded to float once.
         /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.</para>
         /// <para>Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly unlike.</para>

@@ -91,7 +91,7 @@ pub const VESICA_WITHIN_YES: i32 = 1;
 pub const VESICA_WITHIN_NEARLY: i32 = 2;
 /// score \* (1 - r) if r exceeds the parameter, a threshold from 0 to 1
 pub const VESICA_DECAY_LINEAR: i32 = 0;
-/// score \* exp(-r^2 / parameter), which is \> 0; 1 where r \< 0
+/// score \* exp(-r^2 / parameter) if r \> 0; the parameter is at least 2^-100
 pub const VESICA_DECAY_GAUSSIAN: i32 = 1;
 /// no contact from 0 to t_end
 pub const VESICA_CAST_MISS: i32 = 0;
@@ -2689,7 +2689,7 @@ extern "C" {
     pub fn vesica_suppress_f64(shapes: *const Shapes<f64>, scores: *const f64, labels: *const i32, ratio: i32, threshold: f64, least_score: f64, most: i64, scratch: *mut c_void, scratch_size: i64, keep: *mut i64, kept: *mut i64) -> i32;
     /// How many bytes of scratch does soft suppression of `count` shapes need?
     ///
-    /// Returns: 80 bytes a shape and 4 KiB.
+    /// Returns: 64 bytes a shape.
     ///
     /// Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
     ///
@@ -2710,9 +2710,9 @@ extern "C" {
     /// Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and all
     /// else is written.
     ///
-    /// Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right to
-    /// 1 unit in the last place. So the choice is that of the definition in double, the same bits on every machine. Floats
-    /// are widened first, and only the final scores rounded.
+    /// Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right
+    /// to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every machine.
+    /// Floats are widened first, and only the final scores rounded.
     ///
     /// Cost: that of vesica_ratio_matrix_f64 for each kept shape with all of its label that are left.
     ///
@@ -2932,9 +2932,9 @@ extern "C" {
     /// Errors: as vesica_suppress_f32. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and all
     /// else is written.
     ///
-    /// Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right to
-    /// 1 unit in the last place. So the choice is that of the definition in double, the same bits on every machine. Floats
-    /// are widened first, and only the final scores rounded.
+    /// Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right
+    /// to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every machine.
+    /// Floats are widened first, and only the final scores rounded.
     ///
     /// Cost: that of vesica_ratio_matrix_f32 for each kept shape with all of its label that are left.
     ///
@@ -3171,11 +3171,11 @@ extern "C" {
     /// Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is shared.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE (a
-    /// vertex exceeds the finite numbers).
+    /// vertex, or the length of a side that makes one, exceeds the finite numbers).
     ///
     /// Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has the
-    /// numbers that are stored, or of a rectangle those of vesica_rect_corners_f64. Others are right to 4 u times the largest
-    /// coordinate or size of either shape.
+    /// numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f64. Others are right to 4 u times the
+    /// largest coordinate or size of either shape.
     /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
     ///
     /// Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly unlike.
@@ -3214,11 +3214,11 @@ extern "C" {
     /// Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f32 says that nothing is shared.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE (a
-    /// vertex exceeds the finite numbers).
+    /// vertex, or the length of a side that makes one, exceeds the finite numbers).
     ///
     /// Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has the
-    /// numbers that are stored, or of a rectangle those of vesica_rect_corners_f32. Others are right to 4 u times the largest
-    /// coordinate or size of either shape.
+    /// numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f32. Others are right to 4 u times the
+    /// largest coordinate or size of either shape.
     /// Each number is computed in double, within these bounds, and then rounded to float once.
     /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
     ///
