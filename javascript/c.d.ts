@@ -1797,7 +1797,7 @@ export interface C {
    * Returns: the number of pairs written; with capacity 0, how many the whole part has.
    * Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
    * Accuracy: that of vesica_within_f64; a pair that is VESICA_WITHIN_NEARLY is among them.
-   * Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f64 a candidate.
+   * Cost: about 1 us a shape of index_a and that of vesica_within_f64 a candidate: seven times that of vesica_join_f64.
    * Since: 0.1.
    */
   vesica_join_within_f64(index_a: number, sets_a: number, set_count_a: number, index_b: number, sets_b: number, set_count_b: number, distance: number, part: bigint, parts: bigint, out_a: number, out_b: number, capacity: bigint, state: number): bigint;
@@ -1903,7 +1903,7 @@ export interface C {
    * Returns: the number of pairs written; with capacity 0, how many the whole part has.
    * Errors: those of vesica_join_f32; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
    * Accuracy: that of vesica_within_f32; a pair that is VESICA_WITHIN_NEARLY is among them.
-   * Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f32 a candidate.
+   * Cost: about 1 us a shape of index_a and that of vesica_within_f32 a candidate: seven times that of vesica_join_f32.
    * Since: 0.1.
    */
   vesica_join_within_f32(index_a: number, sets_a: number, set_count_a: number, index_b: number, sets_b: number, set_count_b: number, distance: number, part: bigint, parts: bigint, out_a: number, out_b: number, capacity: bigint, state: number): bigint;
@@ -2055,7 +2055,8 @@ export interface C {
    * with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f64 has it, is less
    * than 5 u scale from the one asked for; the answers yes and no are certain.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
-   * Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide.
+   * Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide, as
+   * it must for distances that are exact; more where exponents are wildly unlike.
    * Since: 0.1.
    */
   vesica_within_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, distance: number): number;
@@ -2128,7 +2129,7 @@ export interface C {
    * Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right
    * to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every machine.
    * Floats are widened first, and only the final scores rounded.
-   * Cost: that of vesica_ratio_matrix_f64 for each kept shape with all of its label that are left.
+   * Cost: for each kept shape, that of vesica_ratio_matrix_f64 with all of its label that are left.
    * Since: 0.1.
    */
   vesica_suppress_soft_f64(shapes: number, scores: number, labels: number, ratio: number, decay: number, parameter: number, least_score: number, most: bigint, scratch: number, scratch_size: bigint, keep: number, decayed: number, kept: number): number;
@@ -2273,7 +2274,8 @@ export interface C {
    * with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f32 has it, is less
    * than 5 u scale from the one asked for; the answers yes and no are certain.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
-   * Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide.
+   * Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide, as
+   * it must for distances that are exact; more where exponents are wildly unlike.
    * Since: 0.1.
    */
   vesica_within_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, distance: number): number;
@@ -2323,7 +2325,7 @@ export interface C {
    * Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right
    * to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every machine.
    * Floats are widened first, and only the final scores rounded.
-   * Cost: that of vesica_ratio_matrix_f32 for each kept shape with all of its label that are left.
+   * Cost: for each kept shape, that of vesica_ratio_matrix_f32 with all of its label that are left.
    * Since: 0.1.
    */
   vesica_suppress_soft_f32(shapes: number, scores: number, labels: number, ratio: number, decay: number, parameter: number, least_score: number, most: bigint, scratch: number, scratch_size: bigint, keep: number, decayed: number, kept: number): number;
@@ -2503,7 +2505,7 @@ export interface C {
    * Returns: 0, and nine characters and a final NUL in matrix.
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: that of vesica_relation_f64; for a segment and for boxes whose sides are parallel, a microsecond more.
+   * Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
    * Since: 0.1.
    */
   vesica_de9im_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, matrix: number): number;
@@ -2536,7 +2538,8 @@ export interface C {
    * numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f64. Others are right to 4 u times the
    * largest coordinate or size of either shape.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
-   * Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly unlike.
+   * Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
+   * 300 us, where exponents are wildly unlike.
    * Since: 0.1.
    */
   vesica_intersection_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, vertices: number): number;
@@ -2554,7 +2557,7 @@ export interface C {
    * Returns: 0, and nine characters and a final NUL in matrix.
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
    * Accuracy: exact.
-   * Cost: that of vesica_relation_f32; for a segment and for boxes whose sides are parallel, a microsecond more.
+   * Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
    * Since: 0.1.
    */
   vesica_de9im_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, matrix: number): number;
@@ -2575,7 +2578,8 @@ export interface C {
    * largest coordinate or size of either shape.
    * Each number is computed in double, within these bounds, and then rounded to float once.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
-   * Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly unlike.
+   * Cost: that of vesica_overlap_f32 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
+   * 300 us, where exponents are wildly unlike.
    * Since: 0.1.
    */
   vesica_intersection_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, vertices: number): number;

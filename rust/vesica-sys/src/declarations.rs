@@ -2337,7 +2337,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_within_f64; a pair that is VESICA_WITHIN_NEARLY is among them.
     ///
-    /// Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f64 a candidate.
+    /// Cost: about 1 us a shape of index_a and that of vesica_within_f64 a candidate: seven times that of vesica_join_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_join_within_f64(index_a: *const c_void, sets_a: *const Shapes<f64>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f64>, set_count_b: i32, distance: f64, part: i64, parts: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64;
@@ -2458,7 +2458,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_within_f32; a pair that is VESICA_WITHIN_NEARLY is among them.
     ///
-    /// Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f32 a candidate.
+    /// Cost: about 1 us a shape of index_a and that of vesica_within_f32 a candidate: seven times that of vesica_join_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_join_within_f32(index_a: *const c_void, sets_a: *const Shapes<f32>, set_count_a: i32, index_b: *const c_void, sets_b: *const Shapes<f32>, set_count_b: i32, distance: f32, part: i64, parts: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64;
@@ -2632,7 +2632,8 @@ extern "C" {
     /// than 5 u scale from the one asked for; the answers yes and no are certain.
     /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
     ///
-    /// Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide.
+    /// Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide, as
+    /// it must for distances that are exact; more where exponents are wildly unlike.
     ///
     /// Since: 0.1.
     pub fn vesica_within_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, distance: f64) -> i32;
@@ -2714,7 +2715,7 @@ extern "C" {
     /// to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every machine.
     /// Floats are widened first, and only the final scores rounded.
     ///
-    /// Cost: that of vesica_ratio_matrix_f64 for each kept shape with all of its label that are left.
+    /// Cost: for each kept shape, that of vesica_ratio_matrix_f64 with all of its label that are left.
     ///
     /// Since: 0.1.
     pub fn vesica_suppress_soft_f64(shapes: *const Shapes<f64>, scores: *const f64, labels: *const i32, ratio: i32, decay: i32, parameter: f64, least_score: f64, most: i64, scratch: *mut c_void, scratch_size: i64, keep: *mut i64, decayed: *mut f64, kept: *mut i64) -> i32;
@@ -2879,7 +2880,8 @@ extern "C" {
     /// than 5 u scale from the one asked for; the answers yes and no are certain.
     /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
     ///
-    /// Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide.
+    /// Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide, as
+    /// it must for distances that are exact; more where exponents are wildly unlike.
     ///
     /// Since: 0.1.
     pub fn vesica_within_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, distance: f32) -> i32;
@@ -2936,7 +2938,7 @@ extern "C" {
     /// to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every machine.
     /// Floats are widened first, and only the final scores rounded.
     ///
-    /// Cost: that of vesica_ratio_matrix_f32 for each kept shape with all of its label that are left.
+    /// Cost: for each kept shape, that of vesica_ratio_matrix_f32 with all of its label that are left.
     ///
     /// Since: 0.1.
     pub fn vesica_suppress_soft_f32(shapes: *const Shapes<f32>, scores: *const f32, labels: *const i32, ratio: i32, decay: i32, parameter: f32, least_score: f32, most: i64, scratch: *mut c_void, scratch_size: i64, keep: *mut i64, decayed: *mut f32, kept: *mut i64) -> i32;
@@ -3141,7 +3143,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: that of vesica_relation_f64; for a segment and for boxes whose sides are parallel, a microsecond more.
+    /// Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
     ///
     /// Since: 0.1.
     pub fn vesica_de9im_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, matrix: *mut u8) -> i32;
@@ -3178,7 +3180,8 @@ extern "C" {
     /// largest coordinate or size of either shape.
     /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
     ///
-    /// Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly unlike.
+    /// Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
+    /// 300 us, where exponents are wildly unlike.
     ///
     /// Since: 0.1.
     pub fn vesica_intersection_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, vertices: *mut f64) -> i32;
@@ -3199,7 +3202,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: that of vesica_relation_f32; for a segment and for boxes whose sides are parallel, a microsecond more.
+    /// Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
     ///
     /// Since: 0.1.
     pub fn vesica_de9im_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, matrix: *mut u8) -> i32;
@@ -3222,7 +3225,8 @@ extern "C" {
     /// Each number is computed in double, within these bounds, and then rounded to float once.
     /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
     ///
-    /// Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly unlike.
+    /// Cost: that of vesica_overlap_f32 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
+    /// 300 us, where exponents are wildly unlike.
     ///
     /// Since: 0.1.
     pub fn vesica_intersection_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, vertices: *mut f32) -> i32;
