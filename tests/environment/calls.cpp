@@ -3,6 +3,7 @@
 
 #include <vesica.h>
 
+#include <array>
 #include <cstring>
 #include <limits>
 
@@ -340,8 +341,10 @@ template <class T, class Shapes, auto function>
 Bytes ask_soft(const Inputs& inputs) {
   const Operands<T, Shapes> operands(inputs);
   const std::int64_t n = operands.b.count;
+  // Without arithmetic, which may trap here.
+  constexpr std::array<T, 7> some{T(0.3), T(0.9), T(0.5), T(0.7), T(0.9), T(0.1), T(0.6)};
   std::vector<T> scores;
-  for (std::int64_t i = 0; i < n; ++i) scores.push_back(T{1} / static_cast<T>(1 + (7 * i) % n));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) scores.push_back(some[i % some.size()]);
   std::vector<double> scratch(static_cast<std::size_t>(vesica_suppress_soft_scratch(n)) / sizeof(double) + 1);
   std::vector<std::int64_t> keep(scores.size());
   std::vector<T> decayed(scores.size());
