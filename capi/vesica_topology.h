@@ -15,6 +15,11 @@
 extern "C" {
 #endif
 
+/* ---- Constants ---- */
+
+#define VESICA_DE9IM_SIZE 10   /**< characters of a nine-intersection matrix with its final NUL */
+#define VESICA_MOST_VERTICES 8 /**< vertices of a shared region, at most */
+
 /* ---- Topology, double ----
  * Since: 0.1.
  */
@@ -28,7 +33,7 @@ extern "C" {
  * has none; that of a shape with area is the curve around it. A segment without length is a point; a shape with one
  * size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212". Exchanging the
  * shapes exchanges rows and columns.
- * Requires: matrix with room for 10 characters.
+ * Requires: matrix with room for VESICA_DE9IM_SIZE characters.
  * Returns: 0, and nine characters and a final NUL in matrix.
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
  * Accuracy: exact.

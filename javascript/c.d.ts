@@ -2501,7 +2501,7 @@ export interface C {
    * size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212". Exchanging the
    * shapes exchanges rows and columns.
    *
-   * Requires: matrix with room for 10 characters.
+   * Requires: matrix with room for VESICA_DE9IM_SIZE characters.
    * Returns: 0, and nine characters and a final NUL in matrix.
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
    * Accuracy: exact.
@@ -2553,7 +2553,7 @@ export interface C {
    * size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212". Exchanging the
    * shapes exchanges rows and columns.
    *
-   * Requires: matrix with room for 10 characters.
+   * Requires: matrix with room for VESICA_DE9IM_SIZE characters.
    * Returns: 0, and nine characters and a final NUL in matrix.
    * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
    * Accuracy: exact.

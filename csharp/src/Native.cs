@@ -2118,7 +2118,7 @@ namespace Vesica
         /// has none; that of a shape with area is the curve around it. A segment without length is a point; a shape with one
         /// size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212". Exchanging the
         /// shapes exchanges rows and columns.</para>
-        /// <para>Requires: matrix with room for 10 characters.</para>
+        /// <para>Requires: matrix with room for VESICA_DE9IM_SIZE characters.</para>
         /// <para>Returns: 0, and nine characters and a final NUL in matrix.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
@@ -2170,7 +2170,7 @@ namespace Vesica
         /// has none; that of a shape with area is the curve around it. A segment without length is a point; a shape with one
         /// size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212". Exchanging the
         /// shapes exchanges rows and columns.</para>
-        /// <para>Requires: matrix with room for 10 characters.</para>
+        /// <para>Requires: matrix with room for VESICA_DE9IM_SIZE characters.</para>
         /// <para>Returns: 0, and nine characters and a final NUL in matrix.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>

@@ -54,6 +54,8 @@ DECAY_GAUSSIAN = 1
 CAST_MISS = 0
 CAST_HIT = 1
 CAST_START = 2
+DE9IM_SIZE = 10
+MOST_VERTICES = 8
 
 
 class point_f64(Structure):
@@ -3399,7 +3401,7 @@ has none; that of a shape with area is the curve around it. A segment without le
 size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212". Exchanging the
 shapes exchanges rows and columns.
 
-Requires: matrix with room for 10 characters.
+Requires: matrix with room for VESICA_DE9IM_SIZE characters.
 Returns: 0, and nine characters and a final NUL in matrix.
 Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
 Accuracy: exact.
@@ -3460,7 +3462,7 @@ has none; that of a shape with area is the curve around it. A segment without le
 size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212". Exchanging the
 shapes exchanges rows and columns.
 
-Requires: matrix with room for 10 characters.
+Requires: matrix with room for VESICA_DE9IM_SIZE characters.
 Returns: 0, and nine characters and a final NUL in matrix.
 Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
 Accuracy: exact.

@@ -2754,7 +2754,7 @@ final class Native {
    * size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212". Exchanging the
    * shapes exchanges rows and columns.
    *
-   * <p>Requires: matrix with room for 10 characters.
+   * <p>Requires: matrix with room for VESICA_DE9IM_SIZE characters.
    *
    * <p>Returns: 0, and nine characters and a final NUL in matrix.
    *
@@ -2822,7 +2822,7 @@ final class Native {
    * size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212". Exchanging the
    * shapes exchanges rows and columns.
    *
-   * <p>Requires: matrix with room for 10 characters.
+   * <p>Requires: matrix with room for VESICA_DE9IM_SIZE characters.
    *
    * <p>Returns: 0, and nine characters and a final NUL in matrix.
    *

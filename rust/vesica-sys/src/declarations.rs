@@ -99,6 +99,10 @@ pub const VESICA_CAST_MISS: i32 = 0;
 pub const VESICA_CAST_HIT: i32 = 1;
 /// the shapes overlap at t = 0, as vesica_overlap_f64 tells
 pub const VESICA_CAST_START: i32 = 2;
+/// characters of a nine-intersection matrix with its final NUL
+pub const VESICA_DE9IM_SIZE: i32 = 10;
+/// vertices of a shared region, at most
+pub const VESICA_MOST_VERTICES: i32 = 8;
 
 /// A location.
 #[repr(C)]
@@ -3135,7 +3139,7 @@ extern "C" {
     /// size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212". Exchanging the
     /// shapes exchanges rows and columns.
     ///
-    /// Requires: matrix with room for 10 characters.
+    /// Requires: matrix with room for VESICA_DE9IM_SIZE characters.
     ///
     /// Returns: 0, and nine characters and a final NUL in matrix.
     ///
@@ -3194,7 +3198,7 @@ extern "C" {
     /// size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212". Exchanging the
     /// shapes exchanges rows and columns.
     ///
-    /// Requires: matrix with room for 10 characters.
+    /// Requires: matrix with room for VESICA_DE9IM_SIZE characters.
     ///
     /// Returns: 0, and nine characters and a final NUL in matrix.
     ///
