@@ -64,7 +64,8 @@ struct Query {
 
 namespace queries {
 
-extern const Query overlap, relation, contains, nearest, boundary_distance, depth, area, iou, crossings, signed_distance;
+extern const Query overlap, relation, contains, nearest, boundary_distance, depth, area, iou, crossings,
+    signed_distance;
 
 }  // namespace queries
 

@@ -9,5 +9,6 @@
 int main(void) {
   const double point[2] = {0, 0}, box[4] = {0, 0, 1, 1};
   char matrix[10];
-  return vesica_de9im_f64(VESICA_POINT, point, VESICA_AABB, box, matrix) != 0 || vesica_de9im_match(matrix, "F0F******") != 1;
+  return vesica_de9im_f64(VESICA_POINT, point, VESICA_AABB, box, matrix) != 0 ||
+         vesica_de9im_match(matrix, "F0F******") != 1;
 }
