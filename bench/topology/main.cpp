@@ -62,7 +62,6 @@ using Ask = std::function<std::int64_t(const Pair&)>;
 struct Contestant {
   std::string name;
   Ask ask;
-  double best = 1e300;
 };
 
 void row(const std::string& what, std::int32_t kind_a, std::int32_t kind_b, Data data, std::vector<Contestant> all) {
