@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "index/shapes.hpp"
+#include "join/recent.hpp"
 
 namespace vesica::index {
 
@@ -42,38 +43,72 @@ inline void ask_for(const Set& set, std::int64_t item) noexcept {
 template <class T>
 using Two [[gnu::vector_size(2 * sizeof(T)), gnu::aligned(alignof(T))]] = T;
 
-/// n records to columns; `behind` so many more items follow these.
+/// The records of a set, each from where it lies.
+struct FromSet {
+  const unsigned char* base;
+  std::ptrdiff_t stride;
+
+  explicit FromSet(const Set& set) noexcept : base(set.field[0] - set.first * set.stride), stride(set.stride) {}
+  const unsigned char* at(std::uint32_t item) const noexcept {
+    return base + static_cast<std::int64_t>(item) * stride;
+  }
+  void ask_for(std::uint32_t item, std::size_t bytes) const noexcept {
+    __builtin_prefetch(at(item));
+    __builtin_prefetch(at(item) + bytes - 1);
+  }
+};
+
+/// The same by way of those that were fetched lately.
+struct FromRecent {
+  FromSet set;
+  const Recent& recent;
+  std::uint32_t mark;  // 0 or Recent::of_second
+
+  const unsigned char* at(std::uint32_t item) const noexcept { return recent.at(set, item, mark); }
+  void ask_for(std::uint32_t, std::size_t) const noexcept {}
+};
+
+/// The numbers of a record, two by two; the last alone where they are odd.
 template <class T, int Fields>
-void gather_records(const Set& set, const std::uint32_t* item, int n, int behind, Columns& out) noexcept {
-  const unsigned char* const base = set.field[0] - set.first * set.stride;
-  const auto at = [&](int i) { return base + static_cast<std::int64_t>(item[i]) * set.stride; };
+struct Numbers {
+  T number[Fields];
+  Two<T> pair(int k) const noexcept {
+    Two<T> x;
+    std::memcpy(&x, number + k, sizeof x);
+    return x;
+  }
+};
+
+/// n records to columns; `behind` so many more items follow these.
+template <class T, int Fields, class From>
+void gather_records(const From& from, const std::uint32_t* item, int n, int behind, Columns& out) noexcept {
+  constexpr std::size_t size = sizeof(T);
+  Numbers<T, Fields> a, b;
   int i = 0;
   for (; i + 2 <= n; i += 2) {
     const int ahead = i + asked_before;
     if (ahead + 2 <= n + behind) {
-      ask_for(set, item[ahead]);
-      ask_for(set, item[ahead + 1]);
+      from.ask_for(item[ahead], sizeof a);
+      from.ask_for(item[ahead + 1], sizeof a);
     }
-    const unsigned char *first = at(i), *second = at(i + 1);
+    std::memcpy(&a, from.at(item[i]), sizeof a);
+    std::memcpy(&b, from.at(item[i + 1]), sizeof b);
+    unsigned char* const to = out.column[0] + static_cast<std::size_t>(i) * size;
     for (int k = 0; k + 2 <= Fields; k += 2) {
-      Two<T> a, b;
-      std::memcpy(&a, first + static_cast<std::size_t>(k) * sizeof(T), sizeof a);
-      std::memcpy(&b, second + static_cast<std::size_t>(k) * sizeof(T), sizeof b);
-      const Two<T> low = {a[0], b[0]}, high = {a[1], b[1]};
-      std::memcpy(out.column[k] + static_cast<std::size_t>(i) * sizeof(T), &low, sizeof low);
-      std::memcpy(out.column[k + 1] + static_cast<std::size_t>(i) * sizeof(T), &high, sizeof high);
+      const Two<T> first = a.pair(k), second = b.pair(k);
+      const Two<T> low = {first[0], second[0]}, high = {first[1], second[1]};
+      std::memcpy(to + k * sizeof out.column[0], &low, sizeof low);
+      std::memcpy(to + (k + 1) * sizeof out.column[0], &high, sizeof high);
     }
     if constexpr (Fields % 2 != 0) {
-      std::memcpy(out.column[Fields - 1] + static_cast<std::size_t>(i) * sizeof(T), first + (Fields - 1) * sizeof(T),
-                  sizeof(T));
-      std::memcpy(out.column[Fields - 1] + static_cast<std::size_t>(i + 1) * sizeof(T),
-                  second + (Fields - 1) * sizeof(T), sizeof(T));
+      std::memcpy(to + (Fields - 1) * sizeof out.column[0], &a.number[Fields - 1], size);
+      std::memcpy(to + (Fields - 1) * sizeof out.column[0] + size, &b.number[Fields - 1], size);
     }
   }
   for (; i < n; ++i) {
+    std::memcpy(&a, from.at(item[i]), sizeof a);
     for (int k = 0; k < Fields; ++k) {
-      std::memcpy(out.column[k] + static_cast<std::size_t>(i) * sizeof(T),
-                  at(i) + static_cast<std::size_t>(k) * sizeof(T), sizeof(T));
+      std::memcpy(out.column[k] + static_cast<std::size_t>(i) * size, &a.number[k], size);
     }
   }
 }
@@ -92,20 +127,31 @@ bool lies_in_records(const Set& set) noexcept {
   return true;
 }
 
+/// From a set's records, or by way of those that were fetched lately, where `recent` is given.
+template <class T, int Fields>
+void gather_records(const Set& set, const std::uint32_t* item, int n, int behind, Recent* recent, std::uint32_t mark,
+                    Columns& out) noexcept {
+  const FromSet from(set);
+  if (recent == nullptr) return gather_records<T, Fields>(from, item, n, behind, out);
+  recent->fetch<Fields * sizeof(T)>(from, item, n, mark);
+  gather_records<T, Fields>(FromRecent{from, *recent, mark}, item, n, behind, out);
+}
+
 /// Columns of items of one kind.
 template <class T>
-void gather_columns(const Sets& sets, std::int32_t kind, const std::uint32_t* item, int n, int behind,
-                    Columns& out) noexcept {
+void gather_columns(const Sets& sets, std::int32_t kind, const std::uint32_t* item, int n, int behind, Recent* recent,
+                    std::uint32_t mark, Columns& out) noexcept {
   if (sets.count == 1 && lies_in_records<T>(sets.set[0])) {
+    const Set& set = sets.set[0];
     switch (fields_of[kind]) {
       case 2:
-        return gather_records<T, 2>(sets.set[0], item, n, behind, out);
+        return gather_records<T, 2>(set, item, n, behind, recent, mark, out);
       case 3:
-        return gather_records<T, 3>(sets.set[0], item, n, behind, out);
+        return gather_records<T, 3>(set, item, n, behind, recent, mark, out);
       case 4:
-        return gather_records<T, 4>(sets.set[0], item, n, behind, out);
+        return gather_records<T, 4>(set, item, n, behind, recent, mark, out);
       default:
-        return gather_records<T, 6>(sets.set[0], item, n, behind, out);
+        return gather_records<T, 6>(set, item, n, behind, recent, mark, out);
     }
   }
   for (int i = 0; i < n; ++i) {
@@ -118,11 +164,13 @@ void gather_columns(const Sets& sets, std::int32_t kind, const std::uint32_t* it
   }
 }
 
-/// Not inlined: where few are gathered, compilers warn of the asking ahead, which does not happen there.
+/// Not inlined: where few are gathered, compilers warn of the asking ahead, which does not happen there. Where `recent`
+/// is given it has begun, and `mark` tells the sets apart that use it.
 [[gnu::noinline]] inline void gather_columns(const Sets& sets, std::int32_t kind, const std::uint32_t* item, int n,
-                                             int behind, Columns& out) noexcept {
-  return sets.is_float ? gather_columns<float>(sets, kind, item, n, behind, out)
-                       : gather_columns<double>(sets, kind, item, n, behind, out);
+                                             int behind, Columns& out, Recent* recent = nullptr,
+                                             std::uint32_t mark = 0) noexcept {
+  return sets.is_float ? gather_columns<float>(sets, kind, item, n, behind, recent, mark, out)
+                       : gather_columns<double>(sets, kind, item, n, behind, recent, mark, out);
 }
 
 }  // namespace vesica::index

@@ -14,6 +14,9 @@ __extension__ using Wide = unsigned __int128;
 inline constexpr int batch = 4096, wanted_at_most = batch - 2 * leaf_items, most_segments = 2048, block_list = 256,
                      weighed = 4096;
 
+/// From so many candidates on, records that were fetched are kept.
+inline constexpr int worth_keeping = 1024;
+
 /// Candidates of one pair of blocks begin here in the batch.
 struct Segment {
   std::int64_t block_a, block_b;
@@ -27,6 +30,7 @@ struct Scratch {
   std::uint16_t order[batch];
   std::uint8_t key[batch], sorted[batch], verdict[batch + 64];
   Columns columns_a, columns_b;
+  Recent recent;
   Segment segment[most_segments];
   std::int64_t blocks[block_list];
   std::int64_t weight[weighed];
@@ -114,6 +118,10 @@ class Runner {
 
   void decide(std::int32_t n) noexcept {
     Scratch& s = scratch_;
+    if (recent_ == nullptr && n >= worth_keeping) {
+      recent_ = &s.recent;
+      recent_->begin();
+    }
     if (join_.decide == nullptr) {
       std::memset(s.verdict, 1, static_cast<std::size_t>(n));
     } else if (join_.a.sets->count == 1 && join_.b.sets->count == 1) {
@@ -181,8 +189,8 @@ class Runner {
     const auto length = [n](std::int32_t i) { return n - i < most ? n - i : most; };
     for (std::int32_t i = 0; i < n; i += most) {
       const int m = length(i);
-      gather_columns(*join_.a.sets, kind_a, a + i, m, n - i - m, s.columns_a);
-      gather_columns(*join_.b.sets, kind_b, b + i, m, n - i - m, s.columns_b);
+      gather_columns(*join_.a.sets, kind_a, a + i, m, n - i - m, s.columns_a, recent_, 0);
+      gather_columns(*join_.b.sets, kind_b, b + i, m, n - i - m, s.columns_b, recent_, Recent::of_second);
       if (join_.reversed) {
         join_.decide(kind_b, s.columns_b.field, m, kind_a, s.columns_a.field, m, out + i);
       } else {
@@ -225,6 +233,7 @@ class Runner {
   std::int32_t listed_ = 0, listed_end_ = 0;
   bool whole_list_ = false, open_ = false;
   int segments_ = 0;
+  Recent* recent_ = nullptr;
 };
 
 }  // namespace
