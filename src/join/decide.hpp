@@ -68,47 +68,36 @@ struct FromRecent {
   void ask_for(std::uint32_t, std::size_t) const noexcept {}
 };
 
-/// The numbers of a record, two by two; the last alone where they are odd.
-template <class T, int Fields>
-struct Numbers {
-  T number[Fields];
-  Two<T> pair(int k) const noexcept {
-    Two<T> x;
-    std::memcpy(&x, number + k, sizeof x);
-    return x;
-  }
-};
-
 /// n records to columns; `behind` so many more items follow these.
 template <class T, int Fields, class From>
 void gather_records(const From& from, const std::uint32_t* item, int n, int behind, Columns& out) noexcept {
-  constexpr std::size_t size = sizeof(T);
-  Numbers<T, Fields> a, b;
   int i = 0;
   for (; i + 2 <= n; i += 2) {
     const int ahead = i + asked_before;
     if (ahead + 2 <= n + behind) {
-      from.ask_for(item[ahead], sizeof a);
-      from.ask_for(item[ahead + 1], sizeof a);
+      from.ask_for(item[ahead], Fields * sizeof(T));
+      from.ask_for(item[ahead + 1], Fields * sizeof(T));
     }
-    std::memcpy(&a, from.at(item[i]), sizeof a);
-    std::memcpy(&b, from.at(item[i + 1]), sizeof b);
-    unsigned char* const to = out.column[0] + static_cast<std::size_t>(i) * size;
+    const unsigned char *first = from.at(item[i]), *second = from.at(item[i + 1]);
     for (int k = 0; k + 2 <= Fields; k += 2) {
-      const Two<T> first = a.pair(k), second = b.pair(k);
-      const Two<T> low = {first[0], second[0]}, high = {first[1], second[1]};
-      std::memcpy(to + k * sizeof out.column[0], &low, sizeof low);
-      std::memcpy(to + (k + 1) * sizeof out.column[0], &high, sizeof high);
+      Two<T> a, b;
+      std::memcpy(&a, first + static_cast<std::size_t>(k) * sizeof(T), sizeof a);
+      std::memcpy(&b, second + static_cast<std::size_t>(k) * sizeof(T), sizeof b);
+      const Two<T> low = {a[0], b[0]}, high = {a[1], b[1]};
+      std::memcpy(out.column[k] + static_cast<std::size_t>(i) * sizeof(T), &low, sizeof low);
+      std::memcpy(out.column[k + 1] + static_cast<std::size_t>(i) * sizeof(T), &high, sizeof high);
     }
     if constexpr (Fields % 2 != 0) {
-      std::memcpy(to + (Fields - 1) * sizeof out.column[0], &a.number[Fields - 1], size);
-      std::memcpy(to + (Fields - 1) * sizeof out.column[0] + size, &b.number[Fields - 1], size);
+      std::memcpy(out.column[Fields - 1] + static_cast<std::size_t>(i) * sizeof(T), first + (Fields - 1) * sizeof(T),
+                  sizeof(T));
+      std::memcpy(out.column[Fields - 1] + static_cast<std::size_t>(i + 1) * sizeof(T),
+                  second + (Fields - 1) * sizeof(T), sizeof(T));
     }
   }
   for (; i < n; ++i) {
-    std::memcpy(&a, from.at(item[i]), sizeof a);
     for (int k = 0; k < Fields; ++k) {
-      std::memcpy(out.column[k] + static_cast<std::size_t>(i) * size, &a.number[k], size);
+      std::memcpy(out.column[k] + static_cast<std::size_t>(i) * sizeof(T),
+                  from.at(item[i]) + static_cast<std::size_t>(k) * sizeof(T), sizeof(T));
     }
   }
 }

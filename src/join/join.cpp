@@ -118,10 +118,7 @@ class Runner {
 
   void decide(std::int32_t n) noexcept {
     Scratch& s = scratch_;
-    if (recent_ == nullptr && n >= worth_keeping) {
-      recent_ = &s.recent;
-      recent_->begin();
-    }
+    keep_recent(n);
     if (join_.decide == nullptr) {
       std::memset(s.verdict, 1, static_cast<std::size_t>(n));
     } else if (join_.a.sets->count == 1 && join_.b.sets->count == 1) {
@@ -181,6 +178,22 @@ class Runner {
     }
   }
 
+  /// Records are kept where there are many candidates and their items lie anywhere: of arrays in spatial order, the
+  /// processor's own caches do as well.
+  void keep_recent(std::int32_t n) noexcept {
+    const std::uint32_t* b = scratch_.b;
+    std::int32_t far_apart = 0;
+    for (std::int32_t i = 1; i < n; ++i) {
+      constexpr std::uint32_t near = 1 << 12;
+      far_apart += static_cast<std::int32_t>(b[i] - b[i - 1] + near > 2 * near);
+    }
+    recent_ = nullptr;
+    if (n < worth_keeping || far_apart * 4 < n) return;
+    recent_ = &scratch_.recent;
+    if (!recent_begun_) recent_->begin();
+    recent_begun_ = true;
+  }
+
   /// Pairs of one pair of kinds.
   void decide_run(std::int32_t kind_a, std::int32_t kind_b, const std::uint32_t* a, const std::uint32_t* b,
                   std::int32_t n, std::uint8_t* out) noexcept {
@@ -233,7 +246,8 @@ class Runner {
   std::int32_t listed_ = 0, listed_end_ = 0;
   bool whole_list_ = false, open_ = false;
   int segments_ = 0;
-  Recent* recent_ = nullptr;
+  Recent* recent_ = nullptr;  // where it is worth the while
+  bool recent_begun_ = false;
 };
 
 }  // namespace
