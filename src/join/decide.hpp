@@ -39,10 +39,6 @@ inline void ask_for(const Set& set, std::int64_t item) noexcept {
   __builtin_prefetch(set.field[fields_of[set.kind] - 1] + at);
 }
 
-/// Two numbers of a record at a time.
-template <class T>
-using Two [[gnu::vector_size(2 * sizeof(T)), gnu::aligned(alignof(T))]] = T;
-
 /// The records of a set, each from where it lies.
 struct FromSet {
   const unsigned char* base;
@@ -108,14 +104,6 @@ void gather_number(const Set& set, int k, std::int64_t item, int i, Columns& out
               sizeof(T));
 }
 
-template <class T>
-bool lies_in_records(const Set& set) noexcept {
-  for (int k = 1; k < fields_of[set.kind]; ++k) {
-    if (set.field[k] != set.field[0] + static_cast<std::size_t>(k) * sizeof(T)) return false;
-  }
-  return true;
-}
-
 /// From a set's records, or by way of those that were fetched lately, where `recent` is given.
 template <class T, int Fields>
 void gather_records(const Set& set, const std::uint32_t* item, int n, int behind, Recent* recent, std::uint32_t mark,
@@ -126,21 +114,32 @@ void gather_records(const Set& set, const std::uint32_t* item, int n, int behind
   gather_records<T, Fields>(FromRecent{from, *recent, mark}, item, n, behind, out);
 }
 
+/// The set that all items of a kind are of, if it is one of records.
+template <class T>
+const Set* records_of(const Sets& sets, std::int32_t kind) noexcept {
+  const Set* found = nullptr;
+  for (int i = 0; i < sets.count; ++i) {
+    if (sets.set[i].kind != kind) continue;
+    if (found != nullptr) return nullptr;
+    found = &sets.set[i];
+  }
+  return found != nullptr && lies_in_records<T>(*found) ? found : nullptr;
+}
+
 /// Columns of items of one kind.
 template <class T>
 void gather_columns(const Sets& sets, std::int32_t kind, const std::uint32_t* item, int n, int behind, Recent* recent,
                     std::uint32_t mark, Columns& out) noexcept {
-  if (sets.count == 1 && lies_in_records<T>(sets.set[0])) {
-    const Set& set = sets.set[0];
+  if (const Set* set = records_of<T>(sets, kind)) {
     switch (fields_of[kind]) {
       case 2:
-        return gather_records<T, 2>(set, item, n, behind, recent, mark, out);
+        return gather_records<T, 2>(*set, item, n, behind, recent, mark, out);
       case 3:
-        return gather_records<T, 3>(set, item, n, behind, recent, mark, out);
+        return gather_records<T, 3>(*set, item, n, behind, recent, mark, out);
       case 4:
-        return gather_records<T, 4>(set, item, n, behind, recent, mark, out);
+        return gather_records<T, 4>(*set, item, n, behind, recent, mark, out);
       default:
-        return gather_records<T, 6>(set, item, n, behind, recent, mark, out);
+        return gather_records<T, 6>(*set, item, n, behind, recent, mark, out);
     }
   }
   for (int i = 0; i < n; ++i) {
