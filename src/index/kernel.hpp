@@ -433,7 +433,10 @@ inline std::int32_t in_window(const Block& block, const GridBox& box, std::uint3
   const Window window(box);
   const Leaf* leaf = leaves_of(block);
   const std::uint32_t all = leaves_meeting(block, window);
-  for (std::uint32_t met = all; met != 0; met &= met - 1) ask_for_bytes(leaf + __builtin_ctz(met), sizeof(Leaf));
+  constexpr int few = 2;
+  if (__builtin_popcount(all) > few) {
+    for (std::uint32_t met = all; met != 0; met &= met - 1) ask_for_bytes(leaf + __builtin_ctz(met), sizeof(Leaf));
+  }
   std::int32_t n = 0;
   for (std::uint32_t met = all; met != 0; met &= met - 1) {
     const Leaf& l = leaf[__builtin_ctz(met)];
