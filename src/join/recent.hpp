@@ -23,7 +23,7 @@ class Recent {
 
   /// Takes places for n items and fetches the records that are not there. Of two with the same place the later has it.
   template <std::size_t Bytes, class From>
-  void fetch(const From& from, const std::uint32_t* item, int n, std::uint32_t mark) noexcept {
+  void fetch(From& from, const std::uint32_t* item, int n, std::uint32_t mark) noexcept {
     int missing = 0;
     for (int i = 0; i < n; ++i) {
       const std::uint32_t key = item[i] | mark, place = place_of(key);
@@ -32,19 +32,14 @@ class Recent {
       key_[place] = key;
     }
     for (int i = 0; i < missing; ++i) {
-      if (i + asked_before < missing) {
-        const unsigned char* ahead = from.at(missing_[i + asked_before]);
-        // To the second cache: the first takes few at a time.
-        __builtin_prefetch(ahead, 0, 2);
-        __builtin_prefetch(ahead + Bytes - 1, 0, 2);
-      }
+      if (i + asked_before < missing) from.ask_for(missing_[i + asked_before], Bytes);
       std::memcpy(record_[place_of(missing_[i] | mark)], from.at(missing_[i]), Bytes);
     }
   }
 
   /// Where a record is that was fetched.
   template <class From>
-  const unsigned char* at(const From& from, std::uint32_t item, std::uint32_t mark) const noexcept {
+  const unsigned char* at(From& from, std::uint32_t item, std::uint32_t mark) const noexcept {
     const std::uint32_t place = place_of(item | mark);
     if (__builtin_expect(static_cast<long>(key_[place] != (item | mark)), 0) != 0) return from.at(item);
     return record_[place];
