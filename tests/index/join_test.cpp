@@ -88,6 +88,17 @@ TYPED_TEST(JoinTest, BoundsHoldAllPairsAndLittleMore) {
   }
 }
 
+/// Whether bounds meet does not depend on whose grid they are compared on, nor on which of two blocks holds few.
+TYPED_TEST(JoinTest, BoundsMeetFromBothSides) {
+  for (const std::string& name : rect_workloads()) {
+    const std::int64_t n = many_of<TypeParam>(name, false);
+    const Indexed<TypeParam> a(rects<TypeParam>(name, n, 10)), b(rects<TypeParam>(name, n / 3, 11));
+    std::vector<Pair> swapped = join(VESICA_JOIN_BOUNDS, b, a);
+    for (Pair& pair : swapped) std::swap(pair.first, pair.second);
+    EXPECT_TRUE(sorted(join(VESICA_JOIN_BOUNDS, a, b)) == sorted(std::move(swapped))) << name;
+  }
+}
+
 TYPED_TEST(JoinTest, NothingAndOneAndTheSame) {
   const Indexed<TypeParam> nothing(Laid<TypeParam>{}), empty(Records<TypeParam>{VESICA_RECT, {}});
   const Indexed<TypeParam> one(Records<TypeParam>{VESICA_CIRCLE, {1, 2, 3}});
