@@ -283,6 +283,7 @@ class Builder {
         std::memcpy(index_ + p, &record[i], sizeof(Record));
         std::memcpy(index_ + p + sizeof(Record), &item, 4);
         p += record_bytes;
+        __builtin_prefetch(index_ + p + alignment, 1);
       } else if (run == nullptr) {
         list[-1 - p--] = item;
       }

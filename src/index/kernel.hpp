@@ -314,38 +314,85 @@ inline GridBox selected_box(const Meetings& m, std::int32_t i) noexcept {
           static_cast<std::uint16_t>(m.side[2][i]), static_cast<std::uint16_t>(m.side[3][i])};
 }
 
+/// Adds the items of a leaf for which there is a bit to those selected.
+inline void select_of_leaf(const Leaf& leaf, int number, std::uint32_t items, Meetings& out) noexcept {
+  const std::int32_t n = out.selected;
+  write_columns(items, leaf.min_x, out.side[0] + n);
+  write_columns(items, leaf.min_y, out.side[1] + n);
+  write_columns(items, leaf.max_x, out.side[2] + n);
+  write_columns(items, leaf.max_y, out.side[3] + n);
+  out.selected += write_lanes(items, static_cast<std::uint32_t>(number * leaf_items), out.lane + n);
+}
+
+inline std::uint32_t leaves_meeting(const Block& block, const Window& window) noexcept {
+  return meeting(leaf_boxes(block, 0), leaf_boxes(block, 1), leaf_boxes(block, 2), leaf_boxes(block, 3), window) &
+         leaves_mask(block.leaves);
+}
+inline std::uint32_t items_meeting(const Leaf& leaf, const Window& window) noexcept {
+  return meeting(leaf.min_x, leaf.min_y, leaf.max_x, leaf.max_y, window);
+}
+
 /// Items of the first block that meet the second's box.
 inline void select_items(const Block& first, const Block& second, Meetings& out) noexcept {
   const Window window(box_in(first.frame, second));
   const Leaf* leaf = leaves_of(first);
-  std::uint32_t met =
-      meeting(leaf_boxes(first, 0), leaf_boxes(first, 1), leaf_boxes(first, 2), leaf_boxes(first, 3), window) &
-      leaves_mask(first.leaves);
-  std::int32_t n = 0;
-  for (; met != 0; met &= met - 1) {
+  out.selected = 0;
+  for (std::uint32_t met = leaves_meeting(first, window); met != 0; met &= met - 1) {
     const int l = __builtin_ctz(met);
-    const std::uint32_t items = meeting(leaf[l].min_x, leaf[l].min_y, leaf[l].max_x, leaf[l].max_y, window);
-    if (items == 0) continue;
-    write_columns(items, leaf[l].min_x, out.side[0] + n);
-    write_columns(items, leaf[l].min_y, out.side[1] + n);
-    write_columns(items, leaf[l].max_x, out.side[2] + n);
-    write_columns(items, leaf[l].max_y, out.side[3] + n);
-    n += write_lanes(items, static_cast<std::uint32_t>(l * leaf_items), out.lane + n);
+    const std::uint32_t items = items_meeting(leaf[l], window);
+    if (items != 0) select_of_leaf(leaf[l], l, items, out);
   }
-  out.selected = n;
+}
+
+/// The selected items' columns, from one grid into another.
+inline void change_grid(const Frame& from, const Frame& to, Meetings& out) noexcept {
+  if (same_frame(from, to)) return;
+  for (int axis = 0; axis < 2; ++axis) {
+    const Change change(from, to, axis);
+    change_columns<false>(change, out.selected, out.side[axis]);
+    change_columns<true>(change, out.selected, out.side[axis + 2]);
+  }
+}
+
+/// Items of the first block that meet any of those selected of the second, which are few. Whether two items meet does
+/// not depend on whose grid they are compared on: q 2^r <= c holds where q <= floor(c / 2^r) does.
+inline void select_by_few(const Block& first, const Block& second, Meetings& out) noexcept {
+  change_grid(second.frame, first.frame, out);
+  const Leaf* leaf = leaves_of(first);
+  std::uint32_t items[block_leaves] = {};
+  for (std::int32_t i = 0; i < out.selected; ++i) {
+    const Window window(selected_box(out, i));
+    for (std::uint32_t met = leaves_meeting(first, window); met != 0; met &= met - 1) {
+      const int l = __builtin_ctz(met);
+      items[l] |= items_meeting(leaf[l], window);
+    }
+  }
+  out.selected = 0;
+  for (int l = 0; l < first.leaves; ++l) {
+    if (items[l] != 0) select_of_leaf(leaf[l], l, items[l], out);
+  }
+}
+
+/// Items of the first block that may meet one of the second. A block of few, far apart, has a large box, which all items
+/// of the first lie in, and perhaps not one item that comes near these.
+inline void select_candidates(const Block& first, const Block& second, Meetings& out) noexcept {
+  constexpr int few_leaves = 2, few_items = 24;
+  const int leaves = __builtin_popcount(leaves_meeting(second, Window(box_in(second.frame, first))));
+  out.selected = 0;
+  if (leaves == 0) return;
+  if (leaves <= few_leaves) {
+    select_items(second, first, out);
+    if (out.selected == 0) return;
+    if (out.selected <= few_items) return select_by_few(first, second, out);
+  }
+  select_items(first, second, out);
 }
 
 inline void meet(const Block& first, const Block& second, bool same, Meetings& out) noexcept {
   out.entries = out.next = 0;
   out.diagonal = same;
-  select_items(first, second, out);
-  if (!same_frame(first.frame, second.frame)) {
-    for (int axis = 0; axis < 2; ++axis) {
-      const Change change(first.frame, second.frame, axis);
-      change_columns<false>(change, out.selected, out.side[axis]);
-      change_columns<true>(change, out.selected, out.side[axis + 2]);
-    }
-  }
+  select_candidates(first, second, out);
+  change_grid(first.frame, second.frame, out);
   const std::uint16_t *min_x = leaf_boxes(second, 0), *min_y = leaf_boxes(second, 1);
   const std::uint16_t *max_x = leaf_boxes(second, 2), *max_y = leaf_boxes(second, 3);
   const std::uint32_t all = leaves_mask(second.leaves);
@@ -376,16 +423,24 @@ inline std::int32_t candidates(const Block& first, const Block& second, Meetings
   return n;
 }
 
+/// Asks for what lies in so many bytes, to the second cache: the first takes few lines at a time.
+inline void ask_for_bytes(const void* begin, std::size_t bytes) noexcept {
+  const auto* at = static_cast<const unsigned char*>(begin);
+  for (std::size_t i = 0; i < bytes; i += 64) __builtin_prefetch(at + i, 0, 2);
+}
+
 inline std::int32_t in_window(const Block& block, const GridBox& box, std::uint32_t* out) noexcept {
   const Window window(box);
   const Leaf* leaf = leaves_of(block);
-  std::uint32_t met =
-      meeting(leaf_boxes(block, 0), leaf_boxes(block, 1), leaf_boxes(block, 2), leaf_boxes(block, 3), window) &
-      leaves_mask(block.leaves);
+  const std::uint32_t all = leaves_meeting(block, window);
+  constexpr int few = 2;
+  if (__builtin_popcount(all) > few) {
+    for (std::uint32_t met = all; met != 0; met &= met - 1) ask_for_bytes(leaf + __builtin_ctz(met), sizeof(Leaf));
+  }
   std::int32_t n = 0;
-  for (; met != 0; met &= met - 1) {
+  for (std::uint32_t met = all; met != 0; met &= met - 1) {
     const Leaf& l = leaf[__builtin_ctz(met)];
-    n += write_items(meeting(l.min_x, l.min_y, l.max_x, l.max_y, window), l.item, out + n);
+    n += write_items(items_meeting(l, window), l.item, out + n);
   }
   return n;
 }

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "index/shapes.hpp"
+#include "join/recent.hpp"
 
 namespace vesica::index {
 
@@ -38,23 +39,68 @@ inline void ask_for(const Set& set, std::int64_t item) noexcept {
   __builtin_prefetch(set.field[fields_of[set.kind] - 1] + at);
 }
 
-/// Two numbers of a record at a time.
+/// The records of a set, each from where it lies.
+class FromSet {
+ public:
+  explicit FromSet(const Set& set) noexcept : base_(set.field[0] - set.first * set.stride), stride_(set.stride) {}
+  const unsigned char* at(std::uint32_t item) noexcept { return base_ + static_cast<std::int64_t>(item) * stride_; }
+  void ask_for(std::uint32_t item, std::size_t bytes) noexcept {
+    // To the second cache: the first takes few at a time.
+    __builtin_prefetch(at(item), 0, 2);
+    __builtin_prefetch(at(item) + bytes - 1, 0, 2);
+  }
+
+ private:
+  const unsigned char* base_;
+  std::ptrdiff_t stride_;
+};
+
+/// The same of a set whose numbers lie in columns, or anywhere: put together. The last two stay where they are.
 template <class T>
-using Two [[gnu::vector_size(2 * sizeof(T)), gnu::aligned(alignof(T))]] = T;
+class FromColumns {
+ public:
+  explicit FromColumns(const Set& set) noexcept : set_(set) {}
+  const unsigned char* at(std::uint32_t item) noexcept {
+    turn_ = !turn_;
+    T* const to = number_[static_cast<int>(turn_)];
+    for (int k = 0; k < fields_of[set_.kind]; ++k) std::memcpy(to + k, place(k, item), sizeof(T));
+    return reinterpret_cast<const unsigned char*>(to);
+  }
+  void ask_for(std::uint32_t item, std::size_t) noexcept {
+    for (int k = 0; k < fields_of[set_.kind]; ++k) __builtin_prefetch(place(k, item), 0, 2);
+  }
+
+ private:
+  const unsigned char* place(int k, std::uint32_t item) const noexcept {
+    return set_.field[k] + (static_cast<std::int64_t>(item) - set_.first) * set_.stride;
+  }
+  const Set& set_;
+  bool turn_ = false;
+  T number_[2][most_fields];
+};
+
+/// Either by way of those that were fetched lately.
+template <class From>
+struct FromRecent {
+  From& set;
+  const Recent& recent;
+  std::uint32_t mark;  // 0 or Recent::of_second
+
+  const unsigned char* at(std::uint32_t item) noexcept { return recent.at(set, item, mark); }
+  void ask_for(std::uint32_t, std::size_t) noexcept {}
+};
 
 /// n records to columns; `behind` so many more items follow these.
-template <class T, int Fields>
-void gather_records(const Set& set, const std::uint32_t* item, int n, int behind, Columns& out) noexcept {
-  const unsigned char* const base = set.field[0] - set.first * set.stride;
-  const auto at = [&](int i) { return base + static_cast<std::int64_t>(item[i]) * set.stride; };
+template <class T, int Fields, class From>
+void gather_records(From from, const std::uint32_t* item, int n, int behind, Columns& out) noexcept {
   int i = 0;
   for (; i + 2 <= n; i += 2) {
     const int ahead = i + asked_before;
     if (ahead + 2 <= n + behind) {
-      ask_for(set, item[ahead]);
-      ask_for(set, item[ahead + 1]);
+      from.ask_for(item[ahead], Fields * sizeof(T));
+      from.ask_for(item[ahead + 1], Fields * sizeof(T));
     }
-    const unsigned char *first = at(i), *second = at(i + 1);
+    const unsigned char *first = from.at(item[i]), *second = from.at(item[i + 1]);
     for (int k = 0; k + 2 <= Fields; k += 2) {
       Two<T> a, b;
       std::memcpy(&a, first + static_cast<std::size_t>(k) * sizeof(T), sizeof a);
@@ -73,7 +119,7 @@ void gather_records(const Set& set, const std::uint32_t* item, int n, int behind
   for (; i < n; ++i) {
     for (int k = 0; k < Fields; ++k) {
       std::memcpy(out.column[k] + static_cast<std::size_t>(i) * sizeof(T),
-                  at(i) + static_cast<std::size_t>(k) * sizeof(T), sizeof(T));
+                  from.at(item[i]) + static_cast<std::size_t>(k) * sizeof(T), sizeof(T));
     }
   }
 }
@@ -84,28 +130,49 @@ void gather_number(const Set& set, int k, std::int64_t item, int i, Columns& out
               sizeof(T));
 }
 
-template <class T>
-bool lies_in_records(const Set& set) noexcept {
-  for (int k = 1; k < fields_of[set.kind]; ++k) {
-    if (set.field[k] != set.field[0] + static_cast<std::size_t>(k) * sizeof(T)) return false;
+template <class T, int Fields, class From>
+void gather_fetched(From from, const std::uint32_t* item, int n, Recent& recent, std::uint32_t mark,
+                    Columns& out) noexcept {
+  recent.fetch<Fields * sizeof(T)>(from, item, n, mark);
+  gather_records<T, Fields>(FromRecent<From>{from, recent, mark}, item, n, 0, out);
+}
+
+/// Items of one set, by way of those that were fetched lately where `recent` is given.
+template <class T, int Fields>
+void gather_set(const Set& set, const std::uint32_t* item, int n, int behind, Recent* recent, std::uint32_t mark,
+                Columns& out) noexcept {
+  const bool in_records = lies_in_records<T>(set);
+  if (recent == nullptr && in_records) return gather_records<T, Fields>(FromSet(set), item, n, behind, out);
+  if (recent == nullptr) return gather_records<T, Fields>(FromColumns<T>(set), item, n, behind, out);
+  if (in_records) return gather_fetched<T, Fields>(FromSet(set), item, n, *recent, mark, out);
+  gather_fetched<T, Fields>(FromColumns<T>(set), item, n, *recent, mark, out);
+}
+
+/// The set that all items of a kind are of, if it is one.
+inline const Set* only_set_of(const Sets& sets, std::int32_t kind) noexcept {
+  const Set* found = nullptr;
+  for (int i = 0; i < sets.count; ++i) {
+    if (sets.set[i].kind != kind) continue;
+    if (found != nullptr) return nullptr;
+    found = &sets.set[i];
   }
-  return true;
+  return found;
 }
 
 /// Columns of items of one kind.
 template <class T>
-void gather_columns(const Sets& sets, std::int32_t kind, const std::uint32_t* item, int n, int behind,
-                    Columns& out) noexcept {
-  if (sets.count == 1 && lies_in_records<T>(sets.set[0])) {
+void gather_columns(const Sets& sets, std::int32_t kind, const std::uint32_t* item, int n, int behind, Recent* recent,
+                    std::uint32_t mark, Columns& out) noexcept {
+  if (const Set* set = only_set_of(sets, kind)) {
     switch (fields_of[kind]) {
       case 2:
-        return gather_records<T, 2>(sets.set[0], item, n, behind, out);
+        return gather_set<T, 2>(*set, item, n, behind, recent, mark, out);
       case 3:
-        return gather_records<T, 3>(sets.set[0], item, n, behind, out);
+        return gather_set<T, 3>(*set, item, n, behind, recent, mark, out);
       case 4:
-        return gather_records<T, 4>(sets.set[0], item, n, behind, out);
+        return gather_set<T, 4>(*set, item, n, behind, recent, mark, out);
       default:
-        return gather_records<T, 6>(sets.set[0], item, n, behind, out);
+        return gather_set<T, 6>(*set, item, n, behind, recent, mark, out);
     }
   }
   for (int i = 0; i < n; ++i) {
@@ -118,11 +185,13 @@ void gather_columns(const Sets& sets, std::int32_t kind, const std::uint32_t* it
   }
 }
 
-/// Not inlined: where few are gathered, compilers warn of the asking ahead, which does not happen there.
+/// Not inlined: where few are gathered, compilers warn of the asking ahead, which does not happen there. Where `recent`
+/// is given it has begun, and `mark` tells the sets apart that use it.
 [[gnu::noinline]] inline void gather_columns(const Sets& sets, std::int32_t kind, const std::uint32_t* item, int n,
-                                             int behind, Columns& out) noexcept {
-  return sets.is_float ? gather_columns<float>(sets, kind, item, n, behind, out)
-                       : gather_columns<double>(sets, kind, item, n, behind, out);
+                                             int behind, Columns& out, Recent* recent = nullptr,
+                                             std::uint32_t mark = 0) noexcept {
+  return sets.is_float ? gather_columns<float>(sets, kind, item, n, behind, recent, mark, out)
+                       : gather_columns<double>(sets, kind, item, n, behind, recent, mark, out);
 }
 
 }  // namespace vesica::index

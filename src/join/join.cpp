@@ -14,6 +14,9 @@ __extension__ using Wide = unsigned __int128;
 inline constexpr int batch = 4096, wanted_at_most = batch - 2 * leaf_items, most_segments = 2048, block_list = 256,
                      weighed = 4096;
 
+/// From so many candidates on, records that were fetched are kept.
+inline constexpr int worth_keeping = 1024;
+
 /// Candidates of one pair of blocks begin here in the batch.
 struct Segment {
   std::int64_t block_a, block_b;
@@ -27,6 +30,7 @@ struct Scratch {
   std::uint16_t order[batch];
   std::uint8_t key[batch], sorted[batch], verdict[batch + 64];
   Columns columns_a, columns_b;
+  Recent recent;
   Segment segment[most_segments];
   std::int64_t blocks[block_list];
   std::int64_t weight[weighed];
@@ -114,6 +118,7 @@ class Runner {
 
   void decide(std::int32_t n) noexcept {
     Scratch& s = scratch_;
+    keep_recent(n);
     if (join_.decide == nullptr) {
       std::memset(s.verdict, 1, static_cast<std::size_t>(n));
     } else if (join_.a.sets->count == 1 && join_.b.sets->count == 1) {
@@ -173,6 +178,22 @@ class Runner {
     }
   }
 
+  /// Records are kept where there are many candidates and their items lie anywhere: of arrays in spatial order, the
+  /// processor's own caches do as well.
+  void keep_recent(std::int32_t n) noexcept {
+    const std::uint32_t* b = scratch_.b;
+    std::int32_t far_apart = 0;
+    for (std::int32_t i = 1; i < n; ++i) {
+      constexpr std::uint32_t near = 1 << 12;
+      far_apart += static_cast<std::int32_t>(b[i] - b[i - 1] + near > 2 * near);
+    }
+    recent_ = nullptr;
+    if (n < worth_keeping || far_apart * 4 < n) return;
+    recent_ = &scratch_.recent;
+    if (!recent_begun_) recent_->begin();
+    recent_begun_ = true;
+  }
+
   /// Pairs of one pair of kinds.
   void decide_run(std::int32_t kind_a, std::int32_t kind_b, const std::uint32_t* a, const std::uint32_t* b,
                   std::int32_t n, std::uint8_t* out) noexcept {
@@ -181,8 +202,8 @@ class Runner {
     const auto length = [n](std::int32_t i) { return n - i < most ? n - i : most; };
     for (std::int32_t i = 0; i < n; i += most) {
       const int m = length(i);
-      gather_columns(*join_.a.sets, kind_a, a + i, m, n - i - m, s.columns_a);
-      gather_columns(*join_.b.sets, kind_b, b + i, m, n - i - m, s.columns_b);
+      gather_columns(*join_.a.sets, kind_a, a + i, m, n - i - m, s.columns_a, recent_, 0);
+      gather_columns(*join_.b.sets, kind_b, b + i, m, n - i - m, s.columns_b, recent_, Recent::of_second);
       if (join_.reversed) {
         join_.decide(kind_b, s.columns_b.field, m, kind_a, s.columns_a.field, m, out + i);
       } else {
@@ -225,6 +246,8 @@ class Runner {
   std::int32_t listed_ = 0, listed_end_ = 0;
   bool whole_list_ = false, open_ = false;
   int segments_ = 0;
+  Recent* recent_ = nullptr;  // where it is worth the while
+  bool recent_begun_ = false;
 };
 
 }  // namespace

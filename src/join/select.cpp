@@ -71,6 +71,10 @@ class Selector {
     listed_end_ = selection_.kernels.meeting_blocks(view_, box_, from_, block_list, blocks_);
     whole_list_ = listed_end_ < block_list;
     if (listed_end_ > 0) from_ = blocks_[listed_end_ - 1] + 1;
+    for (std::int32_t i = 0; i < listed_end_; ++i) {
+      const auto* block = reinterpret_cast<const unsigned char*>(&view_.block(blocks_[i]));
+      for (int line = 0; line < 4; ++line) __builtin_prefetch(block + line * alignment);
+    }
   }
 
   /// Runs of one kind as they come: items of a block are in no order of kinds, but sets of one kind are usual.

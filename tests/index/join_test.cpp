@@ -88,6 +88,39 @@ TYPED_TEST(JoinTest, BoundsHoldAllPairsAndLittleMore) {
   }
 }
 
+/// Shapes in columns, of several kinds, have the pairs of records: numbers are put together from wherever they lie.
+TYPED_TEST(JoinTest, Columns) {
+  for (const std::string name : {"uniform", "decades_6"}) {
+    const Indexed<TypeParam> a(mixed<TypeParam>(name, 20000, 12)), b(rects<TypeParam>(name, 20000, 13));
+    Indexed<TypeParam> in_columns(mixed<TypeParam>(name, 20000, 12));
+    std::vector<std::vector<TypeParam>> columns;
+    for (auto& set : in_columns.sets.sets) {
+      const auto fields = static_cast<std::size_t>(vesica_field_count(set.kind));
+      const std::vector<TypeParam>& numbers = in_columns.laid[columns.size() / 6].numbers;
+      for (std::size_t k = 0; k < 6; ++k) {
+        std::vector<TypeParam>& column = columns.emplace_back();
+        for (std::size_t i = k; k < fields && i < numbers.size(); i += fields) column.push_back(numbers[i]);
+        if (k < fields) set.field[k] = column.data();
+      }
+      set.stride = sizeof(TypeParam);
+    }
+    EXPECT_TRUE(join(VESICA_JOIN_OVERLAP, in_columns, b) == join(VESICA_JOIN_OVERLAP, a, b)) << name;
+    EXPECT_TRUE(join(VESICA_JOIN_OVERLAP, b, in_columns) == join(VESICA_JOIN_OVERLAP, b, a)) << name;
+    EXPECT_TRUE(join(VESICA_JOIN_OVERLAP, in_columns, in_columns) == join(VESICA_JOIN_OVERLAP, a, a)) << name;
+  }
+}
+
+/// Whether bounds meet does not depend on whose grid they are compared on, nor on which of two blocks holds few.
+TYPED_TEST(JoinTest, BoundsMeetFromBothSides) {
+  for (const std::string& name : rect_workloads()) {
+    const std::int64_t n = many_of<TypeParam>(name, false);
+    const Indexed<TypeParam> a(rects<TypeParam>(name, n, 10)), b(rects<TypeParam>(name, n / 3, 11));
+    std::vector<Pair> swapped = join(VESICA_JOIN_BOUNDS, b, a);
+    for (Pair& pair : swapped) std::swap(pair.first, pair.second);
+    EXPECT_TRUE(sorted(join(VESICA_JOIN_BOUNDS, a, b)) == sorted(std::move(swapped))) << name;
+  }
+}
+
 TYPED_TEST(JoinTest, NothingAndOneAndTheSame) {
   const Indexed<TypeParam> nothing(Laid<TypeParam>{}), empty(Records<TypeParam>{VESICA_RECT, {}});
   const Indexed<TypeParam> one(Records<TypeParam>{VESICA_CIRCLE, {1, 2, 3}});

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Records that were fetched lately, side by side. A shape has candidates with several blocks, and its record lies
+// anywhere in the caller's memory, on a page of its own: fetched again it costs as much as the first time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "index/shapes.hpp"
+
+namespace vesica::index {
+
+/// Keeps each record in the one place its key falls on, where the next with that place replaces it. Half a megabyte: it
+/// shares the second cache with the blocks that are joined.
+class Recent {
+ public:
+  /// Two sets have keys of their own: of the second, items with the highest bit.
+  static constexpr std::uint32_t of_second = std::uint32_t{1} << 31;
+
+  /// To be called before the first use: scratch holds anything.
+  void begin() noexcept { std::memset(key_, 0xff, sizeof key_); }
+
+  /// Takes places for n items and fetches the records that are not there. Of two with the same place the later has it.
+  template <std::size_t Bytes, class From>
+  void fetch(From& from, const std::uint32_t* item, int n, std::uint32_t mark) noexcept {
+    int missing = 0;
+    for (int i = 0; i < n; ++i) {
+      const std::uint32_t key = item[i] | mark, place = place_of(key);
+      missing_[missing] = item[i];
+      missing += static_cast<int>(key_[place] != key);
+      key_[place] = key;
+    }
+    for (int i = 0; i < missing; ++i) {
+      if (i + asked_before < missing) from.ask_for(missing_[i + asked_before], Bytes);
+      std::memcpy(record_[place_of(missing_[i] | mark)], from.at(missing_[i]), Bytes);
+    }
+  }
+
+  /// Where a record is that was fetched.
+  template <class From>
+  const unsigned char* at(From& from, std::uint32_t item, std::uint32_t mark) const noexcept {
+    const std::uint32_t place = place_of(item | mark);
+    if (__builtin_expect(static_cast<long>(key_[place] != (item | mark)), 0) != 0) return from.at(item);
+    return record_[place];
+  }
+
+  static constexpr int most_at_once = 256;
+
+ private:
+  static constexpr int place_bits = 13, asked_before = 20;
+  static std::uint32_t place_of(std::uint32_t key) noexcept { return (key * 0x9e3779b1u) >> (32 - place_bits); }
+
+  std::uint32_t key_[1 << place_bits];  // all bits set, which is no item's, where nothing is kept
+  std::uint32_t missing_[most_at_once + 1];
+  alignas(64) unsigned char record_[1 << place_bits][most_fields * sizeof(double)];
+};
+
+}  // namespace vesica::index
