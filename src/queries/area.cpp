@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <limits>
-#include <vesica/iou.hpp>
+#include <vesica/area.hpp>
 
 #include "compiled_once.hpp"
 #include "query.hpp"
@@ -29,22 +28,6 @@ struct AreaOfPair {
   }
 };
 
-struct IouOfPair {
-  static constexpr Reversal reversal = Reversal::none;
-  template <class T>
-  using Result = T;
-  template <class A, class B, class Result>
-  VESICA_INLINE static std::int32_t answer(const A& a, const B& b, Result& out) noexcept {
-    return iou_or_error(a, b, out);
-  }
-};
-
-double area_of_shape(std::int32_t kind, const double* numbers) noexcept {
-  double area = std::numeric_limits<double>::quiet_NaN();
-  with_shape(kind, numbers, [&](const HasForm auto& shape) { return shape_area_or_error(shape, area); });
-  return area;
-}
-
 }  // namespace
 
 constinit const Query area{
@@ -54,16 +37,6 @@ constinit const Query area{
     .numbers = 1,
     .kernels = &QueryTable::area,
     .known = Known::reach,
-};
-
-constinit const Query iou{
-    .doubles = pair_table<IouOfPair, double>(),
-    .floats = pair_table<IouOfPair, float>(),
-    .reversal = IouOfPair::reversal,
-    .numbers = 1,
-    .kernels = &QueryTable::iou,
-    .known = Known::reach,
-    .shape_area = area_of_shape,
 };
 
 }  // namespace vesica::queries
