@@ -20,11 +20,6 @@
   keyword bool detail::depth::has_no_depth_exactly(const A<double>&, const B<double>&) noexcept;
 
 // queries/area.cpp
-#define VESICA_EXACT_AREAS(keyword)                                                            \
-  keyword detail::area::Measure detail::area::measure_exactly(const Circle<double>&) noexcept; \
-  keyword detail::area::Measure detail::area::measure_exactly(const Aabb<double>&) noexcept;   \
-  keyword detail::area::Measure detail::area::measure_exactly(const Rect<double>&) noexcept;   \
-  keyword detail::area::Measure detail::area::measure_exactly(const Ellipse<double>&) noexcept;
 #define VESICA_SHARES(keyword, A, B)                                                        \
   keyword std::int32_t detail::area::shares_by_relation(const A<double>&, const B<double>&, \
                                                         detail::area::Shares&) noexcept;
@@ -56,8 +51,6 @@ VESICA_EACH_PAIR(VESICA_DECLARE)
   VESICA_RELATION(extern template, A, B)
 VESICA_EACH_PAIR_OF_FORMS(VESICA_DECLARE)
 #undef VESICA_DECLARE
-
-VESICA_EXACT_AREAS(extern template)
 
 }  // namespace vesica
 #endif

@@ -112,25 +112,19 @@ inline int standardise(Sizes& s) noexcept {
   return e0 + e1 + 2 * axis;
 }
 
-/// What shape_measure() asks where its estimate does not settle the area.
-template <class Shape>
-VESICA_COLD Measure measure_exactly(const Shape& shape) noexcept {
-  return exact_area(exact::form(shape));
-}
-
 /// The area of a valid shape.
 template <class Shape>
 Measure shape_measure(const Shape& shape) noexcept {
   Sizes s = sizes(shape);
   if (is_flat(s)) return {0, 0};
   // Differences of the greatest numbers may be infinite; exact ones are not.
-  if (!(s.size_0.high <= 0x1p1020 && s.size_1.high <= 0x1p1020)) return measure_exactly(shape);
+  if (!(s.size_0.high <= 0x1p1020 && s.size_1.high <= 0x1p1020)) return exact_area(exact::form(shape));
   const int exponent = in_area_range(s) ? 0 : standardise(s);
   const DoubleDouble estimate = area_estimate(s);
   const bool may_be_subnormal = exponent < -1017;  // the estimate is then from 2^-4 to 2^4
   if (rounds_one_way(estimate) && !may_be_subnormal) [[likely]]
     return {estimate.high, exponent};
-  return measure_exactly(shape);
+  return exact_area(exact::form(shape));
 }
 inline Measure shape_measure(const Point<double>&) noexcept { return {0, 0}; }
 inline Measure shape_measure(const Segment<double>&) noexcept { return {0, 0}; }

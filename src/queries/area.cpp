@@ -10,8 +10,6 @@ namespace vesica {
 VESICA_EACH_PAIR_OF_FORMS(VESICA_DEFINE)
 #undef VESICA_DEFINE
 
-VESICA_EXACT_AREAS(template)
-
 }  // namespace vesica
 
 namespace vesica::queries {

@@ -6,8 +6,6 @@
 #include <limits>
 #include <vesica/check.hpp>
 
-#include "compiled_once.hpp"
-
 namespace vesica::queries {
 
 namespace {
