@@ -44,6 +44,11 @@ function(vesica_library name)
     VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR})
   if(BUILD_SHARED_LIBS)
+    # As one source: apart, most of the time goes into headers that all of them read. An archive keeps its parts, so
+    # that a program takes from it what it calls.
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+    endif()
     target_link_options(${name} PRIVATE ${library_link_options})
     if(WIN32)
       vesica_windows_exports(${name} ${arg_MAP})

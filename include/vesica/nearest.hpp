@@ -40,7 +40,7 @@ inline double scaled_distance(const Twofold<double>& distance, int exponent) noe
 /// Any disjoint pair. steps: how many its search took, which tests look at.
 template <class A, class B>
 ClosestPoints<double> disjoint_points(const A& a, const B& b, int& steps) noexcept {
-  const PlacedPair p = placed_pair(a, b);
+  const ScaledPair p = scaled_pair(a, b);
   const Closest c = closest(p, steps);
   const Located first = located(a, p.a, c.a, p.exponent), second = located(b, p.b, c.b, p.exponent);
   const Located on_a = located_beside(a, p.a, c.a, first, second), on_b = located_beside(b, p.b, c.b, second, first);
@@ -51,7 +51,7 @@ ClosestPoints<double> disjoint_points(const A& a, const B& b, int& steps) noexce
 /// A point of both shapes of an overlapping pair.
 template <class A, class B>
 VESICA_COLD ClosestPoints<double> common_points(const A& a, const B& b) noexcept {
-  const PlacedPair p = placed_pair(a, b);
+  const ScaledPair p = scaled_pair(a, b);
   const Located middle_a = located(a, p.a, middle_of_shape, p.exponent);
   const Located middle_b = located(b, p.b, middle_of_shape, p.exponent);
   const bool in_a = holds_other(p.a, p.b, p.d, p.size), in_b = holds_other(p.b, p.a, flipped(p.d, -1.0), p.size);

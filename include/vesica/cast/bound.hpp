@@ -14,7 +14,7 @@
 #pragma once
 
 #include <vesica/cast/body.hpp>
-#include <vesica/nearest/placed.hpp>
+#include <vesica/nearest/scaled_pair.hpp>
 
 namespace vesica::detail::cast {
 
@@ -41,36 +41,36 @@ struct Scene {
   double speed() const noexcept { return abs(vx) + abs(vy); }
 };
 
-inline nearest::Form form_times(const Body& body, double k) noexcept {
+inline nearest::UnscaledShape form_times(const Body& body, double k) noexcept {
   return with_shape(body, [k](const auto& s) { return nearest::form_times(s, k); });
 }
 
-inline Side side(const nearest::Placed& p) noexcept {
+inline Side side(const nearest::ScaledShape& p) noexcept {
   if (p.radius > 0) return {{{1, 0}, {0, 0}}, {p.radius, 0}, {p.radius, 0}, true};
   return {p.box.u, p.box.hx, p.box.hy, p.curved};
 }
 
-/// An ellipse smaller than 2^-120 of the pair is taken for a point, a thin one for a segment (nearest/placed.hpp). A
+/// An ellipse smaller than 2^-120 of the pair is taken for a point, a thin one for a segment (nearest/scaled_pair.hpp). A
 /// circle's squares must not underflow either.
-inline bool is_faithful(const nearest::Form& f, const nearest::Placed& p) noexcept {
+inline bool is_faithful(const nearest::UnscaledShape& f, const nearest::ScaledShape& p) noexcept {
   return f.curved == p.curved && (f.radius == 0 || p.radius >= nearest::smallest);
 }
 
 VESICA_COLD inline Scene scaled_scene(const Body& a, const Body& b, const Motion& motion) noexcept {
-  nearest::Form fa = form_times(a, 1), fb = form_times(b, 1);
+  nearest::UnscaledShape fa = form_times(a, 1), fb = form_times(b, 1);
   int eighths = 0;
   if (overflowed(fa, fb)) {
     fa = form_times(a, 0.125), fb = form_times(b, 0.125);
     eighths = 3;
   }
-  const nearest::PlacedPair p = nearest::placed(fa, fb);
+  const nearest::ScaledPair p = nearest::scaled_pair(fa, fb);
   const int speed = form::axis_exponent(motion.vx, motion.vy), length = p.exponent + eighths;
   const double vx = arithmetic::scale_far(motion.vx, -speed), vy = arithmetic::scale_far(motion.vy, -speed);
   const bool faithful = is_faithful(fa, p.a) && is_faithful(fb, p.b) && eighths == 0;
   return {side(p.a), side(p.b), p.d, vx, vy, p.size, length, length - speed, faithful};
 }
 
-inline Side side(const nearest::Form& f) noexcept {
+inline Side side(const nearest::UnscaledShape& f) noexcept {
   if (f.radius > 0) return {{{1, 0}, {0, 0}}, {f.radius, 0}, {f.radius, 0}, true};
   return {f.box.u, f.box.hx, f.box.hy, f.curved};
 }
@@ -88,7 +88,7 @@ inline double reach(const Side& s) noexcept { return (s.hx.high + s.hy.high) * (
 
 /// As they are, where all numbers are moderate. All that is computed of a scene is the same then, times powers of two.
 inline Scene scene(const Body& a, const Body& b, const Motion& motion) noexcept {
-  const nearest::Form fa = form_times(a, 1), fb = form_times(b, 1);
+  const nearest::UnscaledShape fa = form_times(a, 1), fb = form_times(b, 1);
   const auto x = form::twice_offset_x(fa.place, fb.place, 1), y = form::twice_offset_y(fa.place, fb.place, 1);
   Scene s{side(fa), side(fb), {{0.5 * x.high, 0.5 * x.low}, {0.5 * y.high, 0.5 * y.low}}, motion.vx, motion.vy, 0, 0,
           0,        true};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A common point of two placed shapes that are known to overlap. If rounding leaves no point that is in both, it is
+/// A common point of two scaled shapes that are known to overlap. If rounding leaves no point that is in both, it is
 /// one that is in both to rounding.
 ///
 /// The centre of one shape will do if it lies in the other. So will the centre of a shape that is small beyond
@@ -12,7 +12,7 @@
 namespace vesica::detail::nearest {
 
 /// Whether a shape holds the point at d from its centre.
-inline bool holds(const Placed& s, const Vector<double>& d) noexcept {
+inline bool holds(const ScaledShape& s, const Vector<double>& d) noexcept {
   const double x = d.x.high, y = d.y.high;
   if (s.radius > 0) return x * x + y * y <= s.radius * s.radius;
   const double ux = s.box.u.x.high, uy = s.box.u.y.high, uu = ux * ux + uy * uy;
@@ -99,7 +99,7 @@ inline Common common_of_boxes(const Box<double>& a, const Box<double>& b, const 
 }
 
 /// Of the edges of the box the point that is closest to the ellipse's centre in the ellipse's own metric.
-inline Common common_of_box_and_ellipse(const Box<double>& box, const Placed& ellipse,
+inline Common common_of_box_and_ellipse(const Box<double>& box, const ScaledShape& ellipse,
                                         const Vector<double>& d) noexcept {
   const Axes<double> s = ellipse.axes();
   double least = 0x1p1000;
@@ -156,7 +156,7 @@ inline Common exchanged(const Common& c) noexcept { return {!c.of_a, c.contact};
 
 /// Of a circle and another shape that does not hold its centre: the other's closest point to that centre; of two
 /// circles a point of the line between the centres.
-inline Common common_with_circle(const PlacedPair& p) noexcept {
+inline Common common_with_circle(const ScaledPair& p) noexcept {
   const double dx = p.d.x.high, dy = p.d.y.high;
   if (p.b.radius > 0) {
     const double share = p.a.radius / (p.a.radius + p.b.radius);
@@ -169,23 +169,23 @@ inline Common common_with_circle(const PlacedPair& p) noexcept {
   return {false, on_ellipse(found.bx, found.by)};
 }
 
-inline Common common_of_outlines(const PlacedPair& p) noexcept {
+inline Common common_of_outlines(const ScaledPair& p) noexcept {
   if (p.a.radius > 0) return common_with_circle(p);
   if (!p.a.curved && !p.b.curved) return common_of_boxes(p.a.box, p.b.box, p.d);
   if (!p.a.curved) return common_of_box_and_ellipse(p.a.box, p.b, p.d);
   return common_of_ellipses(p.a.axes(), p.b.axes(), p.d, p.size);
 }
 
-inline PlacedPair exchanged(const PlacedPair& p) noexcept { return {p.b, p.a, flipped(p.d, -1.0), p.size, p.exponent}; }
+inline ScaledPair exchanged(const ScaledPair& p) noexcept { return {p.b, p.a, flipped(p.d, -1.0), p.size, p.exponent}; }
 
 /// In an order that does not depend on which shape is called a: circles, boxes, ellipses; of one form by place.
-inline bool in_order(const PlacedPair& p) noexcept {
+inline bool in_order(const ScaledPair& p) noexcept {
   const int a = p.a.radius > 0 ? 0 : p.a.curved ? 2 : 1, b = p.b.radius > 0 ? 0 : p.b.curved ? 2 : 1;
   return a != b ? a < b : in_order(p.d.x.high, p.d.y.high);
 }
 
 /// Where neither holds the other's centre.
-inline Common common_point(const PlacedPair& p) noexcept {
+inline Common common_point(const ScaledPair& p) noexcept {
   return in_order(p) ? common_of_outlines(p) : exchanged(common_of_outlines(exchanged(p)));
 }
 
@@ -193,7 +193,7 @@ inline Common common_point(const PlacedPair& p) noexcept {
 inline constexpr double small_share = 0x1p-56;
 
 /// How far outside of a shape the point at (x, y) from its centre is, at least; 0 inside.
-inline double beyond(const Placed& s, double x, double y) noexcept {
+inline double beyond(const ScaledShape& s, double x, double y) noexcept {
   if (s.radius > 0) return positive_part(sqrt(x * x + y * y) - s.radius);
   const double ux = s.box.u.x.high, uy = s.box.u.y.high, length = sqrt(ux * ux + uy * uy);
   const double along = (ux * x + uy * y) / length, across = (ux * y - uy * x) / length;
@@ -204,13 +204,13 @@ inline double beyond(const Placed& s, double x, double y) noexcept {
 }
 
 /// Whether the other shape holds the point too, to rounding.
-inline bool is_certain(const Common& c, const PlacedPair& p) noexcept {
+inline bool is_certain(const Common& c, const ScaledPair& p) noexcept {
   const double sign = c.of_a ? -1.0 : 1.0;
   const Vector<double> d = flipped(p.d, sign);
   return beyond(c.of_a ? p.b : p.a, c.contact.x + d.x.high, c.contact.y + d.y.high) <= least_certain;
 }
 
-inline bool holds_other(const Placed& a, const Placed& b, const Vector<double>& d, double size) noexcept {
+inline bool holds_other(const ScaledShape& a, const ScaledShape& b, const Vector<double>& d, double size) noexcept {
   return reach(b) < small_share * size || holds(a, d);
 }
 

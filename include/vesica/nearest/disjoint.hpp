@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Two placed shapes that are disjoint: the distance, and where it is reached. The pairs' own searches may end
+/// Two scaled shapes that are disjoint: the distance, and where it is reached. The pairs' own searches may end
 /// unsettled, mostly at ties within rounding. Then every vertex and face is tried here.
 #pragma once
 
 #include <vesica/nearest/box_ellipse.hpp>
 #include <vesica/nearest/ellipse_ellipse.hpp>
-#include <vesica/nearest/placed.hpp>
 #include <vesica/nearest/polish.hpp>
+#include <vesica/nearest/scaled_pair.hpp>
 
 namespace vesica::detail::nearest {
 
@@ -148,7 +148,7 @@ inline Closest closest_ellipses(const Axes<double>& a, const Axes<double>& b, co
 
 inline Closest exchanged(const Closest& c) noexcept { return {c.distance, c.b, c.a, -c.nx, -c.ny}; }
 
-inline Closest closest_of_forms(const PlacedPair& p, int& steps) noexcept {
+inline Closest closest_of_forms(const ScaledPair& p, int& steps) noexcept {
   if (!p.a.curved && !p.b.curved) return closest_boxes(p.a.box, p.b.box, p.d);
   if (!p.a.curved) return closest_box_ellipse(p.a.box, p.b.axes(), p.d, p.size, p.a.radius, steps);
   if (!p.b.curved) {
@@ -158,7 +158,7 @@ inline Closest closest_of_forms(const PlacedPair& p, int& steps) noexcept {
 }
 
 /// Circles reach r farther along the line between the closest points.
-inline void extend(Closest& c, const PlacedPair& p) noexcept {
+inline void extend(Closest& c, const ScaledPair& p) noexcept {
   if (p.a.radius == 0 && p.b.radius == 0) return;
   const double larger = max(abs(c.nx), abs(c.ny));
   if (larger == 0) return;  // so near that the radius is nothing to rounding
@@ -169,7 +169,7 @@ inline void extend(Closest& c, const PlacedPair& p) noexcept {
   c.distance = c.distance - exact_sum(p.a.radius, p.b.radius);
 }
 
-inline Closest closest(const PlacedPair& p, int& steps) noexcept {
+inline Closest closest(const ScaledPair& p, int& steps) noexcept {
   Closest c = closest_of_forms(p, steps);
   extend(c, p);
   return c;

@@ -133,7 +133,7 @@ VESICA_INLINE V extent(const Rect<V>& r) noexcept {
   return extent(r.ux, r.uy, r.hx, r.hy);
 }
 
-/// At least the scale that error bounds speak of, at most some ten times that; but for powers of two PlacedPair::size.
+/// At least the scale that error bounds speak of, at most some ten times that; but for powers of two ScaledPair::size.
 template <class A, class B, class V>
 VESICA_INLINE V size_of(const A& a, const B& b, const Vector<V>& d) noexcept {
   return (extent(a) + extent(b)) + (abs(d.x.high) + abs(d.y.high));

@@ -11,8 +11,8 @@
 
 namespace vesica::detail::nearest {
 
-/// A shape before it is placed. Its lengths are k times what is stored, k a power of two.
-struct Form {
+/// A shape before it is scaled. Its lengths are k times what is stored, k a power of two.
+struct UnscaledShape {
   form::Corners<double> place;
   Box<double> box;  // of an ellipse: its half lengths
   double radius;
@@ -38,7 +38,7 @@ struct LengthsTimes {
 inline constexpr Box<double> no_box{{{1, 0}, {0, 0}}, {0, 0}, {0, 0}};
 
 template <class Shape>
-Form form_times(const Shape& s, double k) noexcept {
+UnscaledShape form_times(const Shape& s, double k) noexcept {
   const auto f = form::of(s);
   const LengthsTimes number{k};
   const form::Corners<double> stored = form::corners(f.place);
@@ -56,7 +56,7 @@ Form form_times(const Shape& s, double k) noexcept {
 }
 
 /// A shape at the common scale.
-struct Placed {
+struct ScaledShape {
   Box<double> box;
   double radius;
   bool curved;
@@ -66,8 +66,8 @@ struct Placed {
 
 /// The offset d leads from the first centre to the second. Lengths are in units of 2^exponent; the largest is about 1,
 /// and so is the longer component of each axis.
-struct PlacedPair {
-  Placed a, b;
+struct ScaledPair {
+  ScaledShape a, b;
   Vector<double> d;
   double size;  // at least the largest length, at most some ten times that
   int exponent;
@@ -77,9 +77,11 @@ inline Twofold<double> scaled(const Twofold<double>& x, int exponent) noexcept {
   return {scale_far(x.high, exponent), scale_far(x.low, exponent)};
 }
 
-inline int axis_exponent(const Form& f) noexcept { return form::axis_exponent(f.box.u.x.high, f.box.u.y.high); }
+inline int axis_exponent(const UnscaledShape& f) noexcept {
+  return form::axis_exponent(f.box.u.x.high, f.box.u.y.high);
+}
 
-inline int largest_exponent(const Form& f) noexcept {
+inline int largest_exponent(const UnscaledShape& f) noexcept {
   const int k = axis_exponent(f), x = form::length_exponent(f.box.hx.high, k);
   const int y = form::length_exponent(f.box.hy.high, k), r = form::length_exponent(f.radius), longer = x > y ? x : y;
   return longer > r ? longer : r;
@@ -89,11 +91,12 @@ inline int largest_exponent(const Form& f) noexcept {
 /// a point: the difference is below the error bound.
 inline constexpr double thinnest = 0x1p-52, smallest = 0x1p-120;
 
-inline Placed placed(const Form& f, int unit) noexcept {
+inline ScaledShape scaled_shape(const UnscaledShape& f, int unit) noexcept {
   const int k = axis_exponent(f);
-  Placed p{{{scaled(f.box.u.x, -k), scaled(f.box.u.y, -k)}, scaled(f.box.hx, k - unit), scaled(f.box.hy, k - unit)},
-           scale_far(f.radius, -unit),
-           f.curved};
+  ScaledShape p{
+      {{scaled(f.box.u.x, -k), scaled(f.box.u.y, -k)}, scaled(f.box.hx, k - unit), scaled(f.box.hy, k - unit)},
+      scale_far(f.radius, -unit),
+      f.curved};
   if (!p.curved) return p;
   double &a = p.box.hx.high, &b = p.box.hy.high;
   const double longer = max(a, b), least = longer < smallest ? 1 : thinnest * longer;
@@ -104,7 +107,7 @@ inline Placed placed(const Form& f, int unit) noexcept {
 }
 
 /// At least how far the shape reaches. Its digits are those of a circle, a rectangle or an ellipse as stored.
-inline double reach(const Placed& p) noexcept {
+inline double reach(const ScaledShape& p) noexcept {
   return p.radius > 0 ? p.radius : extent(p.box.u.x.high, p.box.u.y.high, p.box.hx.high, p.box.hy.high);
 }
 
@@ -116,19 +119,19 @@ inline Twofold<double> scaled_offset(const arithmetic::Pair<double>& x, int expo
   return vanished ? Twofold<double>{std::copysign(0x1p-1074, x.high), 0} : s;
 }
 
-inline PlacedPair placed(const Form& a, const Form& b) noexcept {
+inline ScaledPair scaled_pair(const UnscaledShape& a, const UnscaledShape& b) noexcept {
   const arithmetic::Pair<double> x = form::twice_offset_x(a.place, b.place, 1);
   const arithmetic::Pair<double> y = form::twice_offset_y(a.place, b.place, 1);
   const int unit = form::common_exponent(
       {largest_exponent(a), largest_exponent(b), form::length_exponent(x.high, -1), form::length_exponent(y.high, -1)});
   const Vector<double> d{scaled_offset(x, -1 - unit), scaled_offset(y, -1 - unit)};
-  PlacedPair p{placed(a, unit), placed(b, unit), d, 0, unit};
+  ScaledPair p{scaled_shape(a, unit), scaled_shape(b, unit), d, 0, unit};
   p.size = (reach(p.a) + reach(p.b)) + (abs(p.d.x.high) + abs(p.d.y.high));
   return p;
 }
 
 /// Whether any sum or difference of the pair's coordinates overflowed. Then all lengths are taken at an eighth.
-inline bool overflowed(const Form& a, const Form& b) noexcept {
+inline bool overflowed(const UnscaledShape& a, const UnscaledShape& b) noexcept {
   const double x = ((b.place.x0 - a.place.x0) + (b.place.x1 - a.place.x1)) + (a.box.u.x.high + b.box.u.x.high);
   const double y = ((b.place.y0 - a.place.y0) + (b.place.y1 - a.place.y1)) + (a.box.u.y.high + b.box.u.y.high);
   const double sizes = (a.box.hx.high - a.box.hx.high) + (b.box.hx.high - b.box.hx.high);
@@ -137,19 +140,19 @@ inline bool overflowed(const Form& a, const Form& b) noexcept {
 }
 
 template <class A, class B>
-PlacedPair placed_pair(const A& a, const B& b) noexcept {
-  Form fa = form_times(a, 1), fb = form_times(b, 1);
+ScaledPair scaled_pair(const A& a, const B& b) noexcept {
+  UnscaledShape fa = form_times(a, 1), fb = form_times(b, 1);
   int eighths = 0;
   if (overflowed(fa, fb)) {
     fa = form_times(a, 0.125), fb = form_times(b, 0.125);
     eighths = 3;
   }
-  PlacedPair p = placed(fa, fb);
+  ScaledPair p = scaled_pair(fa, fb);
   p.exponent += eighths;
   return p;
 }
 
-/// Where on a placed shape: a place in a box; an offset from the centre, of a circle or an ellipse the only one.
+/// Where on a scaled shape: a place in a box; an offset from the centre, of a circle or an ellipse the only one.
 struct Contact {
   Spot<double> spot;
   double x, y;
@@ -161,13 +164,13 @@ struct Located {
 
 /// From a centre that is stored.
 template <class Shape>
-Located located(const Shape& s, const Placed&, const Contact& c, int exponent) noexcept {
+Located located(const Shape& s, const ScaledShape&, const Contact& c, int exponent) noexcept {
   const form::Centre<double> centre = form::of(s).place;
   // A sum of zeros loses its sign, which would tell the order of the shapes.
   return {0.0 + (centre.x + scale_far(c.x, exponent)), 0.0 + (centre.y + scale_far(c.y, exponent))};
 }
 /// Without a sum, which would lose the sign of a zero.
-inline Located located(const Point<double>& s, const Placed&, const Contact&, int) noexcept { return {s.x, s.y}; }
+inline Located located(const Point<double>& s, const ScaledShape&, const Contact&, int) noexcept { return {s.x, s.y}; }
 
 /// The number at share f of the way between two, from the middle (0) to either (-1, 1), which are met exactly.
 inline double between(double low, double high, double f) noexcept {
@@ -177,11 +180,11 @@ inline double between(double low, double high, double f) noexcept {
 }
 inline double share_of(double s, double h) noexcept { return h == 0 ? -1 : s / h; }
 
-inline Located located(const Segment<double>& s, const Placed& p, const Contact& c, int) noexcept {
+inline Located located(const Segment<double>& s, const ScaledShape& p, const Contact& c, int) noexcept {
   const double f = share_of(c.spot.s, p.box.hx.high);
   return {between(s.x0, s.x1, f), between(s.y0, s.y1, f)};
 }
-inline Located located(const Aabb<double>& s, const Placed& p, const Contact& c, int) noexcept {
+inline Located located(const Aabb<double>& s, const ScaledShape& p, const Contact& c, int) noexcept {
   return {between(s.min_x, s.max_x, share_of(c.spot.s, p.box.hx.high)),
           between(s.min_y, s.max_y, share_of(c.spot.t, p.box.hy.high))};
 }
@@ -189,13 +192,13 @@ inline Located located(const Aabb<double>& s, const Placed& p, const Contact& c,
 /// The point of a shape that was found, given that of the other. Beside an AABB's face the coordinate along it is the
 /// other point's own.
 template <class Shape>
-Located located_beside(const Shape&, const Placed&, const Contact&, const Located& own, const Located&) noexcept {
+Located located_beside(const Shape&, const ScaledShape&, const Contact&, const Located& own, const Located&) noexcept {
   return own;
 }
 inline double coordinate_beside(double s, double h, double own, double other, double low, double high) noexcept {
   return abs(s) == h ? own : other < low ? low : other > high ? high : other;
 }
-inline Located located_beside(const Aabb<double>& s, const Placed& p, const Contact& c, const Located& own,
+inline Located located_beside(const Aabb<double>& s, const ScaledShape& p, const Contact& c, const Located& own,
                               const Located& other) noexcept {
   return {coordinate_beside(c.spot.s, p.box.hx.high, own.x, other.x, s.min_x, s.max_x),
           coordinate_beside(c.spot.t, p.box.hy.high, own.y, other.y, s.min_y, s.max_y)};
