@@ -18,6 +18,7 @@ answers of all others. `vesica.c` is the C library itself, and help(vesica.c.ves
 from ._library import VesicaError
 from ._library import library as c
 from .index import Index
+from .motion import Cast, Impact, cast, cast_first, sweep_bounds
 from .queries import (
     ClosestPoints,
     Crossings,
@@ -54,10 +55,12 @@ from .shapes import (
     Kind,
     Shapes,
     aabbs,
+    boxes,
     check,
     circles,
     ellipses,
     ellipses_from_covariance,
+    ellipses_in_boxes,
     points,
     rects,
     rects_from_corners,
@@ -66,4 +69,4 @@ from .shapes import (
 )
 
 __version__ = "{}.{}.{}".format(c.vesica_version_major(), c.vesica_version_minor(), c.vesica_version_patch())
-__all__ = [name for name in dir() if not name.startswith("_") and name not in ("queries", "index")]
+__all__ = [name for name in dir() if not name.startswith("_") and name not in ("queries", "index", "motion")]

@@ -7,6 +7,7 @@ import numpy
 
 from . import _declarations
 from ._library import VesicaError, by_scalar, checked, library
+from .motion import first_of, new_impact, pair
 from .shapes import same_scalar, the_shapes
 
 _QUERIES = {
@@ -17,6 +18,7 @@ _QUERIES = {
 }
 _BUILD, _SELECT, _JOIN = by_scalar("index_build"), by_scalar("index_select"), by_scalar("join")
 _NEAREST, _JOIN_NEAREST = by_scalar("index_nearest"), by_scalar("join_nearest")
+_CAST, _CAST_FIRST = by_scalar("index_cast"), by_scalar("index_cast_first")
 _ALIGNMENT = 64
 _PAIRS_A_CALL = 1 << 16
 _NO_OUTPUT = (None, None, 0, None)
@@ -144,12 +146,33 @@ class Index:
     def select(self, shape):
         """The items that a single shape overlaps. For many shapes, index and join them."""
         same_scalar(self.sets[0], shape, "the index", "shape")
-        arguments = (self._address(), self._sets, len(self.sets), ctypes.byref(shape.view))
-        count = checked(_SELECT[self._letter](*arguments, None, 0, None))
+        return self._items(_SELECT[self._letter], ctypes.byref(shape.view))
+
+    def _items(self, function, *asked):
+        """All items of a question, which is put twice: how many, and which."""
+        arguments = (self._address(), self._sets, len(self.sets), *asked)
+        count = checked(function(*arguments, None, 0, None))
         out, state = numpy.empty(count, numpy.int64), numpy.zeros(4, numpy.int64)
         if count:
-            checked(_SELECT[self._letter](*arguments, out.ctypes.data, count, state.ctypes.data))
+            checked(function(*arguments, out.ctypes.data, count, state.ctypes.data))
         return out
+
+    def cast(self, shape, velocity, t_end=math.inf):
+        """The items that a single shape, moved by t * velocity from t = 0 to t_end, touches."""
+        same_scalar(self.sets[0], shape, "the index", "shape")
+        return self._items(_CAST[self._letter], ctypes.byref(shape.view), *pair(velocity), float(t_end))
+
+    def cast_first(self, shape, velocity, t_end=math.inf):
+        """The item that a moving shape touches first, the lowest of several: (item, Impact), or None."""
+        same_scalar(self.sets[0], shape, "the index", "shape")
+        record = new_impact(self._letter)
+        item = checked(
+            _CAST_FIRST[self._letter](
+                *(self._address(), self._sets, len(self.sets), ctypes.byref(shape.view)),
+                *(*pair(velocity), float(t_end), ctypes.byref(record)),
+            )
+        )
+        return first_of(item, self.count, record)
 
     def nearest(self, shape, k=1, within=math.inf):
         """The k items nearest to a single shape, and their distances, nearest first; at equal distances by number."""

@@ -79,7 +79,8 @@ def _output(out, shape, dtypes, operands):
     return out
 
 
-def _count(a, b):
+def in_step(a, b):
+    """How many answers two operands in step have."""
     counts = {len(shape.columns[0]) for shape in (a, b)}
     if 0 in counts:
         return 0
@@ -89,7 +90,11 @@ def _count(a, b):
     return counts.pop() if counts else 1
 
 
-def _finish(code, result, **operands):
+# Errors of single elements, after which the results of all others are there.
+_WRITTEN = (_declarations.E_SHAPE, _declarations.E_ARGUMENT, _declarations.E_RANGE)
+
+
+def finish(code, result, **operands):
     """The result, or the error with it; operands: what may be invalid, by the names of the parameters."""
     if code >= 0:
         return result
@@ -101,7 +106,15 @@ def _finish(code, result, **operands):
             for name, which in wrong
             if len(which)
         )
-    raise VesicaError(code, message, result)
+    raise VesicaError(code, message, result if code in _WRITTEN else None)
+
+
+def columns_of(named, out, count, a, b):
+    """An array for each field of a named tuple of results: the caller's, if it has one for it."""
+    given = (None,) * len(named._fields) if out is None else out
+    if len(given) != len(named._fields):
+        raise ValueError(f"out has an array, or None, for each of {' '.join(named._fields)}")
+    return [_output(column, (count,), (a.dtype,), (a, b)) for column in given]
 
 
 class _Query:
@@ -118,18 +131,15 @@ class _Query:
         letter = same_scalar(a, b)
         if a.single and b.single:
             return self._single(letter, a, b, out)
-        count = _count(a, b)
+        count = in_step(a, b)
         if self.result is None:
             columns = result = _output(out, (count,), self.dtypes or (a.dtype,), (a, b))
             addresses = (columns.ctypes.data,)
         else:
-            given = (None,) * len(self.result._fields) if out is None else out
-            if len(given) != len(self.result._fields):
-                raise ValueError(f"out has an array, or None, for each of {' '.join(self.result._fields)}")
-            columns = [_output(column, (count,), (a.dtype,), (a, b)) for column in given]
-            result, addresses = self.result(*columns), [column.ctypes.data for column in columns]
+            result = self.result(*columns_of(self.result, out, count, a, b))
+            addresses = [column.ctypes.data for column in result]
         code = self.many[letter](*self.first, ctypes.byref(a.view), ctypes.byref(b.view), *addresses)
-        return _finish(code, result, a=a, b=b)
+        return finish(code, result, a=a, b=b)
 
     def _single(self, letter, a, b, out):
         if out is not None:
@@ -156,7 +166,7 @@ class _Matrix:
         result = _output(out, shape, self.dtypes or (a.dtype,), (a, b))
         row = result.strides[0] // result.itemsize if result.size else shape[1]
         code = self.function[letter](*self.first, ctypes.byref(a.view), ctypes.byref(b.view), result.ctypes.data, row)
-        return _finish(code, result, a=a, b=b)
+        return finish(code, result, a=a, b=b)
 
 
 def _structs(name):
@@ -206,7 +216,7 @@ def overlap_select(one, many):
     code = _SELECT[letter](ctypes.byref(one.view), ctypes.byref(many.view), out.ctypes.data, len(out))
     # With an invalid shape, which is never selected, -1 follows the others.
     found = out[:code] if code >= 0 else out[: numpy.argmax(out == -1)]
-    return _finish(code, found, one=one, many=many)
+    return finish(code, found, one=one, many=many)
 
 
 def relation(a, b, out=None):
@@ -324,7 +334,7 @@ def _numbers_of(shape, functions, numbers):
     the_shapes(shape, "shape")
     out = numpy.empty((len(shape.columns[0]), numbers), shape.dtype)
     result = out[0] if shape.single else out
-    return _finish(functions[shape.letter](ctypes.byref(shape.view), out.ctypes.data), result, shape=shape)
+    return finish(functions[shape.letter](ctypes.byref(shape.view), out.ctypes.data), result, shape=shape)
 
 
 def _each(shape, functions, numbers):
@@ -366,7 +376,7 @@ def nms(boxes, scores, threshold=0.5, *, labels=None, ratio=Ratio.OVER_UNION, le
         keep.ctypes.data,
         ctypes.byref(kept),
     )
-    return _finish(code, keep[: kept.value], boxes=boxes)
+    return finish(code, keep[: kept.value], boxes=boxes)
 
 
 def _one_each(name, values, dtype, boxes):

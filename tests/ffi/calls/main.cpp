@@ -26,7 +26,7 @@ constexpr const char* head =
     "# are C's hexadecimal floats, or whole. A result is what the C function returns, or the name of an error; values\n"
     "# are what it wrote: columns one after the other, a matrix row by row.\n"
     "# What takes an index has its sets of shapes in place of it; / parts those of two, and an index whose sets are\n"
-    "# left out is the same as the other.\n";
+    "# left out is the same as the other. suppress has its labels last, if there are any.\n";
 
 // ---- One shape, or two ----
 

@@ -87,8 +87,9 @@ void suppress(const Array<T>& boxes, const std::vector<T>& scores, const std::ve
   std::vector<unsigned char> scratch(static_cast<std::size_t>(vesica_nms_scratch(std::int64_t(boxes.count()))));
   const auto view = boxes.view();
   std::int64_t kept = 0;
-  begin<T>("suppress"), argument(boxes), numbers_argument(scores), numbers_argument(labels);
+  begin<T>("suppress"), argument(boxes), numbers_argument(scores);
   numbers_argument(std::vector<double>{double(how.ratio), how.threshold, how.least_score, double(how.most)});
+  if (!labels.empty()) numbers_argument(labels);
   result(call::suppress(T{}, &view, scores.data(), labels.empty() ? nullptr : labels.data(), how.ratio,
                         T(how.threshold), T(how.least_score), std::int64_t{how.most}, scratch.data(),
                         std::int64_t(scratch.size()), keep.data(), &kept));
