@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //! All pairs among millions: an index of shapes, joins, windows and nearest shapes.
 use crate::error::answer;
-use crate::{Aabb, Error, Scalar, Shape, Shapes};
+use crate::motion::first;
+use crate::{Aabb, Error, Impact, Motion, Scalar, Shape, Shapes};
 use alloc::vec;
 use alloc::vec::Vec;
 use core::{ptr, slice};
@@ -50,6 +51,15 @@ fn count_of<T: Scalar>(sets: &[Shapes<'_, T>]) -> usize {
 /// Shapes is a transparent struct around the library's view.
 fn views<T>(sets: &[Shapes<'_, T>]) -> (*const sys::Shapes<T>, i32) {
     (sets.as_ptr().cast(), sets.len() as i32)
+}
+
+/// All items of a question, which is put twice: how many, and which.
+fn all_items(ask: impl Fn(*mut i64, i64, *mut i64) -> Result<usize, Error>) -> Result<Vec<i64>, Error> {
+    let mut out = vec![0; ask(ptr::null_mut(), 0, ptr::null_mut())?];
+    if !out.is_empty() {
+        ask(out.as_mut_ptr(), out.len() as i64, [0; 4].as_mut_ptr())?;
+    }
+    Ok(out)
 }
 
 impl<'a, T: Scalar> Index<'a, T> {
@@ -126,15 +136,31 @@ impl<'a, T: Scalar> Index<'a, T> {
     pub fn select<S: Shape<Scalar = T> + ?Sized>(&self, one: &S) -> Result<Vec<i64>, Error> {
         let one = Shapes::packed(one.kind(), one.numbers())?;
         let (sets, count) = views(&self.sets);
-        let ask = |out: &mut [i64], state: *mut i64| {
-            let (to, room) = (if out.is_empty() { ptr::null_mut() } else { out.as_mut_ptr() }, out.len() as i64);
+        all_items(|to, room, state| {
             answer(|| unsafe { T::index_select(self.address(), sets, count, &one.view, to, room, state) })
-        };
-        let mut out = vec![0; ask(&mut [], ptr::null_mut())?];
-        if !out.is_empty() {
-            ask(&mut out, [0; 4].as_mut_ptr())?;
-        }
-        Ok(out)
+        })
+    }
+
+    /// The items that one moving shape touches, in the index's order.
+    pub fn cast<S: Shape<Scalar = T> + ?Sized>(&self, one: &S, motion: Motion<T>) -> Result<Vec<i64>, Error> {
+        let one = Shapes::packed(one.kind(), one.numbers())?;
+        let ((sets, count), Motion { vx, vy, t_end }) = (views(&self.sets), motion);
+        all_items(|to, room, state| {
+            answer(|| unsafe { T::index_cast(self.address(), sets, count, &one.view, vx, vy, t_end, to, room, state) })
+        })
+    }
+
+    /// The item that one moving shape touches first, the lowest of several. The normal points to `one`.
+    pub fn cast_first<S>(&self, one: &S, motion: Motion<T>) -> Result<Option<(usize, Impact<T>)>, Error>
+    where
+        S: Shape<Scalar = T> + ?Sized,
+    {
+        let one = Shapes::packed(one.kind(), one.numbers())?;
+        let ((sets, count), Motion { vx, vy, t_end }) = (views(&self.sets), motion);
+        let mut out = Impact::default();
+        let (index, to) = (self.address(), &mut out);
+        let item = answer(|| unsafe { T::index_cast_first(index, sets, count, &one.view, vx, vy, t_end, to) })?;
+        Ok(first(item, self.len(), out))
     }
 
     /// The k items nearest to one shape, at most `within` away, each with its distance; infinity asks for any.
