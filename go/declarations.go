@@ -95,6 +95,55 @@ const (
 	JoinInside JoinQuery = 3
 )
 
+// Ratio is what a shared area is compared with.
+type Ratio int32
+
+// Ratio values.
+const (
+	// RatioOverUnion: shared area / area of a and b together (IoU)
+	RatioOverUnion Ratio = 0
+	// RatioOverFirst: shared area / area of a (IoF)
+	RatioOverFirst Ratio = 1
+	// RatioOverSecond: shared area / area of b (IoA)
+	RatioOverSecond Ratio = 2
+	// RatioOverSmaller: shared area / the smaller of the areas (IoS)
+	RatioOverSmaller Ratio = 3
+	// RatioGeneralized: IoU - the part of the hull that neither covers (GIoU)
+	RatioGeneralized Ratio = 4
+	// RatioDistance: IoU - (distance of the centres / diagonal of the hull)^2 (DIoU)
+	RatioDistance Ratio = 5
+	// RatioComplete: DIoU - v^2 / (1 - IoU + v), v = (difference of angles / 90 degrees)^2 (CIoU)
+	RatioComplete Ratio = 6
+)
+
+// Angle is how angles are told, from +x towards +y.
+type Angle int32
+
+// Angle values.
+const (
+	// AngleRadians: radians
+	AngleRadians Angle = 0
+	// AngleDegrees: degrees
+	AngleDegrees Angle = 1
+	// AngleQuarters: quarter turns
+	AngleQuarters Angle = 2
+	// AngleReversed: added to a unit: angles turn from +x away from +y
+	AngleReversed Angle = 4
+)
+
+// CastResult is what a cast finds.
+type CastResult int32
+
+// CastResult values.
+const (
+	// CastMiss: no contact from 0 to t_end
+	CastMiss CastResult = 0
+	// CastHit: contact, the first after t = 0
+	CastHit CastResult = 1
+	// CastStart: the shapes overlap at t = 0, as vesica_overlap_f64 tells
+	CastStart CastResult = 2
+)
+
 // Point: A location.
 type Point[T Float] struct {
 	X T
@@ -480,7 +529,7 @@ func cBoxesFromShapes(wide bool, shapes C.vesica_go_view, angle C.int32_t, boxes
 	return C.go_boxes_from_shapes_f32(shapes, angle, boxes)
 }
 
-func cCornersOFShapes(wide bool, shapes C.vesica_go_view, corners unsafe.Pointer) C.int64_t {
+func cCornersOfShapes(wide bool, shapes C.vesica_go_view, corners unsafe.Pointer) C.int64_t {
 	if wide {
 		return C.go_corners_of_shapes_f64(shapes, corners)
 	}

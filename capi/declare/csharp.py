@@ -18,6 +18,9 @@ ENUMS = {
     "KINDS": ("Kind", "The six kinds of shapes."),
     "RELATIONS": ("Relation", "How a shape a relates to a shape b: the eight relations of RCC-8."),
     "JOINS": ("JoinQuery", "What makes item a of one index and item b of another a pair of a join."),
+    "RATIOS": ("Ratio", "What a shared area is compared with."),
+    "ANGLES": ("Angle", "How angles are told. They turn from +x towards +y."),
+    "CASTS": ("Cast", "What a cast finds."),
     "ERRORS": ("ErrorCode", "Why the library has no answer."),
 }
 KEYWORDS = {"out": "output"}
@@ -42,8 +45,8 @@ def local(name):
 def enum(description, group):
     name, about = ENUMS[group]
     values = "".join(
-        summary([entry.comment], "        ")
-        + f"        {camel(entry.short.removeprefix('JOIN_').removeprefix('E_'))} = {entry.value},\n"
+        summary([entry.meaning], "        ")
+        + f"        {camel(entry.own)} = {entry.value},\n"
         for entry in description.constants_of(group)
     )
     base = " : byte" if group == "RELATIONS" else ""

@@ -13,7 +13,14 @@ GROUPS = {
     "KINDS": ("POINT", "SEGMENT", "CIRCLE", "AABB", "RECT", "ELLIPSE"),
     "RELATIONS": ("DISJOINT", "TOUCH", "CROSS", "INSIDE", "INSIDE_TOUCH", "CONTAINS", "CONTAINS_TOUCH", "EQUAL"),
 }
-PREFIXES = {"E_": "ERRORS", "JOIN_": "JOINS", "VERSION": "VERSIONS"}
+PREFIXES = {
+    "ANGLE_": "ANGLES",
+    "CAST_": "CASTS",
+    "E_": "ERRORS",
+    "JOIN_": "JOINS",
+    "RATIO_": "RATIOS",
+    "VERSION": "VERSIONS",
+}
 SCALARS = {"f64": "double", "f32": "float"}
 
 _PARTS = re.compile(r"\n(?=(?:Requires|Returns|Errors|Accuracy|Cost|Since): )")
@@ -36,6 +43,17 @@ class Entry:
     def short(self):
         """The name without the library's."""
         return self.name.removeprefix("vesica_").removeprefix("VESICA_")
+
+    @property
+    def own(self):
+        """A constant's name without its group's."""
+        prefix = next((each for each in PREFIXES if each.endswith("_") and self.short.startswith(each)), "")
+        return self.short.removeprefix(prefix)
+
+    @property
+    def meaning(self):
+        """A constant's text; of one that says all by its name, that."""
+        return self.comment or self.own.lower().replace("_", " ")
 
     @property
     def scalar(self):
@@ -80,7 +98,7 @@ class Description:
             setattr(self, part, entries)
 
     def constants_of(self, group):
-        """The constants of a group: KINDS, RELATIONS, ERRORS, JOINS or VERSIONS."""
+        """The constants of a group: a key of GROUPS or a value of PREFIXES."""
         return [entry for entry in self.constants if group_of(entry) == group]
 
     def in_double(self, part):

@@ -13,6 +13,9 @@ GROUPS = {
     "RELATIONS": ("Relation is how a shape a relates to a shape b: one of RCC-8's eight.", "Relation", "uint8", "Relation"),
     "ERRORS": ("Error is an error code of the library.", "Error", "int32", "Err"),
     "JOINS": ("JoinQuery is what makes a pair of a join.", "JoinQuery", "int32", "Join"),
+    "RATIOS": ("Ratio is what a shared area is compared with.", "Ratio", "int32", "Ratio"),
+    "ANGLES": ("Angle is how angles are told, from +x towards +y.", "Angle", "int32", "Angle"),
+    "CASTS": ("CastResult is what a cast finds.", "CastResult", "int32", "Cast"),
 }
 SHAPES = ("point", "segment", "circle", "aabb", "rect", "ellipse")
 
@@ -48,7 +51,7 @@ def name_of(name, first=True):
     """As Go writes names: cx is CX, min_x MinX, aabb AABB."""
     words = name.lower().split("_")
     short = ("aabb", "iou", "nms")
-    capital = [word.upper() if len(word) <= 2 or word in short else word.capitalize() for word in words]
+    capital = [word.upper() if (len(word) <= 2 and word != "of") or word in short else word.capitalize() for word in words]
     return "".join(capital) if first else words[0] + "".join(capital[1:])
 
 
@@ -60,9 +63,8 @@ def constants(description, group):
     about, kind, base, prefix = GROUPS[group]
     lines = []
     for entry in description.constants_of(group):
-        own = entry.short.removeprefix("E_").removeprefix("JOIN_")
-        name = prefix + name_of(own)
-        lines += [f"\t// {name}: {entry.comment}", f"\t{name} {kind} = {entry.value}"]
+        name = prefix + name_of(entry.own)
+        lines += [f"\t// {name}: {entry.meaning}", f"\t{name} {kind} = {entry.value}"]
     values = "\n".join(lines)
     return f"{comment(about)}type {kind} {base}\n\n// {kind} values.\nconst (\n{values}\n)\n\n"
 

@@ -27,6 +27,9 @@ ENUMS = {
     "KINDS": ("Kind", "The six kinds of shapes."),
     "RELATIONS": ("Relation", "How a shape a relates to a shape b: the eight relations of RCC-8."),
     "JOINS": ("JoinQuery", "What makes item a of one index and item b of another a pair of a join."),
+    "RATIOS": ("Ratio", "What a shared area is compared with."),
+    "ANGLES": ("Angle", "How angles are told. They turn from +x towards +y."),
+    "CASTS": ("Cast", "What a cast finds."),
     "ERRORS": ("ErrorCode", "Why the library has no answer."),
 }
 
@@ -55,7 +58,7 @@ def field_name(name):
 def enum(description, group):
     name, about = ENUMS[group]
     values = ",\n".join(
-        javadoc(entry.comment, "  ") + f"  {entry.short.removeprefix('JOIN_').removeprefix('E_')}({entry.value})"
+        javadoc(entry.meaning, "  ") + f"  {entry.own}({entry.value})"
         for entry in description.constants_of(group)
     )
     return (

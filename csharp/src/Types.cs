@@ -98,6 +98,83 @@ namespace Vesica
     }
 
     /// <summary>
+    /// What a shared area is compared with.
+    /// </summary>
+    public enum Ratio
+    {
+        /// <summary>
+        /// shared area / area of a and b together (IoU)
+        /// </summary>
+        OverUnion = 0,
+        /// <summary>
+        /// shared area / area of a (IoF)
+        /// </summary>
+        OverFirst = 1,
+        /// <summary>
+        /// shared area / area of b (IoA)
+        /// </summary>
+        OverSecond = 2,
+        /// <summary>
+        /// shared area / the smaller of the areas (IoS)
+        /// </summary>
+        OverSmaller = 3,
+        /// <summary>
+        /// IoU - the part of the hull that neither covers (GIoU)
+        /// </summary>
+        Generalized = 4,
+        /// <summary>
+        /// IoU - (distance of the centres / diagonal of the hull)^2 (DIoU)
+        /// </summary>
+        Distance = 5,
+        /// <summary>
+        /// DIoU - v^2 / (1 - IoU + v), v = (difference of angles / 90 degrees)^2 (CIoU)
+        /// </summary>
+        Complete = 6,
+    }
+
+    /// <summary>
+    /// How angles are told. They turn from +x towards +y.
+    /// </summary>
+    public enum Angle
+    {
+        /// <summary>
+        /// radians
+        /// </summary>
+        Radians = 0,
+        /// <summary>
+        /// degrees
+        /// </summary>
+        Degrees = 1,
+        /// <summary>
+        /// quarter turns
+        /// </summary>
+        Quarters = 2,
+        /// <summary>
+        /// added to a unit: angles turn from +x away from +y
+        /// </summary>
+        Reversed = 4,
+    }
+
+    /// <summary>
+    /// What a cast finds.
+    /// </summary>
+    public enum Cast
+    {
+        /// <summary>
+        /// no contact from 0 to t_end
+        /// </summary>
+        Miss = 0,
+        /// <summary>
+        /// contact, the first after t = 0
+        /// </summary>
+        Hit = 1,
+        /// <summary>
+        /// the shapes overlap at t = 0, as vesica_overlap_f64 tells
+        /// </summary>
+        Start = 2,
+    }
+
+    /// <summary>
     /// Why the library has no answer.
     /// </summary>
     public enum ErrorCode
