@@ -45,5 +45,5 @@ END
   echo 'fmt.Println("overlap:", hit, far.Distance > 5, n, item, impact.T, pairs, err)'
   echo '}'
 } >main.go
-go run . | grep -Fx 'overlap: true true 1 0 0 [{0 2}] <nil>'
+go run . | grep -Fx 'overlap: true true 2 0 0 [{0 2} {1 3}] <nil>'
 ls "$directory"/vesica-go-*.zip
