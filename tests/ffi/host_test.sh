@@ -33,6 +33,8 @@ counts=$(awk '/^f/ { calls++ } /^many/ { batch++ } END { printf "%d calls, %d in
 grep -Fxq "$counts" <<<"$output" || complain "does not report '$counts'"
 grep -q '^NaN: .*a shape is invalid' <<<"$output" || complain "has no error to show for NaN"
 
+grep -Fxq 'nearest: as in C' <<<"$output" || complain 'has other closest points'
+
 # Index and join, where the folder has them: the same bytes and pairs as in C.
 if declare -F run_index >/dev/null; then
   output=$(run_index 2>&1) || complain 'fails with the index'
