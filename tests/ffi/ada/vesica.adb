@@ -1,4 +1,5 @@
 --  SPDX-License-Identifier: Apache-2.0
+with Interfaces.C; use Interfaces.C;
 with Interfaces.C.Strings; use Interfaces.C.Strings;
 with System.Storage_Elements; use System.Storage_Elements;
 with Vesica_C; use Vesica_C;

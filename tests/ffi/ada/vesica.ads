@@ -29,6 +29,7 @@ package Vesica is
 
    --  How far apart are two shapes, and which of their points are closest? A distance, (Ax, Ay) of A and (Bx, By) of B.
    subtype Closest_Points is Vesica_C.Vesica_Closest_Points_F64;
+   function "=" (A, B : Closest_Points) return Boolean renames Vesica_C."=";
    function Nearest (Kind_A : Kind; A : Doubles; Kind_B : Kind; B : Doubles) return Closest_Points;
 
    --  The shapes, laid out as the library's structs. Axes are the cosine and sine of the angle.

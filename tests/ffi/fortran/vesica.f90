@@ -7,7 +7,7 @@ module vesica
   use vesica_c
   implicit none
   private
-  public :: overlap, overlap_many, nearest, vesica_message, vesica_require_version, vesica_closest_points_f64
+  public :: overlap, overlap_many, closest_points, vesica_message, vesica_require_version, vesica_closest_points_f64
   public :: vesica_point, vesica_segment, vesica_circle, vesica_aabb, vesica_rect, vesica_ellipse
   public :: vesica_e_shape, vesica_e_kind, vesica_e_argument
 
@@ -57,12 +57,12 @@ contains
   end function
 
   !> How far apart are two shapes, and which of their points are closest? 0, or an error.
-  integer function nearest(kind_a, a, kind_b, b, points)
+  integer function closest_points(kind_a, a, kind_b, b, points)
     integer(c_int32_t), intent(in) :: kind_a, kind_b
     real(c_double), intent(in) :: a(:), b(:)
     type(vesica_closest_points_f64), intent(out) :: points
-    nearest = argument_error(kind_a, size(a), kind_b, size(b))
-    if (nearest == 0) nearest = vesica_nearest_f64(kind_a, a, kind_b, b, points)
+    closest_points = argument_error(kind_a, size(a), kind_b, size(b))
+    if (closest_points == 0) closest_points = vesica_nearest_f64(kind_a, a, kind_b, b, points)
   end function
 
   !> Two arrays of shapes in step, a(:, i) being shape i; an array of one shape is repeated. Sections of arrays are read
