@@ -234,8 +234,8 @@ export class Vesica {
   depthMatrix(a: ShapeArray, b: ShapeArray): Numbers;
 
   /**
-   * Does b touch a while it is moved by t * velocity, t from 0 to tEnd, when first, and where? Whether it does is exact,
-   * and t is rounded down. A ray is a point that moves. Of arrays a velocity may be two numbers, or two arrays.
+   * Does b touch a while it is moved by t * velocity, t from 0 to tEnd, when first, and where? Whether it does is
+   * exact, and t is rounded down. A ray is a point that moves. Of arrays a velocity may be two numbers, or two arrays.
    */
   cast(a: Shape, b: Shape, velocity: Velocity, options?: Until): Impact<number> & { outcome: Outcome };
   cast(

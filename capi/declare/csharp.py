@@ -3,7 +3,7 @@
 
 Structs of doubles have the plain name, those of floats end on F, as those of System.Drawing do.
 """
-from description import HEAD, SCALARS, camel
+from description import HEAD, SCALARS, WIDTH, broken, camel, filled
 
 OPENING = "".join(f"// {line}\n" for line in HEAD)
 SHAPES = ("point", "segment", "circle", "aabb", "rect", "ellipse")
@@ -31,9 +31,10 @@ def escaped(text):
 
 
 def summary(paragraphs, indent):
-    lines = [line for paragraph in paragraphs for line in f"<para>{escaped(paragraph)}</para>".split("\n")]
-    if len(paragraphs) == 1:
-        lines = escaped(paragraphs[0]).split("\n")
+    texts = [escaped(paragraph) for paragraph in paragraphs]
+    if len(texts) > 1:
+        texts = [f"<para>{each}</para>" for each in texts]
+    lines = [line for text in texts for line in filled(text, WIDTH - 4 - len(indent)).split("\n")]
     body = "".join(f"{indent}/// {line}\n" for line in lines)
     return f"{indent}/// <summary>\n{body}{indent}/// </summary>\n"
 
@@ -97,7 +98,8 @@ def imported(entry):
     return (
         f"{summary(entry.paragraphs, '        ')}"
         "        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]\n"
-        f"        internal static extern {result(entry)} {entry.name}({parameters});\n\n"
+        + broken(f"        internal static extern {result(entry)} {entry.name}({parameters});")
+        + "\n\n"
     )
 
 
@@ -110,9 +112,12 @@ def dispatcher(entry):
         double.append(local(each.name))
         single.append(f"(float){local(each.name)}" if is_scalar else local(each.name))
     return (
-        f"        internal static {result(entry)} {camel(entry.stem)}(bool wide, {', '.join(declared)})\n        {{\n"
-        f"            return wide\n                ? vesica_{entry.stem}_f64({', '.join(double)})\n"
-        f"                : vesica_{entry.stem}_f32({', '.join(single)});\n        }}\n\n"
+        broken(f"        internal static {result(entry)} {camel(entry.stem)}(bool wide, {', '.join(declared)})")
+        + "\n        {\n            return wide\n"
+        + broken(f"                ? vesica_{entry.stem}_f64({', '.join(double)})")
+        + "\n"
+        + broken(f"                : vesica_{entry.stem}_f32({', '.join(single)});")
+        + "\n        }\n\n"
     )
 
 

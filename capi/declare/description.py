@@ -3,6 +3,7 @@
 import json
 import pathlib
 import re
+import textwrap
 
 REPOSITORY = pathlib.Path(__file__).resolve().parent.parent.parent
 DESCRIPTION = REPOSITORY / "capi" / "vesica.json"
@@ -22,6 +23,8 @@ PREFIXES = {
     "VERSION": "VERSIONS",
 }
 SCALARS = {"f64": "double", "f32": "float"}
+#: The longest line of what is written.
+WIDTH = 120
 
 _PARTS = re.compile(r"\n(?=(?:Requires|Returns|Errors|Accuracy|Cost|Since): )")
 
@@ -121,3 +124,27 @@ def camel(name, first=True):
     """closest_points as ClosestPoints, or closestPoints."""
     words = name.lower().split("_")
     return "".join(word.capitalize() if i or first else word for i, word in enumerate(words))
+
+
+def filled(text, width):
+    """A text whose paragraphs have no line longer than that: those that had one are laid out anew."""
+    paragraphs = []
+    for paragraph in text.split("\n\n"):
+        if any(len(line) > width for line in paragraph.split("\n")):
+            words = " ".join(paragraph.split("\n"))
+            paragraph = "\n".join(textwrap.wrap(words, width, break_long_words=False, break_on_hyphens=False))
+        paragraphs.append(paragraph)
+    return "\n\n".join(paragraphs)
+
+
+def broken(line, step="    "):
+    """A statement on one line, or where it is too long on several: broken after commas, and further ones indented."""
+    indent = line[: len(line) - len(line.lstrip())]
+    lines, parts = [], line.split(", ")
+    for i, part in enumerate(parts):
+        part += ", " if i + 1 < len(parts) else ""
+        if lines and len(lines[-1] + part.rstrip()) <= WIDTH:
+            lines[-1] += part
+        else:
+            lines.append(part if not lines else indent + step + part)
+    return "\n".join(each.rstrip() for each in lines)

@@ -4,7 +4,7 @@
 Go memory that holds pointers to Go memory must not be passed to C. So views of arrays and the numbers of one shape go
 by value, to functions of a header that is written too.
 """
-from description import HEAD, SCALARS, camel
+from description import HEAD, SCALARS, WIDTH, broken, camel, filled
 
 OPENING = "".join(f"// {line}\n" for line in HEAD)
 # The texts of groups of constants, the type, and the prefix of each name.
@@ -51,12 +51,13 @@ def name_of(name, first=True):
     """As Go writes names: cx is CX, min_x MinX, aabb AABB."""
     words = name.lower().split("_")
     short = ("aabb", "iou", "nms")
-    capital = [word.upper() if (len(word) <= 2 and word != "of") or word in short else word.capitalize() for word in words]
+    is_short = [word in short or (len(word) <= 2 and word != "of") for word in words]
+    capital = [word.upper() if upper else word.capitalize() for word, upper in zip(words, is_short)]
     return "".join(capital) if first else words[0] + "".join(capital[1:])
 
 
 def comment(text):
-    return "".join(f"// {line}".rstrip() + "\n" for line in text.split("\n"))
+    return "".join(f"// {line}".rstrip() + "\n" for line in filled(text, WIDTH - 3).split("\n"))
 
 
 def constants(description, group):
@@ -139,8 +140,10 @@ def function_in_c(entry, suffix):
     copies = "".join(copy for copy, _ in passed)
     names = ", ".join(name for _, name in passed)
     return (
-        f"static inline {entry.returns.base} go_{entry.stem}_{suffix}({parameters}) {{\n"
-        f"{copies}    return vesica_{entry.stem}_{suffix}({names});\n}}\n\n"
+        broken(f"static inline {entry.returns.base} go_{entry.stem}_{suffix}({parameters}) {{")
+        + f"\n{copies}"
+        + broken(f"    return vesica_{entry.stem}_{suffix}({names});")
+        + "\n}\n\n"
     )
 
 
@@ -165,8 +168,12 @@ def function_in_go(entry):
         )
         calls[suffix] = f"C.go_{entry.stem}_{suffix}({names})"
     return (
-        f"func {name}(wide bool{parameters}) C.{entry.returns.base} {{\n\tif wide {{\n"
-        f"\t\treturn {calls['f64']}\n\t}}\n\treturn {calls['f32']}\n}}\n\n"
+        broken(f"func {name}(wide bool{parameters}) C.{entry.returns.base} {{", "\t")
+        + "\n\tif wide {\n"
+        + broken(f"\t\treturn {calls['f64']}", "\t")
+        + "\n\t}\n"
+        + broken(f"\treturn {calls['f32']}", "\t")
+        + "\n}\n\n"
     )
 
 

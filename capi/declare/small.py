@@ -5,7 +5,7 @@ first sentences of their texts. Languages whose foreign interface reads C take .
 import re
 import textwrap
 
-from description import HEAD, camel
+from description import HEAD, broken, camel
 
 WIDTH = 116
 
@@ -53,7 +53,8 @@ def ruby(description):
     constants = "".join(f"  {entry.short} = {entry.value}\n" for entry in description.constants)
     functions = "".join(
         f"{comment(entry, '#', '    ')}"
-        f"    '{ruby_type(entry.returns)} {entry.name}({', '.join(map(ruby_type, entry.parameters))})',\n"
+        + broken(f"    '{ruby_type(entry.returns)} {entry.name}({', '.join(map(ruby_type, entry.parameters))})',")
+        + "\n"
         for entry in description.functions
     )
     return (
@@ -76,11 +77,16 @@ def perl_type(declaration):
     return "'opaque'" if is_pointer(declaration) else f"'{PERL[declaration.base]}'"
 
 
+def perl_function(entry):
+    types = ", ".join(map(perl_type, entry.parameters))
+    return broken(f"    [{entry.name} => [{types}] => {perl_type(entry.returns)}],") + "\n"
+
+
 def perl(description):
     constants = "".join(f"    {entry.short} => {entry.value},\n" for entry in description.constants)
     functions = "".join(
         f"{comment(entry, '#', '    ')}"
-        f"    [{entry.name} => [{', '.join(map(perl_type, entry.parameters))}] => {perl_type(entry.returns)}],\n"
+        + perl_function(entry)
         for entry in description.functions
     )
     return (
@@ -168,8 +174,9 @@ def fortran_result(entry):
 
 def fortran_function(entry):
     names = ", ".join(each.name for each in entry.parameters)
+    is_array = entry.stem in SHAPES_OUT
     arguments = "".join(
-        f"      {fortran_argument(each, each.name == 'out' and entry.stem in SHAPES_OUT)}\n" for each in entry.parameters
+        f"      {fortran_argument(each, is_array and each.name == 'out')}\n" for each in entry.parameters
     )
     statement = f"{fortran_result(entry)} function {entry.name}({names}) bind(c)"
     return (
@@ -185,7 +192,8 @@ def fortran_field(declaration):
 
 def fortran(description):
     constants = "".join(
-        f"  integer(c_int32_t), parameter :: {constant_name(entry)} = {entry.value}\n" for entry in description.constants
+        f"  integer(c_int32_t), parameter :: {constant_name(entry)} = {entry.value}\n"
+        for entry in description.constants
     )
     structs = "".join(
         f"{comment(entry, '!>', '  ')}  type, bind(c) :: {entry.name}\n"
@@ -194,7 +202,8 @@ def fortran(description):
     )
     functions = "".join(map(fortran_function, description.functions)).rstrip("\n")
     return (
-        f"{head('!')}!> The constants, types and functions of libvesica. Arrays that are written, and what may be NULL,\n"
+        f"{head('!')}"
+        "!> The constants, types and functions of libvesica. Arrays that are written, and what may be NULL,\n"
         "!> are c_ptr: c_loc of an array that is a target, or c_null_ptr. The constants of the version are called\n"
         "!> vesica_declared_version, as names differ by more than case.\n"
         "module vesica_c\n  use, intrinsic :: iso_c_binding\n  implicit none\n  public\n\n"
@@ -245,7 +254,8 @@ def pascal_field(declaration):
 
 def pascal_function(entry):
     names = "; ".join(f"{RESERVED.get(each.name, each.name)}: {pascal_type(each)}" for each in entry.parameters)
-    text = f"function {entry.name}{f'({names})' if names else ''}: {pascal_type(entry.returns)}; cdecl; external vesica_library;"
+    declared = f"function {entry.name}{f'({names})' if names else ''}: {pascal_type(entry.returns)};"
+    text = f"{declared} cdecl; external vesica_library;"
     lines = textwrap.wrap(text, WIDTH, subsequent_indent="  ", break_long_words=False)
     return comment(entry, "//") + "\n".join(lines) + "\n"
 
@@ -260,7 +270,8 @@ def pascal(description):
     )
     functions = "".join(map(pascal_function, description.functions))
     return (
-        f"{head('//')}// The constants, records and functions of libvesica. Arrays may be nil where the header says so.\n"
+        f"{head('//')}"
+        "// The constants, records and functions of libvesica. Arrays may be nil where the header says so.\n"
         "unit vesica_c;\n\n{$mode objfpc}{$H+}{$packrecords c}\n\ninterface\n\n"
         f"const\n  vesica_library = 'vesica';\n{constants}\ntype\n{structs}\n{functions}\nimplementation\n\nend.\n"
     )
@@ -316,7 +327,8 @@ def ada(description):
     )
     functions = "\n".join(map(ada_function, description.functions))
     return (
-        f"{head('-- ')}--  The constants, records and functions of libvesica. A pointer is an address: Null_Address where\n"
+        f"{head('-- ')}"
+        "--  The constants, records and functions of libvesica. A pointer is an address: Null_Address where\n"
         "--  the header allows NULL.\nwith Interfaces; use Interfaces;\nwith Interfaces.C; use Interfaces.C;\n"
         "with Interfaces.C.Strings; use Interfaces.C.Strings;\nwith System;\n\npackage Vesica_C is\n\n"
         f"{constants}\n"

@@ -379,7 +379,8 @@ namespace Vesica
     }
 
     /// <summary>
-    /// All points C + s u + t perp(u) with |s| &lt;= hx and |t| &lt;= hy, where C is (cx, cy); hx, hy &gt;= 0 and u != (0, 0).
+    /// All points C + s u + t perp(u) with |s| &lt;= hx and |t| &lt;= hy, where C is (cx, cy); hx, hy &gt;= 0 and u !=
+    /// (0, 0).
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct Rect : IShape
@@ -432,7 +433,8 @@ namespace Vesica
     }
 
     /// <summary>
-    /// All points C + s u + t perp(u) with (s/a)^2 + (t/b)^2 &lt;= 1, where C is (cx, cy); a, b &gt;= 0 and u != (0, 0).
+    /// All points C + s u + t perp(u) with (s/a)^2 + (t/b)^2 &lt;= 1, where C is (cx, cy); a, b &gt;= 0 and u != (0,
+    /// 0).
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct Ellipse : IShape
@@ -698,7 +700,8 @@ namespace Vesica
     }
 
     /// <summary>
-    /// All points C + s u + t perp(u) with |s| &lt;= hx and |t| &lt;= hy, where C is (cx, cy); hx, hy &gt;= 0 and u != (0, 0).
+    /// All points C + s u + t perp(u) with |s| &lt;= hx and |t| &lt;= hy, where C is (cx, cy); hx, hy &gt;= 0 and u !=
+    /// (0, 0).
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct RectF : IShape
@@ -751,7 +754,8 @@ namespace Vesica
     }
 
     /// <summary>
-    /// All points C + s u + t perp(u) with (s/a)^2 + (t/b)^2 &lt;= 1, where C is (cx, cy); a, b &gt;= 0 and u != (0, 0).
+    /// All points C + s u + t perp(u) with (s/a)^2 + (t/b)^2 &lt;= 1, where C is (cx, cy); a, b &gt;= 0 and u != (0,
+    /// 0).
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct EllipseF : IShape
@@ -861,7 +865,8 @@ namespace Vesica
 
     /// <summary>
     /// <para>A first contact: when, where and along which normal.</para>
-    /// <para>(nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are NaN.</para>
+    /// <para>(nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are
+    /// NaN.</para>
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct Impact
@@ -894,7 +899,8 @@ namespace Vesica
 
     /// <summary>
     /// <para>A first contact: when, where and along which normal.</para>
-    /// <para>(nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are NaN.</para>
+    /// <para>(nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are
+    /// NaN.</para>
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct ImpactF

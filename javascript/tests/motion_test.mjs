@@ -34,7 +34,8 @@ test('boxes there and back', () => {
   const turned = vesica.shapesFromBoxes('rect', [[3, 4, 5, 2, 30]], { degrees: true, reverse: true });
   assert.deepEqual(turned.at(0), rects.at(1));
   assert.deepEqual([...vesica.corners(rect(0, 0, 4, 2))], [-2, -1, 2, -1, 2, 1, -2, 1]);
-  assert.deepEqual([...vesica.boundsMany(vesica.shapes('circle', [disc, circle(4, 5, 2)]))], [-1, -1, 1, 1, 2, 3, 6, 7]);
+  assert.deepEqual([...vesica.boundsMany(vesica.shapes('circle', [disc, circle(4, 5, 2)]))],
+    [-1, -1, 1, 1, 2, 3, 6, 7]);
   const refused = () => vesica.shapesFromBoxes('rect', [1, 2, -6, 4, 0, 0, 0, 4, 2, 0]);
   assert.throws(refused, (error) => error instanceof VesicaError && error.result.at(1).hx === 2);
 });
@@ -45,7 +46,8 @@ test('ratios and suppression', () => {
   assert.deepEqual([...vesica.ratioMatrix('over_union', both, both)], [1, 1 / 7, 1 / 7, 1]);
   assert.deepEqual([...vesica.depthMatrix(both, both)], [2, 1, 1, 2]);
   assert.deepEqual([...vesica.nearestMatrix(both, vesica.shapes('circle', [circle(6, 1, 1)]))], [3, 2]);
-  const boxes = vesica.shapes('aabb', [[0, 0, 4, 4], [0, 0, 2, 2], [0, 0, 4, 3], [9, 9, 10, 10]]), scores = [4, 3, 2, 1];
+  const boxes = vesica.shapes('aabb', [[0, 0, 4, 4], [0, 0, 2, 2], [0, 0, 4, 3], [9, 9, 10, 10]]),
+    scores = [4, 3, 2, 1];
   assert.deepEqual(vesica.nms(boxes, scores), [0, 1, 3]);
   assert.deepEqual(vesica.nms(boxes, scores, 0.5, { ratio: 'over_smaller' }), [0, 3]);
   assert.deepEqual(vesica.nms(boxes, scores, 0.5, { labels: [0, 0, 7, 0] }), [0, 1, 2, 3]);

@@ -13,7 +13,8 @@ test('the example of the README', async () => {
     return code === undefined ? line : `same(${code}, ${said.replace(/Uint8Array (.*)/, 'Uint8Array.from($1)')});`;
   });
   const asserts = lines.filter((line) => /^(same|throws)\(/.test(line)).length;
-  const head = "import { VesicaError } from 'vesica';\nimport { deepEqual as same, throws } from 'node:assert/strict';\n";
+  const imports = ["{ VesicaError } from 'vesica'", "{ deepEqual as same, throws } from 'node:assert/strict'"];
+  const head = imports.map((each) => `import ${each};\n`).join('');
   const file = new URL('example.mjs', import.meta.url);
   writeFileSync(file, head + lines.join('\n'));
   await import(file);

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # host_test.sh MOVED WORK HOST OLDER: a host's folder, built by its own host.sh, answers the vectors with the library
-# installed in MOVED (HOST may be a path); finds every answer that is made wrong in them; and refuses the library in OLDER.
+# installed in MOVED (HOST may be a path), and knows two closest points; finds every answer that is made wrong in them;
+# and refuses the library in OLDER.
 set -euo pipefail
 
 # Not every language's tools can take a library from a place with a space in its name.

@@ -150,7 +150,8 @@ our @FUNCTIONS = (
     # Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx, wy).
     [vesica_ellipse_from_radius_vector_f64 => ['double', 'double', 'double', 'double', 'double', 'opaque'] => 'sint32'],
     # Ellipse of the points within k standard deviations of a mean (Mahalanobis distance at most k).
-    [vesica_ellipse_from_covariance_f64 => ['double', 'double', 'double', 'double', 'double', 'double', 'opaque'] => 'sint32'],
+    [vesica_ellipse_from_covariance_f64 => ['double', 'double', 'double', 'double', 'double', 'double',
+        'opaque'] => 'sint32'],
     # Ellipse of the points X with (X - C) .
     [vesica_ellipse_from_matrix_f64 => ['double', 'double', 'double', 'double', 'double', 'opaque'] => 'sint32'],
     # Describes an array of `count` records, each of which starts with a shape's struct.
@@ -164,7 +165,8 @@ our @FUNCTIONS = (
     # How far apart are a[i] and b[i], and where?
     [vesica_nearest_many_f64 => ['opaque', 'opaque', 'opaque', 'opaque', 'opaque', 'opaque', 'opaque'] => 'sint64'],
     # How far apart are the outlines of a[i] and b[i]?
-    [vesica_boundary_distance_many_f64 => ['opaque', 'opaque', 'opaque', 'opaque', 'opaque', 'opaque', 'opaque'] => 'sint64'],
+    [vesica_boundary_distance_many_f64 => ['opaque', 'opaque', 'opaque', 'opaque', 'opaque', 'opaque',
+        'opaque'] => 'sint64'],
     # How deep do a[i] and b[i] overlap?
     [vesica_depth_many_f64 => ['opaque', 'opaque', 'opaque', 'opaque', 'opaque'] => 'sint64'],
     # What area do a[i] and b[i] share? out[i] is the result of vesica_area_f64.
@@ -265,7 +267,8 @@ our @FUNCTIONS = (
     # Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx, wy).
     [vesica_ellipse_from_radius_vector_f32 => ['float', 'float', 'float', 'float', 'float', 'opaque'] => 'sint32'],
     # Ellipse of the points within k standard deviations of a mean (Mahalanobis distance at most k).
-    [vesica_ellipse_from_covariance_f32 => ['float', 'float', 'float', 'float', 'float', 'float', 'opaque'] => 'sint32'],
+    [vesica_ellipse_from_covariance_f32 => ['float', 'float', 'float', 'float', 'float', 'float',
+        'opaque'] => 'sint32'],
     # Ellipse of the points X with (X - C) .
     [vesica_ellipse_from_matrix_f32 => ['float', 'float', 'float', 'float', 'float', 'opaque'] => 'sint32'],
     # Describes an array of `count` records, each of which starts with a shape's struct.
@@ -279,7 +282,8 @@ our @FUNCTIONS = (
     # How far apart are a[i] and b[i], and where?
     [vesica_nearest_many_f32 => ['opaque', 'opaque', 'opaque', 'opaque', 'opaque', 'opaque', 'opaque'] => 'sint64'],
     # How far apart are the outlines of a[i] and b[i]?
-    [vesica_boundary_distance_many_f32 => ['opaque', 'opaque', 'opaque', 'opaque', 'opaque', 'opaque', 'opaque'] => 'sint64'],
+    [vesica_boundary_distance_many_f32 => ['opaque', 'opaque', 'opaque', 'opaque', 'opaque', 'opaque',
+        'opaque'] => 'sint64'],
     # How deep do a[i] and b[i] overlap?
     [vesica_depth_many_f32 => ['opaque', 'opaque', 'opaque', 'opaque', 'opaque'] => 'sint64'],
     # What area do a[i] and b[i] share? out[i] is the result of vesica_area_f32.
@@ -340,27 +344,35 @@ our @FUNCTIONS = (
     # Builds the index of some sets of shapes.
     [vesica_index_build_f64 => ['opaque', 'sint32', 'opaque', 'sint64', 'opaque', 'sint64'] => 'sint64'],
     # One part of a build in five steps, for several threads.
-    [vesica_index_step_f64 => ['sint32', 'sint64', 'sint64', 'opaque', 'sint32', 'opaque', 'sint64', 'opaque', 'sint64'] => 'sint64'],
+    [vesica_index_step_f64 => ['sint32', 'sint64', 'sint64', 'opaque', 'sint32', 'opaque', 'sint64', 'opaque',
+        'sint64'] => 'sint64'],
     # Which items of an index does one shape overlap?
     [vesica_index_select_f64 => ['opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
     # All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
-    [vesica_join_f64 => ['sint32', 'opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64', 'sint64', 'opaque', 'sint64', 'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
+    [vesica_join_f64 => ['sint32', 'opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64', 'sint64',
+        'opaque', 'sint64', 'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
     # Which items of an index are nearest to one shape?
-    [vesica_index_nearest_f64 => ['opaque', 'opaque', 'sint32', 'opaque', 'sint64', 'double', 'opaque', 'opaque'] => 'sint64'],
+    [vesica_index_nearest_f64 => ['opaque', 'opaque', 'sint32', 'opaque', 'sint64', 'double', 'opaque',
+        'opaque'] => 'sint64'],
     # Which items of index_b are nearest to each item of sets_a?
-    [vesica_join_nearest_f64 => ['opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64', 'double', 'sint64', 'sint64', 'opaque', 'opaque'] => 'sint64'],
+    [vesica_join_nearest_f64 => ['opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64', 'double', 'sint64',
+        'sint64', 'opaque', 'opaque'] => 'sint64'],
     # Builds the index of some sets of shapes.
     [vesica_index_build_f32 => ['opaque', 'sint32', 'opaque', 'sint64', 'opaque', 'sint64'] => 'sint64'],
     # One part of a build in five steps, for several threads.
-    [vesica_index_step_f32 => ['sint32', 'sint64', 'sint64', 'opaque', 'sint32', 'opaque', 'sint64', 'opaque', 'sint64'] => 'sint64'],
+    [vesica_index_step_f32 => ['sint32', 'sint64', 'sint64', 'opaque', 'sint32', 'opaque', 'sint64', 'opaque',
+        'sint64'] => 'sint64'],
     # Which items of an index does one shape overlap?
     [vesica_index_select_f32 => ['opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
     # All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
-    [vesica_join_f32 => ['sint32', 'opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64', 'sint64', 'opaque', 'sint64', 'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
+    [vesica_join_f32 => ['sint32', 'opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64', 'sint64',
+        'opaque', 'sint64', 'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
     # Which items of an index are nearest to one shape?
-    [vesica_index_nearest_f32 => ['opaque', 'opaque', 'sint32', 'opaque', 'sint64', 'float', 'opaque', 'opaque'] => 'sint64'],
+    [vesica_index_nearest_f32 => ['opaque', 'opaque', 'sint32', 'opaque', 'sint64', 'float', 'opaque',
+        'opaque'] => 'sint64'],
     # Which items of index_b are nearest to each item of sets_a?
-    [vesica_join_nearest_f32 => ['opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64', 'float', 'sint64', 'sint64', 'opaque', 'opaque'] => 'sint64'],
+    [vesica_join_nearest_f32 => ['opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64', 'float', 'sint64',
+        'sint64', 'opaque', 'opaque'] => 'sint64'],
     # What share of a's area does b cover, or of b's area a?
     [vesica_ratio_f64 => ['sint32', 'sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
     # A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
@@ -374,7 +386,8 @@ our @FUNCTIONS = (
     # How deep do a[i] and b[j] overlap?
     [vesica_depth_matrix_f64 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
-    [vesica_suppress_f64 => ['opaque', 'opaque', 'opaque', 'sint32', 'double', 'double', 'sint64', 'opaque', 'sint64', 'opaque', 'opaque'] => 'sint32'],
+    [vesica_suppress_f64 => ['opaque', 'opaque', 'opaque', 'sint32', 'double', 'double', 'sint64', 'opaque', 'sint64',
+        'opaque', 'opaque'] => 'sint32'],
     # What share of a's area does b cover, or of b's area a?
     [vesica_ratio_f32 => ['sint32', 'sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
     # A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
@@ -388,31 +401,39 @@ our @FUNCTIONS = (
     # How deep do a[i] and b[j] overlap?
     [vesica_depth_matrix_f32 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # Greedy non-maximum suppression as vesica_nms_f32, by any ratio and among like labels.
-    [vesica_suppress_f32 => ['opaque', 'opaque', 'opaque', 'sint32', 'float', 'float', 'sint64', 'opaque', 'sint64', 'opaque', 'opaque'] => 'sint32'],
+    [vesica_suppress_f32 => ['opaque', 'opaque', 'opaque', 'sint32', 'float', 'float', 'sint64', 'opaque', 'sint64',
+        'opaque', 'opaque'] => 'sint32'],
     # Does b touch a while it moves, when first, and where?
-    [vesica_cast_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'double', 'double', 'double', 'opaque'] => 'sint32'],
+    [vesica_cast_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'double', 'double', 'double',
+        'opaque'] => 'sint32'],
     # When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
-    [vesica_cast_many_f64 => ['opaque', 'opaque', 'opaque', 'opaque', 'sint64', 'double', 'opaque', 'opaque', 'opaque', 'opaque', 'opaque'] => 'sint64'],
+    [vesica_cast_many_f64 => ['opaque', 'opaque', 'opaque', 'opaque', 'sint64', 'double', 'opaque', 'opaque', 'opaque',
+        'opaque', 'opaque'] => 'sint64'],
     # Which of many shapes at rest does one moving shape touch first?
     [vesica_cast_first_f64 => ['opaque', 'opaque', 'double', 'double', 'double', 'opaque'] => 'sint64'],
     # A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
     [vesica_sweep_bounds_f64 => ['sint32', 'double[]', 'double', 'double', 'double', 'opaque'] => 'sint32'],
     # Which items of an index does one moving shape touch?
-    [vesica_index_cast_f64 => ['opaque', 'opaque', 'sint32', 'opaque', 'double', 'double', 'double', 'opaque', 'sint64', 'opaque'] => 'sint64'],
+    [vesica_index_cast_f64 => ['opaque', 'opaque', 'sint32', 'opaque', 'double', 'double', 'double', 'opaque', 'sint64',
+        'opaque'] => 'sint64'],
     # Which item of an index does one moving shape touch first?
-    [vesica_index_cast_first_f64 => ['opaque', 'opaque', 'sint32', 'opaque', 'double', 'double', 'double', 'opaque'] => 'sint64'],
+    [vesica_index_cast_first_f64 => ['opaque', 'opaque', 'sint32', 'opaque', 'double', 'double', 'double',
+        'opaque'] => 'sint64'],
     # Does b touch a while it moves, when first, and where?
     [vesica_cast_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'float', 'float', 'float', 'opaque'] => 'sint32'],
     # When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
-    [vesica_cast_many_f32 => ['opaque', 'opaque', 'opaque', 'opaque', 'sint64', 'float', 'opaque', 'opaque', 'opaque', 'opaque', 'opaque'] => 'sint64'],
+    [vesica_cast_many_f32 => ['opaque', 'opaque', 'opaque', 'opaque', 'sint64', 'float', 'opaque', 'opaque', 'opaque',
+        'opaque', 'opaque'] => 'sint64'],
     # Which of many shapes at rest does one moving shape touch first?
     [vesica_cast_first_f32 => ['opaque', 'opaque', 'float', 'float', 'float', 'opaque'] => 'sint64'],
     # A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
     [vesica_sweep_bounds_f32 => ['sint32', 'float[]', 'float', 'float', 'float', 'opaque'] => 'sint32'],
     # Which items of an index does one moving shape touch?
-    [vesica_index_cast_f32 => ['opaque', 'opaque', 'sint32', 'opaque', 'float', 'float', 'float', 'opaque', 'sint64', 'opaque'] => 'sint64'],
+    [vesica_index_cast_f32 => ['opaque', 'opaque', 'sint32', 'opaque', 'float', 'float', 'float', 'opaque', 'sint64',
+        'opaque'] => 'sint64'],
     # Which item of an index does one moving shape touch first?
-    [vesica_index_cast_first_f32 => ['opaque', 'opaque', 'sint32', 'opaque', 'float', 'float', 'float', 'opaque'] => 'sint64'],
+    [vesica_index_cast_first_f32 => ['opaque', 'opaque', 'sint32', 'opaque', 'float', 'float', 'float',
+        'opaque'] => 'sint64'],
 );
 
 1;

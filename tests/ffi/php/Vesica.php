@@ -26,7 +26,8 @@ final class Vesica
         }
         // Numbers that are read are declared as void: then a packed string can be passed, as well as FFI's arrays.
         $declarations = file_get_contents(__DIR__ . '/vesica.cdef');
-        $this->c = FFI::cdef(preg_replace('/const (double|float|uint8_t) \*/', 'const void *', $declarations), $library);
+        $declarations = preg_replace('/const (double|float|uint8_t) \*/', 'const void *', $declarations);
+        $this->c = FFI::cdef($declarations, $library);
     }
 
     /** Do two shapes, lists of their numbers, share a point? */

@@ -341,11 +341,13 @@ module Vesica
     # Which items of an index does one shape overlap?
     'int64_t vesica_index_select_f64(void *, void *, int, void *, void *, int64_t, void *)',
     # All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
-    'int64_t vesica_join_f64(int, void *, void *, int, void *, void *, int, int64_t, int64_t, void *, int64_t, void *, void *, int64_t, void *)',
+    'int64_t vesica_join_f64(int, void *, void *, int, void *, void *, int, int64_t, int64_t, void *, int64_t, void *,
+        void *, int64_t, void *)',
     # Which items of an index are nearest to one shape?
     'int64_t vesica_index_nearest_f64(void *, void *, int, void *, int64_t, double, void *, void *)',
     # Which items of index_b are nearest to each item of sets_a?
-    'int64_t vesica_join_nearest_f64(void *, int, void *, void *, int, int64_t, double, int64_t, int64_t, void *, void *)',
+    'int64_t vesica_join_nearest_f64(void *, int, void *, void *, int, int64_t, double, int64_t, int64_t, void *,
+        void *)',
     # Builds the index of some sets of shapes.
     'int64_t vesica_index_build_f32(void *, int, void *, int64_t, void *, int64_t)',
     # One part of a build in five steps, for several threads.
@@ -353,11 +355,13 @@ module Vesica
     # Which items of an index does one shape overlap?
     'int64_t vesica_index_select_f32(void *, void *, int, void *, void *, int64_t, void *)',
     # All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
-    'int64_t vesica_join_f32(int, void *, void *, int, void *, void *, int, int64_t, int64_t, void *, int64_t, void *, void *, int64_t, void *)',
+    'int64_t vesica_join_f32(int, void *, void *, int, void *, void *, int, int64_t, int64_t, void *, int64_t, void *,
+        void *, int64_t, void *)',
     # Which items of an index are nearest to one shape?
     'int64_t vesica_index_nearest_f32(void *, void *, int, void *, int64_t, float, void *, void *)',
     # Which items of index_b are nearest to each item of sets_a?
-    'int64_t vesica_join_nearest_f32(void *, int, void *, void *, int, int64_t, float, int64_t, int64_t, void *, void *)',
+    'int64_t vesica_join_nearest_f32(void *, int, void *, void *, int, int64_t, float, int64_t, int64_t, void *,
+        void *)',
     # What share of a's area does b cover, or of b's area a?
     'int vesica_ratio_f64(int, int, void *, int, void *, void *)',
     # A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
@@ -389,7 +393,8 @@ module Vesica
     # Does b touch a while it moves, when first, and where?
     'int vesica_cast_f64(int, void *, int, void *, double, double, double, void *)',
     # When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
-    'int64_t vesica_cast_many_f64(void *, void *, void *, void *, ptrdiff_t, double, void *, void *, void *, void *, void *)',
+    'int64_t vesica_cast_many_f64(void *, void *, void *, void *, ptrdiff_t, double, void *, void *, void *, void *,
+        void *)',
     # Which of many shapes at rest does one moving shape touch first?
     'int64_t vesica_cast_first_f64(void *, void *, double, double, double, void *)',
     # A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
@@ -401,7 +406,8 @@ module Vesica
     # Does b touch a while it moves, when first, and where?
     'int vesica_cast_f32(int, void *, int, void *, float, float, float, void *)',
     # When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
-    'int64_t vesica_cast_many_f32(void *, void *, void *, void *, ptrdiff_t, float, void *, void *, void *, void *, void *)',
+    'int64_t vesica_cast_many_f32(void *, void *, void *, void *, ptrdiff_t, float, void *, void *, void *, void *,
+        void *)',
     # Which of many shapes at rest does one moving shape touch first?
     'int64_t vesica_cast_first_f32(void *, void *, float, float, float, void *)',
     # A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
