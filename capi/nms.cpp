@@ -50,13 +50,8 @@ struct Choice {
   int64_t most;
 
   bool is_sound() const noexcept {
-    return is_symmetric() && threshold >= 0 && threshold <= 1 && least_score == least_score && most >= 0;
-  }
-
-  /// Whether the ratio is one that does not depend on the order of two shapes.
-  bool is_symmetric() const noexcept {
-    const bool is_ratio = ratio >= 0 && ratio < vesica::ratio_count;
-    return is_ratio && ratio != VESICA_RATIO_OVER_FIRST && ratio != VESICA_RATIO_OVER_SECOND;
+    return vesica::queries::is_symmetric(ratio) && threshold >= 0 && threshold <= 1 && least_score == least_score &&
+           most >= 0;
   }
 };
 

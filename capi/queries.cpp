@@ -72,6 +72,7 @@ static_assert(is_code(Relation::contains_touch, VESICA_CONTAINS_TOUCH) && is_cod
   VESICA_CODE(contains, scalar, T)              \
   VESICA_NUMBER(area, scalar, T)                \
   VESICA_NUMBER(iou, scalar, T)                 \
+  VESICA_NUMBER(signed_distance, scalar, T)     \
   VESICA_DISTANCE(nearest, scalar, T)           \
   VESICA_DISTANCE(boundary_distance, scalar, T) \
   VESICA_DEPTH(scalar, T)

@@ -183,6 +183,24 @@ VESICA_API int64_t vesica_join_f64(int32_t query, const void *index_a, const ves
                                    int64_t *state);
 
 /**
+ * All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those whose
+ * answer from vesica_within_f64 is > 0.
+ *
+ * If both indexes are the same pointer, pairs are those of two different items a < b. They come in index_a's order.
+ * Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f64.
+ * Requires: distance >= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity and
+ * state as vesica_join_f64.
+ * Returns: the number of pairs written; with capacity 0, how many the whole part has.
+ * Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
+ * Accuracy: that of vesica_within_f64; a pair that is VESICA_WITHIN_NEARLY is among them.
+ * Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f64 a candidate.
+ */
+VESICA_API int64_t vesica_join_within_f64(const void *index_a, const vesica_shapes_f64 *sets_a, int32_t set_count_a,
+                                          const void *index_b, const vesica_shapes_f64 *sets_b, int32_t set_count_b,
+                                          double distance, int64_t part, int64_t parts, int64_t *out_a,
+                                          int64_t *out_b, int64_t capacity, int64_t *state);
+
+/**
  * Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.
  *
  * An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is not found.
@@ -230,6 +248,11 @@ VESICA_API int64_t vesica_join_f32(int32_t query, const void *index_a, const ves
                                    int32_t set_count_b, int64_t part, int64_t parts, void *scratch,
                                    int64_t scratch_size, int64_t *out_a, int64_t *out_b, int64_t capacity,
                                    int64_t *state);
+/** As vesica_join_within_f64. */
+VESICA_API int64_t vesica_join_within_f32(const void *index_a, const vesica_shapes_f32 *sets_a, int32_t set_count_a,
+                                          const void *index_b, const vesica_shapes_f32 *sets_b, int32_t set_count_b,
+                                          float distance, int64_t part, int64_t parts, int64_t *out_a,
+                                          int64_t *out_b, int64_t capacity, int64_t *state);
 /** As vesica_index_nearest_f64. */
 VESICA_API int64_t vesica_index_nearest_f32(const void *index, const vesica_shapes_f32 *sets, int32_t set_count,
                                             const vesica_shapes_f32 *one, int64_t k, float within, int64_t *out,

@@ -1,5 +1,6 @@
 /*
- * Vesica: measures beside those of vesica.h. Ratios of shared area, suppression by them, matrices of distances.
+ * Vesica: measures beside those of vesica.h. Ratios of shared area, suppression by them; signed distances, what is
+ * within a distance, matrices of distances.
  *
  * SPDX-License-Identifier: Apache-2.0
  *
@@ -25,6 +26,15 @@ extern "C" {
 #define VESICA_RATIO_GENERALIZED 4  /**< IoU - the part of the hull that neither covers (GIoU) */
 #define VESICA_RATIO_DISTANCE 5     /**< IoU - (distance of the centres / diagonal of the hull)^2 (DIoU) */
 #define VESICA_RATIO_COMPLETE 6     /**< DIoU - v^2 / (1 - IoU + v), v = (difference of angles / 90 degrees)^2 (CIoU) */
+
+/* Are two shapes within a distance of each other? */
+#define VESICA_WITHIN_NO 0     /**< they are farther apart */
+#define VESICA_WITHIN_YES 1    /**< they are not */
+#define VESICA_WITHIN_NEARLY 2 /**< with an ellipse alone: their distance is too near the one asked for to tell */
+
+/* How soft suppression lowers the score of a shape, by its ratio r with one that is kept. */
+#define VESICA_DECAY_LINEAR 0   /**< score * (1 - r) if r exceeds the parameter, a threshold from 0 to 1 */
+#define VESICA_DECAY_GAUSSIAN 1 /**< score * exp(-r^2 / parameter) if r > 0; the parameter is at least 2^-100 */
 
 /* ---- Ratios of shared area, double ----
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
@@ -99,6 +109,74 @@ VESICA_API int64_t vesica_boundary_distance_matrix_f64(const vesica_shapes_f64 *
 VESICA_API int64_t vesica_depth_matrix_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, double *out,
                                            ptrdiff_t row_stride);
 
+/* ---- Signed distance, double ----
+ * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+ * Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.
+ * Since: 0.1.
+ */
+
+/**
+ * How far apart are two shapes or, as a number below 0, how deep do they overlap?
+ *
+ * The distance of vesica_nearest_f64 if they are disjoint, else minus the depth of vesica_depth_f64: 0 where they only
+ * touch. Exchanging the shapes changes no bit.
+ * Returns: 0.
+ * Cost: that of vesica_nearest_f64 or of vesica_depth_f64, whichever it is.
+ */
+VESICA_API int32_t vesica_signed_distance_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b,
+                                              const double *numbers_b, double *out);
+
+/**
+ * Signed distances of a[i] and b[i]. Arrays and errors are those of vesica_iou_many_f64.
+ * Returns: how many pairs overlap (signed distance <= 0).
+ */
+VESICA_API int64_t vesica_signed_distance_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, double *out);
+
+/**
+ * Signed distances of a[i] and b[j]. Arrays, row_stride and errors are those of vesica_iou_matrix_f64.
+ * Returns: how many pairs overlap (signed distance <= 0).
+ */
+VESICA_API int64_t vesica_signed_distance_matrix_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b,
+                                                     double *out, ptrdiff_t row_stride);
+
+/* ---- Within a distance, double ----
+ * Requires: distance >= 0, or infinity, of which any two valid shapes are within.
+ * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+ * Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A pair
+ * with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f64 has it, is less
+ * than 5 u scale from the one asked for; the answers yes and no are certain.
+ * Since: 0.1.
+ */
+
+/**
+ * Are two shapes at most `distance` apart? Exactly so far apart counts, as touching does.
+ *
+ * Distance 0 asks what vesica_overlap_f64 does, and is exact for all kinds. Who must not miss a pair takes an answer
+ * > 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the shapes changes nothing.
+ * Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
+ * Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide.
+ */
+VESICA_API int32_t vesica_within_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
+                                     double distance);
+
+/**
+ * Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f64.
+ *
+ * Arrays and errors are those of vesica_overlap_many_f64.
+ * Returns: how many answers are > 0.
+ */
+VESICA_API int64_t vesica_within_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, double distance,
+                                          uint8_t *out);
+
+/**
+ * Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f64.
+ *
+ * Arrays, row_stride and errors are those of vesica_overlap_matrix_f64.
+ * Returns: how many answers are > 0.
+ */
+VESICA_API int64_t vesica_within_matrix_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, double distance,
+                                            uint8_t *out, ptrdiff_t row_stride);
+
 /* ---- Choices among many shapes, double ----
  * Since: 0.1.
  */
@@ -118,6 +196,35 @@ VESICA_API int64_t vesica_depth_matrix_f64(const vesica_shapes_f64 *a, const ves
 VESICA_API int32_t vesica_suppress_f64(const vesica_shapes_f64 *shapes, const double *scores, const int32_t *labels,
                                        int32_t ratio, double threshold, double least_score, int64_t most,
                                        void *scratch, int64_t scratch_size, int64_t *keep, int64_t *kept);
+
+/**
+ * How many bytes of scratch does soft suppression of `count` shapes need?
+ * Returns: 64 bytes a shape.
+ * Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
+ */
+VESICA_API int64_t vesica_suppress_soft_scratch(int64_t count);
+
+/**
+ * Soft suppression: what a better shape covers keeps a lower score.
+ *
+ * Again and again takes the shape with the highest score, of equal ones the first, keeps it, and lowers the score of
+ * each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or no score is left
+ * that is at least least_score. keep[k] is the shape taken in turn k, and decayed[k] the score that it then had.
+ * Requires: shapes, scores and labels as vesica_suppress_f64; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND;
+ * decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score >= 0; scratch of at least
+ * vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are kept.
+ * Returns: 0, with *kept set to how many are kept.
+ * Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and all
+ * else is written.
+ * Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right
+ * to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every machine.
+ * Floats are widened first, and only the final scores rounded.
+ * Cost: that of vesica_ratio_matrix_f64 for each kept shape with all of its label that are left.
+ */
+VESICA_API int32_t vesica_suppress_soft_f64(const vesica_shapes_f64 *shapes, const double *scores,
+                                            const int32_t *labels, int32_t ratio, int32_t decay, double parameter,
+                                            double least_score, int64_t most, void *scratch, int64_t scratch_size,
+                                            int64_t *keep, double *decayed, int64_t *kept);
 
 /* ---- The same functions with float in place of double ---- */
 
@@ -143,6 +250,28 @@ VESICA_API int64_t vesica_depth_matrix_f32(const vesica_shapes_f32 *a, const ves
 VESICA_API int32_t vesica_suppress_f32(const vesica_shapes_f32 *shapes, const float *scores, const int32_t *labels,
                                        int32_t ratio, float threshold, float least_score, int64_t most,
                                        void *scratch, int64_t scratch_size, int64_t *keep, int64_t *kept);
+/** As vesica_signed_distance_f64, rounded to float. */
+VESICA_API int32_t vesica_signed_distance_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b,
+                                              const float *numbers_b, float *out);
+/** As vesica_signed_distance_many_f64, rounded to float. */
+VESICA_API int64_t vesica_signed_distance_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, float *out);
+/** As vesica_signed_distance_matrix_f64, rounded to float. */
+VESICA_API int64_t vesica_signed_distance_matrix_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, float *out,
+                                                     ptrdiff_t row_stride);
+/** As vesica_within_f64. */
+VESICA_API int32_t vesica_within_f32(int32_t kind_a, const float *numbers_a, int32_t kind_b, const float *numbers_b,
+                                     float distance);
+/** As vesica_within_many_f64. */
+VESICA_API int64_t vesica_within_many_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, float distance,
+                                          uint8_t *out);
+/** As vesica_within_matrix_f64. */
+VESICA_API int64_t vesica_within_matrix_f32(const vesica_shapes_f32 *a, const vesica_shapes_f32 *b, float distance,
+                                            uint8_t *out, ptrdiff_t row_stride);
+/** As vesica_suppress_soft_f64. */
+VESICA_API int32_t vesica_suppress_soft_f32(const vesica_shapes_f32 *shapes, const float *scores, const int32_t *labels,
+                                            int32_t ratio, int32_t decay, float parameter, float least_score,
+                                            int64_t most, void *scratch, int64_t scratch_size, int64_t *keep,
+                                            float *decayed, int64_t *kept);
 
 #ifdef __cplusplus
 }

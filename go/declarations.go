@@ -601,6 +601,17 @@ func cJoin(wide bool, query C.int32_t, indexA unsafe.Pointer, setsA C.vesica_go_
 		outA, outB, capacity, state)
 }
 
+func cJoinWithin(wide bool, indexA unsafe.Pointer, setsA C.vesica_go_sets, setCountA C.int32_t, indexB unsafe.Pointer,
+	setsB C.vesica_go_sets, setCountB C.int32_t, distance float64, part C.int64_t, parts C.int64_t, outA unsafe.Pointer,
+	outB unsafe.Pointer, capacity C.int64_t, state unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_join_within_f64(indexA, setsA, setCountA, indexB, setsB, setCountB, C.double(distance), part, parts, outA,
+			outB, capacity, state)
+	}
+	return C.go_join_within_f32(indexA, setsA, setCountA, indexB, setsB, setCountB, C.float(distance), part, parts, outA,
+		outB, capacity, state)
+}
+
 func cIndexNearest(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view,
 	k C.int64_t, within float64, out unsafe.Pointer, distance unsafe.Pointer) C.int64_t {
 	if wide {
@@ -667,6 +678,52 @@ func cDepthMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.
 	return C.go_depth_matrix_f32(a, b, out, rowStride)
 }
 
+func cSignedDistance(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
+	numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_signed_distance_f64(kindA, numbersA, kindB, numbersB, out)
+	}
+	return C.go_signed_distance_f32(kindA, numbersA, kindB, numbersB, out)
+}
+
+func cSignedDistanceMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_signed_distance_many_f64(a, b, out)
+	}
+	return C.go_signed_distance_many_f32(a, b, out)
+}
+
+func cSignedDistanceMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
+	rowStride C.ptrdiff_t) C.int64_t {
+	if wide {
+		return C.go_signed_distance_matrix_f64(a, b, out, rowStride)
+	}
+	return C.go_signed_distance_matrix_f32(a, b, out, rowStride)
+}
+
+func cWithin(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
+	distance float64) C.int32_t {
+	if wide {
+		return C.go_within_f64(kindA, numbersA, kindB, numbersB, C.double(distance))
+	}
+	return C.go_within_f32(kindA, numbersA, kindB, numbersB, C.float(distance))
+}
+
+func cWithinMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance float64, out unsafe.Pointer) C.int64_t {
+	if wide {
+		return C.go_within_many_f64(a, b, C.double(distance), out)
+	}
+	return C.go_within_many_f32(a, b, C.float(distance), out)
+}
+
+func cWithinMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance float64, out unsafe.Pointer,
+	rowStride C.ptrdiff_t) C.int64_t {
+	if wide {
+		return C.go_within_matrix_f64(a, b, C.double(distance), out, rowStride)
+	}
+	return C.go_within_matrix_f32(a, b, C.float(distance), out, rowStride)
+}
+
 func cSuppress(wide bool, shapes C.vesica_go_view, scores unsafe.Pointer, labels unsafe.Pointer, ratio C.int32_t,
 	threshold float64, leastScore float64, most C.int64_t, scratch unsafe.Pointer, scratchSize C.int64_t,
 	keep unsafe.Pointer, kept unsafe.Pointer) C.int32_t {
@@ -676,6 +733,17 @@ func cSuppress(wide bool, shapes C.vesica_go_view, scores unsafe.Pointer, labels
 	}
 	return C.go_suppress_f32(shapes, scores, labels, ratio, C.float(threshold), C.float(leastScore), most, scratch,
 		scratchSize, keep, kept)
+}
+
+func cSuppressSoft(wide bool, shapes C.vesica_go_view, scores unsafe.Pointer, labels unsafe.Pointer, ratio C.int32_t,
+	decay C.int32_t, parameter float64, leastScore float64, most C.int64_t, scratch unsafe.Pointer, scratchSize C.int64_t,
+	keep unsafe.Pointer, decayed unsafe.Pointer, kept unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_suppress_soft_f64(shapes, scores, labels, ratio, decay, C.double(parameter), C.double(leastScore), most,
+			scratch, scratchSize, keep, decayed, kept)
+	}
+	return C.go_suppress_soft_f32(shapes, scores, labels, ratio, decay, C.float(parameter), C.float(leastScore), most,
+		scratch, scratchSize, keep, decayed, kept)
 }
 
 func cCast(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
@@ -726,4 +794,20 @@ func cIndexCastFirst(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, set
 		return C.go_index_cast_first_f64(index, sets, setCount, one, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
 	return C.go_index_cast_first_f32(index, sets, setCount, one, C.float(vx), C.float(vy), C.float(tEnd), out)
+}
+
+func cDe9im(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
+	matrix unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_de9im_f64(kindA, numbersA, kindB, numbersB, matrix)
+	}
+	return C.go_de9im_f32(kindA, numbersA, kindB, numbersB, matrix)
+}
+
+func cIntersection(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
+	numbersB C.vesica_go_numbers, vertices unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_intersection_f64(kindA, numbersA, kindB, numbersB, vertices)
+	}
+	return C.go_intersection_f32(kindA, numbersA, kindB, numbersB, vertices)
 }

@@ -635,6 +635,28 @@ static inline int64_t go_join_f32(int32_t query, const void *index_a, vesica_go_
         scratch, scratch_size, out_a, out_b, capacity, state);
 }
 
+static inline int64_t go_join_within_f64(const void *index_a, vesica_go_sets sets_a, int32_t set_count_a,
+    const void *index_b, vesica_go_sets sets_b, int32_t set_count_b, double distance, int64_t part, int64_t parts,
+    void *out_a, void *out_b, int64_t capacity, void *state) {
+    vesica_shapes_f64 of_sets_a[64];
+    memcpy(of_sets_a, &sets_a, sizeof of_sets_a);
+    vesica_shapes_f64 of_sets_b[64];
+    memcpy(of_sets_b, &sets_b, sizeof of_sets_b);
+    return vesica_join_within_f64(index_a, of_sets_a, set_count_a, index_b, of_sets_b, set_count_b, distance, part,
+        parts, out_a, out_b, capacity, state);
+}
+
+static inline int64_t go_join_within_f32(const void *index_a, vesica_go_sets sets_a, int32_t set_count_a,
+    const void *index_b, vesica_go_sets sets_b, int32_t set_count_b, float distance, int64_t part, int64_t parts,
+    void *out_a, void *out_b, int64_t capacity, void *state) {
+    vesica_shapes_f32 of_sets_a[64];
+    memcpy(of_sets_a, &sets_a, sizeof of_sets_a);
+    vesica_shapes_f32 of_sets_b[64];
+    memcpy(of_sets_b, &sets_b, sizeof of_sets_b);
+    return vesica_join_within_f32(index_a, of_sets_a, set_count_a, index_b, of_sets_b, set_count_b, distance, part,
+        parts, out_a, out_b, capacity, state);
+}
+
 static inline int64_t go_index_nearest_f64(const void *index, vesica_go_sets sets, int32_t set_count,
     vesica_go_view one, int64_t k, double within, void *out, void *distance) {
     vesica_shapes_f64 of_sets[64];
@@ -777,6 +799,110 @@ static inline int64_t go_depth_matrix_f32(vesica_go_view a, vesica_go_view b, vo
     return vesica_depth_matrix_f32(&of_a, &of_b, out, row_stride);
 }
 
+static inline int32_t go_signed_distance_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
+    vesica_go_numbers numbers_b, void *out) {
+    double of_numbers_a[6];
+    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
+    double of_numbers_b[6];
+    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
+    return vesica_signed_distance_f64(kind_a, of_numbers_a, kind_b, of_numbers_b, out);
+}
+
+static inline int32_t go_signed_distance_f32(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
+    vesica_go_numbers numbers_b, void *out) {
+    float of_numbers_a[6];
+    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
+    float of_numbers_b[6];
+    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
+    return vesica_signed_distance_f32(kind_a, of_numbers_a, kind_b, of_numbers_b, out);
+}
+
+static inline int64_t go_signed_distance_many_f64(vesica_go_view a, vesica_go_view b, void *out) {
+    vesica_shapes_f64 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f64 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_signed_distance_many_f64(&of_a, &of_b, out);
+}
+
+static inline int64_t go_signed_distance_many_f32(vesica_go_view a, vesica_go_view b, void *out) {
+    vesica_shapes_f32 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f32 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_signed_distance_many_f32(&of_a, &of_b, out);
+}
+
+static inline int64_t go_signed_distance_matrix_f64(vesica_go_view a, vesica_go_view b, void *out,
+    ptrdiff_t row_stride) {
+    vesica_shapes_f64 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f64 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_signed_distance_matrix_f64(&of_a, &of_b, out, row_stride);
+}
+
+static inline int64_t go_signed_distance_matrix_f32(vesica_go_view a, vesica_go_view b, void *out,
+    ptrdiff_t row_stride) {
+    vesica_shapes_f32 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f32 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_signed_distance_matrix_f32(&of_a, &of_b, out, row_stride);
+}
+
+static inline int32_t go_within_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
+    vesica_go_numbers numbers_b, double distance) {
+    double of_numbers_a[6];
+    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
+    double of_numbers_b[6];
+    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
+    return vesica_within_f64(kind_a, of_numbers_a, kind_b, of_numbers_b, distance);
+}
+
+static inline int32_t go_within_f32(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
+    vesica_go_numbers numbers_b, float distance) {
+    float of_numbers_a[6];
+    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
+    float of_numbers_b[6];
+    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
+    return vesica_within_f32(kind_a, of_numbers_a, kind_b, of_numbers_b, distance);
+}
+
+static inline int64_t go_within_many_f64(vesica_go_view a, vesica_go_view b, double distance, void *out) {
+    vesica_shapes_f64 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f64 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_within_many_f64(&of_a, &of_b, distance, out);
+}
+
+static inline int64_t go_within_many_f32(vesica_go_view a, vesica_go_view b, float distance, void *out) {
+    vesica_shapes_f32 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f32 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_within_many_f32(&of_a, &of_b, distance, out);
+}
+
+static inline int64_t go_within_matrix_f64(vesica_go_view a, vesica_go_view b, double distance, void *out,
+    ptrdiff_t row_stride) {
+    vesica_shapes_f64 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f64 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_within_matrix_f64(&of_a, &of_b, distance, out, row_stride);
+}
+
+static inline int64_t go_within_matrix_f32(vesica_go_view a, vesica_go_view b, float distance, void *out,
+    ptrdiff_t row_stride) {
+    vesica_shapes_f32 of_a;
+    memcpy(&of_a, &a, sizeof of_a);
+    vesica_shapes_f32 of_b;
+    memcpy(&of_b, &b, sizeof of_b);
+    return vesica_within_matrix_f32(&of_a, &of_b, distance, out, row_stride);
+}
+
 static inline int32_t go_suppress_f64(vesica_go_view shapes, const void *scores, const void *labels, int32_t ratio,
     double threshold, double least_score, int64_t most, void *scratch, int64_t scratch_size, void *keep, void *kept) {
     vesica_shapes_f64 of_shapes;
@@ -791,6 +917,24 @@ static inline int32_t go_suppress_f32(vesica_go_view shapes, const void *scores,
     memcpy(&of_shapes, &shapes, sizeof of_shapes);
     return vesica_suppress_f32(&of_shapes, scores, labels, ratio, threshold, least_score, most, scratch, scratch_size,
         keep, kept);
+}
+
+static inline int32_t go_suppress_soft_f64(vesica_go_view shapes, const void *scores, const void *labels, int32_t ratio,
+    int32_t decay, double parameter, double least_score, int64_t most, void *scratch, int64_t scratch_size, void *keep,
+    void *decayed, void *kept) {
+    vesica_shapes_f64 of_shapes;
+    memcpy(&of_shapes, &shapes, sizeof of_shapes);
+    return vesica_suppress_soft_f64(&of_shapes, scores, labels, ratio, decay, parameter, least_score, most, scratch,
+        scratch_size, keep, decayed, kept);
+}
+
+static inline int32_t go_suppress_soft_f32(vesica_go_view shapes, const void *scores, const void *labels, int32_t ratio,
+    int32_t decay, float parameter, float least_score, int64_t most, void *scratch, int64_t scratch_size, void *keep,
+    void *decayed, void *kept) {
+    vesica_shapes_f32 of_shapes;
+    memcpy(&of_shapes, &shapes, sizeof of_shapes);
+    return vesica_suppress_soft_f32(&of_shapes, scores, labels, ratio, decay, parameter, least_score, most, scratch,
+        scratch_size, keep, decayed, kept);
 }
 
 static inline int32_t go_cast_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
@@ -895,6 +1039,42 @@ static inline int64_t go_index_cast_first_f32(const void *index, vesica_go_sets 
     vesica_shapes_f32 of_one;
     memcpy(&of_one, &one, sizeof of_one);
     return vesica_index_cast_first_f32(index, of_sets, set_count, &of_one, vx, vy, t_end, out);
+}
+
+static inline int32_t go_de9im_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
+    vesica_go_numbers numbers_b, void *matrix) {
+    double of_numbers_a[6];
+    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
+    double of_numbers_b[6];
+    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
+    return vesica_de9im_f64(kind_a, of_numbers_a, kind_b, of_numbers_b, matrix);
+}
+
+static inline int32_t go_de9im_f32(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
+    vesica_go_numbers numbers_b, void *matrix) {
+    float of_numbers_a[6];
+    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
+    float of_numbers_b[6];
+    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
+    return vesica_de9im_f32(kind_a, of_numbers_a, kind_b, of_numbers_b, matrix);
+}
+
+static inline int32_t go_intersection_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
+    vesica_go_numbers numbers_b, void *vertices) {
+    double of_numbers_a[6];
+    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
+    double of_numbers_b[6];
+    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
+    return vesica_intersection_f64(kind_a, of_numbers_a, kind_b, of_numbers_b, vertices);
+}
+
+static inline int32_t go_intersection_f32(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
+    vesica_go_numbers numbers_b, void *vertices) {
+    float of_numbers_a[6];
+    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
+    float of_numbers_b[6];
+    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
+    return vesica_intersection_f32(kind_a, of_numbers_a, kind_b, of_numbers_b, vertices);
 }
 
 #endif

@@ -1680,6 +1680,24 @@ export interface C {
     set_count_b: number, part: bigint, parts: bigint, scratch: number, scratch_size: bigint, out_a: number,
     out_b: number, capacity: bigint, state: number): bigint;
   /**
+   * All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
+   * whose answer from vesica_within_f64 is > 0.
+   *
+   * If both indexes are the same pointer, pairs are those of two different items a < b. They come in index_a's order.
+   * Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f64.
+   *
+   * Requires: distance >= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity and
+   * state as vesica_join_f64.
+   * Returns: the number of pairs written; with capacity 0, how many the whole part has.
+   * Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
+   * Accuracy: that of vesica_within_f64; a pair that is VESICA_WITHIN_NEARLY is among them.
+   * Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f64 a candidate.
+   * Since: 0.1.
+   */
+  vesica_join_within_f64(index_a: number, sets_a: number, set_count_a: number, index_b: number, sets_b: number,
+    set_count_b: number, distance: number, part: bigint, parts: bigint, out_a: number, out_b: number, capacity: bigint,
+    state: number): bigint;
+  /**
    * Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.
    *
    * An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is not found.
@@ -1769,6 +1787,24 @@ export interface C {
   vesica_join_f32(query: number, index_a: number, sets_a: number, set_count_a: number, index_b: number, sets_b: number,
     set_count_b: number, part: bigint, parts: bigint, scratch: number, scratch_size: bigint, out_a: number,
     out_b: number, capacity: bigint, state: number): bigint;
+  /**
+   * All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
+   * whose answer from vesica_within_f32 is > 0.
+   *
+   * If both indexes are the same pointer, pairs are those of two different items a < b. They come in index_a's order.
+   * Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f32.
+   *
+   * Requires: distance >= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity and
+   * state as vesica_join_f32.
+   * Returns: the number of pairs written; with capacity 0, how many the whole part has.
+   * Errors: those of vesica_join_f32; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
+   * Accuracy: that of vesica_within_f32; a pair that is VESICA_WITHIN_NEARLY is among them.
+   * Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f32 a candidate.
+   * Since: 0.1.
+   */
+  vesica_join_within_f32(index_a: number, sets_a: number, set_count_a: number, index_b: number, sets_b: number,
+    set_count_b: number, distance: number, part: bigint, parts: bigint, out_a: number, out_b: number, capacity: bigint,
+    state: number): bigint;
   /**
    * Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.
    *
@@ -1872,6 +1908,81 @@ export interface C {
    */
   vesica_depth_matrix_f64(a: number, b: number, out: number, row_stride: number): bigint;
   /**
+   * How far apart are two shapes or, as a number below 0, how deep do they overlap?
+   *
+   * The distance of vesica_nearest_f64 if they are disjoint, else minus the depth of vesica_depth_f64: 0 where they
+   * only touch. Exchanging the shapes changes no bit.
+   *
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.
+   * Cost: that of vesica_nearest_f64 or of vesica_depth_f64, whichever it is.
+   * Since: 0.1.
+   */
+  vesica_signed_distance_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
+  /**
+   * Signed distances of a[i] and b[i]. Arrays and errors are those of vesica_iou_many_f64.
+   *
+   * Returns: how many pairs overlap (signed distance <= 0).
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.
+   * Since: 0.1.
+   */
+  vesica_signed_distance_many_f64(a: number, b: number, out: number): bigint;
+  /**
+   * Signed distances of a[i] and b[j]. Arrays, row_stride and errors are those of vesica_iou_matrix_f64.
+   *
+   * Returns: how many pairs overlap (signed distance <= 0).
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.
+   * Since: 0.1.
+   */
+  vesica_signed_distance_matrix_f64(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * Are two shapes at most `distance` apart? Exactly so far apart counts, as touching does.
+   *
+   * Distance 0 asks what vesica_overlap_f64 does, and is exact for all kinds. Who must not miss a pair takes an answer
+   * > 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the shapes changes nothing.
+   *
+   * Requires: distance >= 0, or infinity, of which any two valid shapes are within. Returns: VESICA_WITHIN_NO,
+   * VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is
+   * negative or NaN), VESICA_E_SHAPE. Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses
+   * that have a half length of 0. A pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance,
+   * as vesica_nearest_f64 has it, is less than 5 u scale from the one asked for; the answers yes and no are certain.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
+   * centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one. Cost: 10 to 60
+   * ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide. Since: 0.1.
+   */
+  vesica_within_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, distance: number): number;
+  /**
+   * Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f64.
+   *
+   * Arrays and errors are those of vesica_overlap_many_f64.
+   *
+   * Requires: distance >= 0, or infinity, of which any two valid shapes are within. Returns: how many answers are > 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE. Accuracy:
+   * exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A pair with
+   * another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f64 has it, is less
+   * than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed numbers use u =
+   * 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
+   * aspect ratio is a shape's longer size over its shorter one. Since: 0.1.
+   */
+  vesica_within_many_f64(a: number, b: number, distance: number, out: number): bigint;
+  /**
+   * Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f64.
+   *
+   * Arrays, row_stride and errors are those of vesica_overlap_matrix_f64.
+   *
+   * Requires: distance >= 0, or infinity, of which any two valid shapes are within. Returns: how many answers are > 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE. Accuracy:
+   * exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A pair with
+   * another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f64 has it, is less
+   * than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed numbers use u =
+   * 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
+   * aspect ratio is a shape's longer size over its shorter one. Since: 0.1.
+   */
+  vesica_within_matrix_f64(a: number, b: number, distance: number, out: number, row_stride: number): bigint;
+  /**
    * Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
    *
    * Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape kept before,
@@ -1887,6 +1998,34 @@ export interface C {
    */
   vesica_suppress_f64(shapes: number, scores: number, labels: number, ratio: number, threshold: number,
     least_score: number, most: bigint, scratch: number, scratch_size: bigint, keep: number, kept: number): number;
+  /**
+   * How many bytes of scratch does soft suppression of `count` shapes need?
+   *
+   * Returns: 64 bytes a shape.
+   * Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
+   * Since: 0.1.
+   */
+  vesica_suppress_soft_scratch(count: bigint): bigint;
+  /**
+   * Soft suppression: what a better shape covers keeps a lower score.
+   *
+   * Again and again takes the shape with the highest score, of equal ones the first, keeps it, and lowers the score of
+   * each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or no score is
+   * left that is at least least_score. keep[k] is the shape taken in turn k, and decayed[k] the score that it then had.
+   *
+   * Requires: shapes, scores and labels as vesica_suppress_f64; ratio, any but VESICA_RATIO_OVER_FIRST and
+   * _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score >= 0; scratch of at least
+   * vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are kept.
+   * Returns: 0, with *kept set to how many are kept. Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an invalid shape,
+   * or one whose score is NaN, is left out, and all else is written. Accuracy: in every turn a score is multiplied
+   * once, in double, by 1 - r, rounded once, or by the exponential, right to 1 unit in the last place. So the choice is
+   * that of the definition in double, the same bits on every machine. Floats are widened first, and only the final
+   * scores rounded. Cost: that of vesica_ratio_matrix_f64 for each kept shape with all of its label that are left.
+   * Since: 0.1.
+   */
+  vesica_suppress_soft_f64(shapes: number, scores: number, labels: number, ratio: number, decay: number,
+    parameter: number, least_score: number, most: bigint, scratch: number, scratch_size: bigint, keep: number,
+    decayed: number, kept: number): number;
   /**
    * What share of a's area does b cover, or of b's area a? And other ratios by which detections are compared.
    *
@@ -1981,6 +2120,104 @@ export interface C {
    */
   vesica_suppress_f32(shapes: number, scores: number, labels: number, ratio: number, threshold: number,
     least_score: number, most: bigint, scratch: number, scratch_size: bigint, keep: number, kept: number): number;
+  /**
+   * How far apart are two shapes or, as a number below 0, how deep do they overlap?
+   *
+   * The distance of vesica_nearest_f32 if they are disjoint, else minus the depth of vesica_depth_f32: 0 where they
+   * only touch. Exchanging the shapes changes no bit.
+   *
+   * Returns: 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Cost: that of vesica_nearest_f32 or of vesica_depth_f32, whichever it is.
+   * Since: 0.1.
+   */
+  vesica_signed_distance_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
+  /**
+   * Signed distances of a[i] and b[i]. Arrays and errors are those of vesica_iou_many_f32.
+   *
+   * Returns: how many pairs overlap (signed distance <= 0).
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Since: 0.1.
+   */
+  vesica_signed_distance_many_f32(a: number, b: number, out: number): bigint;
+  /**
+   * Signed distances of a[i] and b[j]. Arrays, row_stride and errors are those of vesica_iou_matrix_f32.
+   *
+   * Returns: how many pairs overlap (signed distance <= 0).
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   * Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * Since: 0.1.
+   */
+  vesica_signed_distance_matrix_f32(a: number, b: number, out: number, row_stride: number): bigint;
+  /**
+   * Are two shapes at most `distance` apart? Exactly so far apart counts, as touching does.
+   *
+   * Distance 0 asks what vesica_overlap_f32 does, and is exact for all kinds. Who must not miss a pair takes an answer
+   * > 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the shapes changes nothing.
+   *
+   * Requires: distance >= 0, or infinity, of which any two valid shapes are within. Returns: VESICA_WITHIN_NO,
+   * VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is
+   * negative or NaN), VESICA_E_SHAPE. Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses
+   * that have a half length of 0. A pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance,
+   * as vesica_nearest_f32 has it, is less than 5 u scale from the one asked for; the answers yes and no are certain.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
+   * centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one. Cost: 10 to 60
+   * ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide. Since: 0.1.
+   */
+  vesica_within_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, distance: number): number;
+  /**
+   * Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f32.
+   *
+   * Arrays and errors are those of vesica_overlap_many_f32.
+   *
+   * Requires: distance >= 0, or infinity, of which any two valid shapes are within. Returns: how many answers are > 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE. Accuracy:
+   * exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A pair with
+   * another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f32 has it, is less
+   * than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed numbers use u =
+   * 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
+   * aspect ratio is a shape's longer size over its shorter one. Since: 0.1.
+   */
+  vesica_within_many_f32(a: number, b: number, distance: number, out: number): bigint;
+  /**
+   * Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f32.
+   *
+   * Arrays, row_stride and errors are those of vesica_overlap_matrix_f32.
+   *
+   * Requires: distance >= 0, or infinity, of which any two valid shapes are within. Returns: how many answers are > 0.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE. Accuracy:
+   * exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A pair with
+   * another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f32 has it, is less
+   * than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed numbers use u =
+   * 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
+   * aspect ratio is a shape's longer size over its shorter one. Since: 0.1.
+   */
+  vesica_within_matrix_f32(a: number, b: number, distance: number, out: number, row_stride: number): bigint;
+  /**
+   * Soft suppression: what a better shape covers keeps a lower score.
+   *
+   * Again and again takes the shape with the highest score, of equal ones the first, keeps it, and lowers the score of
+   * each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or no score is
+   * left that is at least least_score. keep[k] is the shape taken in turn k, and decayed[k] the score that it then had.
+   *
+   * Requires: shapes, scores and labels as vesica_suppress_f32; ratio, any but VESICA_RATIO_OVER_FIRST and
+   * _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score >= 0; scratch of at least
+   * vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are kept.
+   * Returns: 0, with *kept set to how many are kept. Errors: as vesica_suppress_f32. VESICA_E_SHAPE: an invalid shape,
+   * or one whose score is NaN, is left out, and all else is written. Accuracy: in every turn a score is multiplied
+   * once, in double, by 1 - r, rounded once, or by the exponential, right to 1 unit in the last place. So the choice is
+   * that of the definition in double, the same bits on every machine. Floats are widened first, and only the final
+   * scores rounded. Cost: that of vesica_ratio_matrix_f32 for each kept shape with all of its label that are left.
+   * Since: 0.1.
+   */
+  vesica_suppress_soft_f32(shapes: number, scores: number, labels: number, ratio: number, decay: number,
+    parameter: number, least_score: number, most: bigint, scratch: number, scratch_size: bigint, keep: number,
+    decayed: number, kept: number): number;
   /**
    * Does b touch a while it moves, when first, and where?
    *
@@ -2137,4 +2374,94 @@ export interface C {
    */
   vesica_index_cast_first_f32(index: number, sets: number, set_count: number, one: number, vx: number, vy: number,
     t_end: number, out: number): bigint;
+  /**
+   * The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+   *
+   * Every shape has an inside, an outline and an outside. The nine characters say of a's inside with b's inside,
+   * outline and outside, then of a's outline with those three, then of a's outside, what they share: F for nothing,
+   * else the dimension: 0 for single points, 1 for lines, 2 for an area. The outline of a segment is its two end
+   * points; a point has none; that of a shape with area is the curve around it. A segment without length is a point; a
+   * shape with one size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212".
+   * Exchanging the shapes exchanges rows and columns.
+   *
+   * Requires: matrix with room for 10 characters.
+   * Returns: 0, and nine characters and a final NUL in matrix.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: that of vesica_relation_f64; for a segment and for boxes whose sides are parallel, a microsecond more.
+   * Since: 0.1.
+   */
+  vesica_de9im_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, matrix: number): number;
+  /**
+   * Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
+   *
+   * Each character of the pattern is one of F, 0, 1 and 2, which is meant literally; T, any of 0, 1 and 2; and *, which
+   * fits all.
+   *
+   * Requires: matrix and pattern, nine such characters and a final NUL each; no T or * in the matrix.
+   * Returns: 1 if it fits, 0 if not.
+   * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (another length or another character).
+   * Accuracy: exact.
+   * Since: 0.1.
+   */
+  vesica_de9im_match(matrix: number, pattern: number): number;
+  /**
+   * The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
+   *
+   * The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle or an ellipse.
+   * The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the one that is
+   * lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two are a segment's
+   * ends. Of the same two shapes in either order they are the same numbers.
+   * Vertices that are not used become 0.
+   *
+   * Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is shared. Errors:
+   * VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE (a vertex
+   * exceeds the finite numbers). Accuracy: the number of vertices is exact: a true vertex each, before they are
+   * rounded. A shape's own corner has the numbers that are stored, of a rectangle those of
+   * vesica_corners_of_shapes_f64. Others are right to 4 u times the largest coordinate or size of either shape. Bounds
+   * on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres
+   * and of their half lengths. An aspect ratio is a shape's longer size over its shorter one. Cost: 0.1 us for disjoint
+   * shapes, a few us otherwise; at worst 300 us, where exponents are wildly unlike. Since: 0.1.
+   */
+  vesica_intersection_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number,
+    vertices: number): number;
+  /**
+   * The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+   *
+   * Every shape has an inside, an outline and an outside. The nine characters say of a's inside with b's inside,
+   * outline and outside, then of a's outline with those three, then of a's outside, what they share: F for nothing,
+   * else the dimension: 0 for single points, 1 for lines, 2 for an area. The outline of a segment is its two end
+   * points; a point has none; that of a shape with area is the curve around it. A segment without length is a point; a
+   * shape with one size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212".
+   * Exchanging the shapes exchanges rows and columns.
+   *
+   * Requires: matrix with room for 10 characters.
+   * Returns: 0, and nine characters and a final NUL in matrix.
+   * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+   * Accuracy: exact.
+   * Cost: that of vesica_relation_f32; for a segment and for boxes whose sides are parallel, a microsecond more.
+   * Since: 0.1.
+   */
+  vesica_de9im_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, matrix: number): number;
+  /**
+   * The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
+   *
+   * The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle or an ellipse.
+   * The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the one that is
+   * lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two are a segment's
+   * ends. Of the same two shapes in either order they are the same numbers.
+   * Vertices that are not used become 0.
+   *
+   * Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f32 says that nothing is shared. Errors:
+   * VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE (a vertex
+   * exceeds the finite numbers). Accuracy: the number of vertices is exact: a true vertex each, before they are
+   * rounded. A shape's own corner has the numbers that are stored, of a rectangle those of
+   * vesica_corners_of_shapes_f32. Others are right to 4 u times the largest coordinate or size of either shape. Each
+   * number is computed in double, within these bounds, and then rounded to float once. Bounds on computed numbers use u
+   * = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
+   * An aspect ratio is a shape's longer size over its shorter one. Cost: 0.1 us for disjoint shapes, a few us
+   * otherwise; at worst 300 us, where exponents are wildly unlike. Since: 0.1.
+   */
+  vesica_intersection_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number,
+    vertices: number): number;
 }

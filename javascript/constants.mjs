@@ -82,6 +82,16 @@ export const RATIO_GENERALIZED = 4;
 export const RATIO_DISTANCE = 5;
 /** DIoU - v^2 / (1 - IoU + v), v = (difference of angles / 90 degrees)^2 (CIoU) */
 export const RATIO_COMPLETE = 6;
+/** they are farther apart */
+export const WITHIN_NO = 0;
+/** they are not */
+export const WITHIN_YES = 1;
+/** with an ellipse alone: their distance is too near the one asked for to tell */
+export const WITHIN_NEARLY = 2;
+/** score * (1 - r) if r exceeds the parameter, a threshold from 0 to 1 */
+export const DECAY_LINEAR = 0;
+/** score * exp(-r^2 / parameter) if r > 0; the parameter is at least 2^-100 */
+export const DECAY_GAUSSIAN = 1;
 /** no contact from 0 to t_end */
 export const CAST_MISS = 0;
 /** contact, the first after t = 0 */

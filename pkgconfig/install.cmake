@@ -14,6 +14,7 @@ install(FILES
     ${PROJECT_SOURCE_DIR}/capi/vesica_index.hpp
     ${PROJECT_SOURCE_DIR}/capi/vesica_measures.h
     ${PROJECT_SOURCE_DIR}/capi/vesica_motion.h
+    ${PROJECT_SOURCE_DIR}/capi/vesica_topology.h
     ${PROJECT_SOURCE_DIR}/capi/vesica_methods.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/vesica DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})

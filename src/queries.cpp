@@ -222,8 +222,9 @@ std::int32_t mend(const Query& query, std::int32_t n, const Results& results, St
   for (std::int32_t i = 0; i < n; ++i) {
     bool in_range = true;
     for (int k = 0; k < query.columns(); ++k) in_range = in_range && !std::isinf(out[k][i]);
-    const bool lost = query.is_length && out[0][i] == 0 && results[0][i] > 0;
-    if (lost) out[0][i] = std::numeric_limits<float>::denorm_min();
+    // Below 0 it is a depth.
+    const bool lost = query.is_length && out[0][i] == 0 && std::fabs(results[0][i]) > 0;
+    if (lost) out[0][i] = std::copysign(std::numeric_limits<float>::denorm_min(), static_cast<float>(results[0][i]));
     if (in_range) continue;
     error = error_range;
     for (int k = 0; k < query.columns(); ++k) out[k][i] = std::numeric_limits<float>::quiet_NaN();
@@ -399,7 +400,7 @@ class Engine {
 template <class Out>
 std::int64_t count(const Query& query, const Out* numbers, std::int32_t n) noexcept {
   std::int32_t count = 0;
-  for (std::int32_t i = 0; i < n; ++i) count += query.counts_zero ? numbers[i] == 0 : numbers[i] > 0;
+  for (std::int32_t i = 0; i < n; ++i) count += query.counts_zero ? numbers[i] <= 0 : numbers[i] > 0;
   return count;
 }
 

@@ -35,9 +35,9 @@ struct Query {
   // What follows is about batches.
   /// Numbers of a result; 0 where it is the returned code.
   int numbers = 0;
-  /// The first number is a distance or a depth: one that is not 0 stays so when it is rounded to float.
+  /// The first number is a distance or a depth, of any sign: one that is not 0 stays so when it is rounded to float.
   bool is_length = false;
-  /// A batch counts the pairs whose first number is 0; otherwise those where it is positive.
+  /// A batch counts the pairs whose first number is 0 or less; otherwise those where it is positive.
   bool counts_zero = false;
   /// Null where the scalar function does it all.
   QueryKernels QueryTable::*kernels = nullptr;
@@ -64,7 +64,7 @@ struct Query {
 
 namespace queries {
 
-extern const Query overlap, relation, contains, nearest, boundary_distance, depth, area, iou, crossings;
+extern const Query overlap, relation, contains, nearest, boundary_distance, depth, area, iou, crossings, signed_distance;
 
 }  // namespace queries
 

@@ -1592,6 +1592,26 @@ namespace Vesica
             long capacity, void* state);
 
         /// <summary>
+        /// <para>All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair
+        /// once: those whose answer from vesica_within_f64 is &gt; 0.</para>
+        /// <para>If both indexes are the same pointer, pairs are those of two different items a &lt; b. They come in
+        /// index_a's order. Parts are runs of about as many items of index_a as any other; all else is as with
+        /// vesica_join_f64.</para>
+        /// <para>Requires: distance &gt;= 0, or infinity, which asks for all pairs of valid shapes; sets, part,
+        /// outputs, capacity and state as vesica_join_f64.</para>
+        /// <para>Returns: the number of pairs written; with capacity 0, how many the whole part has.</para>
+        /// <para>Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or
+        /// NaN.</para>
+        /// <para>Accuracy: that of vesica_within_f64; a pair that is VESICA_WITHIN_NEARLY is among them.</para>
+        /// <para>Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f64 a candidate.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_join_within_f64(void* indexA, void* setsA, int setCountA, void* indexB,
+            void* setsB, int setCountB, double distance, long part, long parts, void* outA, void* outB, long capacity,
+            void* state);
+
+        /// <summary>
         /// <para>Which items of an index are nearest to one shape? They come with the nearest first; at equal distances
         /// by number.</para>
         /// <para>An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is
@@ -1685,6 +1705,26 @@ namespace Vesica
         internal static extern long vesica_join_f32(int query, void* indexA, void* setsA, int setCountA, void* indexB,
             void* setsB, int setCountB, long part, long parts, void* scratch, long scratchSize, void* outA, void* outB,
             long capacity, void* state);
+
+        /// <summary>
+        /// <para>All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair
+        /// once: those whose answer from vesica_within_f32 is &gt; 0.</para>
+        /// <para>If both indexes are the same pointer, pairs are those of two different items a &lt; b. They come in
+        /// index_a's order. Parts are runs of about as many items of index_a as any other; all else is as with
+        /// vesica_join_f32.</para>
+        /// <para>Requires: distance &gt;= 0, or infinity, which asks for all pairs of valid shapes; sets, part,
+        /// outputs, capacity and state as vesica_join_f32.</para>
+        /// <para>Returns: the number of pairs written; with capacity 0, how many the whole part has.</para>
+        /// <para>Errors: those of vesica_join_f32; VESICA_E_ARGUMENT also for a distance that is negative or
+        /// NaN.</para>
+        /// <para>Accuracy: that of vesica_within_f32; a pair that is VESICA_WITHIN_NEARLY is among them.</para>
+        /// <para>Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f32 a candidate.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_join_within_f32(void* indexA, void* setsA, int setCountA, void* indexB,
+            void* setsB, int setCountB, float distance, long part, long parts, void* outA, void* outB, long capacity,
+            void* state);
 
         /// <summary>
         /// <para>Which items of an index are nearest to one shape? They come with the nearest first; at equal distances
@@ -1814,6 +1854,102 @@ namespace Vesica
         internal static extern long vesica_depth_matrix_f64(void* a, void* b, void* output, IntPtr rowStride);
 
         /// <summary>
+        /// <para>How far apart are two shapes or, as a number below 0, how deep do they overlap?</para>
+        /// <para>The distance of vesica_nearest_f64 if they are disjoint, else minus the depth of vesica_depth_f64: 0
+        /// where they only touch. Exchanging the shapes changes no bit.</para>
+        /// <para>Returns: 0.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
+        /// <para>Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.</para>
+        /// <para>Cost: that of vesica_nearest_f64 or of vesica_depth_f64, whichever it is.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_signed_distance_f64(int kindA, void* numbersA, int kindB, void* numbersB,
+            void* output);
+
+        /// <summary>
+        /// <para>Signed distances of a[i] and b[i]. Arrays and errors are those of vesica_iou_many_f64.</para>
+        /// <para>Returns: how many pairs overlap (signed distance &lt;= 0).</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
+        /// <para>Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_signed_distance_many_f64(void* a, void* b, void* output);
+
+        /// <summary>
+        /// <para>Signed distances of a[i] and b[j]. Arrays, row_stride and errors are those of
+        /// vesica_iou_matrix_f64.</para>
+        /// <para>Returns: how many pairs overlap (signed distance &lt;= 0).</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
+        /// <para>Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_signed_distance_matrix_f64(void* a, void* b, void* output, IntPtr rowStride);
+
+        /// <summary>
+        /// <para>Are two shapes at most `distance` apart? Exactly so far apart counts, as touching does.</para>
+        /// <para>Distance 0 asks what vesica_overlap_f64 does, and is exact for all kinds. Who must not miss a pair
+        /// takes an answer &gt; 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the
+        /// shapes changes nothing.</para>
+        /// <para>Requires: distance &gt;= 0, or infinity, of which any two valid shapes are within.</para>
+        /// <para>Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
+        /// VESICA_E_SHAPE.</para>
+        /// <para>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length
+        /// of 0. A pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as
+        /// vesica_nearest_f64 has it, is less than 5 u scale from the one asked for; the answers yes and no are
+        /// certain. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
+        /// between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
+        /// one.</para>
+        /// <para>Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can
+        /// decide.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_within_f64(int kindA, void* numbersA, int kindB, void* numbersB,
+            double distance);
+
+        /// <summary>
+        /// <para>Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f64.</para>
+        /// <para>Arrays and errors are those of vesica_overlap_many_f64.</para>
+        /// <para>Requires: distance &gt;= 0, or infinity, of which any two valid shapes are within.</para>
+        /// <para>Returns: how many answers are &gt; 0.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
+        /// VESICA_E_SHAPE.</para>
+        /// <para>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length
+        /// of 0. A pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as
+        /// vesica_nearest_f64 has it, is less than 5 u scale from the one asked for; the answers yes and no are
+        /// certain. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
+        /// between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
+        /// one.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_within_many_f64(void* a, void* b, double distance, void* output);
+
+        /// <summary>
+        /// <para>Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of
+        /// vesica_within_f64.</para>
+        /// <para>Arrays, row_stride and errors are those of vesica_overlap_matrix_f64.</para>
+        /// <para>Requires: distance &gt;= 0, or infinity, of which any two valid shapes are within.</para>
+        /// <para>Returns: how many answers are &gt; 0.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
+        /// VESICA_E_SHAPE.</para>
+        /// <para>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length
+        /// of 0. A pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as
+        /// vesica_nearest_f64 has it, is less than 5 u scale from the one asked for; the answers yes and no are
+        /// certain. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
+        /// between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
+        /// one.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_within_matrix_f64(void* a, void* b, double distance, void* output,
+            IntPtr rowStride);
+
+        /// <summary>
         /// <para>Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.</para>
         /// <para>Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape
         /// kept before, of the same label, is at most the threshold. Shapes whose score is below least_score are not
@@ -1830,6 +1966,39 @@ namespace Vesica
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int vesica_suppress_f64(void* shapes, void* scores, void* labels, int ratio,
             double threshold, double leastScore, long most, void* scratch, long scratchSize, void* keep, void* kept);
+
+        /// <summary>
+        /// <para>How many bytes of scratch does soft suppression of `count` shapes need?</para>
+        /// <para>Returns: 64 bytes a shape.</para>
+        /// <para>Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_suppress_soft_scratch(long count);
+
+        /// <summary>
+        /// <para>Soft suppression: what a better shape covers keeps a lower score.</para>
+        /// <para>Again and again takes the shape with the highest score, of equal ones the first, keeps it, and lowers
+        /// the score of each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are
+        /// kept or no score is left that is at least least_score. keep[k] is the shape taken in turn k, and decayed[k]
+        /// the score that it then had.</para>
+        /// <para>Requires: shapes, scores and labels as vesica_suppress_f64; ratio, any but VESICA_RATIO_OVER_FIRST and
+        /// _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score &gt;= 0; scratch of
+        /// at least vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as
+        /// are kept.</para>
+        /// <para>Returns: 0, with *kept set to how many are kept.</para>
+        /// <para>Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left
+        /// out, and all else is written.</para>
+        /// <para>Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the
+        /// exponential, right to 1 unit in the last place. So the choice is that of the definition in double, the same
+        /// bits on every machine. Floats are widened first, and only the final scores rounded.</para>
+        /// <para>Cost: that of vesica_ratio_matrix_f64 for each kept shape with all of its label that are left.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_suppress_soft_f64(void* shapes, void* scores, void* labels, int ratio,
+            int decay, double parameter, double leastScore, long most, void* scratch, long scratchSize, void* keep,
+            void* decayed, void* kept);
 
         /// <summary>
         /// <para>What share of a's area does b cover, or of b's area a? And other ratios by which detections are
@@ -1936,6 +2105,129 @@ namespace Vesica
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int vesica_suppress_f32(void* shapes, void* scores, void* labels, int ratio,
             float threshold, float leastScore, long most, void* scratch, long scratchSize, void* keep, void* kept);
+
+        /// <summary>
+        /// <para>How far apart are two shapes or, as a number below 0, how deep do they overlap?</para>
+        /// <para>The distance of vesica_nearest_f32 if they are disjoint, else minus the depth of vesica_depth_f32: 0
+        /// where they only touch. Exchanging the shapes changes no bit.</para>
+        /// <para>Returns: 0.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
+        /// <para>Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+        /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
+        /// <para>Cost: that of vesica_nearest_f32 or of vesica_depth_f32, whichever it is.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_signed_distance_f32(int kindA, void* numbersA, int kindB, void* numbersB,
+            void* output);
+
+        /// <summary>
+        /// <para>Signed distances of a[i] and b[i]. Arrays and errors are those of vesica_iou_many_f32.</para>
+        /// <para>Returns: how many pairs overlap (signed distance &lt;= 0).</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
+        /// <para>Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+        /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_signed_distance_many_f32(void* a, void* b, void* output);
+
+        /// <summary>
+        /// <para>Signed distances of a[i] and b[j]. Arrays, row_stride and errors are those of
+        /// vesica_iou_matrix_f32.</para>
+        /// <para>Returns: how many pairs overlap (signed distance &lt;= 0).</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
+        /// <para>Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+        /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_signed_distance_matrix_f32(void* a, void* b, void* output, IntPtr rowStride);
+
+        /// <summary>
+        /// <para>Are two shapes at most `distance` apart? Exactly so far apart counts, as touching does.</para>
+        /// <para>Distance 0 asks what vesica_overlap_f32 does, and is exact for all kinds. Who must not miss a pair
+        /// takes an answer &gt; 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the
+        /// shapes changes nothing.</para>
+        /// <para>Requires: distance &gt;= 0, or infinity, of which any two valid shapes are within.</para>
+        /// <para>Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
+        /// VESICA_E_SHAPE.</para>
+        /// <para>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length
+        /// of 0. A pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as
+        /// vesica_nearest_f32 has it, is less than 5 u scale from the one asked for; the answers yes and no are
+        /// certain. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
+        /// between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
+        /// one.</para>
+        /// <para>Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can
+        /// decide.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_within_f32(int kindA, void* numbersA, int kindB, void* numbersB,
+            float distance);
+
+        /// <summary>
+        /// <para>Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f32.</para>
+        /// <para>Arrays and errors are those of vesica_overlap_many_f32.</para>
+        /// <para>Requires: distance &gt;= 0, or infinity, of which any two valid shapes are within.</para>
+        /// <para>Returns: how many answers are &gt; 0.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
+        /// VESICA_E_SHAPE.</para>
+        /// <para>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length
+        /// of 0. A pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as
+        /// vesica_nearest_f32 has it, is less than 5 u scale from the one asked for; the answers yes and no are
+        /// certain. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
+        /// between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
+        /// one.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_within_many_f32(void* a, void* b, float distance, void* output);
+
+        /// <summary>
+        /// <para>Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of
+        /// vesica_within_f32.</para>
+        /// <para>Arrays, row_stride and errors are those of vesica_overlap_matrix_f32.</para>
+        /// <para>Requires: distance &gt;= 0, or infinity, of which any two valid shapes are within.</para>
+        /// <para>Returns: how many answers are &gt; 0.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
+        /// VESICA_E_SHAPE.</para>
+        /// <para>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length
+        /// of 0. A pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as
+        /// vesica_nearest_f32 has it, is less than 5 u scale from the one asked for; the answers yes and no are
+        /// certain. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
+        /// between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
+        /// one.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern long vesica_within_matrix_f32(void* a, void* b, float distance, void* output,
+            IntPtr rowStride);
+
+        /// <summary>
+        /// <para>Soft suppression: what a better shape covers keeps a lower score.</para>
+        /// <para>Again and again takes the shape with the highest score, of equal ones the first, keeps it, and lowers
+        /// the score of each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are
+        /// kept or no score is left that is at least least_score. keep[k] is the shape taken in turn k, and decayed[k]
+        /// the score that it then had.</para>
+        /// <para>Requires: shapes, scores and labels as vesica_suppress_f32; ratio, any but VESICA_RATIO_OVER_FIRST and
+        /// _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score &gt;= 0; scratch of
+        /// at least vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as
+        /// are kept.</para>
+        /// <para>Returns: 0, with *kept set to how many are kept.</para>
+        /// <para>Errors: as vesica_suppress_f32. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left
+        /// out, and all else is written.</para>
+        /// <para>Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the
+        /// exponential, right to 1 unit in the last place. So the choice is that of the definition in double, the same
+        /// bits on every machine. Floats are widened first, and only the final scores rounded.</para>
+        /// <para>Cost: that of vesica_ratio_matrix_f32 for each kept shape with all of its label that are left.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_suppress_soft_f32(void* shapes, void* scores, void* labels, int ratio,
+            int decay, float parameter, float leastScore, long most, void* scratch, long scratchSize, void* keep,
+            void* decayed, void* kept);
 
         /// <summary>
         /// <para>Does b touch a while it moves, when first, and where?</para>
@@ -2132,6 +2424,109 @@ namespace Vesica
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern long vesica_index_cast_first_f32(void* index, void* sets, int setCount, void* one,
             float vx, float vy, float tEnd, void* output);
+
+        /// <summary>
+        /// <para>The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.</para>
+        /// <para>Every shape has an inside, an outline and an outside. The nine characters say of a's inside with b's
+        /// inside, outline and outside, then of a's outline with those three, then of a's outside, what they share: F
+        /// for nothing, else the dimension: 0 for single points, 1 for lines, 2 for an area. The outline of a segment
+        /// is its two end points; a point has none; that of a shape with area is the curve around it. A segment without
+        /// length is a point; a shape with one size 0 is a segment, with both a point. So a box that shares a side with
+        /// another gives "FF2F11212". Exchanging the shapes exchanges rows and columns.</para>
+        /// <para>Requires: matrix with room for 10 characters.</para>
+        /// <para>Returns: 0, and nine characters and a final NUL in matrix.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
+        /// <para>Accuracy: exact.</para>
+        /// <para>Cost: that of vesica_relation_f64; for a segment and for boxes whose sides are parallel, a microsecond
+        /// more.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_de9im_f64(int kindA, void* numbersA, int kindB, void* numbersB, void* matrix);
+
+        /// <summary>
+        /// <para>Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?</para>
+        /// <para>Each character of the pattern is one of F, 0, 1 and 2, which is meant literally; T, any of 0, 1 and 2;
+        /// and *, which fits all.</para>
+        /// <para>Requires: matrix and pattern, nine such characters and a final NUL each; no T or * in the
+        /// matrix.</para>
+        /// <para>Returns: 1 if it fits, 0 if not.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (another length or another character).</para>
+        /// <para>Accuracy: exact.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_de9im_match(void* matrix, void* pattern);
+
+        /// <summary>
+        /// <para>The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and
+        /// any shape.</para>
+        /// <para>The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle
+        /// or an ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up,
+        /// from the one that is lowest, of two equally low ones the left one, as their numbers have it. One vertex is a
+        /// point, two are a segment's ends. Of the same two shapes in either order they are the same numbers. Vertices
+        /// that are not used become 0.</para>
+        /// <para>Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is
+        /// shared.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE,
+        /// VESICA_E_RANGE (a vertex exceeds the finite numbers).</para>
+        /// <para>Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own
+        /// corner has the numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f64. Others are
+        /// right to 4 u times the largest coordinate or size of either shape. Bounds on computed numbers use u = 2^-53.
+        /// The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
+        /// aspect ratio is a shape's longer size over its shorter one.</para>
+        /// <para>Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly
+        /// unlike.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_intersection_f64(int kindA, void* numbersA, int kindB, void* numbersB,
+            void* vertices);
+
+        /// <summary>
+        /// <para>The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.</para>
+        /// <para>Every shape has an inside, an outline and an outside. The nine characters say of a's inside with b's
+        /// inside, outline and outside, then of a's outline with those three, then of a's outside, what they share: F
+        /// for nothing, else the dimension: 0 for single points, 1 for lines, 2 for an area. The outline of a segment
+        /// is its two end points; a point has none; that of a shape with area is the curve around it. A segment without
+        /// length is a point; a shape with one size 0 is a segment, with both a point. So a box that shares a side with
+        /// another gives "FF2F11212". Exchanging the shapes exchanges rows and columns.</para>
+        /// <para>Requires: matrix with room for 10 characters.</para>
+        /// <para>Returns: 0, and nine characters and a final NUL in matrix.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
+        /// <para>Accuracy: exact.</para>
+        /// <para>Cost: that of vesica_relation_f32; for a segment and for boxes whose sides are parallel, a microsecond
+        /// more.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_de9im_f32(int kindA, void* numbersA, int kindB, void* numbersB, void* matrix);
+
+        /// <summary>
+        /// <para>The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and
+        /// any shape.</para>
+        /// <para>The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle
+        /// or an ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up,
+        /// from the one that is lowest, of two equally low ones the left one, as their numbers have it. One vertex is a
+        /// point, two are a segment's ends. Of the same two shapes in either order they are the same numbers. Vertices
+        /// that are not used become 0.</para>
+        /// <para>Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f32 says that nothing is
+        /// shared.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE,
+        /// VESICA_E_RANGE (a vertex exceeds the finite numbers).</para>
+        /// <para>Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own
+        /// corner has the numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f32. Others are
+        /// right to 4 u times the largest coordinate or size of either shape. Each number is computed in double, within
+        /// these bounds, and then rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of two
+        /// shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a
+        /// shape's longer size over its shorter one.</para>
+        /// <para>Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly
+        /// unlike.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_intersection_f32(int kindA, void* numbersA, int kindB, void* numbersB,
+            void* vertices);
 
         internal static int Check(bool wide, int kind, void* numbers)
         {
@@ -2445,6 +2840,16 @@ namespace Vesica
                     scratchSize, outA, outB, capacity, state);
         }
 
+        internal static long JoinWithin(bool wide, void* indexA, void* setsA, int setCountA, void* indexB, void* setsB,
+            int setCountB, double distance, long part, long parts, void* outA, void* outB, long capacity, void* state)
+        {
+            return wide
+                ? vesica_join_within_f64(indexA, setsA, setCountA, indexB, setsB, setCountB, distance, part, parts,
+                    outA, outB, capacity, state)
+                : vesica_join_within_f32(indexA, setsA, setCountA, indexB, setsB, setCountB, (float)distance, part,
+                    parts, outA, outB, capacity, state);
+        }
+
         internal static long IndexNearest(bool wide, void* index, void* sets, int setCount, void* one, long k,
             double within, void* output, void* distance)
         {
@@ -2506,6 +2911,49 @@ namespace Vesica
                 : vesica_depth_matrix_f32(a, b, output, rowStride);
         }
 
+        internal static int SignedDistance(bool wide, int kindA, void* numbersA, int kindB, void* numbersB,
+            void* output)
+        {
+            return wide
+                ? vesica_signed_distance_f64(kindA, numbersA, kindB, numbersB, output)
+                : vesica_signed_distance_f32(kindA, numbersA, kindB, numbersB, output);
+        }
+
+        internal static long SignedDistanceMany(bool wide, void* a, void* b, void* output)
+        {
+            return wide
+                ? vesica_signed_distance_many_f64(a, b, output)
+                : vesica_signed_distance_many_f32(a, b, output);
+        }
+
+        internal static long SignedDistanceMatrix(bool wide, void* a, void* b, void* output, IntPtr rowStride)
+        {
+            return wide
+                ? vesica_signed_distance_matrix_f64(a, b, output, rowStride)
+                : vesica_signed_distance_matrix_f32(a, b, output, rowStride);
+        }
+
+        internal static int Within(bool wide, int kindA, void* numbersA, int kindB, void* numbersB, double distance)
+        {
+            return wide
+                ? vesica_within_f64(kindA, numbersA, kindB, numbersB, distance)
+                : vesica_within_f32(kindA, numbersA, kindB, numbersB, (float)distance);
+        }
+
+        internal static long WithinMany(bool wide, void* a, void* b, double distance, void* output)
+        {
+            return wide
+                ? vesica_within_many_f64(a, b, distance, output)
+                : vesica_within_many_f32(a, b, (float)distance, output);
+        }
+
+        internal static long WithinMatrix(bool wide, void* a, void* b, double distance, void* output, IntPtr rowStride)
+        {
+            return wide
+                ? vesica_within_matrix_f64(a, b, distance, output, rowStride)
+                : vesica_within_matrix_f32(a, b, (float)distance, output, rowStride);
+        }
+
         internal static int Suppress(bool wide, void* shapes, void* scores, void* labels, int ratio, double threshold,
             double leastScore, long most, void* scratch, long scratchSize, void* keep, void* kept)
         {
@@ -2514,6 +2962,17 @@ namespace Vesica
                     keep, kept)
                 : vesica_suppress_f32(shapes, scores, labels, ratio, (float)threshold, (float)leastScore, most, scratch,
                     scratchSize, keep, kept);
+        }
+
+        internal static int SuppressSoft(bool wide, void* shapes, void* scores, void* labels, int ratio, int decay,
+            double parameter, double leastScore, long most, void* scratch, long scratchSize, void* keep, void* decayed,
+            void* kept)
+        {
+            return wide
+                ? vesica_suppress_soft_f64(shapes, scores, labels, ratio, decay, parameter, leastScore, most, scratch,
+                    scratchSize, keep, decayed, kept)
+                : vesica_suppress_soft_f32(shapes, scores, labels, ratio, decay, (float)parameter, (float)leastScore,
+                    most, scratch, scratchSize, keep, decayed, kept);
         }
 
         internal static int Cast(bool wide, int kindA, void* numbersA, int kindB, void* numbersB, double vx, double vy,
@@ -2563,6 +3022,21 @@ namespace Vesica
             return wide
                 ? vesica_index_cast_first_f64(index, sets, setCount, one, vx, vy, tEnd, output)
                 : vesica_index_cast_first_f32(index, sets, setCount, one, (float)vx, (float)vy, (float)tEnd, output);
+        }
+
+        internal static int De9im(bool wide, int kindA, void* numbersA, int kindB, void* numbersB, void* matrix)
+        {
+            return wide
+                ? vesica_de9im_f64(kindA, numbersA, kindB, numbersB, matrix)
+                : vesica_de9im_f32(kindA, numbersA, kindB, numbersB, matrix);
+        }
+
+        internal static int Intersection(bool wide, int kindA, void* numbersA, int kindB, void* numbersB,
+            void* vertices)
+        {
+            return wide
+                ? vesica_intersection_f64(kindA, numbersA, kindB, numbersB, vertices)
+                : vesica_intersection_f32(kindA, numbersA, kindB, numbersB, vertices);
         }
     }
 }

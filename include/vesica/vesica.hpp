@@ -17,7 +17,9 @@
 #include <vesica/check.hpp>
 #include <vesica/construct.hpp>
 #include <vesica/crossings.hpp>
+#include <vesica/de9im.hpp>
 #include <vesica/depth.hpp>
+#include <vesica/intersection.hpp>
 #include <vesica/iou.hpp>
 #include <vesica/nearest.hpp>
 #include <vesica/overlap.hpp>
@@ -25,3 +27,5 @@
 #include <vesica/relation.hpp>
 #include <vesica/shape_area.hpp>
 #include <vesica/shapes.hpp>
+#include <vesica/signed_distance.hpp>
+#include <vesica/within.hpp>

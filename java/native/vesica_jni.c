@@ -1506,6 +1506,40 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinF64(JNIEnv* env, jclass type, jin
   return answer;
 }
 
+JNIEXPORT jlong JNICALL Java_vesica_Native_joinWithinF64(JNIEnv* env, jclass type, jobject indexA, jintArray setsAKinds,
+    jlongArray setsACounts, jlongArray setsAStrides, jlongArray setsASteps, jobjectArray setsABases, jobject indexB,
+    jintArray setsBKinds, jlongArray setsBCounts, jlongArray setsBStrides, jlongArray setsBSteps,
+    jobjectArray setsBBases, jdouble distance, jlong part, jlong parts, jobject outA, jobject outB, jlong capacity,
+    jobject state) {
+  lent held[5];
+  lent_sets lent_to[2];
+  int ok = 1;
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, indexA, &held[0]);
+  ok = prepare_sets(env, setsAKinds, setsACounts, setsAStrides, setsASteps, setsABases, &lent_to[0]) && ok;
+  prepare(env, indexB, &held[1]);
+  ok = prepare_sets(env, setsBKinds, setsBCounts, setsBStrides, setsBSteps, setsBBases, &lent_to[1]) && ok;
+  prepare(env, outA, &held[2]);
+  prepare(env, outB, &held[3]);
+  prepare(env, state, &held[4]);
+  if (ok
+      && lend(env, lent_to[0].held, lent_to[0].count)
+      && lend(env, lent_to[1].held, lent_to[1].count)
+      && lend(env, held, 5)) {
+    vesica_shapes_f64 setsA[MAX_SETS];
+    SETS(setsA, lent_to[0], double);
+    vesica_shapes_f64 setsB[MAX_SETS];
+    SETS(setsB, lent_to[1], double);
+    answer = vesica_join_within_f64(held[0].address, setsA, lent_to[0].count, held[1].address, setsB, lent_to[1].count,
+        distance, part, parts, held[2].address, held[3].address, capacity, held[4].address);
+  }
+  give_back(env, held, 5);
+  give_back(env, lent_to[0].held, lent_to[0].count);
+  give_back(env, lent_to[1].held, lent_to[1].count);
+  return answer;
+}
+
 JNIEXPORT jlong JNICALL Java_vesica_Native_indexNearestF64(JNIEnv* env, jclass type, jobject index, jintArray setsKinds,
     jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jint oneKind,
     jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jlong k, jdouble within, jobject out,
@@ -1647,6 +1681,40 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinF32(JNIEnv* env, jclass type, jin
         part, parts, held[2].address, scratchSize, held[3].address, held[4].address, capacity, held[5].address);
   }
   give_back(env, held, 6);
+  give_back(env, lent_to[0].held, lent_to[0].count);
+  give_back(env, lent_to[1].held, lent_to[1].count);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_joinWithinF32(JNIEnv* env, jclass type, jobject indexA, jintArray setsAKinds,
+    jlongArray setsACounts, jlongArray setsAStrides, jlongArray setsASteps, jobjectArray setsABases, jobject indexB,
+    jintArray setsBKinds, jlongArray setsBCounts, jlongArray setsBStrides, jlongArray setsBSteps,
+    jobjectArray setsBBases, jfloat distance, jlong part, jlong parts, jobject outA, jobject outB, jlong capacity,
+    jobject state) {
+  lent held[5];
+  lent_sets lent_to[2];
+  int ok = 1;
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, indexA, &held[0]);
+  ok = prepare_sets(env, setsAKinds, setsACounts, setsAStrides, setsASteps, setsABases, &lent_to[0]) && ok;
+  prepare(env, indexB, &held[1]);
+  ok = prepare_sets(env, setsBKinds, setsBCounts, setsBStrides, setsBSteps, setsBBases, &lent_to[1]) && ok;
+  prepare(env, outA, &held[2]);
+  prepare(env, outB, &held[3]);
+  prepare(env, state, &held[4]);
+  if (ok
+      && lend(env, lent_to[0].held, lent_to[0].count)
+      && lend(env, lent_to[1].held, lent_to[1].count)
+      && lend(env, held, 5)) {
+    vesica_shapes_f32 setsA[MAX_SETS];
+    SETS(setsA, lent_to[0], float);
+    vesica_shapes_f32 setsB[MAX_SETS];
+    SETS(setsB, lent_to[1], float);
+    answer = vesica_join_within_f32(held[0].address, setsA, lent_to[0].count, held[1].address, setsB, lent_to[1].count,
+        distance, part, parts, held[2].address, held[3].address, capacity, held[4].address);
+  }
+  give_back(env, held, 5);
   give_back(env, lent_to[0].held, lent_to[0].count);
   give_back(env, lent_to[1].held, lent_to[1].count);
   return answer;
@@ -1827,6 +1895,115 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_depthMatrixF64(JNIEnv* env, jclass ty
   return answer;
 }
 
+JNIEXPORT jint JNICALL Java_vesica_Native_signedDistanceF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA,
+    jint kindB, jobject numbersB, jobject out) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, numbersA, &held[0]);
+  prepare(env, numbersB, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_signed_distance_f64(kindA, held[0].address, kindB, held[1].address, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_signedDistanceManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out) {
+  lent held[3];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, aBase, &held[0]);
+  prepare(env, bBase, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    vesica_shapes_f64 a;
+    VIEW(a, aKind, aCount, aStride, aStep, held[0].address, double);
+    vesica_shapes_f64 b;
+    VIEW(b, bKind, bCount, bStride, bStep, held[1].address, double);
+    answer = vesica_signed_distance_many_f64(&a, &b, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_signedDistanceMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out, jlong rowStride) {
+  lent held[3];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, aBase, &held[0]);
+  prepare(env, bBase, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    vesica_shapes_f64 a;
+    VIEW(a, aKind, aCount, aStride, aStep, held[0].address, double);
+    vesica_shapes_f64 b;
+    VIEW(b, bKind, bCount, bStride, bStep, held[1].address, double);
+    answer = vesica_signed_distance_matrix_f64(&a, &b, held[2].address, rowStride);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_withinF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
+    jobject numbersB, jdouble distance) {
+  lent held[2];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, numbersA, &held[0]);
+  prepare(env, numbersB, &held[1]);
+  if (lend(env, held, 2)) {
+    answer = vesica_within_f64(kindA, held[0].address, kindB, held[1].address, distance);
+  }
+  give_back(env, held, 2);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_withinManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jdouble distance, jobject out) {
+  lent held[3];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, aBase, &held[0]);
+  prepare(env, bBase, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    vesica_shapes_f64 a;
+    VIEW(a, aKind, aCount, aStride, aStep, held[0].address, double);
+    vesica_shapes_f64 b;
+    VIEW(b, bKind, bCount, bStride, bStep, held[1].address, double);
+    answer = vesica_within_many_f64(&a, &b, distance, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_withinMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jdouble distance, jobject out, jlong rowStride) {
+  lent held[3];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, aBase, &held[0]);
+  prepare(env, bBase, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    vesica_shapes_f64 a;
+    VIEW(a, aKind, aCount, aStride, aStep, held[0].address, double);
+    vesica_shapes_f64 b;
+    VIEW(b, bKind, bCount, bStride, bStep, held[1].address, double);
+    answer = vesica_within_matrix_f64(&a, &b, distance, held[2].address, rowStride);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
 JNIEXPORT jint JNICALL Java_vesica_Native_suppressF64(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount,
     jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject scores, jobject labels, jint ratio,
     jdouble threshold, jdouble leastScore, jlong most, jobject scratch, jlong scratchSize, jobject keep, jobject kept) {
@@ -1846,6 +2023,35 @@ JNIEXPORT jint JNICALL Java_vesica_Native_suppressF64(JNIEnv* env, jclass type, 
         held[3].address, scratchSize, held[4].address, held[5].address);
   }
   give_back(env, held, 6);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_suppressSoftScratch(JNIEnv* env, jclass type, jlong count) {
+  (void)env, (void)type;
+  return vesica_suppress_soft_scratch(count);
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_suppressSoftF64(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount,
+    jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject scores, jobject labels, jint ratio, jint decay,
+    jdouble parameter, jdouble leastScore, jlong most, jobject scratch, jlong scratchSize, jobject keep,
+    jobject decayed, jobject kept) {
+  lent held[7];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, shapesBase, &held[0]);
+  prepare(env, scores, &held[1]);
+  prepare(env, labels, &held[2]);
+  prepare(env, scratch, &held[3]);
+  prepare(env, keep, &held[4]);
+  prepare(env, decayed, &held[5]);
+  prepare(env, kept, &held[6]);
+  if (lend(env, held, 7)) {
+    vesica_shapes_f64 shapes;
+    VIEW(shapes, shapesKind, shapesCount, shapesStride, shapesStep, held[0].address, double);
+    answer = vesica_suppress_soft_f64(&shapes, held[1].address, held[2].address, ratio, decay, parameter, leastScore,
+        most, held[3].address, scratchSize, held[4].address, held[5].address, held[6].address);
+  }
+  give_back(env, held, 7);
   return answer;
 }
 
@@ -1983,6 +2189,139 @@ JNIEXPORT jint JNICALL Java_vesica_Native_suppressF32(JNIEnv* env, jclass type, 
         held[3].address, scratchSize, held[4].address, held[5].address);
   }
   give_back(env, held, 6);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_signedDistanceF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA,
+    jint kindB, jobject numbersB, jobject out) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, numbersA, &held[0]);
+  prepare(env, numbersB, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_signed_distance_f32(kindA, held[0].address, kindB, held[1].address, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_signedDistanceManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out) {
+  lent held[3];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, aBase, &held[0]);
+  prepare(env, bBase, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    vesica_shapes_f32 a;
+    VIEW(a, aKind, aCount, aStride, aStep, held[0].address, float);
+    vesica_shapes_f32 b;
+    VIEW(b, bKind, bCount, bStride, bStep, held[1].address, float);
+    answer = vesica_signed_distance_many_f32(&a, &b, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_signedDistanceMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out, jlong rowStride) {
+  lent held[3];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, aBase, &held[0]);
+  prepare(env, bBase, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    vesica_shapes_f32 a;
+    VIEW(a, aKind, aCount, aStride, aStep, held[0].address, float);
+    vesica_shapes_f32 b;
+    VIEW(b, bKind, bCount, bStride, bStep, held[1].address, float);
+    answer = vesica_signed_distance_matrix_f32(&a, &b, held[2].address, rowStride);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_withinF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
+    jobject numbersB, jfloat distance) {
+  lent held[2];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, numbersA, &held[0]);
+  prepare(env, numbersB, &held[1]);
+  if (lend(env, held, 2)) {
+    answer = vesica_within_f32(kindA, held[0].address, kindB, held[1].address, distance);
+  }
+  give_back(env, held, 2);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_withinManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jfloat distance, jobject out) {
+  lent held[3];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, aBase, &held[0]);
+  prepare(env, bBase, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    vesica_shapes_f32 a;
+    VIEW(a, aKind, aCount, aStride, aStep, held[0].address, float);
+    vesica_shapes_f32 b;
+    VIEW(b, bKind, bCount, bStride, bStep, held[1].address, float);
+    answer = vesica_within_many_f32(&a, &b, distance, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jlong JNICALL Java_vesica_Native_withinMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jfloat distance, jobject out, jlong rowStride) {
+  lent held[3];
+  int64_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, aBase, &held[0]);
+  prepare(env, bBase, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    vesica_shapes_f32 a;
+    VIEW(a, aKind, aCount, aStride, aStep, held[0].address, float);
+    vesica_shapes_f32 b;
+    VIEW(b, bKind, bCount, bStride, bStep, held[1].address, float);
+    answer = vesica_within_matrix_f32(&a, &b, distance, held[2].address, rowStride);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_suppressSoftF32(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount,
+    jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject scores, jobject labels, jint ratio, jint decay,
+    jfloat parameter, jfloat leastScore, jlong most, jobject scratch, jlong scratchSize, jobject keep, jobject decayed,
+    jobject kept) {
+  lent held[7];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, shapesBase, &held[0]);
+  prepare(env, scores, &held[1]);
+  prepare(env, labels, &held[2]);
+  prepare(env, scratch, &held[3]);
+  prepare(env, keep, &held[4]);
+  prepare(env, decayed, &held[5]);
+  prepare(env, kept, &held[6]);
+  if (lend(env, held, 7)) {
+    vesica_shapes_f32 shapes;
+    VIEW(shapes, shapesKind, shapesCount, shapesStride, shapesStep, held[0].address, float);
+    answer = vesica_suppress_soft_f32(&shapes, held[1].address, held[2].address, ratio, decay, parameter, leastScore,
+        most, held[3].address, scratchSize, held[4].address, held[5].address, held[6].address);
+  }
+  give_back(env, held, 7);
   return answer;
 }
 
@@ -2247,5 +2586,78 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastFirstF32(JNIEnv* env, jclass
   }
   give_back(env, held, 3);
   give_back(env, lent_to[0].held, lent_to[0].count);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_de9imF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
+    jobject numbersB, jobject matrix) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, numbersA, &held[0]);
+  prepare(env, numbersB, &held[1]);
+  prepare(env, matrix, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_de9im_f64(kindA, held[0].address, kindB, held[1].address, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_de9imMatch(JNIEnv* env, jclass type, jobject matrix, jobject pattern) {
+  lent held[2];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, matrix, &held[0]);
+  prepare(env, pattern, &held[1]);
+  if (lend(env, held, 2)) {
+    answer = vesica_de9im_match(held[0].address, held[1].address);
+  }
+  give_back(env, held, 2);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_intersectionF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA,
+    jint kindB, jobject numbersB, jobject vertices) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, numbersA, &held[0]);
+  prepare(env, numbersB, &held[1]);
+  prepare(env, vertices, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_intersection_f64(kindA, held[0].address, kindB, held[1].address, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_de9imF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
+    jobject numbersB, jobject matrix) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, numbersA, &held[0]);
+  prepare(env, numbersB, &held[1]);
+  prepare(env, matrix, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_de9im_f32(kindA, held[0].address, kindB, held[1].address, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_intersectionF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA,
+    jint kindB, jobject numbersB, jobject vertices) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, numbersA, &held[0]);
+  prepare(env, numbersB, &held[1]);
+  prepare(env, vertices, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_intersection_f32(kindA, held[0].address, kindB, held[1].address, held[2].address);
+  }
+  give_back(env, held, 3);
   return answer;
 }

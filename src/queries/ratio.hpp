@@ -16,4 +16,10 @@ const Query& ratio(Ratio which) noexcept;
 std::int32_t ratio_of_pair(Ratio which, std::int32_t kind_a, const double* a, std::int32_t kind_b, const double* b,
                            double& out) noexcept;
 
+/// Whether the number is that of a ratio which does not depend on the order of two shapes.
+inline bool is_symmetric(std::int32_t which) noexcept {
+  return which >= 0 && which < ratio_count && which != static_cast<std::int32_t>(Ratio::over_first) &&
+         which != static_cast<std::int32_t>(Ratio::over_second);
+}
+
 }  // namespace vesica::queries

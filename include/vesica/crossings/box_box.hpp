@@ -133,6 +133,21 @@ inline bool share_stretch(const Edge& e, const Edge& f) noexcept {
   return (shadow.before_end(p) || shadow.before_end(q)) && (shadow.after_start(p) || shadow.after_start(q));
 }
 
+/// Where edges that cross do: rounded, and how far along either.
+struct EdgeCrossing {
+  double x, y, along_a, along_b;
+};
+inline EdgeCrossing edge_crossing(const Polygon& a, const Sides& of_a, int i, const Polygon& b, const Sides& of_b,
+                                  int j) noexcept {
+  const double t = of_b.crossing(b, j, a, i), s = of_a.crossing(a, i, b, j);
+  const Edge e(a.corners, i), f(b.corners, j);
+  // The shorter edge tells the place better. Of equal ones, either order of the boxes takes the same.
+  const double ex = e.at_x(t), ey = e.at_y(t), fx = f.at_x(s), fy = f.at_y(s);
+  const double length_e = e.length(), length_f = f.length();
+  const bool along_e = length_e < length_f || (length_e == length_f && (ex < fx || (ex == fx && ey < fy)));
+  return {along_e ? ex : fx, along_e ? ey : fy, t, s};
+}
+
 /// An edge of each: at most one place inside both, or a common stretch.
 inline void cross_edges(const Polygon& a, const Sides& of_a, int i, const Polygon& b, const Sides& of_b, int j,
                         Found& found) noexcept {
@@ -142,13 +157,8 @@ inline void cross_edges(const Polygon& a, const Sides& of_a, int i, const Polygo
     return;
   }
   if (f0 * f1 >= 0 || of_b.sign[j][i] * of_b.sign[j][a.corners.next(i)] >= 0) return;
-  const double t = of_b.crossing(b, j, a, i), s = of_a.crossing(a, i, b, j);
-  const Edge e(a.corners, i), f(b.corners, j);
-  // The shorter edge tells the place better. Of equal ones, either order of the boxes takes the same.
-  const double ex = e.at_x(t), ey = e.at_y(t), fx = f.at_x(s), fy = f.at_y(s);
-  const double length_e = e.length(), length_f = f.length();
-  const bool along_e = length_e < length_f || (length_e == length_f && (ex < fx || (ex == fx && ey < fy)));
-  found.add({along_e ? ex : fx, along_e ? ey : fy, on_edge(i, t), on_edge(j, s)});
+  const EdgeCrossing c = edge_crossing(a, of_a, i, b, of_b, j);
+  found.add({c.x, c.y, on_edge(i, c.along_a), on_edge(j, c.along_b)});
 }
 
 inline Found crossings(const exact::Box& box_a, const exact::Box& box_b) noexcept {

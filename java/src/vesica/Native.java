@@ -1916,6 +1916,31 @@ final class Native {
       Object outB, long capacity, Object state);
 
   /**
+   * All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
+   * whose answer from vesica_within_f64 is &gt; 0.
+   *
+   * <p>If both indexes are the same pointer, pairs are those of two different items a &lt; b. They come in index_a's
+   * order. Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f64.
+   *
+   * <p>Requires: distance &gt;= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity
+   * and state as vesica_join_f64.
+   *
+   * <p>Returns: the number of pairs written; with capacity 0, how many the whole part has.
+   *
+   * <p>Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
+   *
+   * <p>Accuracy: that of vesica_within_f64; a pair that is VESICA_WITHIN_NEARLY is among them.
+   *
+   * <p>Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f64 a candidate.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long joinWithinF64(Object indexA, int[] setsAKinds, long[] setsACounts, long[] setsAStrides,
+      long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides,
+      long[] setsBSteps, Object[] setsBBases, double distance, long part, long parts, Object outA, Object outB,
+      long capacity, Object state);
+
+  /**
    * Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.
    *
    * <p>An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is not found.
@@ -2033,6 +2058,31 @@ final class Native {
       long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides,
       long[] setsBSteps, Object[] setsBBases, long part, long parts, Object scratch, long scratchSize, Object outA,
       Object outB, long capacity, Object state);
+
+  /**
+   * All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
+   * whose answer from vesica_within_f32 is &gt; 0.
+   *
+   * <p>If both indexes are the same pointer, pairs are those of two different items a &lt; b. They come in index_a's
+   * order. Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f32.
+   *
+   * <p>Requires: distance &gt;= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity
+   * and state as vesica_join_f32.
+   *
+   * <p>Returns: the number of pairs written; with capacity 0, how many the whole part has.
+   *
+   * <p>Errors: those of vesica_join_f32; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
+   *
+   * <p>Accuracy: that of vesica_within_f32; a pair that is VESICA_WITHIN_NEARLY is among them.
+   *
+   * <p>Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f32 a candidate.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long joinWithinF32(Object indexA, int[] setsAKinds, long[] setsACounts, long[] setsAStrides,
+      long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides,
+      long[] setsBSteps, Object[] setsBBases, float distance, long part, long parts, Object outA, Object outB,
+      long capacity, Object state);
 
   /**
    * Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.
@@ -2194,6 +2244,121 @@ final class Native {
       long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
+   * How far apart are two shapes or, as a number below 0, how deep do they overlap?
+   *
+   * <p>The distance of vesica_nearest_f64 if they are disjoint, else minus the depth of vesica_depth_f64: 0 where they
+   * only touch. Exchanging the shapes changes no bit.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   *
+   * <p>Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.
+   *
+   * <p>Cost: that of vesica_nearest_f64 or of vesica_depth_f64, whichever it is.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int signedDistanceF64(int kindA, Object numbersA, int kindB, Object numbersB, Object out);
+
+  /**
+   * Signed distances of a[i] and b[i]. Arrays and errors are those of vesica_iou_many_f64.
+   *
+   * <p>Returns: how many pairs overlap (signed distance &lt;= 0).
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   *
+   * <p>Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long signedDistanceManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out);
+
+  /**
+   * Signed distances of a[i] and b[j]. Arrays, row_stride and errors are those of vesica_iou_matrix_f64.
+   *
+   * <p>Returns: how many pairs overlap (signed distance &lt;= 0).
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   *
+   * <p>Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long signedDistanceMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+
+  /**
+   * Are two shapes at most `distance` apart? Exactly so far apart counts, as touching does.
+   *
+   * <p>Distance 0 asks what vesica_overlap_f64 does, and is exact for all kinds. Who must not miss a pair takes an
+   * answer &gt; 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the shapes changes
+   * nothing.
+   *
+   * <p>Requires: distance &gt;= 0, or infinity, of which any two valid shapes are within.
+   *
+   * <p>Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+   *
+   * <p>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
+   * pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f64 has it,
+   * is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed numbers use u
+   * = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
+   * An aspect ratio is a shape's longer size over its shorter one.
+   *
+   * <p>Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int withinF64(int kindA, Object numbersA, int kindB, Object numbersB, double distance);
+
+  /**
+   * Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f64.
+   *
+   * <p>Arrays and errors are those of vesica_overlap_many_f64.
+   *
+   * <p>Requires: distance &gt;= 0, or infinity, of which any two valid shapes are within.
+   *
+   * <p>Returns: how many answers are &gt; 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+   *
+   * <p>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
+   * pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f64 has it,
+   * is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed numbers use u
+   * = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
+   * An aspect ratio is a shape's longer size over its shorter one.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long withinManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, double distance, Object out);
+
+  /**
+   * Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f64.
+   *
+   * <p>Arrays, row_stride and errors are those of vesica_overlap_matrix_f64.
+   *
+   * <p>Requires: distance &gt;= 0, or infinity, of which any two valid shapes are within.
+   *
+   * <p>Returns: how many answers are &gt; 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+   *
+   * <p>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
+   * pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f64 has it,
+   * is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed numbers use u
+   * = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
+   * An aspect ratio is a shape's longer size over its shorter one.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long withinMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, double distance, Object out, long rowStride);
+
+  /**
    * Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
    *
    * <p>Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape kept
@@ -2214,6 +2379,45 @@ final class Native {
   static native int suppressF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase,
       Object scores, Object labels, int ratio, double threshold, double leastScore, long most, Object scratch,
       long scratchSize, Object keep, Object kept);
+
+  /**
+   * How many bytes of scratch does soft suppression of `count` shapes need?
+   *
+   * <p>Returns: 64 bytes a shape.
+   *
+   * <p>Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
+   *
+   * <p>Since: 0.1.
+   */
+  static native long suppressSoftScratch(long count);
+
+  /**
+   * Soft suppression: what a better shape covers keeps a lower score.
+   *
+   * <p>Again and again takes the shape with the highest score, of equal ones the first, keeps it, and lowers the score
+   * of each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or no score is
+   * left that is at least least_score. keep[k] is the shape taken in turn k, and decayed[k] the score that it then had.
+   *
+   * <p>Requires: shapes, scores and labels as vesica_suppress_f64; ratio, any but VESICA_RATIO_OVER_FIRST and
+   * _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score &gt;= 0; scratch of at least
+   * vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are kept.
+   *
+   * <p>Returns: 0, with *kept set to how many are kept.
+   *
+   * <p>Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and
+   * all else is written.
+   *
+   * <p>Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential,
+   * right to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every
+   * machine. Floats are widened first, and only the final scores rounded.
+   *
+   * <p>Cost: that of vesica_ratio_matrix_f64 for each kept shape with all of its label that are left.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int suppressSoftF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep,
+      Object shapesBase, Object scores, Object labels, int ratio, int decay, double parameter, double leastScore,
+      long most, Object scratch, long scratchSize, Object keep, Object decayed, Object kept);
 
   /**
    * What share of a's area does b cover, or of b's area a? And other ratios by which detections are compared.
@@ -2350,6 +2554,152 @@ final class Native {
   static native int suppressF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase,
       Object scores, Object labels, int ratio, float threshold, float leastScore, long most, Object scratch,
       long scratchSize, Object keep, Object kept);
+
+  /**
+   * How far apart are two shapes or, as a number below 0, how deep do they overlap?
+   *
+   * <p>The distance of vesica_nearest_f32 if they are disjoint, else minus the depth of vesica_depth_f32: 0 where they
+   * only touch. Exchanging the shapes changes no bit.
+   *
+   * <p>Returns: 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   *
+   * <p>Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   *
+   * <p>Cost: that of vesica_nearest_f32 or of vesica_depth_f32, whichever it is.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int signedDistanceF32(int kindA, Object numbersA, int kindB, Object numbersB, Object out);
+
+  /**
+   * Signed distances of a[i] and b[i]. Arrays and errors are those of vesica_iou_many_f32.
+   *
+   * <p>Returns: how many pairs overlap (signed distance &lt;= 0).
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   *
+   * <p>Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long signedDistanceManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out);
+
+  /**
+   * Signed distances of a[i] and b[j]. Arrays, row_stride and errors are those of vesica_iou_matrix_f32.
+   *
+   * <p>Returns: how many pairs overlap (signed distance &lt;= 0).
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+   *
+   * <p>Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+   * Each number is computed in double, within these bounds, and then rounded to float once.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long signedDistanceMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+
+  /**
+   * Are two shapes at most `distance` apart? Exactly so far apart counts, as touching does.
+   *
+   * <p>Distance 0 asks what vesica_overlap_f32 does, and is exact for all kinds. Who must not miss a pair takes an
+   * answer &gt; 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the shapes changes
+   * nothing.
+   *
+   * <p>Requires: distance &gt;= 0, or infinity, of which any two valid shapes are within.
+   *
+   * <p>Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+   *
+   * <p>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
+   * pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f32 has it,
+   * is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed numbers use u
+   * = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
+   * An aspect ratio is a shape's longer size over its shorter one.
+   *
+   * <p>Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int withinF32(int kindA, Object numbersA, int kindB, Object numbersB, float distance);
+
+  /**
+   * Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f32.
+   *
+   * <p>Arrays and errors are those of vesica_overlap_many_f32.
+   *
+   * <p>Requires: distance &gt;= 0, or infinity, of which any two valid shapes are within.
+   *
+   * <p>Returns: how many answers are &gt; 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+   *
+   * <p>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
+   * pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f32 has it,
+   * is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed numbers use u
+   * = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
+   * An aspect ratio is a shape's longer size over its shorter one.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long withinManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, float distance, Object out);
+
+  /**
+   * Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f32.
+   *
+   * <p>Arrays, row_stride and errors are those of vesica_overlap_matrix_f32.
+   *
+   * <p>Requires: distance &gt;= 0, or infinity, of which any two valid shapes are within.
+   *
+   * <p>Returns: how many answers are &gt; 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+   *
+   * <p>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
+   * pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f32 has it,
+   * is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed numbers use u
+   * = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
+   * An aspect ratio is a shape's longer size over its shorter one.
+   *
+   * <p>Since: 0.1.
+   */
+  static native long withinMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, float distance, Object out, long rowStride);
+
+  /**
+   * Soft suppression: what a better shape covers keeps a lower score.
+   *
+   * <p>Again and again takes the shape with the highest score, of equal ones the first, keeps it, and lowers the score
+   * of each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or no score is
+   * left that is at least least_score. keep[k] is the shape taken in turn k, and decayed[k] the score that it then had.
+   *
+   * <p>Requires: shapes, scores and labels as vesica_suppress_f32; ratio, any but VESICA_RATIO_OVER_FIRST and
+   * _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score &gt;= 0; scratch of at least
+   * vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are kept.
+   *
+   * <p>Returns: 0, with *kept set to how many are kept.
+   *
+   * <p>Errors: as vesica_suppress_f32. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and
+   * all else is written.
+   *
+   * <p>Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential,
+   * right to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every
+   * machine. Floats are widened first, and only the final scores rounded.
+   *
+   * <p>Cost: that of vesica_ratio_matrix_f32 for each kept shape with all of its label that are left.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int suppressSoftF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep,
+      Object shapesBase, Object scores, Object labels, int ratio, int decay, float parameter, float leastScore,
+      long most, Object scratch, long scratchSize, Object keep, Object decayed, Object kept);
 
   /**
    * Does b touch a while it moves, when first, and where?
@@ -2590,6 +2940,125 @@ final class Native {
   static native long indexCastFirstF32(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides,
       long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase,
       float vx, float vy, float tEnd, Object out);
+
+  /**
+   * The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+   *
+   * <p>Every shape has an inside, an outline and an outside. The nine characters say of a's inside with b's inside,
+   * outline and outside, then of a's outline with those three, then of a's outside, what they share: F for nothing,
+   * else the dimension: 0 for single points, 1 for lines, 2 for an area. The outline of a segment is its two end
+   * points; a point has none; that of a shape with area is the curve around it. A segment without length is a point; a
+   * shape with one size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212".
+   * Exchanging the shapes exchanges rows and columns.
+   *
+   * <p>Requires: matrix with room for 10 characters.
+   *
+   * <p>Returns: 0, and nine characters and a final NUL in matrix.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+   *
+   * <p>Accuracy: exact.
+   *
+   * <p>Cost: that of vesica_relation_f64; for a segment and for boxes whose sides are parallel, a microsecond more.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int de9imF64(int kindA, Object numbersA, int kindB, Object numbersB, Object matrix);
+
+  /**
+   * Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
+   *
+   * <p>Each character of the pattern is one of F, 0, 1 and 2, which is meant literally; T, any of 0, 1 and 2; and *,
+   * which fits all.
+   *
+   * <p>Requires: matrix and pattern, nine such characters and a final NUL each; no T or * in the matrix.
+   *
+   * <p>Returns: 1 if it fits, 0 if not.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (another length or another character).
+   *
+   * <p>Accuracy: exact.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int de9imMatch(Object matrix, Object pattern);
+
+  /**
+   * The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
+   *
+   * <p>The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle or an
+   * ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the one
+   * that is lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two are a
+   * segment's ends. Of the same two shapes in either order they are the same numbers. Vertices that are not used become
+   * 0.
+   *
+   * <p>Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is shared.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE
+   * (a vertex exceeds the finite numbers).
+   *
+   * <p>Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has
+   * the numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f64. Others are right to 4 u times
+   * the largest coordinate or size of either shape. Bounds on computed numbers use u = 2^-53. The scale of two shapes
+   * is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's
+   * longer size over its shorter one.
+   *
+   * <p>Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly unlike.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int intersectionF64(int kindA, Object numbersA, int kindB, Object numbersB, Object vertices);
+
+  /**
+   * The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+   *
+   * <p>Every shape has an inside, an outline and an outside. The nine characters say of a's inside with b's inside,
+   * outline and outside, then of a's outline with those three, then of a's outside, what they share: F for nothing,
+   * else the dimension: 0 for single points, 1 for lines, 2 for an area. The outline of a segment is its two end
+   * points; a point has none; that of a shape with area is the curve around it. A segment without length is a point; a
+   * shape with one size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212".
+   * Exchanging the shapes exchanges rows and columns.
+   *
+   * <p>Requires: matrix with room for 10 characters.
+   *
+   * <p>Returns: 0, and nine characters and a final NUL in matrix.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+   *
+   * <p>Accuracy: exact.
+   *
+   * <p>Cost: that of vesica_relation_f32; for a segment and for boxes whose sides are parallel, a microsecond more.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int de9imF32(int kindA, Object numbersA, int kindB, Object numbersB, Object matrix);
+
+  /**
+   * The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
+   *
+   * <p>The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle or an
+   * ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the one
+   * that is lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two are a
+   * segment's ends. Of the same two shapes in either order they are the same numbers. Vertices that are not used become
+   * 0.
+   *
+   * <p>Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f32 says that nothing is shared.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE
+   * (a vertex exceeds the finite numbers).
+   *
+   * <p>Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has
+   * the numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f32. Others are right to 4 u times
+   * the largest coordinate or size of either shape. Each number is computed in double, within these bounds, and then
+   * rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and
+   * |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
+   * one.
+   *
+   * <p>Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly unlike.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int intersectionF32(int kindA, Object numbersA, int kindB, Object numbersB, Object vertices);
 
   static int check(boolean wide, int kind, Object numbers) {
     return wide
@@ -2877,6 +3346,16 @@ final class Native {
             outB, capacity, state);
   }
 
+  static long joinWithin(boolean wide, Object indexA, Sets setsA, Object indexB, Sets setsB, double distance, long part,
+      long parts, Object outA, Object outB, long capacity, Object state) {
+    return wide
+        ? joinWithinF64(indexA, setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds,
+            setsB.counts, setsB.strides, setsB.steps, setsB.bases, distance, part, parts, outA, outB, capacity, state)
+        : joinWithinF32(indexA, setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds,
+            setsB.counts, setsB.strides, setsB.steps, setsB.bases, (float) distance, part, parts, outA, outB, capacity,
+            state);
+  }
+
   static long indexNearest(boolean wide, Object index, Sets sets, Shapes one, long k, double within, Object out,
       Object distance) {
     return wide
@@ -2940,6 +3419,50 @@ final class Native {
             rowStride);
   }
 
+  static int signedDistance(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB, Object out) {
+    return wide
+        ? signedDistanceF64(kindA, numbersA, kindB, numbersB, out)
+        : signedDistanceF32(kindA, numbersA, kindB, numbersB, out);
+  }
+
+  static long signedDistanceMany(boolean wide, Shapes a, Shapes b, Object out) {
+    return wide
+        ? signedDistanceManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base,
+            out)
+        : signedDistanceManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base,
+            out);
+  }
+
+  static long signedDistanceMatrix(boolean wide, Shapes a, Shapes b, Object out, long rowStride) {
+    return wide
+        ? signedDistanceMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base,
+            out, rowStride)
+        : signedDistanceMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base,
+            out, rowStride);
+  }
+
+  static int within(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB, double distance) {
+    return wide
+        ? withinF64(kindA, numbersA, kindB, numbersB, distance)
+        : withinF32(kindA, numbersA, kindB, numbersB, (float) distance);
+  }
+
+  static long withinMany(boolean wide, Shapes a, Shapes b, double distance, Object out) {
+    return wide
+        ? withinManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, distance,
+            out)
+        : withinManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base,
+            (float) distance, out);
+  }
+
+  static long withinMatrix(boolean wide, Shapes a, Shapes b, double distance, Object out, long rowStride) {
+    return wide
+        ? withinMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base,
+            distance, out, rowStride)
+        : withinMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base,
+            (float) distance, out, rowStride);
+  }
+
   static int suppress(boolean wide, Shapes shapes, Object scores, Object labels, int ratio, double threshold,
       double leastScore, long most, Object scratch, long scratchSize, Object keep, Object kept) {
     return wide
@@ -2947,6 +3470,16 @@ final class Native {
             threshold, leastScore, most, scratch, scratchSize, keep, kept)
         : suppressF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, labels, ratio,
             (float) threshold, (float) leastScore, most, scratch, scratchSize, keep, kept);
+  }
+
+  static int suppressSoft(boolean wide, Shapes shapes, Object scores, Object labels, int ratio, int decay,
+      double parameter, double leastScore, long most, Object scratch, long scratchSize, Object keep, Object decayed,
+      Object kept) {
+    return wide
+        ? suppressSoftF64(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, labels, ratio,
+            decay, parameter, leastScore, most, scratch, scratchSize, keep, decayed, kept)
+        : suppressSoftF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, labels, ratio,
+            decay, (float) parameter, (float) leastScore, most, scratch, scratchSize, keep, decayed, kept);
   }
 
   static int cast(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB, double vx, double vy,
@@ -2995,5 +3528,17 @@ final class Native {
             one.stride, one.step, one.base, vx, vy, tEnd, out)
         : indexCastFirstF32(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count,
             one.stride, one.step, one.base, (float) vx, (float) vy, (float) tEnd, out);
+  }
+
+  static int de9im(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB, Object matrix) {
+    return wide
+        ? de9imF64(kindA, numbersA, kindB, numbersB, matrix)
+        : de9imF32(kindA, numbersA, kindB, numbersB, matrix);
+  }
+
+  static int intersection(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB, Object vertices) {
+    return wide
+        ? intersectionF64(kindA, numbersA, kindB, numbersB, vertices)
+        : intersectionF32(kindA, numbersA, kindB, numbersB, vertices);
   }
 }

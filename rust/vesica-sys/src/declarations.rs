@@ -83,6 +83,16 @@ pub const VESICA_RATIO_GENERALIZED: i32 = 4;
 pub const VESICA_RATIO_DISTANCE: i32 = 5;
 /// DIoU - v^2 / (1 - IoU + v), v = (difference of angles / 90 degrees)^2 (CIoU)
 pub const VESICA_RATIO_COMPLETE: i32 = 6;
+/// they are farther apart
+pub const VESICA_WITHIN_NO: i32 = 0;
+/// they are not
+pub const VESICA_WITHIN_YES: i32 = 1;
+/// with an ellipse alone: their distance is too near the one asked for to tell
+pub const VESICA_WITHIN_NEARLY: i32 = 2;
+/// score \* (1 - r) if r exceeds the parameter, a threshold from 0 to 1
+pub const VESICA_DECAY_LINEAR: i32 = 0;
+/// score \* exp(-r^2 / parameter) if r \> 0; the parameter is at least 2^-100
+pub const VESICA_DECAY_GAUSSIAN: i32 = 1;
 /// no contact from 0 to t_end
 pub const VESICA_CAST_MISS: i32 = 0;
 /// contact, the first after t = 0
@@ -2433,6 +2443,27 @@ extern "C" {
         index_b: *const c_void, sets_b: *const Shapes<f64>, set_count_b: i32, part: i64, parts: i64,
         scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64,
         state: *mut i64) -> i64;
+    /// All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
+    /// whose answer from vesica_within_f64 is \> 0.
+    ///
+    /// If both indexes are the same pointer, pairs are those of two different items a \< b. They come in index_a's
+    /// order. Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f64.
+    ///
+    /// Requires: distance \>= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity
+    /// and state as vesica_join_f64.
+    ///
+    /// Returns: the number of pairs written; with capacity 0, how many the whole part has.
+    ///
+    /// Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
+    ///
+    /// Accuracy: that of vesica_within_f64; a pair that is VESICA_WITHIN_NEARLY is among them.
+    ///
+    /// Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f64 a candidate.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_join_within_f64(index_a: *const c_void, sets_a: *const Shapes<f64>, set_count_a: i32,
+        index_b: *const c_void, sets_b: *const Shapes<f64>, set_count_b: i32, distance: f64, part: i64, parts: i64,
+        out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64;
     /// Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by
     /// number.
     ///
@@ -2551,6 +2582,27 @@ extern "C" {
         index_b: *const c_void, sets_b: *const Shapes<f32>, set_count_b: i32, part: i64, parts: i64,
         scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64,
         state: *mut i64) -> i64;
+    /// All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
+    /// whose answer from vesica_within_f32 is \> 0.
+    ///
+    /// If both indexes are the same pointer, pairs are those of two different items a \< b. They come in index_a's
+    /// order. Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f32.
+    ///
+    /// Requires: distance \>= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity
+    /// and state as vesica_join_f32.
+    ///
+    /// Returns: the number of pairs written; with capacity 0, how many the whole part has.
+    ///
+    /// Errors: those of vesica_join_f32; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
+    ///
+    /// Accuracy: that of vesica_within_f32; a pair that is VESICA_WITHIN_NEARLY is among them.
+    ///
+    /// Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f32 a candidate.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_join_within_f32(index_a: *const c_void, sets_a: *const Shapes<f32>, set_count_a: i32,
+        index_b: *const c_void, sets_b: *const Shapes<f32>, set_count_b: i32, distance: f32, part: i64, parts: i64,
+        out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64;
     /// Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by
     /// number.
     ///
@@ -2686,6 +2738,103 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_depth_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64,
         row_stride: isize) -> i64;
+    /// How far apart are two shapes or, as a number below 0, how deep do they overlap?
+    ///
+    /// The distance of vesica_nearest_f64 if they are disjoint, else minus the depth of vesica_depth_f64: 0 where they
+    /// only touch. Exchanging the shapes changes no bit.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+    ///
+    /// Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.
+    ///
+    /// Cost: that of vesica_nearest_f64 or of vesica_depth_f64, whichever it is.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_signed_distance_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
+        out: *mut f64) -> i32;
+    /// Signed distances of a\[i\] and b\[i\]. Arrays and errors are those of vesica_iou_many_f64.
+    ///
+    /// Returns: how many pairs overlap (signed distance \<= 0).
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+    ///
+    /// Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_signed_distance_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64) -> i64;
+    /// Signed distances of a\[i\] and b\[j\]. Arrays, row_stride and errors are those of vesica_iou_matrix_f64.
+    ///
+    /// Returns: how many pairs overlap (signed distance \<= 0).
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+    ///
+    /// Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_signed_distance_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64,
+        row_stride: isize) -> i64;
+    /// Are two shapes at most `distance` apart? Exactly so far apart counts, as touching does.
+    ///
+    /// Distance 0 asks what vesica_overlap_f64 does, and is exact for all kinds. Who must not miss a pair takes an
+    /// answer \> 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the shapes changes
+    /// nothing.
+    ///
+    /// Requires: distance \>= 0, or infinity, of which any two valid shapes are within.
+    ///
+    /// Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+    ///
+    /// Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
+    /// pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f64 has
+    /// it, is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed
+    /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
+    /// their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    ///
+    /// Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_within_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
+        distance: f64) -> i32;
+    /// Are a\[i\] and b\[i\] at most `distance` apart? out\[i\] is the answer of vesica_within_f64.
+    ///
+    /// Arrays and errors are those of vesica_overlap_many_f64.
+    ///
+    /// Requires: distance \>= 0, or infinity, of which any two valid shapes are within.
+    ///
+    /// Returns: how many answers are \> 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+    ///
+    /// Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
+    /// pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f64 has
+    /// it, is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed
+    /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
+    /// their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_within_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: f64, out: *mut u8) -> i64;
+    /// Are a\[i\] and b\[j\] at most `distance` apart? out\[i \* row_stride + j\] is the answer of vesica_within_f64.
+    ///
+    /// Arrays, row_stride and errors are those of vesica_overlap_matrix_f64.
+    ///
+    /// Requires: distance \>= 0, or infinity, of which any two valid shapes are within.
+    ///
+    /// Returns: how many answers are \> 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+    ///
+    /// Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
+    /// pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f64 has
+    /// it, is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed
+    /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
+    /// their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_within_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: f64, out: *mut u8,
+        row_stride: isize) -> i64;
     /// Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
     ///
     /// Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape kept
@@ -2705,6 +2854,41 @@ extern "C" {
     pub fn vesica_suppress_f64(shapes: *const Shapes<f64>, scores: *const f64, labels: *const i32, ratio: i32,
         threshold: f64, least_score: f64, most: i64, scratch: *mut c_void, scratch_size: i64, keep: *mut i64,
         kept: *mut i64) -> i32;
+    /// How many bytes of scratch does soft suppression of `count` shapes need?
+    ///
+    /// Returns: 64 bytes a shape.
+    ///
+    /// Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
+    ///
+    /// Since: 0.1.
+    pub fn vesica_suppress_soft_scratch(count: i64) -> i64;
+    /// Soft suppression: what a better shape covers keeps a lower score.
+    ///
+    /// Again and again takes the shape with the highest score, of equal ones the first, keeps it, and lowers the score
+    /// of each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or no score
+    /// is left that is at least least_score. keep\[k\] is the shape taken in turn k, and decayed\[k\] the score that it
+    /// then had.
+    ///
+    /// Requires: shapes, scores and labels as vesica_suppress_f64; ratio, any but VESICA_RATIO_OVER_FIRST and
+    /// _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score \>= 0; scratch of at
+    /// least vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are
+    /// kept.
+    ///
+    /// Returns: 0, with \*kept set to how many are kept.
+    ///
+    /// Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and
+    /// all else is written.
+    ///
+    /// Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential,
+    /// right to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every
+    /// machine. Floats are widened first, and only the final scores rounded.
+    ///
+    /// Cost: that of vesica_ratio_matrix_f64 for each kept shape with all of its label that are left.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_suppress_soft_f64(shapes: *const Shapes<f64>, scores: *const f64, labels: *const i32, ratio: i32,
+        decay: i32, parameter: f64, least_score: f64, most: i64, scratch: *mut c_void, scratch_size: i64,
+        keep: *mut i64, decayed: *mut f64, kept: *mut i64) -> i32;
     /// What share of a's area does b cover, or of b's area a? And other ratios by which detections are compared.
     ///
     /// The first four are from 0 to 1. One over a shape is 0 if no area is shared, and 1 if the other shape contains
@@ -2821,6 +3005,133 @@ extern "C" {
     pub fn vesica_suppress_f32(shapes: *const Shapes<f32>, scores: *const f32, labels: *const i32, ratio: i32,
         threshold: f32, least_score: f32, most: i64, scratch: *mut c_void, scratch_size: i64, keep: *mut i64,
         kept: *mut i64) -> i32;
+    /// How far apart are two shapes or, as a number below 0, how deep do they overlap?
+    ///
+    /// The distance of vesica_nearest_f32 if they are disjoint, else minus the depth of vesica_depth_f32: 0 where they
+    /// only touch. Exchanging the shapes changes no bit.
+    ///
+    /// Returns: 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+    ///
+    /// Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+    /// Each number is computed in double, within these bounds, and then rounded to float once.
+    ///
+    /// Cost: that of vesica_nearest_f32 or of vesica_depth_f32, whichever it is.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_signed_distance_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
+        out: *mut f32) -> i32;
+    /// Signed distances of a\[i\] and b\[i\]. Arrays and errors are those of vesica_iou_many_f32.
+    ///
+    /// Returns: how many pairs overlap (signed distance \<= 0).
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+    ///
+    /// Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+    /// Each number is computed in double, within these bounds, and then rounded to float once.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_signed_distance_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32) -> i64;
+    /// Signed distances of a\[i\] and b\[j\]. Arrays, row_stride and errors are those of vesica_iou_matrix_f32.
+    ///
+    /// Returns: how many pairs overlap (signed distance \<= 0).
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
+    ///
+    /// Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+    /// Each number is computed in double, within these bounds, and then rounded to float once.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_signed_distance_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32,
+        row_stride: isize) -> i64;
+    /// Are two shapes at most `distance` apart? Exactly so far apart counts, as touching does.
+    ///
+    /// Distance 0 asks what vesica_overlap_f32 does, and is exact for all kinds. Who must not miss a pair takes an
+    /// answer \> 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the shapes changes
+    /// nothing.
+    ///
+    /// Requires: distance \>= 0, or infinity, of which any two valid shapes are within.
+    ///
+    /// Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+    ///
+    /// Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
+    /// pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f32 has
+    /// it, is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed
+    /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
+    /// their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    ///
+    /// Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_within_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
+        distance: f32) -> i32;
+    /// Are a\[i\] and b\[i\] at most `distance` apart? out\[i\] is the answer of vesica_within_f32.
+    ///
+    /// Arrays and errors are those of vesica_overlap_many_f32.
+    ///
+    /// Requires: distance \>= 0, or infinity, of which any two valid shapes are within.
+    ///
+    /// Returns: how many answers are \> 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+    ///
+    /// Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
+    /// pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f32 has
+    /// it, is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed
+    /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
+    /// their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_within_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: f32, out: *mut u8) -> i64;
+    /// Are a\[i\] and b\[j\] at most `distance` apart? out\[i \* row_stride + j\] is the answer of vesica_within_f32.
+    ///
+    /// Arrays, row_stride and errors are those of vesica_overlap_matrix_f32.
+    ///
+    /// Requires: distance \>= 0, or infinity, of which any two valid shapes are within.
+    ///
+    /// Returns: how many answers are \> 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
+    ///
+    /// Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
+    /// pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f32 has
+    /// it, is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed
+    /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
+    /// their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_within_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: f32, out: *mut u8,
+        row_stride: isize) -> i64;
+    /// Soft suppression: what a better shape covers keeps a lower score.
+    ///
+    /// Again and again takes the shape with the highest score, of equal ones the first, keeps it, and lowers the score
+    /// of each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or no score
+    /// is left that is at least least_score. keep\[k\] is the shape taken in turn k, and decayed\[k\] the score that it
+    /// then had.
+    ///
+    /// Requires: shapes, scores and labels as vesica_suppress_f32; ratio, any but VESICA_RATIO_OVER_FIRST and
+    /// _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score \>= 0; scratch of at
+    /// least vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are
+    /// kept.
+    ///
+    /// Returns: 0, with \*kept set to how many are kept.
+    ///
+    /// Errors: as vesica_suppress_f32. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and
+    /// all else is written.
+    ///
+    /// Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential,
+    /// right to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every
+    /// machine. Floats are widened first, and only the final scores rounded.
+    ///
+    /// Cost: that of vesica_ratio_matrix_f32 for each kept shape with all of its label that are left.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_suppress_soft_f32(shapes: *const Shapes<f32>, scores: *const f32, labels: *const i32, ratio: i32,
+        decay: i32, parameter: f32, least_score: f32, most: i64, scratch: *mut c_void, scratch_size: i64,
+        keep: *mut i64, decayed: *mut f32, kept: *mut i64) -> i32;
     /// Does b touch a while it moves, when first, and where?
     ///
     /// The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
@@ -3023,6 +3334,114 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_index_cast_first_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32,
         one: *const Shapes<f32>, vx: f32, vy: f32, t_end: f32, out: *mut Impact<f32>) -> i64;
+    /// The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+    ///
+    /// Every shape has an inside, an outline and an outside. The nine characters say of a's inside with b's inside,
+    /// outline and outside, then of a's outline with those three, then of a's outside, what they share: F for nothing,
+    /// else the dimension: 0 for single points, 1 for lines, 2 for an area. The outline of a segment is its two end
+    /// points; a point has none; that of a shape with area is the curve around it. A segment without length is a point;
+    /// a shape with one size 0 is a segment, with both a point. So a box that shares a side with another gives
+    /// "FF2F11212". Exchanging the shapes exchanges rows and columns.
+    ///
+    /// Requires: matrix with room for 10 characters.
+    ///
+    /// Returns: 0, and nine characters and a final NUL in matrix.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+    ///
+    /// Accuracy: exact.
+    ///
+    /// Cost: that of vesica_relation_f64; for a segment and for boxes whose sides are parallel, a microsecond more.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_de9im_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
+        matrix: *mut u8) -> i32;
+    /// Does a nine-intersection matrix fit a pattern, such as "T\*F\*\*F\*\*\*" for "a is within b"?
+    ///
+    /// Each character of the pattern is one of F, 0, 1 and 2, which is meant literally; T, any of 0, 1 and 2; and \*,
+    /// which fits all.
+    ///
+    /// Requires: matrix and pattern, nine such characters and a final NUL each; no T or \* in the matrix.
+    ///
+    /// Returns: 1 if it fits, 0 if not.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (another length or another character).
+    ///
+    /// Accuracy: exact.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_de9im_match(matrix: *const u8, pattern: *const u8) -> i32;
+    /// The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
+    ///
+    /// The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle or an
+    /// ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the
+    /// one that is lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two
+    /// are a segment's ends. Of the same two shapes in either order they are the same numbers. Vertices that are not
+    /// used become 0.
+    ///
+    /// Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is shared.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE
+    /// (a vertex exceeds the finite numbers).
+    ///
+    /// Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has
+    /// the numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f64. Others are right to 4 u times
+    /// the largest coordinate or size of either shape. Bounds on computed numbers use u = 2^-53. The scale of two
+    /// shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a
+    /// shape's longer size over its shorter one.
+    ///
+    /// Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly unlike.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_intersection_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
+        vertices: *mut f64) -> i32;
+    /// The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+    ///
+    /// Every shape has an inside, an outline and an outside. The nine characters say of a's inside with b's inside,
+    /// outline and outside, then of a's outline with those three, then of a's outside, what they share: F for nothing,
+    /// else the dimension: 0 for single points, 1 for lines, 2 for an area. The outline of a segment is its two end
+    /// points; a point has none; that of a shape with area is the curve around it. A segment without length is a point;
+    /// a shape with one size 0 is a segment, with both a point. So a box that shares a side with another gives
+    /// "FF2F11212". Exchanging the shapes exchanges rows and columns.
+    ///
+    /// Requires: matrix with room for 10 characters.
+    ///
+    /// Returns: 0, and nine characters and a final NUL in matrix.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
+    ///
+    /// Accuracy: exact.
+    ///
+    /// Cost: that of vesica_relation_f32; for a segment and for boxes whose sides are parallel, a microsecond more.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_de9im_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
+        matrix: *mut u8) -> i32;
+    /// The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
+    ///
+    /// The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle or an
+    /// ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the
+    /// one that is lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two
+    /// are a segment's ends. Of the same two shapes in either order they are the same numbers. Vertices that are not
+    /// used become 0.
+    ///
+    /// Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f32 says that nothing is shared.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE
+    /// (a vertex exceeds the finite numbers).
+    ///
+    /// Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has
+    /// the numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f32. Others are right to 4 u times
+    /// the largest coordinate or size of either shape. Each number is computed in double, within these bounds, and then
+    /// rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx|
+    /// and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its
+    /// shorter one.
+    ///
+    /// Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly unlike.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_intersection_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
+        vertices: *mut f32) -> i32;
 }
 
 /// `f64` and `f32`, each with the functions of its type.
@@ -3114,6 +3533,9 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
         index_b: *const c_void, sets_b: *const Shapes<Self>, set_count_b: i32, part: i64, parts: i64,
         scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64,
         state: *mut i64) -> i64;
+    unsafe fn join_within(index_a: *const c_void, sets_a: *const Shapes<Self>, set_count_a: i32, index_b: *const c_void,
+        sets_b: *const Shapes<Self>, set_count_b: i32, distance: Self, part: i64, parts: i64, out_a: *mut i64,
+        out_b: *mut i64, capacity: i64, state: *mut i64) -> i64;
     unsafe fn index_nearest(index: *const c_void, sets: *const Shapes<Self>, set_count: i32, one: *const Shapes<Self>,
         k: i64, within: Self, out: *mut i64, distance: *mut Self) -> i64;
     unsafe fn join_nearest(sets_a: *const Shapes<Self>, set_count_a: i32, index_b: *const c_void,
@@ -3128,9 +3550,21 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
     unsafe fn boundary_distance_matrix(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self,
         row_stride: isize) -> i64;
     unsafe fn depth_matrix(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self, row_stride: isize) -> i64;
+    unsafe fn signed_distance(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self,
+        out: *mut Self) -> i32;
+    unsafe fn signed_distance_many(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self) -> i64;
+    unsafe fn signed_distance_matrix(a: *const Shapes<Self>, b: *const Shapes<Self>, out: *mut Self,
+        row_stride: isize) -> i64;
+    unsafe fn within(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self, distance: Self) -> i32;
+    unsafe fn within_many(a: *const Shapes<Self>, b: *const Shapes<Self>, distance: Self, out: *mut u8) -> i64;
+    unsafe fn within_matrix(a: *const Shapes<Self>, b: *const Shapes<Self>, distance: Self, out: *mut u8,
+        row_stride: isize) -> i64;
     unsafe fn suppress(shapes: *const Shapes<Self>, scores: *const Self, labels: *const i32, ratio: i32,
         threshold: Self, least_score: Self, most: i64, scratch: *mut c_void, scratch_size: i64, keep: *mut i64,
         kept: *mut i64) -> i32;
+    unsafe fn suppress_soft(shapes: *const Shapes<Self>, scores: *const Self, labels: *const i32, ratio: i32,
+        decay: i32, parameter: Self, least_score: Self, most: i64, scratch: *mut c_void, scratch_size: i64,
+        keep: *mut i64, decayed: *mut Self, kept: *mut i64) -> i32;
     unsafe fn cast(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self, vx: Self, vy: Self,
         t_end: Self, out: *mut Impact<Self>) -> i32;
     unsafe fn cast_many(a: *const Shapes<Self>, b: *const Shapes<Self>, vx: *const Self, vy: *const Self, stride: isize,
@@ -3143,6 +3577,9 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
         vx: Self, vy: Self, t_end: Self, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
     unsafe fn index_cast_first(index: *const c_void, sets: *const Shapes<Self>, set_count: i32,
         one: *const Shapes<Self>, vx: Self, vy: Self, t_end: Self, out: *mut Impact<Self>) -> i64;
+    unsafe fn de9im(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self, matrix: *mut u8) -> i32;
+    unsafe fn intersection(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self,
+        vertices: *mut Self) -> i32;
 }
 unsafe impl Scalar for f64 {
     #[inline]
@@ -3425,6 +3862,13 @@ unsafe impl Scalar for f64 {
             scratch_size, out_a, out_b, capacity, state)
     }
     #[inline]
+    unsafe fn join_within(index_a: *const c_void, sets_a: *const Shapes<f64>, set_count_a: i32, index_b: *const c_void,
+        sets_b: *const Shapes<f64>, set_count_b: i32, distance: f64, part: i64, parts: i64, out_a: *mut i64,
+        out_b: *mut i64, capacity: i64, state: *mut i64) -> i64 {
+        vesica_join_within_f64(index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, distance, part, parts, out_a,
+            out_b, capacity, state)
+    }
+    #[inline]
     unsafe fn index_nearest(index: *const c_void, sets: *const Shapes<f64>, set_count: i32, one: *const Shapes<f64>,
         k: i64, within: f64, out: *mut i64, distance: *mut f64) -> i64 {
         vesica_index_nearest_f64(index, sets, set_count, one, k, within, out, distance)
@@ -3464,10 +3908,44 @@ unsafe impl Scalar for f64 {
         vesica_depth_matrix_f64(a, b, out, row_stride)
     }
     #[inline]
+    unsafe fn signed_distance(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
+        out: *mut f64) -> i32 {
+        vesica_signed_distance_f64(kind_a, numbers_a, kind_b, numbers_b, out)
+    }
+    #[inline]
+    unsafe fn signed_distance_many(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64) -> i64 {
+        vesica_signed_distance_many_f64(a, b, out)
+    }
+    #[inline]
+    unsafe fn signed_distance_matrix(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64,
+        row_stride: isize) -> i64 {
+        vesica_signed_distance_matrix_f64(a, b, out, row_stride)
+    }
+    #[inline]
+    unsafe fn within(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, distance: f64) -> i32 {
+        vesica_within_f64(kind_a, numbers_a, kind_b, numbers_b, distance)
+    }
+    #[inline]
+    unsafe fn within_many(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: f64, out: *mut u8) -> i64 {
+        vesica_within_many_f64(a, b, distance, out)
+    }
+    #[inline]
+    unsafe fn within_matrix(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: f64, out: *mut u8,
+        row_stride: isize) -> i64 {
+        vesica_within_matrix_f64(a, b, distance, out, row_stride)
+    }
+    #[inline]
     unsafe fn suppress(shapes: *const Shapes<f64>, scores: *const f64, labels: *const i32, ratio: i32, threshold: f64,
         least_score: f64, most: i64, scratch: *mut c_void, scratch_size: i64, keep: *mut i64, kept: *mut i64) -> i32 {
         vesica_suppress_f64(shapes, scores, labels, ratio, threshold, least_score, most, scratch, scratch_size, keep,
             kept)
+    }
+    #[inline]
+    unsafe fn suppress_soft(shapes: *const Shapes<f64>, scores: *const f64, labels: *const i32, ratio: i32, decay: i32,
+        parameter: f64, least_score: f64, most: i64, scratch: *mut c_void, scratch_size: i64, keep: *mut i64,
+        decayed: *mut f64, kept: *mut i64) -> i32 {
+        vesica_suppress_soft_f64(shapes, scores, labels, ratio, decay, parameter, least_score, most, scratch,
+            scratch_size, keep, decayed, kept)
     }
     #[inline]
     unsafe fn cast(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, vx: f64, vy: f64, t_end: f64,
@@ -3497,6 +3975,15 @@ unsafe impl Scalar for f64 {
     unsafe fn index_cast_first(index: *const c_void, sets: *const Shapes<f64>, set_count: i32, one: *const Shapes<f64>,
         vx: f64, vy: f64, t_end: f64, out: *mut Impact<f64>) -> i64 {
         vesica_index_cast_first_f64(index, sets, set_count, one, vx, vy, t_end, out)
+    }
+    #[inline]
+    unsafe fn de9im(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, matrix: *mut u8) -> i32 {
+        vesica_de9im_f64(kind_a, numbers_a, kind_b, numbers_b, matrix)
+    }
+    #[inline]
+    unsafe fn intersection(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
+        vertices: *mut f64) -> i32 {
+        vesica_intersection_f64(kind_a, numbers_a, kind_b, numbers_b, vertices)
     }
 }
 unsafe impl Scalar for f32 {
@@ -3780,6 +4267,13 @@ unsafe impl Scalar for f32 {
             scratch_size, out_a, out_b, capacity, state)
     }
     #[inline]
+    unsafe fn join_within(index_a: *const c_void, sets_a: *const Shapes<f32>, set_count_a: i32, index_b: *const c_void,
+        sets_b: *const Shapes<f32>, set_count_b: i32, distance: f32, part: i64, parts: i64, out_a: *mut i64,
+        out_b: *mut i64, capacity: i64, state: *mut i64) -> i64 {
+        vesica_join_within_f32(index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, distance, part, parts, out_a,
+            out_b, capacity, state)
+    }
+    #[inline]
     unsafe fn index_nearest(index: *const c_void, sets: *const Shapes<f32>, set_count: i32, one: *const Shapes<f32>,
         k: i64, within: f32, out: *mut i64, distance: *mut f32) -> i64 {
         vesica_index_nearest_f32(index, sets, set_count, one, k, within, out, distance)
@@ -3819,10 +4313,44 @@ unsafe impl Scalar for f32 {
         vesica_depth_matrix_f32(a, b, out, row_stride)
     }
     #[inline]
+    unsafe fn signed_distance(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
+        out: *mut f32) -> i32 {
+        vesica_signed_distance_f32(kind_a, numbers_a, kind_b, numbers_b, out)
+    }
+    #[inline]
+    unsafe fn signed_distance_many(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32) -> i64 {
+        vesica_signed_distance_many_f32(a, b, out)
+    }
+    #[inline]
+    unsafe fn signed_distance_matrix(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32,
+        row_stride: isize) -> i64 {
+        vesica_signed_distance_matrix_f32(a, b, out, row_stride)
+    }
+    #[inline]
+    unsafe fn within(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, distance: f32) -> i32 {
+        vesica_within_f32(kind_a, numbers_a, kind_b, numbers_b, distance)
+    }
+    #[inline]
+    unsafe fn within_many(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: f32, out: *mut u8) -> i64 {
+        vesica_within_many_f32(a, b, distance, out)
+    }
+    #[inline]
+    unsafe fn within_matrix(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: f32, out: *mut u8,
+        row_stride: isize) -> i64 {
+        vesica_within_matrix_f32(a, b, distance, out, row_stride)
+    }
+    #[inline]
     unsafe fn suppress(shapes: *const Shapes<f32>, scores: *const f32, labels: *const i32, ratio: i32, threshold: f32,
         least_score: f32, most: i64, scratch: *mut c_void, scratch_size: i64, keep: *mut i64, kept: *mut i64) -> i32 {
         vesica_suppress_f32(shapes, scores, labels, ratio, threshold, least_score, most, scratch, scratch_size, keep,
             kept)
+    }
+    #[inline]
+    unsafe fn suppress_soft(shapes: *const Shapes<f32>, scores: *const f32, labels: *const i32, ratio: i32, decay: i32,
+        parameter: f32, least_score: f32, most: i64, scratch: *mut c_void, scratch_size: i64, keep: *mut i64,
+        decayed: *mut f32, kept: *mut i64) -> i32 {
+        vesica_suppress_soft_f32(shapes, scores, labels, ratio, decay, parameter, least_score, most, scratch,
+            scratch_size, keep, decayed, kept)
     }
     #[inline]
     unsafe fn cast(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, vx: f32, vy: f32, t_end: f32,
@@ -3852,5 +4380,14 @@ unsafe impl Scalar for f32 {
     unsafe fn index_cast_first(index: *const c_void, sets: *const Shapes<f32>, set_count: i32, one: *const Shapes<f32>,
         vx: f32, vy: f32, t_end: f32, out: *mut Impact<f32>) -> i64 {
         vesica_index_cast_first_f32(index, sets, set_count, one, vx, vy, t_end, out)
+    }
+    #[inline]
+    unsafe fn de9im(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, matrix: *mut u8) -> i32 {
+        vesica_de9im_f32(kind_a, numbers_a, kind_b, numbers_b, matrix)
+    }
+    #[inline]
+    unsafe fn intersection(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
+        vertices: *mut f32) -> i32 {
+        vesica_intersection_f32(kind_a, numbers_a, kind_b, numbers_b, vertices)
     }
 }

@@ -52,6 +52,11 @@ package Vesica_C is
    Vesica_Ratio_Generalized : constant := 4;
    Vesica_Ratio_Distance : constant := 5;
    Vesica_Ratio_Complete : constant := 6;
+   Vesica_Within_No : constant := 0;
+   Vesica_Within_Yes : constant := 1;
+   Vesica_Within_Nearly : constant := 2;
+   Vesica_Decay_Linear : constant := 0;
+   Vesica_Decay_Gaussian : constant := 1;
    Vesica_Cast_Miss : constant := 0;
    Vesica_Cast_Hit : constant := 1;
    Vesica_Cast_Start : constant := 2;
@@ -906,6 +911,14 @@ package Vesica_C is
       System.Address; Capacity : Integer_64; State : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_join_f64";
 
+   --  All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once:
+   --  those whose answer from vesica_within_f64 is > 0.
+   function Vesica_Join_Within_F64 (Index_A : System.Address; Sets_A : System.Address; Set_Count_A : Integer_32;
+      Index_B : System.Address; Sets_B : System.Address; Set_Count_B : Integer_32; Distance : IEEE_Float_64; Part
+      : Integer_64; Parts : Integer_64; Out_A : System.Address; Out_B : System.Address; Capacity : Integer_64;
+      State : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_join_within_f64";
+
    --  Which items of an index are nearest to one shape?
    function Vesica_Index_Nearest_F64 (Index : System.Address; Sets : System.Address; Set_Count : Integer_32; One
       : System.Address; K : Integer_64; Within : IEEE_Float_64; Output : System.Address; Distance :
@@ -940,6 +953,14 @@ package Vesica_C is
       Parts : Integer_64; Scratch : System.Address; Scratch_Size : Integer_64; Out_A : System.Address; Out_B :
       System.Address; Capacity : Integer_64; State : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_join_f32";
+
+   --  All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once:
+   --  those whose answer from vesica_within_f32 is > 0.
+   function Vesica_Join_Within_F32 (Index_A : System.Address; Sets_A : System.Address; Set_Count_A : Integer_32;
+      Index_B : System.Address; Sets_B : System.Address; Set_Count_B : Integer_32; Distance : IEEE_Float_32; Part
+      : Integer_64; Parts : Integer_64; Out_A : System.Address; Out_B : System.Address; Capacity : Integer_64;
+      State : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_join_within_f32";
 
    --  Which items of an index are nearest to one shape?
    function Vesica_Index_Nearest_F32 (Index : System.Address; Sets : System.Address; Set_Count : Integer_32; One
@@ -983,11 +1004,52 @@ package Vesica_C is
       : ptrdiff_t) return Integer_64
      with Import, Convention => C, External_Name => "vesica_depth_matrix_f64";
 
+   --  How far apart are two shapes or, as a number below 0, how deep do they overlap?
+   function Vesica_Signed_Distance_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32;
+      Numbers_B : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_signed_distance_f64";
+
+   --  Signed distances of a[i] and b[i].
+   function Vesica_Signed_Distance_Many_F64 (A : System.Address; B : System.Address; Output : System.Address)
+      return Integer_64
+     with Import, Convention => C, External_Name => "vesica_signed_distance_many_f64";
+
+   --  Signed distances of a[i] and b[j].
+   function Vesica_Signed_Distance_Matrix_F64 (A : System.Address; B : System.Address; Output : System.Address;
+      Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_signed_distance_matrix_f64";
+
+   --  Are two shapes at most `distance` apart?
+   function Vesica_Within_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
+      System.Address; Distance : IEEE_Float_64) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_within_f64";
+
+   --  Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f64.
+   function Vesica_Within_Many_F64 (A : System.Address; B : System.Address; Distance : IEEE_Float_64; Output :
+      System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_within_many_f64";
+
+   --  Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f64.
+   function Vesica_Within_Matrix_F64 (A : System.Address; B : System.Address; Distance : IEEE_Float_64; Output :
+      System.Address; Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_within_matrix_f64";
+
    --  Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
    function Vesica_Suppress_F64 (Shapes : System.Address; Scores : System.Address; Labels : System.Address; Ratio
       : Integer_32; Threshold : IEEE_Float_64; Least_Score : IEEE_Float_64; Most : Integer_64; Scratch :
       System.Address; Scratch_Size : Integer_64; Keep : System.Address; Kept : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_suppress_f64";
+
+   --  How many bytes of scratch does soft suppression of `count` shapes need?
+   function Vesica_Suppress_Soft_Scratch (Count : Integer_64) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_suppress_soft_scratch";
+
+   --  Soft suppression: what a better shape covers keeps a lower score.
+   function Vesica_Suppress_Soft_F64 (Shapes : System.Address; Scores : System.Address; Labels : System.Address;
+      Ratio : Integer_32; Decay : Integer_32; Parameter : IEEE_Float_64; Least_Score : IEEE_Float_64; Most :
+      Integer_64; Scratch : System.Address; Scratch_Size : Integer_64; Keep : System.Address; Decayed :
+      System.Address; Kept : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_suppress_soft_f64";
 
    --  What share of a's area does b cover, or of b's area a?
    function Vesica_Ratio_F32 (Ratio : Integer_32; Kind_A : Integer_32; Numbers_A : System.Address; Kind_B :
@@ -1024,6 +1086,43 @@ package Vesica_C is
       : Integer_32; Threshold : IEEE_Float_32; Least_Score : IEEE_Float_32; Most : Integer_64; Scratch :
       System.Address; Scratch_Size : Integer_64; Keep : System.Address; Kept : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_suppress_f32";
+
+   --  How far apart are two shapes or, as a number below 0, how deep do they overlap?
+   function Vesica_Signed_Distance_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32;
+      Numbers_B : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_signed_distance_f32";
+
+   --  Signed distances of a[i] and b[i].
+   function Vesica_Signed_Distance_Many_F32 (A : System.Address; B : System.Address; Output : System.Address)
+      return Integer_64
+     with Import, Convention => C, External_Name => "vesica_signed_distance_many_f32";
+
+   --  Signed distances of a[i] and b[j].
+   function Vesica_Signed_Distance_Matrix_F32 (A : System.Address; B : System.Address; Output : System.Address;
+      Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_signed_distance_matrix_f32";
+
+   --  Are two shapes at most `distance` apart?
+   function Vesica_Within_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
+      System.Address; Distance : IEEE_Float_32) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_within_f32";
+
+   --  Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f32.
+   function Vesica_Within_Many_F32 (A : System.Address; B : System.Address; Distance : IEEE_Float_32; Output :
+      System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_within_many_f32";
+
+   --  Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f32.
+   function Vesica_Within_Matrix_F32 (A : System.Address; B : System.Address; Distance : IEEE_Float_32; Output :
+      System.Address; Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_within_matrix_f32";
+
+   --  Soft suppression: what a better shape covers keeps a lower score.
+   function Vesica_Suppress_Soft_F32 (Shapes : System.Address; Scores : System.Address; Labels : System.Address;
+      Ratio : Integer_32; Decay : Integer_32; Parameter : IEEE_Float_32; Least_Score : IEEE_Float_32; Most :
+      Integer_64; Scratch : System.Address; Scratch_Size : Integer_64; Keep : System.Address; Decayed :
+      System.Address; Kept : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_suppress_soft_f32";
 
    --  Does b touch a while it moves, when first, and where?
    function Vesica_Cast_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
@@ -1092,5 +1191,31 @@ package Vesica_C is
       One : System.Address; Vx : IEEE_Float_32; Vy : IEEE_Float_32; T_End : IEEE_Float_32; Output :
       System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_index_cast_first_f32";
+
+   --  The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+   function Vesica_De9im_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
+      System.Address; Matrix : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_de9im_f64";
+
+   --  Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
+   function Vesica_De9im_Match (Matrix : chars_ptr; Pattern : chars_ptr) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_de9im_match";
+
+   --  The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
+   --  shape.
+   function Vesica_Intersection_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32;
+      Numbers_B : System.Address; Vertices : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_intersection_f64";
+
+   --  The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+   function Vesica_De9im_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
+      System.Address; Matrix : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_de9im_f32";
+
+   --  The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
+   --  shape.
+   function Vesica_Intersection_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32;
+      Numbers_B : System.Address; Vertices : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_intersection_f32";
 
 end Vesica_C;

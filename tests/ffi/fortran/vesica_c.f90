@@ -51,6 +51,11 @@ module vesica_c
   integer(c_int32_t), parameter :: vesica_ratio_generalized = 4
   integer(c_int32_t), parameter :: vesica_ratio_distance = 5
   integer(c_int32_t), parameter :: vesica_ratio_complete = 6
+  integer(c_int32_t), parameter :: vesica_within_no = 0
+  integer(c_int32_t), parameter :: vesica_within_yes = 1
+  integer(c_int32_t), parameter :: vesica_within_nearly = 2
+  integer(c_int32_t), parameter :: vesica_decay_linear = 0
+  integer(c_int32_t), parameter :: vesica_decay_gaussian = 1
   integer(c_int32_t), parameter :: vesica_cast_miss = 0
   integer(c_int32_t), parameter :: vesica_cast_hit = 1
   integer(c_int32_t), parameter :: vesica_cast_start = 2
@@ -1448,6 +1453,26 @@ module vesica_c
       type(c_ptr), value :: state
     end function
 
+    !> All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once:
+    !> those whose answer from vesica_within_f64 is > 0.
+    integer(c_int64_t) function vesica_join_within_f64(index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, &
+      distance, part, parts, out_a, out_b, capacity, state) bind(c)
+      import
+      type(c_ptr), value :: index_a
+      type(c_ptr), value :: sets_a
+      integer(c_int32_t), value :: set_count_a
+      type(c_ptr), value :: index_b
+      type(c_ptr), value :: sets_b
+      integer(c_int32_t), value :: set_count_b
+      real(c_double), value :: distance
+      integer(c_int64_t), value :: part
+      integer(c_int64_t), value :: parts
+      type(c_ptr), value :: out_a
+      type(c_ptr), value :: out_b
+      integer(c_int64_t), value :: capacity
+      type(c_ptr), value :: state
+    end function
+
     !> Which items of an index are nearest to one shape?
     integer(c_int64_t) function vesica_index_nearest_f64(index, sets, set_count, one, k, within, out, distance) &
       bind(c)
@@ -1533,6 +1558,26 @@ module vesica_c
       integer(c_int64_t), value :: parts
       type(c_ptr), value :: scratch
       integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: out_a
+      type(c_ptr), value :: out_b
+      integer(c_int64_t), value :: capacity
+      type(c_ptr), value :: state
+    end function
+
+    !> All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once:
+    !> those whose answer from vesica_within_f32 is > 0.
+    integer(c_int64_t) function vesica_join_within_f32(index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, &
+      distance, part, parts, out_a, out_b, capacity, state) bind(c)
+      import
+      type(c_ptr), value :: index_a
+      type(c_ptr), value :: sets_a
+      integer(c_int32_t), value :: set_count_a
+      type(c_ptr), value :: index_b
+      type(c_ptr), value :: sets_b
+      integer(c_int32_t), value :: set_count_b
+      real(c_float), value :: distance
+      integer(c_int64_t), value :: part
+      integer(c_int64_t), value :: parts
       type(c_ptr), value :: out_a
       type(c_ptr), value :: out_b
       integer(c_int64_t), value :: capacity
@@ -1627,6 +1672,62 @@ module vesica_c
       integer(c_ptrdiff_t), value :: row_stride
     end function
 
+    !> How far apart are two shapes or, as a number below 0, how deep do they overlap?
+    integer(c_int32_t) function vesica_signed_distance_f64(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: numbers_b(*)
+      type(c_ptr), value :: out
+    end function
+
+    !> Signed distances of a[i] and b[i].
+    integer(c_int64_t) function vesica_signed_distance_many_f64(a, b, out) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+    end function
+
+    !> Signed distances of a[i] and b[j].
+    integer(c_int64_t) function vesica_signed_distance_matrix_f64(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> Are two shapes at most `distance` apart?
+    integer(c_int32_t) function vesica_within_f64(kind_a, numbers_a, kind_b, numbers_b, distance) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: numbers_b(*)
+      real(c_double), value :: distance
+    end function
+
+    !> Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f64.
+    integer(c_int64_t) function vesica_within_many_f64(a, b, distance, out) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      real(c_double), value :: distance
+      type(c_ptr), value :: out
+    end function
+
+    !> Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f64.
+    integer(c_int64_t) function vesica_within_matrix_f64(a, b, distance, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      real(c_double), value :: distance
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
     !> Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
     integer(c_int32_t) function vesica_suppress_f64(shapes, scores, labels, ratio, threshold, least_score, most, &
       scratch, scratch_size, keep, kept) bind(c)
@@ -1641,6 +1742,31 @@ module vesica_c
       type(c_ptr), value :: scratch
       integer(c_int64_t), value :: scratch_size
       type(c_ptr), value :: keep
+      type(c_ptr), value :: kept
+    end function
+
+    !> How many bytes of scratch does soft suppression of `count` shapes need?
+    integer(c_int64_t) function vesica_suppress_soft_scratch(count) bind(c)
+      import
+      integer(c_int64_t), value :: count
+    end function
+
+    !> Soft suppression: what a better shape covers keeps a lower score.
+    integer(c_int32_t) function vesica_suppress_soft_f64(shapes, scores, labels, ratio, decay, parameter, &
+      least_score, most, scratch, scratch_size, keep, decayed, kept) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: shapes
+      type(c_ptr), value :: scores
+      type(c_ptr), value :: labels
+      integer(c_int32_t), value :: ratio
+      integer(c_int32_t), value :: decay
+      real(c_double), value :: parameter
+      real(c_double), value :: least_score
+      integer(c_int64_t), value :: most
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: keep
+      type(c_ptr), value :: decayed
       type(c_ptr), value :: kept
     end function
 
@@ -1715,6 +1841,81 @@ module vesica_c
       type(c_ptr), value :: scratch
       integer(c_int64_t), value :: scratch_size
       type(c_ptr), value :: keep
+      type(c_ptr), value :: kept
+    end function
+
+    !> How far apart are two shapes or, as a number below 0, how deep do they overlap?
+    integer(c_int32_t) function vesica_signed_distance_f32(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: numbers_b(*)
+      type(c_ptr), value :: out
+    end function
+
+    !> Signed distances of a[i] and b[i].
+    integer(c_int64_t) function vesica_signed_distance_many_f32(a, b, out) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+    end function
+
+    !> Signed distances of a[i] and b[j].
+    integer(c_int64_t) function vesica_signed_distance_matrix_f32(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> Are two shapes at most `distance` apart?
+    integer(c_int32_t) function vesica_within_f32(kind_a, numbers_a, kind_b, numbers_b, distance) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: numbers_b(*)
+      real(c_float), value :: distance
+    end function
+
+    !> Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f32.
+    integer(c_int64_t) function vesica_within_many_f32(a, b, distance, out) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      real(c_float), value :: distance
+      type(c_ptr), value :: out
+    end function
+
+    !> Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f32.
+    integer(c_int64_t) function vesica_within_matrix_f32(a, b, distance, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      real(c_float), value :: distance
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> Soft suppression: what a better shape covers keeps a lower score.
+    integer(c_int32_t) function vesica_suppress_soft_f32(shapes, scores, labels, ratio, decay, parameter, &
+      least_score, most, scratch, scratch_size, keep, decayed, kept) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: shapes
+      type(c_ptr), value :: scores
+      type(c_ptr), value :: labels
+      integer(c_int32_t), value :: ratio
+      integer(c_int32_t), value :: decay
+      real(c_float), value :: parameter
+      real(c_float), value :: least_score
+      integer(c_int64_t), value :: most
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: keep
+      type(c_ptr), value :: decayed
       type(c_ptr), value :: kept
     end function
 
@@ -1876,6 +2077,55 @@ module vesica_c
       real(c_float), value :: vy
       real(c_float), value :: t_end
       type(vesica_impact_f32), intent(out) :: out
+    end function
+
+    !> The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+    integer(c_int32_t) function vesica_de9im_f64(kind_a, numbers_a, kind_b, numbers_b, matrix) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: numbers_b(*)
+      type(c_ptr), value :: matrix
+    end function
+
+    !> Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
+    integer(c_int32_t) function vesica_de9im_match(matrix, pattern) bind(c)
+      import
+      type(c_ptr), value :: matrix
+      type(c_ptr), value :: pattern
+    end function
+
+    !> The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
+    !> shape.
+    integer(c_int32_t) function vesica_intersection_f64(kind_a, numbers_a, kind_b, numbers_b, vertices) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: numbers_b(*)
+      type(c_ptr), value :: vertices
+    end function
+
+    !> The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+    integer(c_int32_t) function vesica_de9im_f32(kind_a, numbers_a, kind_b, numbers_b, matrix) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: numbers_b(*)
+      type(c_ptr), value :: matrix
+    end function
+
+    !> The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
+    !> shape.
+    integer(c_int32_t) function vesica_intersection_f32(kind_a, numbers_a, kind_b, numbers_b, vertices) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: numbers_b(*)
+      type(c_ptr), value :: vertices
     end function
   end interface
 end module

@@ -48,6 +48,11 @@
 (define-public VESICA_RATIO_GENERALIZED 4)
 (define-public VESICA_RATIO_DISTANCE 5)
 (define-public VESICA_RATIO_COMPLETE 6)
+(define-public VESICA_WITHIN_NO 0)
+(define-public VESICA_WITHIN_YES 1)
+(define-public VESICA_WITHIN_NEARLY 2)
+(define-public VESICA_DECAY_LINEAR 0)
+(define-public VESICA_DECAY_GAUSSIAN 1)
 (define-public VESICA_CAST_MISS 0)
 (define-public VESICA_CAST_HIT 1)
 (define-public VESICA_CAST_START 2)
@@ -352,6 +357,9 @@
 (c vesica_index_select_f64 int64 '* '* int32 '* '* int64 '*)
 ;; All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
 (c vesica_join_f64 int64 int32 '* '* int32 '* '* int32 int64 int64 '* int64 '* '* int64 '*)
+;; All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
+;; whose answer from vesica_within_f64 is > 0.
+(c vesica_join_within_f64 int64 '* '* int32 '* '* int32 double int64 int64 '* '* int64 '*)
 ;; Which items of an index are nearest to one shape?
 (c vesica_index_nearest_f64 int64 '* '* int32 '* int64 double '* '*)
 ;; Which items of index_b are nearest to each item of sets_a?
@@ -364,6 +372,9 @@
 (c vesica_index_select_f32 int64 '* '* int32 '* '* int64 '*)
 ;; All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
 (c vesica_join_f32 int64 int32 '* '* int32 '* '* int32 int64 int64 '* int64 '* '* int64 '*)
+;; All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
+;; whose answer from vesica_within_f32 is > 0.
+(c vesica_join_within_f32 int64 '* '* int32 '* '* int32 float int64 int64 '* '* int64 '*)
 ;; Which items of an index are nearest to one shape?
 (c vesica_index_nearest_f32 int64 '* '* int32 '* int64 float '* '*)
 ;; Which items of index_b are nearest to each item of sets_a?
@@ -380,8 +391,24 @@
 (c vesica_boundary_distance_matrix_f64 int64 '* '* '* ptrdiff_t)
 ;; How deep do a[i] and b[j] overlap?
 (c vesica_depth_matrix_f64 int64 '* '* '* ptrdiff_t)
+;; How far apart are two shapes or, as a number below 0, how deep do they overlap?
+(c vesica_signed_distance_f64 int32 int32 '* int32 '* '*)
+;; Signed distances of a[i] and b[i].
+(c vesica_signed_distance_many_f64 int64 '* '* '*)
+;; Signed distances of a[i] and b[j].
+(c vesica_signed_distance_matrix_f64 int64 '* '* '* ptrdiff_t)
+;; Are two shapes at most `distance` apart?
+(c vesica_within_f64 int32 int32 '* int32 '* double)
+;; Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f64.
+(c vesica_within_many_f64 int64 '* '* double '*)
+;; Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f64.
+(c vesica_within_matrix_f64 int64 '* '* double '* ptrdiff_t)
 ;; Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
 (c vesica_suppress_f64 int32 '* '* '* int32 double double int64 '* int64 '* '*)
+;; How many bytes of scratch does soft suppression of `count` shapes need?
+(c vesica_suppress_soft_scratch int64 int64)
+;; Soft suppression: what a better shape covers keeps a lower score.
+(c vesica_suppress_soft_f64 int32 '* '* '* int32 int32 double double int64 '* int64 '* '* '*)
 ;; What share of a's area does b cover, or of b's area a?
 (c vesica_ratio_f32 int32 int32 int32 '* int32 '* '*)
 ;; A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
@@ -396,6 +423,20 @@
 (c vesica_depth_matrix_f32 int64 '* '* '* ptrdiff_t)
 ;; Greedy non-maximum suppression as vesica_nms_f32, by any ratio and among like labels.
 (c vesica_suppress_f32 int32 '* '* '* int32 float float int64 '* int64 '* '*)
+;; How far apart are two shapes or, as a number below 0, how deep do they overlap?
+(c vesica_signed_distance_f32 int32 int32 '* int32 '* '*)
+;; Signed distances of a[i] and b[i].
+(c vesica_signed_distance_many_f32 int64 '* '* '*)
+;; Signed distances of a[i] and b[j].
+(c vesica_signed_distance_matrix_f32 int64 '* '* '* ptrdiff_t)
+;; Are two shapes at most `distance` apart?
+(c vesica_within_f32 int32 int32 '* int32 '* float)
+;; Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f32.
+(c vesica_within_many_f32 int64 '* '* float '*)
+;; Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f32.
+(c vesica_within_matrix_f32 int64 '* '* float '* ptrdiff_t)
+;; Soft suppression: what a better shape covers keeps a lower score.
+(c vesica_suppress_soft_f32 int32 '* '* '* int32 int32 float float int64 '* int64 '* '* '*)
 ;; Does b touch a while it moves, when first, and where?
 (c vesica_cast_f64 int32 int32 '* int32 '* double double double '*)
 ;; When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
@@ -420,3 +461,13 @@
 (c vesica_index_cast_f32 int64 '* '* int32 '* float float float '* int64 '*)
 ;; Which item of an index does one moving shape touch first?
 (c vesica_index_cast_first_f32 int64 '* '* int32 '* float float float '*)
+;; The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+(c vesica_de9im_f64 int32 int32 '* int32 '* '*)
+;; Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
+(c vesica_de9im_match int32 '* '*)
+;; The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
+(c vesica_intersection_f64 int32 int32 '* int32 '* '*)
+;; The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+(c vesica_de9im_f32 int32 int32 '* int32 '* '*)
+;; The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
+(c vesica_intersection_f32 int32 int32 '* int32 '* '*)

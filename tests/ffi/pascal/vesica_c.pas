@@ -52,6 +52,11 @@ const
   vesica_ratio_generalized = 4;
   vesica_ratio_distance = 5;
   vesica_ratio_complete = 6;
+  vesica_within_no = 0;
+  vesica_within_yes = 1;
+  vesica_within_nearly = 2;
+  vesica_decay_linear = 0;
+  vesica_decay_gaussian = 1;
   vesica_cast_miss = 0;
   vesica_cast_hit = 1;
   vesica_cast_start = 2;
@@ -649,6 +654,11 @@ function vesica_index_select_f64(index: Pointer; sets: PVesicaShapesF64; set_cou
 function vesica_join_f64(query: Int32; index_a: Pointer; sets_a: PVesicaShapesF64; set_count_a: Int32; index_b:
   Pointer; sets_b: PVesicaShapesF64; set_count_b: Int32; part: Int64; parts: Int64; scratch: Pointer; scratch_size:
   Int64; out_a: PInt64; out_b: PInt64; capacity: Int64; state: PInt64): Int64; cdecl; external vesica_library;
+// All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
+// whose answer from vesica_within_f64 is > 0.
+function vesica_join_within_f64(index_a: Pointer; sets_a: PVesicaShapesF64; set_count_a: Int32; index_b: Pointer;
+  sets_b: PVesicaShapesF64; set_count_b: Int32; distance: Double; part: Int64; parts: Int64; out_a: PInt64; out_b:
+  PInt64; capacity: Int64; state: PInt64): Int64; cdecl; external vesica_library;
 // Which items of an index are nearest to one shape?
 function vesica_index_nearest_f64(index: Pointer; sets: PVesicaShapesF64; set_count: Int32; one: PVesicaShapesF64;
   k: Int64; within: Double; output: PInt64; distance: PDouble): Int64; cdecl; external vesica_library;
@@ -669,6 +679,11 @@ function vesica_index_select_f32(index: Pointer; sets: PVesicaShapesF32; set_cou
 function vesica_join_f32(query: Int32; index_a: Pointer; sets_a: PVesicaShapesF32; set_count_a: Int32; index_b:
   Pointer; sets_b: PVesicaShapesF32; set_count_b: Int32; part: Int64; parts: Int64; scratch: Pointer; scratch_size:
   Int64; out_a: PInt64; out_b: PInt64; capacity: Int64; state: PInt64): Int64; cdecl; external vesica_library;
+// All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
+// whose answer from vesica_within_f32 is > 0.
+function vesica_join_within_f32(index_a: Pointer; sets_a: PVesicaShapesF32; set_count_a: Int32; index_b: Pointer;
+  sets_b: PVesicaShapesF32; set_count_b: Int32; distance: Single; part: Int64; parts: Int64; out_a: PInt64; out_b:
+  PInt64; capacity: Int64; state: PInt64): Int64; cdecl; external vesica_library;
 // Which items of an index are nearest to one shape?
 function vesica_index_nearest_f32(index: Pointer; sets: PVesicaShapesF32; set_count: Int32; one: PVesicaShapesF32;
   k: Int64; within: Single; output: PInt64; distance: PSingle): Int64; cdecl; external vesica_library;
@@ -694,10 +709,34 @@ function vesica_boundary_distance_matrix_f64(a: PVesicaShapesF64; b: PVesicaShap
 // How deep do a[i] and b[j] overlap?
 function vesica_depth_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble; row_stride: PtrInt):
   Int64; cdecl; external vesica_library;
+// How far apart are two shapes or, as a number below 0, how deep do they overlap?
+function vesica_signed_distance_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; output:
+  PDouble): Int32; cdecl; external vesica_library;
+// Signed distances of a[i] and b[i].
+function vesica_signed_distance_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble): Int64; cdecl;
+  external vesica_library;
+// Signed distances of a[i] and b[j].
+function vesica_signed_distance_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble; row_stride:
+  PtrInt): Int64; cdecl; external vesica_library;
+// Are two shapes at most `distance` apart?
+function vesica_within_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; distance: Double):
+  Int32; cdecl; external vesica_library;
+// Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f64.
+function vesica_within_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; distance: Double; output: PByte): Int64;
+  cdecl; external vesica_library;
+// Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f64.
+function vesica_within_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; distance: Double; output: PByte;
+  row_stride: PtrInt): Int64; cdecl; external vesica_library;
 // Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
 function vesica_suppress_f64(shapes: PVesicaShapesF64; scores: PDouble; labels: PInt32; ratio: Int32; threshold:
   Double; least_score: Double; most: Int64; scratch: Pointer; scratch_size: Int64; keep: PInt64; kept: PInt64):
   Int32; cdecl; external vesica_library;
+// How many bytes of scratch does soft suppression of `count` shapes need?
+function vesica_suppress_soft_scratch(count: Int64): Int64; cdecl; external vesica_library;
+// Soft suppression: what a better shape covers keeps a lower score.
+function vesica_suppress_soft_f64(shapes: PVesicaShapesF64; scores: PDouble; labels: PInt32; ratio: Int32; decay:
+  Int32; parameter: Double; least_score: Double; most: Int64; scratch: Pointer; scratch_size: Int64; keep: PInt64;
+  decayed: PDouble; kept: PInt64): Int32; cdecl; external vesica_library;
 // What share of a's area does b cover, or of b's area a?
 function vesica_ratio_f32(ratio: Int32; kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle;
   output: PSingle): Int32; cdecl; external vesica_library;
@@ -720,6 +759,28 @@ function vesica_depth_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; outpu
 function vesica_suppress_f32(shapes: PVesicaShapesF32; scores: PSingle; labels: PInt32; ratio: Int32; threshold:
   Single; least_score: Single; most: Int64; scratch: Pointer; scratch_size: Int64; keep: PInt64; kept: PInt64):
   Int32; cdecl; external vesica_library;
+// How far apart are two shapes or, as a number below 0, how deep do they overlap?
+function vesica_signed_distance_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; output:
+  PSingle): Int32; cdecl; external vesica_library;
+// Signed distances of a[i] and b[i].
+function vesica_signed_distance_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PSingle): Int64; cdecl;
+  external vesica_library;
+// Signed distances of a[i] and b[j].
+function vesica_signed_distance_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PSingle; row_stride:
+  PtrInt): Int64; cdecl; external vesica_library;
+// Are two shapes at most `distance` apart?
+function vesica_within_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; distance: Single):
+  Int32; cdecl; external vesica_library;
+// Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f32.
+function vesica_within_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; distance: Single; output: PByte): Int64;
+  cdecl; external vesica_library;
+// Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f32.
+function vesica_within_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; distance: Single; output: PByte;
+  row_stride: PtrInt): Int64; cdecl; external vesica_library;
+// Soft suppression: what a better shape covers keeps a lower score.
+function vesica_suppress_soft_f32(shapes: PVesicaShapesF32; scores: PSingle; labels: PInt32; ratio: Int32; decay:
+  Int32; parameter: Single; least_score: Single; most: Int64; scratch: Pointer; scratch_size: Int64; keep: PInt64;
+  decayed: PSingle; kept: PInt64): Int32; cdecl; external vesica_library;
 // Does b touch a while it moves, when first, and where?
 function vesica_cast_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; vx: Double; vy:
   Double; t_end: Double; output: PVesicaImpactF64): Int32; cdecl; external vesica_library;
@@ -762,6 +823,20 @@ function vesica_index_cast_f32(index: Pointer; sets: PVesicaShapesF32; set_count
 function vesica_index_cast_first_f32(index: Pointer; sets: PVesicaShapesF32; set_count: Int32; one:
   PVesicaShapesF32; vx: Single; vy: Single; t_end: Single; output: PVesicaImpactF32): Int64; cdecl; external
   vesica_library;
+// The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+function vesica_de9im_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; matrix: PChar):
+  Int32; cdecl; external vesica_library;
+// Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
+function vesica_de9im_match(matrix: PChar; pattern: PChar): Int32; cdecl; external vesica_library;
+// The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
+function vesica_intersection_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; vertices:
+  PDouble): Int32; cdecl; external vesica_library;
+// The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+function vesica_de9im_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; matrix: PChar):
+  Int32; cdecl; external vesica_library;
+// The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
+function vesica_intersection_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; vertices:
+  PSingle): Int32; cdecl; external vesica_library;
 
 implementation
 

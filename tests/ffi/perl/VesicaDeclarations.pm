@@ -51,6 +51,11 @@ our %CONSTANTS = (
     RATIO_GENERALIZED => 4,
     RATIO_DISTANCE => 5,
     RATIO_COMPLETE => 6,
+    WITHIN_NO => 0,
+    WITHIN_YES => 1,
+    WITHIN_NEARLY => 2,
+    DECAY_LINEAR => 0,
+    DECAY_GAUSSIAN => 1,
     CAST_MISS => 0,
     CAST_HIT => 1,
     CAST_START => 2,
@@ -351,6 +356,10 @@ our @FUNCTIONS = (
     # All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
     [vesica_join_f64 => ['sint32', 'opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64', 'sint64',
         'opaque', 'sint64', 'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
+    # All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
+    # whose answer from vesica_within_f64 is > 0.
+    [vesica_join_within_f64 => ['opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'double', 'sint64',
+        'sint64', 'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
     # Which items of an index are nearest to one shape?
     [vesica_index_nearest_f64 => ['opaque', 'opaque', 'sint32', 'opaque', 'sint64', 'double', 'opaque',
         'opaque'] => 'sint64'],
@@ -367,6 +376,10 @@ our @FUNCTIONS = (
     # All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
     [vesica_join_f32 => ['sint32', 'opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64', 'sint64',
         'opaque', 'sint64', 'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
+    # All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
+    # whose answer from vesica_within_f32 is > 0.
+    [vesica_join_within_f32 => ['opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'float', 'sint64', 'sint64',
+        'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
     # Which items of an index are nearest to one shape?
     [vesica_index_nearest_f32 => ['opaque', 'opaque', 'sint32', 'opaque', 'sint64', 'float', 'opaque',
         'opaque'] => 'sint64'],
@@ -385,9 +398,26 @@ our @FUNCTIONS = (
     [vesica_boundary_distance_matrix_f64 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # How deep do a[i] and b[j] overlap?
     [vesica_depth_matrix_f64 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
+    # How far apart are two shapes or, as a number below 0, how deep do they overlap?
+    [vesica_signed_distance_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
+    # Signed distances of a[i] and b[i].
+    [vesica_signed_distance_many_f64 => ['opaque', 'opaque', 'opaque'] => 'sint64'],
+    # Signed distances of a[i] and b[j].
+    [vesica_signed_distance_matrix_f64 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
+    # Are two shapes at most `distance` apart?
+    [vesica_within_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'double'] => 'sint32'],
+    # Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f64.
+    [vesica_within_many_f64 => ['opaque', 'opaque', 'double', 'opaque'] => 'sint64'],
+    # Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f64.
+    [vesica_within_matrix_f64 => ['opaque', 'opaque', 'double', 'opaque', 'sint64'] => 'sint64'],
     # Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
     [vesica_suppress_f64 => ['opaque', 'opaque', 'opaque', 'sint32', 'double', 'double', 'sint64', 'opaque', 'sint64',
         'opaque', 'opaque'] => 'sint32'],
+    # How many bytes of scratch does soft suppression of `count` shapes need?
+    [vesica_suppress_soft_scratch => ['sint64'] => 'sint64'],
+    # Soft suppression: what a better shape covers keeps a lower score.
+    [vesica_suppress_soft_f64 => ['opaque', 'opaque', 'opaque', 'sint32', 'sint32', 'double', 'double', 'sint64',
+        'opaque', 'sint64', 'opaque', 'opaque', 'opaque'] => 'sint32'],
     # What share of a's area does b cover, or of b's area a?
     [vesica_ratio_f32 => ['sint32', 'sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
     # A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
@@ -403,6 +433,21 @@ our @FUNCTIONS = (
     # Greedy non-maximum suppression as vesica_nms_f32, by any ratio and among like labels.
     [vesica_suppress_f32 => ['opaque', 'opaque', 'opaque', 'sint32', 'float', 'float', 'sint64', 'opaque', 'sint64',
         'opaque', 'opaque'] => 'sint32'],
+    # How far apart are two shapes or, as a number below 0, how deep do they overlap?
+    [vesica_signed_distance_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
+    # Signed distances of a[i] and b[i].
+    [vesica_signed_distance_many_f32 => ['opaque', 'opaque', 'opaque'] => 'sint64'],
+    # Signed distances of a[i] and b[j].
+    [vesica_signed_distance_matrix_f32 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
+    # Are two shapes at most `distance` apart?
+    [vesica_within_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'float'] => 'sint32'],
+    # Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f32.
+    [vesica_within_many_f32 => ['opaque', 'opaque', 'float', 'opaque'] => 'sint64'],
+    # Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f32.
+    [vesica_within_matrix_f32 => ['opaque', 'opaque', 'float', 'opaque', 'sint64'] => 'sint64'],
+    # Soft suppression: what a better shape covers keeps a lower score.
+    [vesica_suppress_soft_f32 => ['opaque', 'opaque', 'opaque', 'sint32', 'sint32', 'float', 'float', 'sint64',
+        'opaque', 'sint64', 'opaque', 'opaque', 'opaque'] => 'sint32'],
     # Does b touch a while it moves, when first, and where?
     [vesica_cast_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'double', 'double', 'double',
         'opaque'] => 'sint32'],
@@ -434,6 +479,18 @@ our @FUNCTIONS = (
     # Which item of an index does one moving shape touch first?
     [vesica_index_cast_first_f32 => ['opaque', 'opaque', 'sint32', 'opaque', 'float', 'float', 'float',
         'opaque'] => 'sint64'],
+    # The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+    [vesica_de9im_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
+    # Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
+    [vesica_de9im_match => ['string', 'string'] => 'sint32'],
+    # The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
+    # shape.
+    [vesica_intersection_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
+    # The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+    [vesica_de9im_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
+    # The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
+    # shape.
+    [vesica_intersection_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
 );
 
 1;

@@ -48,6 +48,11 @@ module Vesica
   RATIO_GENERALIZED = 4
   RATIO_DISTANCE = 5
   RATIO_COMPLETE = 6
+  WITHIN_NO = 0
+  WITHIN_YES = 1
+  WITHIN_NEARLY = 2
+  DECAY_LINEAR = 0
+  DECAY_GAUSSIAN = 1
   CAST_MISS = 0
   CAST_HIT = 1
   CAST_START = 2
@@ -343,6 +348,10 @@ module Vesica
     # All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
     'int64_t vesica_join_f64(int, void *, void *, int, void *, void *, int, int64_t, int64_t, void *, int64_t, void *,
         void *, int64_t, void *)',
+    # All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
+    # whose answer from vesica_within_f64 is > 0.
+    'int64_t vesica_join_within_f64(void *, void *, int, void *, void *, int, double, int64_t, int64_t, void *, void *,
+        int64_t, void *)',
     # Which items of an index are nearest to one shape?
     'int64_t vesica_index_nearest_f64(void *, void *, int, void *, int64_t, double, void *, void *)',
     # Which items of index_b are nearest to each item of sets_a?
@@ -357,6 +366,10 @@ module Vesica
     # All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
     'int64_t vesica_join_f32(int, void *, void *, int, void *, void *, int, int64_t, int64_t, void *, int64_t, void *,
         void *, int64_t, void *)',
+    # All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
+    # whose answer from vesica_within_f32 is > 0.
+    'int64_t vesica_join_within_f32(void *, void *, int, void *, void *, int, float, int64_t, int64_t, void *, void *,
+        int64_t, void *)',
     # Which items of an index are nearest to one shape?
     'int64_t vesica_index_nearest_f32(void *, void *, int, void *, int64_t, float, void *, void *)',
     # Which items of index_b are nearest to each item of sets_a?
@@ -374,8 +387,25 @@ module Vesica
     'int64_t vesica_boundary_distance_matrix_f64(void *, void *, void *, ptrdiff_t)',
     # How deep do a[i] and b[j] overlap?
     'int64_t vesica_depth_matrix_f64(void *, void *, void *, ptrdiff_t)',
+    # How far apart are two shapes or, as a number below 0, how deep do they overlap?
+    'int vesica_signed_distance_f64(int, void *, int, void *, void *)',
+    # Signed distances of a[i] and b[i].
+    'int64_t vesica_signed_distance_many_f64(void *, void *, void *)',
+    # Signed distances of a[i] and b[j].
+    'int64_t vesica_signed_distance_matrix_f64(void *, void *, void *, ptrdiff_t)',
+    # Are two shapes at most `distance` apart?
+    'int vesica_within_f64(int, void *, int, void *, double)',
+    # Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f64.
+    'int64_t vesica_within_many_f64(void *, void *, double, void *)',
+    # Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f64.
+    'int64_t vesica_within_matrix_f64(void *, void *, double, void *, ptrdiff_t)',
     # Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
     'int vesica_suppress_f64(void *, void *, void *, int, double, double, int64_t, void *, int64_t, void *, void *)',
+    # How many bytes of scratch does soft suppression of `count` shapes need?
+    'int64_t vesica_suppress_soft_scratch(int64_t)',
+    # Soft suppression: what a better shape covers keeps a lower score.
+    'int vesica_suppress_soft_f64(void *, void *, void *, int, int, double, double, int64_t, void *, int64_t, void *,
+        void *, void *)',
     # What share of a's area does b cover, or of b's area a?
     'int vesica_ratio_f32(int, int, void *, int, void *, void *)',
     # A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
@@ -390,6 +420,21 @@ module Vesica
     'int64_t vesica_depth_matrix_f32(void *, void *, void *, ptrdiff_t)',
     # Greedy non-maximum suppression as vesica_nms_f32, by any ratio and among like labels.
     'int vesica_suppress_f32(void *, void *, void *, int, float, float, int64_t, void *, int64_t, void *, void *)',
+    # How far apart are two shapes or, as a number below 0, how deep do they overlap?
+    'int vesica_signed_distance_f32(int, void *, int, void *, void *)',
+    # Signed distances of a[i] and b[i].
+    'int64_t vesica_signed_distance_many_f32(void *, void *, void *)',
+    # Signed distances of a[i] and b[j].
+    'int64_t vesica_signed_distance_matrix_f32(void *, void *, void *, ptrdiff_t)',
+    # Are two shapes at most `distance` apart?
+    'int vesica_within_f32(int, void *, int, void *, float)',
+    # Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f32.
+    'int64_t vesica_within_many_f32(void *, void *, float, void *)',
+    # Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f32.
+    'int64_t vesica_within_matrix_f32(void *, void *, float, void *, ptrdiff_t)',
+    # Soft suppression: what a better shape covers keeps a lower score.
+    'int vesica_suppress_soft_f32(void *, void *, void *, int, int, float, float, int64_t, void *, int64_t, void *,
+        void *, void *)',
     # Does b touch a while it moves, when first, and where?
     'int vesica_cast_f64(int, void *, int, void *, double, double, double, void *)',
     # When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
@@ -416,5 +461,17 @@ module Vesica
     'int64_t vesica_index_cast_f32(void *, void *, int, void *, float, float, float, void *, int64_t, void *)',
     # Which item of an index does one moving shape touch first?
     'int64_t vesica_index_cast_first_f32(void *, void *, int, void *, float, float, float, void *)',
+    # The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+    'int vesica_de9im_f64(int, void *, int, void *, void *)',
+    # Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
+    'int vesica_de9im_match(const char *, const char *)',
+    # The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
+    # shape.
+    'int vesica_intersection_f64(int, void *, int, void *, void *)',
+    # The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+    'int vesica_de9im_f32(int, void *, int, void *, void *)',
+    # The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
+    # shape.
+    'int vesica_intersection_f32(int, void *, int, void *, void *)',
   ].freeze
 end

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the parts of two shapes meet.
+#include "queries/topology.hpp"
+
+#include <vesica/de9im/matrix.hpp>
+
+#include "environment.hpp"
+#include "vesica_topology.h"
+
+namespace {
+
+namespace queries = vesica::queries;
+
+template <class T, class Out>
+int32_t answer(const vesica::Query& query, int32_t kind_a, const T* a, int32_t kind_b, const T* b, Out* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT((answer<T, Out>), query, kind_a, a, kind_b, b, out);
+  return out == nullptr ? VESICA_E_NULL : vesica::ask(query, kind_a, a, kind_b, b, out);
+}
+
+static_assert(sizeof(vesica::NineIntersections) == 10 && alignof(vesica::NineIntersections) == 1);
+
+}  // namespace
+
+int32_t vesica_de9im_match(const char* matrix, const char* pattern) {
+  return matrix == nullptr || pattern == nullptr ? VESICA_E_NULL : vesica::de9im_match(matrix, pattern);
+}
+
+#define VESICA_TOPOLOGY(scalar, T)                                                                             \
+  int32_t vesica_de9im_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b,        \
+                                char* matrix) {                                                                \
+    return answer(queries::de9im, kind_a, numbers_a, kind_b, numbers_b, matrix);                               \
+  }                                                                                                            \
+  int32_t vesica_intersection_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b, \
+                                       T vertices[16]) {                                                       \
+    return answer(queries::intersection, kind_a, numbers_a, kind_b, numbers_b, vertices);                      \
+  }
+
+VESICA_TOPOLOGY(f64, double)
+VESICA_TOPOLOGY(f32, float)

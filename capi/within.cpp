@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes at most a distance apart: two, and arrays of them.
+#include "queries/within.hpp"
+
+#include "arrays.hpp"
+#include "environment.hpp"
+#include "vesica_measures.h"
+
+namespace {
+
+using namespace vesica::capi;
+namespace queries = vesica::queries;
+
+/// The numbers of a shape as doubles.
+template <class T>
+void widen(int32_t kind, const T* numbers, double (&out)[vesica::max_fields]) noexcept {
+  for (int k = 0; k < vesica::field_count(kind); ++k) out[k] = static_cast<double>(numbers[k]);
+}
+
+template <class T>
+int32_t within(int32_t kind_a, const T* a, int32_t kind_b, const T* b, T distance) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(within<T>, kind_a, a, kind_b, b, distance);
+  if (a == nullptr || b == nullptr) return VESICA_E_NULL;
+  if (!vesica::is_kind(kind_a) || !vesica::is_kind(kind_b)) return VESICA_E_KIND;
+  if (!(distance >= 0)) return VESICA_E_ARGUMENT;
+  double first[vesica::max_fields], second[vesica::max_fields];
+  widen(kind_a, a, first);
+  widen(kind_b, b, second);
+  return queries::within(kind_a, kind_b)(first, second, static_cast<double>(distance));
+}
+
+int64_t result(const vesica::batch::WithinTally& tally) noexcept {
+  return tally.invalid ? int64_t{VESICA_E_SHAPE} : tally.count;
+}
+
+template <class T>
+int64_t many(const CShapesOf<T>* a, const CShapesOf<T>* b, T distance, uint8_t* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(many<T>, a, b, distance, out);
+  const int32_t error = check_call(a, b, out, anything(a, b));
+  if (error != 0) return error;
+  const int64_t n = pairs_in_step(*a, *b);
+  if (n < 0 || !(distance >= 0)) return VESICA_E_ARGUMENT;
+  return result(vesica::batch::within_many<T>(view<T>(*a), view<T>(*b), n, static_cast<double>(distance), out));
+}
+
+template <class T>
+int64_t matrix(const CShapesOf<T>* a, const CShapesOf<T>* b, T distance, uint8_t* out, ptrdiff_t row_stride) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(matrix<T>, a, b, distance, out, row_stride);
+  const int32_t error = check_call(a, b, out, anything(a, b));
+  if (error != 0) return error;
+  if (!rows_apart(a->count, b->count, row_stride, 1) || !(distance >= 0)) return VESICA_E_ARGUMENT;
+  return result(
+      vesica::batch::within_matrix<T>(view<T>(*a), view<T>(*b), static_cast<double>(distance), out, row_stride));
+}
+
+}  // namespace
+
+#define VESICA_WITHIN(scalar, T)                                                                                       \
+  int32_t vesica_within_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b, T distance) { \
+    return within(kind_a, numbers_a, kind_b, numbers_b, distance);                                                     \
+  }                                                                                                                    \
+  int64_t vesica_within_many_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, T distance,    \
+                                      uint8_t* out) {                                                                  \
+    return many<T>(a, b, distance, out);                                                                               \
+  }                                                                                                                    \
+  int64_t vesica_within_matrix_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, T distance,  \
+                                        uint8_t* out, ptrdiff_t row_stride) {                                          \
+    return matrix<T>(a, b, distance, out, row_stride);                                                                 \
+  }
+
+VESICA_WITHIN(f64, double)
+VESICA_WITHIN(f32, float)

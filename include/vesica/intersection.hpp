@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+/// intersection(a, b): the region that two shapes share, as the vertices of a convex polygon: of two straight shapes, or of
+/// a point or a segment and any shape.
+///
+/// Which corners and crossings are vertices is decided by exact signs; only coordinates are rounded. A corner of a shape
+/// has the shape's own numbers, of a rectangle those of corners(). Others are within 4u of the greatest coordinate and size
+/// of either shape, u = 2^-53.
+///
+/// Laws, each tested: there are vertices iff the shapes overlap; exchanging the shapes changes no bit; vertices are within
+/// that bound of both shapes; a region of area has the area that area() says, to its bounds.
+#pragma once
+
+#include <algorithm>
+#include <vesica/crossings.hpp>
+#include <vesica/intersection/corners.hpp>
+
+namespace vesica {
+
+/// Vertices x0 y0 x1 y1 ..., counter-clockwise from the lowest, the left one of two; the rest is 0.
+template <class T>
+struct SharedRegion {
+  T at[16];
+};
+
+namespace detail::intersection {
+
+template <class Shape>
+inline constexpr bool is_round = ShapeTraits<Shape>::kind == Kind::circle || ShapeTraits<Shape>::kind == Kind::ellipse;
+template <class Shape>
+inline constexpr bool is_thin = ShapeTraits<Shape>::kind == Kind::point || ShapeTraits<Shape>::kind == Kind::segment;
+
+/// Both straight, or a point or a segment and anything.
+template <class A, class B>
+inline constexpr bool answers = (!is_round<A> && !is_round<B>) || is_thin<A> || is_thin<B>;
+
+inline bool has_area(const Circle<double>& s) noexcept { return s.r > 0; }
+inline bool has_area(const Ellipse<double>& s) noexcept { return s.a > 0 && s.b > 0; }
+inline Point<double> straight(const Circle<double>& s) noexcept { return {s.cx, s.cy}; }
+inline Rect<double> straight(const Ellipse<double>& s) noexcept { return {s.cx, s.cy, s.ux, s.uy, s.a, s.b}; }
+
+/// A point or a segment that meets a disc or an ellipse with area. Where both ends are outside or only one is, the first or
+/// last place of the outline takes an end's part.
+template <class A, class B>
+Vertices in_round(const A& a, const B& b) noexcept {
+  const crossings::Corners ends(exact::form(a));
+  const exact::Ellipse form = exact::form(b);
+  Rounded corner{};
+  corners(a, corner);
+  Vertices v;
+  const int start = de9im::place_in(form, ends.x[0], ends.y[0]);
+  if (ends.count == 1) {
+    v.add(corner[0]);
+    return v;
+  }
+  const int end = de9im::place_in(form, ends.x[1], ends.y[1]);
+  if (start >= 0 && end >= 0) {
+    v.add(corner[0]);
+    v.add(corner[1]);
+    return v;
+  }
+  const CrossingPoints<double> met = crossings::between(a, b);
+  const int last = met.count - 1;
+  const bool single = start < 0 && end < 0 ? met.count == 1 : met.count == 1 && (start == 0 || end == 0);
+  if (start >= 0) {
+    v.add(corner[0]);
+    if (!single) v.add({met.x[last], met.y[last]});
+  } else if (end >= 0) {
+    if (!single) v.add({met.x[0], met.y[0]});
+    v.add(corner[1]);
+  } else {
+    v.add({met.x[0], met.y[0]});
+    if (!single) v.add({met.x[last], met.y[last]});
+  }
+  return v;
+}
+
+/// Of shapes that overlap, of kinds in order.
+template <class A, class B>
+Vertices region(const A& a, const B& b) noexcept {
+  if constexpr (is_round<B>) {
+    return has_area(b) ? in_round(a, b) : region(a, straight(b));
+  } else {
+    Rounded corner_a{}, corner_b{};
+    corners(a, corner_a);
+    corners(b, corner_b);
+    return common_region(exact::form(a), exact::form(b), corner_a, corner_b);
+  }
+}
+
+template <class Shape>
+bool is_later(const Shape& a, const Shape& b) noexcept {
+  return with_numbers(a, [&](auto... x) {
+    return with_numbers(b, [&](auto... y) {
+      const double first[] = {x...}, second[] = {y...};
+      return std::lexicographical_compare(second, second + sizeof...(y), first, first + sizeof...(x));
+    });
+  });
+}
+
+/// Rounds to T, from the lowest vertex on. Returns the count, or error_range.
+template <class T>
+std::int32_t store(const Vertices& v, SharedRegion<T>& out) noexcept {
+  T x[10], y[10];
+  int first = 0;
+  for (int i = 0; i < v.count; ++i) {
+    x[i] = static_cast<T>(v.at[i].x);
+    y[i] = static_cast<T>(v.at[i].y);
+    if (!all_finite(x[i], y[i])) return error_range;
+    if (y[i] < y[first] || (y[i] == y[first] && x[i] < x[first])) first = i;
+  }
+  SharedRegion<T> region{};
+  for (int i = 0; i < v.count && i < 8; ++i) {
+    const int from = (first + i) % v.count;
+    region.at[2 * i] = x[from];
+    region.at[2 * i + 1] = y[from];
+  }
+  out = region;
+  return v.count;
+}
+
+}  // namespace detail::intersection
+
+/// The checked form: the number of vertices, 0 to 8, with the vertices in `out`; error_shape, or error_range where one is
+/// beyond the finite numbers, and then `out` is untouched. Floats are the double vertices, rounded.
+template <template <class> class A, template <class> class B, class T>
+requires(detail::intersection::answers<A<T>, B<T>>) std::int32_t
+    intersection_or_error(const A<T>& first, const B<T>& second, SharedRegion<T>& out)
+noexcept {
+  namespace shared = detail::intersection;
+  if constexpr (!detail::in_order<A<T>, B<T>>) {
+    return intersection_or_error(second, first, out);
+  } else {
+    const A<double> a = widen(first);
+    const B<double> b = widen(second);
+    const std::int32_t overlapping = overlap_or_error(a, b);
+    if (overlapping < 0) return overlapping;
+    if (overlapping == 0) return shared::store(shared::Vertices{}, out);
+    if constexpr (detail::in_order<B<T>, A<T>>) {
+      if (shared::is_later(a, b)) return shared::store(shared::region(b, a), out);
+    }
+    return shared::store(shared::region(a, b), out);
+  }
+}
+
+/// The same as a value: no vertices where there is an error.
+template <template <class> class A, template <class> class B, class T>
+requires(detail::intersection::answers<A<T>, B<T>>) SharedRegion<T> intersection(const A<T>& a, const B<T>& b)
+noexcept {
+  SharedRegion<T> out{};
+  intersection_or_error(a, b, out);
+  return out;
+}
+
+}  // namespace vesica

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "join/within.hpp"
+
+#include <cstring>
+
+#include "index/frame.hpp"
+#include "join/nearest.hpp"
+
+namespace vesica::index {
+
+namespace {
+
+inline constexpr std::int64_t within_mark = 0x3179;
+
+/// A part's run of places in A's order.
+struct Run {
+  std::int64_t begin, end;
+
+  explicit Run(const JoinWithin& join) noexcept {
+    const std::int64_t placed = View(join.index_a).header().placed;
+    const std::int64_t share = placed / join.parts, rest = placed % join.parts;
+    begin = share * join.part + (join.part < rest ? join.part : rest);
+    end = begin + share + (join.part < rest ? 1 : 0);
+  }
+};
+
+/// The sum of what bounds a whole index. An ellipse may be found near to what is farther away than the distance by the
+/// error of its own, which is a small part of all lengths there are.
+double magnitude(const void* index) noexcept {
+  double sum = 0;
+  for (const double side : View(index).header().bounds) sum += __builtin_fabs(side);
+  return sum;
+}
+
+/// A shape as doubles.
+struct Shape {
+  std::int32_t kind;
+  double number[most_fields];
+
+  Shape(const Sets& sets, std::uint32_t item) noexcept {
+    const Set& set = sets.set[sets.of(item)];
+    kind = set.kind;
+    for (int k = 0; k < fields_of[kind]; ++k) {
+      const unsigned char* const at = set.field[k] + (static_cast<std::int64_t>(item) - set.first) * set.stride;
+      if (sets.is_float) {
+        float x;
+        std::memcpy(&x, at, sizeof x);
+        number[k] = static_cast<double>(x);
+      } else {
+        std::memcpy(&number[k], at, sizeof number[k]);
+      }
+    }
+  }
+};
+
+class Walk {
+ public:
+  explicit Walk(const JoinWithin& join) noexcept
+      : join_(join),
+        a_(join.index_a),
+        b_(join.index_b),
+        self_(join.index_a == join.index_b),
+        room_(join.distance * (1 + 0x1p-50) + (magnitude(join.index_a) + magnitude(join.index_b)) * 0x1p-47 +
+              0x1p-1060) {}
+
+  /// Calls found(place, block of B, item of A, item of B) for each pair from place `begin`, block `from` on, in order, as
+  /// long as it returns true.
+  template <class Found>
+  void pairs(std::int64_t begin, std::int64_t end, std::int64_t from, const Found& found) noexcept {
+    std::int64_t first = 0;  // place of the block's first item
+    for (std::int64_t number = 0; number < a_.blocks() && first < end; ++number) {
+      const Block& block = a_.block(number);
+      const std::int64_t after = first + block.count;
+      for (std::int64_t place = begin > first ? begin : first; place < after && place < end; ++place) {
+        if (!pairs_of(place, item_at(block, static_cast<std::int32_t>(place - first)), from, found)) return;
+        from = 0;
+      }
+      first = after;
+    }
+  }
+
+ private:
+  static constexpr std::int32_t block_list = 32;
+
+  template <class Found>
+  bool pairs_of(std::int64_t place, std::uint32_t item, std::int64_t from, const Found& found) noexcept {
+    double box[4];
+    bounds_of_item(join_.kernels, join_.a, item, box);
+    for (int side = 0; side < 4; ++side) box[side] += side < 2 ? -room_ : room_;
+    const Shape shape(join_.a, item);
+    std::int64_t list[block_list];
+    for (std::int32_t listed = block_list; listed == block_list;) {
+      listed = join_.kernels.meeting_blocks(b_, box, from, block_list, list);
+      for (std::int32_t i = 0; i < listed; ++i) {
+        if (!pairs_in_block(place, item, shape, list[i], box, found)) return false;
+        from = list[i] + 1;
+      }
+    }
+    return true;
+  }
+
+  template <class Found>
+  bool pairs_in_block(std::int64_t place, std::uint32_t item, const Shape& shape, std::int64_t number,
+                      const double (&box)[4], const Found& found) noexcept {
+    const Block& block = b_.block(number);
+    const std::int32_t n = join_.kernels.in_window(block, to_columns(block.frame, box), candidate_);
+    for (std::int32_t i = 0; i < n; ++i) {
+      if (self_ && candidate_[i] <= item) continue;
+      const Shape other(join_.b, candidate_[i]);
+      if (join_.near(shape.kind, other.kind)(shape.number, other.number, join_.distance) <= 0) continue;
+      if (!found(place, number, item, candidate_[i])) return false;
+    }
+    return true;
+  }
+
+  const JoinWithin& join_;
+  View a_, b_;
+  bool self_;
+  double room_;
+  std::uint32_t candidate_[block_items + leaf_items];
+};
+
+}  // namespace
+
+bool within_state_is_sound(const JoinWithin& join, const std::int64_t* state) noexcept {
+  if (state[0] == 0 && state[1] == 0 && state[2] == 0 && state[3] == 0) return true;
+  if (state[0] == -1) return true;
+  const Run run(join);
+  return state[0] >= run.begin && state[0] < run.end && state[1] >= 0 && state[1] < View(join.index_b).blocks() &&
+         state[2] >= 0 && state[3] == within_mark;
+}
+
+std::int64_t count_within(const JoinWithin& join) noexcept {
+  const Run run(join);
+  std::int64_t pairs = 0;
+  Walk(join).pairs(run.begin, run.end, 0, [&](std::int64_t, std::int64_t, std::uint32_t, std::uint32_t) {
+    ++pairs;
+    return true;
+  });
+  return pairs;
+}
+
+std::int64_t write_within(const JoinWithin& join, std::int64_t* out_a, std::int64_t* out_b, std::int64_t capacity,
+                          std::int64_t* state) noexcept {
+  if (state[0] == -1) return 0;
+  const Run run(join);
+  const bool goes_on = state[3] == within_mark;
+  const std::int64_t begin = goes_on ? state[0] : run.begin, from = goes_on ? state[1] : 0;
+  std::int64_t skip = goes_on ? state[2] : 0, written = 0;
+  std::int64_t place = begin, block = from, in_block = 0;
+  bool full = false;
+  Walk(join).pairs(begin, run.end, from, [&](std::int64_t at, std::int64_t of_b, std::uint32_t a, std::uint32_t b) {
+    if (at != place || of_b != block) {
+      place = at;
+      block = of_b;
+      in_block = skip = 0;
+    }
+    if (skip > in_block) {
+      ++in_block;
+      return true;
+    }
+    full = written == capacity;
+    if (full) return false;
+    out_a[written] = a;
+    out_b[written++] = b;
+    ++in_block;
+    return true;
+  });
+  state[0] = full ? place : -1;
+  state[1] = full ? block : 0;
+  state[2] = full ? in_block : 0;
+  state[3] = full ? within_mark : 0;
+  return written;
+}
+
+}  // namespace vesica::index

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// All pairs of two indexes, or of one, that are within a distance. Every item of the first looks into the second with its
+// bounds grown by the distance: the kernels of joins compare columns of grids, which know no distance.
+#pragma once
+
+#include <cstdint>
+
+#include "index/kernels.hpp"
+
+namespace vesica::index {
+
+/// Whether two valid shapes are within a distance: above 0 where they are, or may be. Numbers are doubles.
+using Near = std::int32_t (*)(const double* a, const double* b, double distance);
+
+struct JoinWithin {
+  const Kernels& kernels;
+  const void *index_a, *index_b;
+  const Sets &a, &b;
+  double distance;
+  Near (*near)(std::int32_t kind_a, std::int32_t kind_b);
+  std::int64_t part, parts;
+};
+
+/// Whether a state is one that such a join returns: the place of an item of A in its order, the block of B, the pairs of
+/// both that were written, and a mark.
+bool within_state_is_sound(const JoinWithin& join, const std::int64_t* state) noexcept;
+
+/// Pairs of the whole part.
+std::int64_t count_within(const JoinWithin& join) noexcept;
+
+/// Writes up to `capacity` > 0 pairs; returns how many, and moves the state on.
+std::int64_t write_within(const JoinWithin& join, std::int64_t* out_a, std::int64_t* out_b, std::int64_t capacity,
+                          std::int64_t* state) noexcept;
+
+}  // namespace vesica::index

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "queries/within.hpp"
+
+#include <vesica/within.hpp>
+
+#include "by_kind.hpp"
+#include "compiled_once.hpp"
+
+namespace vesica {
+
+namespace queries {
+
+namespace {
+
+template <class A, class B>
+std::int32_t answer(const double* a, const double* b, double distance) noexcept {
+  return within_or_error(load<A>(a), load<B>(b), distance);
+}
+template <class A, class B>
+std::int32_t reversed(const double* a, const double* b, double distance) noexcept {
+  return answer<B, A>(b, a, distance);
+}
+
+struct Table {
+  WithinOfPair of[kind_count][kind_count];
+};
+
+consteval Table table() noexcept {
+  Table t{};
+#define VESICA_ENTRY(a, A, b, B)                                                               \
+  t.of[static_cast<int>(Kind::b)][static_cast<int>(Kind::a)] = reversed<B<double>, A<double>>; \
+  t.of[static_cast<int>(Kind::a)][static_cast<int>(Kind::b)] = answer<A<double>, B<double>>;
+  VESICA_EACH_PAIR_OF_FORMS(VESICA_ENTRY)
+#undef VESICA_ENTRY
+  return t;
+}
+
+constinit const Table pairs = table();
+
+}  // namespace
+
+WithinOfPair within(std::int32_t kind_a, std::int32_t kind_b) noexcept { return pairs.of[kind_a][kind_b]; }
+
+}  // namespace queries
+
+namespace batch {
+
+namespace {
+
+template <class T>
+void read(const Shapes<T>& shapes, std::int64_t i, double (&out)[max_fields]) noexcept {
+  for (int k = 0; k < field_count(shapes.kind); ++k) {
+    out[k] = static_cast<double>(shapes.field[k].advanced(i * shapes.stride)[0]);
+  }
+}
+
+std::uint8_t noted(std::int32_t code, WithinTally& tally) noexcept {
+  tally.count += code > 0;
+  tally.invalid |= code < 0;
+  return code < 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(code);
+}
+
+}  // namespace
+
+template <class T>
+WithinTally within_many(const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, double distance,
+                        std::uint8_t* out) noexcept {
+  const queries::WithinOfPair pair = queries::within(a.kind, b.kind);
+  WithinTally tally;
+  for (std::int64_t i = 0; i < n; ++i) {
+    double first[max_fields], second[max_fields];
+    read(a, i, first);
+    read(b, i, second);
+    out[i] = noted(pair(first, second, distance), tally);
+  }
+  return tally;
+}
+
+template <class T>
+WithinTally within_matrix(const Shapes<T>& a, const Shapes<T>& b, double distance, std::uint8_t* out,
+                          std::ptrdiff_t row_stride) noexcept {
+  const queries::WithinOfPair pair = queries::within(a.kind, b.kind);
+  WithinTally tally;
+  for (std::int64_t i = 0; i < a.count; ++i) {
+    double first[max_fields], second[max_fields];
+    read(a, i, first);
+    for (std::int64_t j = 0; j < b.count; ++j) {
+      read(b, j, second);
+      out[i * row_stride + j] = noted(pair(first, second, distance), tally);
+    }
+  }
+  return tally;
+}
+
+#define VESICA_WITHIN(T)                                                                                              \
+  template WithinTally within_many(const Shapes<T>&, const Shapes<T>&, std::int64_t, double, std::uint8_t*) noexcept; \
+  template WithinTally within_matrix(const Shapes<T>&, const Shapes<T>&, double, std::uint8_t*,                       \
+                                     std::ptrdiff_t) noexcept;
+VESICA_WITHIN(double)
+VESICA_WITHIN(float)
+#undef VESICA_WITHIN
+
+}  // namespace batch
+
+}  // namespace vesica

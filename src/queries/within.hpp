@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes at most a distance apart: asked by kind and flat numbers, and of arrays. No descriptor of a Query: those know no
+// distance.
+#pragma once
+
+#include "batch.hpp"
+
+namespace vesica::queries {
+
+/// The answer for two shapes of these kinds, or error_shape.
+using WithinOfPair = std::int32_t (*)(const double* a, const double* b, double distance) noexcept;
+WithinOfPair within(std::int32_t kind_a, std::int32_t kind_b) noexcept;
+
+}  // namespace vesica::queries
+
+namespace vesica::batch {
+
+struct WithinTally {
+  std::int64_t count = 0;  // of answers above 0
+  bool invalid = false;
+};
+
+/// out[i] = the answer for a[i] and b[i], i < n; 0 where a shape is invalid.
+template <class T>
+WithinTally within_many(const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, double distance,
+                        std::uint8_t* out) noexcept;
+
+/// out[i * row_stride + j] = that for a[i] and b[j].
+template <class T>
+WithinTally within_matrix(const Shapes<T>& a, const Shapes<T>& b, double distance, std::uint8_t* out,
+                          std::ptrdiff_t row_stride) noexcept;
+
+}  // namespace vesica::batch

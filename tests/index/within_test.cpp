@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Joins within a distance hold exactly the pairs that single calls find, in any parts and with any capacity.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "index/all_pairs.hpp"
+
+namespace index_tests {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::int64_t call(const Indexed<double>& a, const Indexed<double>& b, double distance, std::int64_t part,
+                  std::int64_t parts, std::int64_t* out_a, std::int64_t* out_b, std::int64_t capacity,
+                  std::int64_t* state) {
+  return vesica_join_within_f64(a.index.get(), a.sets.data(), a.sets.count(), b.index.get(), b.sets.data(),
+                                b.sets.count(), distance, part, parts, out_a, out_b, capacity, state);
+}
+std::int64_t call(const Indexed<float>& a, const Indexed<float>& b, double distance, std::int64_t part,
+                  std::int64_t parts, std::int64_t* out_a, std::int64_t* out_b, std::int64_t capacity,
+                  std::int64_t* state) {
+  return vesica_join_within_f32(a.index.get(), a.sets.data(), a.sets.count(), b.index.get(), b.sets.data(),
+                                b.sets.count(), static_cast<float>(distance), part, parts, out_a, out_b, capacity,
+                                state);
+}
+bool near(const Item<double>& a, const Item<double>& b, double distance) {
+  return vesica_within_f64(a.kind, a.numbers, b.kind, b.numbers, distance) > 0;
+}
+bool near(const Item<float>& a, const Item<float>& b, double distance) {
+  return vesica_within_f32(a.kind, a.numbers, b.kind, b.numbers, static_cast<float>(distance)) > 0;
+}
+
+template <class T>
+std::vector<Pair> pairs_within(const Indexed<T>& a, const Indexed<T>& b, double distance, std::int64_t parts,
+                               std::int64_t capacity) {
+  std::vector<std::int64_t> out_a(static_cast<std::size_t>(capacity)), out_b(static_cast<std::size_t>(capacity));
+  std::vector<Pair> pairs;
+  for (std::int64_t part = 0; part < parts; ++part) {
+    std::int64_t state[4] = {0, 0, 0, 0};
+    while (state[0] != -1) {
+      const std::int64_t n = call(a, b, distance, part, parts, out_a.data(), out_b.data(), capacity, state);
+      EXPECT_GE(n, 0);
+      EXPECT_TRUE(n == capacity || state[0] == -1);
+      if (n < 0) return pairs;
+      for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) pairs.emplace_back(out_a[i], out_b[i]);
+    }
+  }
+  return pairs;
+}
+
+template <class T>
+std::vector<Pair> every_pair(const Indexed<T>& a, const Indexed<T>& b, double distance) {
+  std::vector<Pair> pairs;
+  const auto of_a = items_of(a.laid), of_b = items_of(b.laid);
+  for (const auto& x : of_a) {
+    for (const auto& y : of_b) {
+      if (&a == &b && x.number >= y.number) continue;
+      if (near(x, y, distance)) pairs.emplace_back(x.number, y.number);
+    }
+  }
+  return sorted(std::move(pairs));
+}
+
+template <class T>
+void expect_all(const Indexed<T>& a, const Indexed<T>& b, double distance, const std::string& what) {
+  const std::vector<Pair> expected = every_pair(a, b, distance), found = pairs_within(a, b, distance, 1, 4096);
+  EXPECT_EQ(found.size(), expected.size()) << what;
+  EXPECT_TRUE(sorted(found) == expected) << what;
+  EXPECT_EQ(call(a, b, distance, 0, 1, nullptr, nullptr, 0, nullptr), static_cast<std::int64_t>(expected.size()));
+  EXPECT_TRUE(pairs_within(a, b, distance, 3, 7) == found) << what << ", in parts";
+}
+
+template <class T>
+class JoinWithinTest : public testing::Test {};
+using Scalars = testing::Types<double, float>;
+TYPED_TEST_SUITE(JoinWithinTest, Scalars);
+
+TYPED_TEST(JoinWithinTest, AllKindsOfEveryWorkload) {
+  std::size_t pairs = 0;
+  for (const std::string& name : rect_workloads()) {
+    const Indexed<TypeParam> a(mixed<TypeParam>(name, 120, 3, 47)), b(mixed<TypeParam>(name, 100, 4, 39));
+    for (const double distance : {0.0, 1.0, 1000.0}) {
+      expect_all(a, b, distance, name);
+      expect_all(a, a, distance, name + " with itself");
+      pairs += every_pair(a, b, distance).size();
+    }
+    expect_all(a, b, infinity, name + " at any distance");
+  }
+  EXPECT_GT(pairs, 3000U);
+}
+
+TEST(JoinWithin, DistanceZeroIsOverlap) {
+  const Indexed<double> a(rects<double>("near_ties", 3000, 1)), b(rects<double>("near_ties", 2000, 2));
+  EXPECT_TRUE(sorted(pairs_within(a, b, 0, 1, 500)) == sorted(join(VESICA_JOIN_OVERLAP, a, b)));
+}
+
+TEST(JoinWithin, Arguments) {
+  const Indexed<double> a(rects<double>("points", 50, 1));
+  const void* const index = a.index.get();
+  const vesica_shapes_f64* const sets = a.sets.data();
+  std::int64_t out_a[2], out_b[2], state[4] = {0, 0, 0, 0};
+  const auto ask = [&](const void* from, std::int32_t count, double distance, std::int64_t part,
+                       std::int64_t capacity) {
+    return vesica_join_within_f64(from, sets, count, index, sets, 1, distance, part, 2, out_a, out_b, capacity, state);
+  };
+  EXPECT_EQ(ask(nullptr, 1, 1, 0, 2), VESICA_E_NULL);
+  EXPECT_EQ(ask(index, 0, 1, 0, 2), VESICA_E_ARGUMENT);
+  EXPECT_EQ(ask(index, 1, -1, 0, 2), VESICA_E_ARGUMENT);
+  EXPECT_EQ(ask(index, 1, std::nan(""), 0, 2), VESICA_E_ARGUMENT);
+  EXPECT_EQ(ask(index, 1, 1, 2, 2), VESICA_E_ARGUMENT);
+  EXPECT_EQ(ask(index, 1, 1, 0, -1), VESICA_E_ARGUMENT);
+  state[0] = 5;
+  EXPECT_EQ(ask(index, 1, 1, 0, 2), VESICA_E_ARGUMENT);
+  state[3] = 0x3179;
+  state[1] = 1000000;
+  EXPECT_EQ(ask(index, 1, 1, 0, 2), VESICA_E_ARGUMENT);
+  state[0] = -1;
+  EXPECT_EQ(ask(index, 1, 1, 0, 2), 0);
+}
+
+}  // namespace
+}  // namespace index_tests
