@@ -25,6 +25,7 @@ from .queries import (
     Penetration,
     Ratio,
     Relation,
+    Within,
     area,
     area_matrix,
     boundary_distance,
@@ -41,6 +42,7 @@ from .queries import (
     nearest,
     nearest_matrix,
     nms,
+    nms_soft,
     overlap,
     overlap_matrix,
     overlap_select,
@@ -49,6 +51,10 @@ from .queries import (
     relation,
     relation_matrix,
     shape_area,
+    signed_distance,
+    signed_distance_matrix,
+    within,
+    within_matrix,
 )
 from .shapes import (
     FIELDS,
@@ -67,6 +73,7 @@ from .shapes import (
     segments,
     shapes,
 )
+from .topology import de9im, de9im_match, intersection
 
 __version__ = "{}.{}.{}".format(c.vesica_version_major(), c.vesica_version_minor(), c.vesica_version_patch())
-__all__ = [name for name in dir() if not name.startswith("_") and name not in ("queries", "index", "motion")]
+__all__ = [name for name in dir() if not name.startswith("_") and name not in ("queries", "index", "motion", "topology")]

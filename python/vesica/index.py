@@ -18,6 +18,7 @@ _QUERIES = {
 }
 _BUILD, _SELECT, _JOIN = by_scalar("index_build"), by_scalar("index_select"), by_scalar("join")
 _NEAREST, _JOIN_NEAREST = by_scalar("index_nearest"), by_scalar("join_nearest")
+_JOIN_WITHIN = by_scalar("join_within")
 _CAST, _CAST_FIRST = by_scalar("index_cast"), by_scalar("index_cast_first")
 _ALIGNMENT = 64
 _PAIRS_A_CALL = 1 << 16
@@ -29,6 +30,17 @@ def _aligned(size):
     room = numpy.empty(size + _ALIGNMENT, numpy.uint8)
     start = -room.ctypes.data % _ALIGNMENT
     return room[start : start + size]
+
+
+def _pairs(ask):
+    """All pairs that a join writes in as many calls as it takes."""
+    firsts, seconds, state = [], [], numpy.zeros(4, numpy.int64)
+    while state[0] != -1:
+        a, b = numpy.empty((2, _PAIRS_A_CALL), numpy.int64)
+        found = ask(a.ctypes.data, b.ctypes.data, len(a), state.ctypes.data)
+        firsts.append(a[:found])
+        seconds.append(b[:found])
+    return numpy.concatenate(firsts), numpy.concatenate(seconds)
 
 
 class Index:
@@ -113,23 +125,28 @@ class Index:
         other: an index, or None for the pairs a < b of this one. query: "overlap", "contains" (the first item contains
         the second), "inside", or "bounds" for candidates. Parts may be asked by several threads or processes.
         """
-        firsts, seconds, state = [], [], numpy.zeros(4, numpy.int64)
-        while state[0] != -1:
-            a, b = numpy.empty((2, _PAIRS_A_CALL), numpy.int64)
-            found = self._join(other, query, part, parts, (a.ctypes.data, b.ctypes.data, len(a), state.ctypes.data))
-            firsts.append(a[:found])
-            seconds.append(b[:found])
-        return numpy.concatenate(firsts), numpy.concatenate(seconds)
+        return _pairs(lambda *output: self._join(other, query, part, parts, output))
+
+    def join_within(self, distance, other=None, part=0, parts=1):
+        """All pairs that are at most `distance` apart, as join gives them. Of an ellipse also those too near to tell."""
+        other = self._joined(other)
+        indexes = self._address(), self._sets, len(self.sets), other._address(), other._sets, len(other.sets)
+        ask = _JOIN_WITHIN[self._letter]
+        return _pairs(lambda *output: checked(ask(*indexes, float(distance), int(part), int(parts), *output)))
 
     def join_count(self, other=None, query="overlap", part=0, parts=1):
         """How many pairs `join` would give."""
         return self._join(other, query, part, parts, _NO_OUTPUT)
 
-    def _join(self, other, query, part, parts, output):
+    def _joined(self, other):
         other = self if other is None else other
         if not isinstance(other, Index):
             raise TypeError(f"other is {type(other).__name__}, not an index")
         same_scalar(self.sets[0], other.sets[0], "this index", "the other")
+        return other
+
+    def _join(self, other, query, part, parts, output):
+        other = self._joined(other)
         if query not in _QUERIES:
             raise ValueError(f"query is one of {', '.join(_QUERIES)}, not {query!r}")
         scratch = _aligned(checked(library.vesica_join_scratch()))

@@ -76,6 +76,16 @@ VESICA_BOTH_SCALARS(cast_first)
 VESICA_BOTH_SCALARS(sweep_bounds)
 VESICA_BOTH_SCALARS(index_cast)
 VESICA_BOTH_SCALARS(index_cast_first)
+VESICA_BOTH_SCALARS(within)
+VESICA_BOTH_SCALARS(within_many)
+VESICA_BOTH_SCALARS(within_matrix)
+VESICA_BOTH_SCALARS(join_within)
+VESICA_BOTH_SCALARS(signed_distance)
+VESICA_BOTH_SCALARS(signed_distance_many)
+VESICA_BOTH_SCALARS(signed_distance_matrix)
+VESICA_BOTH_SCALARS(de9im)
+VESICA_BOTH_SCALARS(intersection)
+VESICA_BOTH_SCALARS(suppress_soft)
 #undef VESICA_BOTH_SCALARS
 }  // namespace call
 

@@ -12,6 +12,7 @@
 #include "measures.hpp"
 #include "motion.hpp"
 #include "oracle/oracle.hpp"
+#include "topology.hpp"
 
 namespace {
 
@@ -26,7 +27,8 @@ constexpr const char* head =
     "# are C's hexadecimal floats, or whole. A result is what the C function returns, or the name of an error; values\n"
     "# are what it wrote: columns one after the other, a matrix row by row.\n"
     "# What takes an index has its sets of shapes in place of it; / parts those of two, and an index whose sets are\n"
-    "# left out is the same as the other. suppress has its labels last, if there are any.\n";
+    "# left out is the same as the other. suppress has its labels last, if there are any. In a\n"
+    "# nine-intersection matrix F is -1.\n";
 
 // ---- One shape, or two ----
 
@@ -365,6 +367,7 @@ void all(int step) {
   indexes<T>();
   measures<T>();
   motion<T>();
+  topology<T>();
 }
 
 }  // namespace
@@ -373,5 +376,6 @@ int main() {
   std::printf("%s", head);
   all<double>(2);
   all<float>(5);
+  matches();
   return 0;
 }
