@@ -70,7 +70,7 @@ export class Index {
   /** Builds into `room` bytes at the index's place. */
   #write(room) {
     const vesica = this.#vesica, { c } = vesica, size = vesica.check(c.vesica_index_scratch(BigInt(this.length)));
-    const code = vesica.within((scratch) => {
+    const code = vesica.inRoom((scratch) => {
       const [memory, with_] = [[this.#index, BigInt(room)], [scratch.take(size), BigInt(size)]];
       return Number(c[`vesica_index_build_${this.scalar}`](this.#struct, this.#sets.length, ...memory, ...with_));
     });
@@ -125,7 +125,7 @@ export class Index {
   }
 
   order() {
-    return this.#vesica.within((room) => {
+    return this.#vesica.inRoom((room) => {
       const out = room.take(8 * this.length);
       const count = this.#vesica.check(this.#vesica.c.vesica_index_order(this.#index, out, BigInt(this.length)));
       return Array.from(new BigInt64Array(this.#vesica.memory.buffer, out, count), Number);
@@ -133,7 +133,7 @@ export class Index {
   }
 
   bounds() {
-    return this.#vesica.within((room) => {
+    return this.#vesica.inRoom((room) => {
       const out = room.take(32);
       this.#vesica.check(this.#vesica.c.vesica_index_bounds(this.#index, out));
       return aabb(...new Float64Array(this.#vesica.memory.buffer, out, 4));
@@ -151,42 +151,60 @@ export class Index {
 
   forEachPair(found, { with: other = this, query = 'overlap', part = 0, parts = 1 } = {}) {
     if (typeof found !== 'function') throw new TypeError('what is to be called for each pair is a function');
-    this.#vesica.within((room) => {
-      const { buffers, call } = this.#joining(other, query, part, parts, room);
-      const [a, b, state] = [8 * pairsACall, 8 * pairsACall, 32].map((size) => room.take(size));
-      new BigInt64Array(buffers.buffer, state, 4).fill(0n);
-      while (new BigInt64Array(buffers.buffer, state, 1)[0] !== -1n) {
-        const count = this.#vesica.check(call(a, b, BigInt(pairsACall), state));
-        // Items are below 2^31, and WebAssembly is little-endian: the lower halves are the items. A copy, as `found`
-        // may make the memory grow.
-        const lower = (address) => new Int32Array(buffers.buffer, address, 2 * count).slice();
-        const first = lower(a), second = lower(b);
-        for (let i = 0; i < 2 * count; i += 2) found(first[i], second[i]);
-      }
+    this.#vesica.inRoom((room) => {
+      this.#eachPair(this.#joining(other, query, part, parts, room), room, found);
     });
   }
 
-  joinCount({ with: other = this, query = 'overlap', part = 0, parts = 1 } = {}) {
-    return this.#vesica.within((room) =>
-      this.#vesica.check(this.#joining(other, query, part, parts, room).call(0, 0, 0n, 0)));
+  joinWithin(distance, { with: other = this, part = 0, parts = 1 } = {}) {
+    if (typeof distance !== 'number') throw new TypeError('a distance is a number, which may be Infinity');
+    const pairs = { a: [], b: [] };
+    this.#vesica.inRoom((room) => {
+      const ask = this.#vesica.c[`vesica_join_within_${this.scalar}`], indexes = this.#both(other);
+      const call = (...output) => ask(...indexes, distance, BigInt(part), BigInt(parts), ...output);
+      this.#eachPair(call, room, (a, b) => {
+        pairs.a.push(a);
+        pairs.b.push(b);
+      });
+    });
+    return pairs;
   }
 
-  #joining(other, query, part, parts, room) {
+  /** found(a, b) for each pair that a join writes in as many calls as it takes. */
+  #eachPair(call, room, found) {
+    const { memory } = this.#vesica;
+    const [a, b, state] = [8 * pairsACall, 8 * pairsACall, 32].map((size) => room.take(size));
+    new BigInt64Array(memory.buffer, state, 4).fill(0n);
+    while (new BigInt64Array(memory.buffer, state, 1)[0] !== -1n) {
+      const count = this.#vesica.check(call(a, b, BigInt(pairsACall), state));
+      // Items are below 2^31, and WebAssembly is little-endian: the lower halves are the items. A copy, as `found` may
+      // make the memory grow.
+      const lower = (address) => new Int32Array(memory.buffer, address, 2 * count).slice();
+      const first = lower(a), second = lower(b);
+      for (let i = 0; i < 2 * count; i += 2) found(first[i], second[i]);
+    }
+  }
+
+  /** The arguments for this index and another. */
+  #both(other) {
     if (!(other instanceof Index)) throw new TypeError('an index is joined with an index');
     if (other.scalar !== this.scalar) {
       throw new TypeError(`this index is of ${this.scalar}, the other of ${other.scalar}`);
     }
+    return [this, other].flatMap((index) => [index.#index, index.#struct, index.#sets.length]);
+  }
+
+  joinCount({ with: other = this, query = 'overlap', part = 0, parts = 1 } = {}) {
+    return this.#vesica.inRoom((room) =>
+      this.#vesica.check(this.#joining(other, query, part, parts, room)(0, 0, 0n, 0)));
+  }
+
+  #joining(other, query, part, parts, room) {
+    const indexes = this.#both(other);
     if (!(query in queries)) throw new TypeError(`query is one of ${Object.keys(queries).join(', ')}`);
     const vesica = this.#vesica, size = vesica.check(vesica.c.vesica_join_scratch()), scratch = room.take(size);
-    const call = (...output) =>
-      vesica.c[`vesica_join_${this.scalar}`](
-        queries[query],
-        ...[this.#index, this.#struct, this.#sets.length],
-        ...[other.#index, other.#struct, other.#sets.length],
-        ...[BigInt(part), BigInt(parts), scratch, BigInt(size)],
-        ...output,
-      );
-    return { buffers: vesica.memory, call };
+    const how = [BigInt(part), BigInt(parts), scratch, BigInt(size)];
+    return (...output) => vesica.c[`vesica_join_${this.scalar}`](queries[query], ...indexes, ...how, ...output);
   }
 
   select(shape) {
@@ -237,7 +255,7 @@ export class Index {
   nearestOfEach(sets, { k = 1, within = Infinity } = {}) {
     if (!(Number.isInteger(k) && k >= 1)) throw new RangeError(`k is a whole number from 1 on, not ${k}`);
     checkSets(sets, this.scalar);
-    return this.#vesica.within((room) => {
+    return this.#vesica.inRoom((room) => {
       const Numbers = scalars[this.scalar], count = k * sets.reduce((sum, set) => sum + set.length, 0);
       const asked = room.take(sets.length * shapesSize), out = room.take(8 * count), distance = room.take(8 * count);
       this.#writeStructs(sets, asked);
@@ -256,7 +274,7 @@ export class Index {
   #ofShape(shape, call) {
     const one = this.#vesica.shapes(shape?.kind, [shape], { scalar: this.scalar });
     try {
-      return this.#vesica.within((room) => call(one.address, room));
+      return this.#vesica.inRoom((room) => call(one.address, room));
     } finally {
       one.free();
     }

@@ -34,7 +34,7 @@ export function shapesFromBoxes(vesica, kind, source, options = {}) {
   const rows = boxRows(source), scalar = options.scalar ?? 'f64', count = rows.length / 5, angle = angleUnit(options);
   const shapes = vesica.shapes(kind, count, { scalar });
   const Numbers = scalars[scalar], width = Numbers.BYTES_PER_ELEMENT;
-  const code = vesica.within((room) => {
+  const code = vesica.inRoom((room) => {
     const address = room.take(rows.length * width);
     new Numbers(vesica.memory.buffer, address, rows.length).set(rows);
     const call = vesica.c[`vesica_${kind}s_from_boxes_${scalar}`];
@@ -45,7 +45,7 @@ export function shapesFromBoxes(vesica, kind, source, options = {}) {
 
 /** `width` numbers of each shape, by a function of arrays. */
 function rowsOf(vesica, name, width, shapes, ...options) {
-  return vesica.within((room) => {
+  return vesica.inRoom((room) => {
     const { scalar, a } = vesica.operands(shapes, shapes, room);
     const Numbers = scalars[scalar], count = width * (shapes instanceof ShapeArray ? shapes.length : 1);
     const out = room.take(count * Numbers.BYTES_PER_ELEMENT);
@@ -59,7 +59,7 @@ export const boxes = (vesica, shapes, options) => rowsOf(vesica, 'boxes_from_sha
 export const corners = (vesica, shapes) => rowsOf(vesica, 'corners_of_shapes', 8, shapes);
 export const boundsMany = (vesica, shapes) => rowsOf(vesica, 'bounds_many', fields.aabb.length, shapes);
 
-function oneEach(name, values, boxes) {
+export function oneEach(name, values, boxes) {
   if (values?.length === boxes.length) return;
   throw new RangeError(`${boxes.length} boxes need as many ${name}, not ${values?.length}`);
 }
@@ -71,7 +71,7 @@ export function nms(vesica, boxes, scores, threshold = 0.5, options = {}) {
   oneEach('scores', scores, boxes);
   if (labels !== undefined) oneEach('labels', labels, boxes);
   if (!(Number.isInteger(most) && most >= 0)) throw new RangeError(`most is a whole number, not ${String(most)}`);
-  return vesica.within((room) => {
+  return vesica.inRoom((room) => {
     const size = vesica.check(vesica.c.vesica_nms_scratch(BigInt(n))), { memory } = vesica;
     const [at, labelsAt, scratch, keep, kept] = [n * Scores.BYTES_PER_ELEMENT, 4 * n, size, 8 * n, 8].map((bytes) =>
       room.take(bytes));

@@ -29,7 +29,7 @@ function withImpact(vesica, room, scalar, call) {
 export function cast(vesica, a, b, velocity, { tEnd = Infinity } = {}) {
   if (a instanceof ShapeArray || b instanceof ShapeArray) return castMany(vesica, a, b, velocity, time(tEnd));
   const [vx, vy] = pair(velocity);
-  return vesica.within((room) => {
+  return vesica.inRoom((room) => {
     const shapes = [...vesica.record(a, room), ...vesica.record(b, room)];
     const call = (out) => vesica.c.vesica_cast_f64(...shapes, vx, vy, time(tEnd), out);
     const [code, numbers] = withImpact(vesica, room, 'f64', call);
@@ -54,7 +54,7 @@ function velocities(vesica, velocity, Numbers, count, room) {
 
 function castMany(vesica, a, b, velocity, tEnd) {
   if (!(tEnd >= 0)) throw new RangeError(`tEnd is ${tEnd}, not 0 or more`);
-  return vesica.within((room) => {
+  return vesica.inRoom((room) => {
     const { scalar, a: first, b: second, counts } = vesica.operands(a, b, room);
     const Numbers = scalars[scalar], count = vesica.inStep(counts);
     const moving = velocities(vesica, velocity, Numbers, count, room);
@@ -72,7 +72,7 @@ const firstOf = ([item, numbers], none) => (item === none ? null : { item, ...im
 export function castFirst(vesica, one, many, velocity, { tEnd = Infinity } = {}) {
   if (!(many instanceof ShapeArray)) throw new TypeError('many is an array of shapes, as shapes() makes it');
   const [vx, vy] = pair(velocity);
-  return vesica.within((room) => {
+  return vesica.inRoom((room) => {
     const { scalar, a, b } = vesica.operands(one, many, room);
     const call = (out) => vesica.c[`vesica_cast_first_${scalar}`](a, b, vx, vy, time(tEnd), out);
     return firstOf(withImpact(vesica, room, scalar, call), many.length);
@@ -81,7 +81,7 @@ export function castFirst(vesica, one, many, velocity, { tEnd = Infinity } = {})
 
 export function sweepBounds(vesica, shape, velocity, tEnd) {
   const [vx, vy] = pair(velocity);
-  return vesica.within((room) => {
+  return vesica.inRoom((room) => {
     const operand = vesica.record(shape, room), out = room.take(32);
     vesica.check(vesica.c.vesica_sweep_bounds_f64(...operand, vx, vy, time(tEnd), out));
     return aabb(...new Float64Array(vesica.memory.buffer, out, 4));

@@ -67,6 +67,9 @@ export class ShapeArray<T extends Float64Array | Float32Array = Float64Array | F
   free(): void;
 }
 
+export type Within = 'no' | 'yes' | 'nearly';
+/** Names of what `within` answers, by the numbers that arrays have. */
+export const withins: readonly Within[];
 export interface ClosestPoints<N> { distance: N; ax: N; ay: N; bx: N; by: N }
 /** How far, and in which direction (x, y), b must move until it only touches a. */
 export interface Penetration<N> { depth: N; x: N; y: N }
@@ -132,6 +135,8 @@ export class Index {
   /** The same, pair by pair, without arrays of them. */
   forEachPair(found: (a: number, b: number) => void, options?: Joining): void;
   joinCount(options?: Joining): number;
+  /** All pairs at most `distance` apart. Of ellipses also those too near to it to tell. */
+  joinWithin(distance: number, options?: Omit<Joining, 'query'>): { a: number[]; b: number[] };
   /** The items that a shape overlaps. */
   select(shape: Shape): number[];
   /** The k nearest items within a distance, nearest first; at equal distances by number. */
@@ -217,6 +222,21 @@ export class Vesica {
   iou(a: Shape, b: Shape): number;
   iou(a: Many, b: Many): Numbers;
 
+  /** The distance or, below 0, how deep they overlap. */
+  signedDistance(a: Shape, b: Shape): number;
+  signedDistance(a: Many, b: Many): Numbers;
+  /**
+   * Are they at most `distance` apart? Exactly so far counts. Exact; with an ellipse 'nearly' where the distance is too
+   * near the one asked for to tell. Arrays have numbers: see `withins`.
+   */
+  within(a: Shape, b: Shape, distance: number): Within;
+  within(a: Many, b: Many, distance: number, options?: { out?: Uint8Array }): Uint8Array;
+  /** The nine-intersection matrix, as geographic systems have it, such as 'FF2F11212'. */
+  de9im(a: Shape, b: Shape): string;
+  /** Does such a matrix fit a pattern of F, 0, 1, 2, T (any of 0, 1 and 2) and * (anything)? */
+  de9imMatch(matrix: string, pattern: string): boolean;
+  /** The vertices of the region shared by points, segments, aabbs and rects, or by a segment and anything. */
+  intersection(a: Shape, b: Shape): { x: number; y: number }[];
   /** What share of one shape the other covers, and other ratios by which detections are compared: see `ratios`. */
   ratio(which: Ratio, a: Shape, b: Shape): number;
   ratio(which: Ratio, a: Many, b: Many): Numbers;
@@ -232,6 +252,8 @@ export class Vesica {
   nearestMatrix(a: ShapeArray, b: ShapeArray): Numbers;
   boundaryDistanceMatrix(a: ShapeArray, b: ShapeArray): Numbers;
   depthMatrix(a: ShapeArray, b: ShapeArray): Numbers;
+  signedDistanceMatrix(a: ShapeArray, b: ShapeArray): Numbers;
+  withinMatrix(a: ShapeArray, b: ShapeArray, distance: number): Uint8Array;
 
   /**
    * Does b touch a while it is moved by t * velocity, t from 0 to tEnd, when first, and where? Whether it does is
@@ -260,6 +282,16 @@ export class Vesica {
   invalidity(shape: Shape): string | null;
   /** Greedy suppression: the indices kept, best score first. */
   nms(boxes: ShapeArray, scores: ArrayLike<number>, threshold?: number, options?: Suppression): number[];
+  /**
+   * Soft suppression: the indices as they are taken, and the scores that were left then. What has a ratio r with one
+   * taken keeps its score times 1 - r where r is above the parameter, or times exp(-r^2 / parameter).
+   */
+  nmsSoft(
+    boxes: ShapeArray,
+    scores: ArrayLike<number>,
+    parameter?: number,
+    options?: Suppression & { decay?: 'linear' | 'gaussian' },
+  ): { indices: number[]; scores: number[] };
 
   index(...sets: ShapeArray[]): Index;
   /** An index whose bytes were saved, over the same arrays. Damaged bytes are a VesicaError. */

@@ -7,9 +7,11 @@ import { Memory, Room } from './memory.mjs';
 import * as motion from './motion.mjs';
 import { fields, flat, kindNumber, kinds, numbersOf, scalars, ShapeArray, shapesSize } from './shapes.mjs';
 import { aabb, circle, ellipse, point, rect, segment } from './shapes.mjs';
+import * as topology from './topology.mjs';
 
-const { casts } = motion, { ratios } = measures;
+const { casts } = motion, { ratios } = measures, { withins } = topology;
 export { aabb, casts, circle, constants, ellipse, fields, Index, kinds, point, ratios, rect, segment, ShapeArray };
+export { withins };
 
 /** Names of relations, by the numbers that arrays have. */
 export const relations = Object.freeze([
@@ -141,6 +143,30 @@ export class Vesica {
   iou(a, b) {
     return this.#numbers('iou', ['iou'], a, b);
   }
+  within(a, b, distance, options) {
+    return this.#codes('within', a, b, options, (code) => topology.withins[code], this.#distance(distance));
+  }
+  withinMatrix(a, b, distance) {
+    return this.#matrix('within', Uint8Array, a, b, [], [this.#distance(distance)]);
+  }
+  signedDistance(a, b) {
+    return this.#numbers('signed_distance', ['distance'], a, b);
+  }
+  signedDistanceMatrix(a, b) {
+    return this.#matrix('signed_distance', scalars[a?.scalar], a, b);
+  }
+  de9im(a, b) {
+    return topology.de9im(this, a, b);
+  }
+  de9imMatch(matrix, pattern) {
+    return topology.de9imMatch(this, matrix, pattern);
+  }
+  intersection(a, b) {
+    return topology.intersection(this, a, b);
+  }
+  nmsSoft(boxes, scores, parameter, options) {
+    return topology.nmsSoft(this, boxes, scores, parameter, options);
+  }
   ratio(which, a, b) {
     return this.#numbers('ratio', ['ratio'], a, b, measures.ratioNumber(which));
   }
@@ -161,7 +187,7 @@ export class Vesica {
   }
 
   ratioMatrix(which, a, b) {
-    return this.#matrix('ratio', scalars[a?.scalar], a, b, measures.ratioNumber(which));
+    return this.#matrix('ratio', scalars[a?.scalar], a, b, [measures.ratioNumber(which)]);
   }
   nearestMatrix(a, b) {
     return this.#matrix('nearest', scalars[a?.scalar], a, b);
@@ -184,7 +210,7 @@ export class Vesica {
   }
 
   overlapSelect(one, many) {
-    return this.within((room) => {
+    return this.inRoom((room) => {
       const { scalar, a, b } = this.operands(one, many, room);
       if (!isArray(many)) throw new TypeError('many is an array of shapes, as shapes() makes it');
       const out = room.take(8 * many.length + 8);
@@ -215,7 +241,7 @@ export class Vesica {
 
   /** Why a shape is invalid, or null. */
   invalidity(shape) {
-    return this.within((room) => {
+    return this.inRoom((room) => {
       const [kind, address] = this.record(shape, room);
       const code = this.c.vesica_check_f64(kind, address);
       return code < 0 ? this.#text(code) : null;
@@ -249,7 +275,7 @@ export class Vesica {
   }
 
   /** call(room), whose memory is given back afterwards. */
-  within(call) {
+  inRoom(call) {
     const room = new Room(this.#memory);
     try {
       return call(room);
@@ -317,23 +343,29 @@ export class Vesica {
     return address;
   }
 
+  #distance(distance) {
+    if (typeof distance === 'number') return distance;
+    throw new TypeError('a distance is a number, which may be Infinity');
+  }
+
   /** How many results two operands in step have. */
   inStep([a, b]) {
     if (a !== b && a !== 1 && b !== 1) throw new RangeError(`a has ${a} shapes and b ${b}: as many, or one of either`);
     return a === 0 || b === 0 ? 0 : Math.max(a, b);
   }
 
-  #codes(name, a, b, { out = undefined } = {}, meaning) {
+  /** last: arguments after the shapes. */
+  #codes(name, a, b, { out = undefined } = {}, meaning, ...last) {
     if (!isArray(a) && !isArray(b)) {
-      return this.within((room) => {
-        const code = this.c[`vesica_${name}_f64`](...this.record(a, room), ...this.record(b, room));
+      return this.inRoom((room) => {
+        const code = this.c[`vesica_${name}_f64`](...this.record(a, room), ...this.record(b, room), ...last);
         return meaning(this.check(code));
       });
     }
-    return this.within((room) => {
+    return this.inRoom((room) => {
       const { scalar, a: first, b: second, counts } = this.operands(a, b, room);
       const count = this.inStep(counts), address = room.take(count);
-      const code = Number(this.c[`vesica_${name}_many_${scalar}`](first, second, address));
+      const code = Number(this.c[`vesica_${name}_many_${scalar}`](first, second, ...last, address));
       const bytes = new Uint8Array(this.#memory.buffer, address, count);
       if (code < 0 && code !== constants.E_SHAPE) return this.check(code);
       if (out === undefined) return this.#answer(code, bytes.slice());
@@ -354,7 +386,7 @@ export class Vesica {
       const read = (view) => named(names.map((_, i) => view.getFloat64(8 * i, true)));
       return this.#single(name, 8 * names.length, a, b, read, ...leading);
     }
-    return this.within((room) => {
+    return this.inRoom((room) => {
       const { scalar, a: first, b: second, counts } = this.operands(a, b, room);
       const Numbers = scalars[scalar], count = this.inStep(counts);
       const columns = names.map(() => room.take(count * Numbers.BYTES_PER_ELEMENT));
@@ -367,7 +399,7 @@ export class Vesica {
 
   /** One call for two plain objects, in double. */
   #single(name, size, a, b, read, ...leading) {
-    return this.within((room) => {
+    return this.inRoom((room) => {
       const operands = [...this.record(a, room), ...this.record(b, room)], out = room.take(size);
       this.check(this.c[`vesica_${name}_f64`](...leading, ...operands, out));
       return read(new DataView(this.#memory.buffer, out, size));
@@ -375,7 +407,7 @@ export class Vesica {
   }
 
   #ofOne(name, count, shape) {
-    return this.within((room) => {
+    return this.inRoom((room) => {
       const operands = this.record(shape, room), out = room.take(8 * count);
       this.check(this.c[`vesica_${name}_f64`](...operands, out));
       return Array.from(new Float64Array(this.#memory.buffer, out, count));
@@ -383,12 +415,13 @@ export class Vesica {
   }
 
   /** Rows one after the other: element [i * b.length + j] is of a[i] and b[j]. */
-  #matrix(name, Numbers, a, b, ...leading) {
+  #matrix(name, Numbers, a, b, leading = [], last = []) {
     if (!isArray(a) || !isArray(b)) throw new TypeError('a matrix is of two arrays of shapes, as shapes() makes them');
-    return this.within((room) => {
+    return this.inRoom((room) => {
       const { scalar, a: first, b: second } = this.operands(a, b, room);
       const count = a.length * b.length, address = room.take(count * Numbers.BYTES_PER_ELEMENT);
-      const code = Number(this.c[`vesica_${name}_matrix_${scalar}`](...leading, first, second, address, b.length));
+      const operands = [...leading, first, second, ...last, address, b.length];
+      const code = Number(this.c[`vesica_${name}_matrix_${scalar}`](...operands));
       if (!isWritten(name, code)) return this.check(code);
       return this.#answer(code, new Numbers(this.#memory.buffer, address, count).slice(), true);
     });

@@ -2,7 +2,7 @@
 // Boxes, ratios, suppression and casts by numbers that are known, and what is refused.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { aabb, circle, load, point, rect, VesicaError } from 'vesica';
+import { aabb, circle, ellipse, load, point, rect, VesicaError } from 'vesica';
 
 const vesica = await load();
 const disc = circle(0, 0, 1), wall = aabb(10, -5, 12, 5);
@@ -54,6 +54,25 @@ test('ratios and suppression', () => {
   assert.deepEqual(vesica.nms(boxes, scores, 0.5, { leastScore: 2, most: 1 }), [0]);
 });
 
+test('near, deep, and how they meet', () => {
+  const a = aabb(0, 0, 2, 2), b = aabb(1, 1, 3, 3), disc = circle(6, 1, 1);
+  assert.equal(vesica.within(a, disc, 3), 'yes');
+  assert.equal(vesica.within(a, disc, 2.999), 'no');
+  assert.equal(vesica.within(point(0, 0), ellipse(5, 0, 2, 1), 3), 'nearly');
+  const boxes = vesica.shapes('aabb', [a, b, aabb(5, 0, 6, 2)]);
+  assert.deepEqual([...vesica.within(boxes, disc, 2)], [0, 1, 1]);
+  assert.deepEqual([...vesica.withinMatrix(boxes, vesica.shapes('aabb', [a]), 2)], [1, 1, 0]);
+  assert.deepEqual([...vesica.signedDistance(boxes, a)], [-2, -1, 3]);
+  assert.equal(vesica.index(boxes).joinWithin(2).a.length, 2);
+  assert.equal(vesica.de9im(a, aabb(2, 0, 4, 2)), 'FF2F11212');
+  assert.equal(vesica.de9imMatch('FF2F11212', 'FF*FT****'), true);
+  assert.deepEqual(vesica.intersection(a, b)[0], { x: 1, y: 1 });
+  assert.deepEqual(vesica.intersection(a, aabb(5, 5, 6, 6)), []);
+  const soft = vesica.shapes('aabb', [[0, 0, 4, 4], [0, 0, 4, 3], [9, 9, 10, 10]]);
+  assert.deepEqual(vesica.nmsSoft(soft, [1, 0.75, 0.5]), { indices: [0, 2, 1], scores: [1, 0.5, 0.1875] });
+  assert.deepEqual(vesica.nmsSoft(soft, [1, 0.75, 0.5], 0.5, { labels: [1, 2, 1], most: 2 }).indices, [0, 1]);
+});
+
 test('what is refused', () => {
   const walls = vesica.shapes('aabb', [wall, wall]), freed = vesica.shapes('aabb', [wall]);
   freed.free();
@@ -64,6 +83,13 @@ test('what is refused', () => {
     [TypeError, () => vesica.ratio('iou', wall, wall)],
     [TypeError, () => vesica.shapesFromBoxes('circle', [1, 2, 3, 4, 5])],
     [TypeError, () => vesica.boxes(walls, { degrees: true, quarters: true })],
+    [TypeError, () => vesica.within(wall, disc, '3')],
+    [TypeError, () => vesica.de9imMatch(1, 'T')],
+    [TypeError, () => vesica.nmsSoft(walls, [1, 2], 0.5, { decay: 'cubic' })],
+    [TypeError, () => vesica.index(walls).joinWithin()],
+    [VesicaError, () => vesica.within(walls, disc, -1)],
+    [VesicaError, () => vesica.de9imMatch('FF2F11212', 'T*')],
+    [VesicaError, () => vesica.intersection(wall, disc)],
     [RangeError, () => vesica.shapesFromBoxes('rect', [1, 2, 3])],
     [RangeError, () => vesica.cast(walls, disc, [1, 0], { tEnd: -1 })],
     [RangeError, () => vesica.nms(walls, [1, 2], 0.5, { labels: [1] })],

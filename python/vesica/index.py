@@ -128,7 +128,7 @@ class Index:
         return _pairs(lambda *output: self._join(other, query, part, parts, output))
 
     def join_within(self, distance, other=None, part=0, parts=1):
-        """All pairs that are at most `distance` apart, as join gives them. Of an ellipse also those too near to tell."""
+        """All pairs at most `distance` apart, as join gives them. Of ellipses also those too near to tell."""
         other = self._joined(other)
         indexes = self._address(), self._sets, len(self.sets), other._address(), other._sets, len(other.sets)
         ask = _JOIN_WITHIN[self._letter]

@@ -78,6 +78,8 @@ many! {
     contains_many: bool as u8;
     /// The area that `a[i]` and `b[i]` share. Returns how many are above 0.
     area_many: T as T;
+    /// The distance of `a[i]` and `b[i]` or, below 0, how deep they overlap. Returns how many overlap.
+    signed_distance_many: T as T;
     /// Intersection over union of `a[i]` and `b[i]`. Returns how many are above 0.
     iou_many: T as T;
 }
@@ -118,6 +120,8 @@ matrix! {
     boundary_distance_matrix: T as T;
     /// How deep each of a and each of b overlap. Returns how many depths are above 0.
     depth_matrix: T as T;
+    /// The signed distance of each of a and each of b. Returns how many pairs overlap.
+    signed_distance_matrix: T as T;
 }
 
 macro_rules! closest {

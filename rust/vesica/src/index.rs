@@ -202,6 +202,24 @@ impl<'a, T: Scalar> Index<'a, T> {
         Ok(pairs)
     }
 
+    /// All pairs of an item of this index and one of another that are at most `distance` apart, as [`join`](Index::join)
+    /// gives them. Of ellipses also those too near to it to tell.
+    pub fn join_within(&self, other: &Index<'_, T>, distance: T) -> Result<Vec<(i64, i64)>, Error> {
+        const ROOM: usize = 1 << 14;
+        let (mut a, mut b, mut state) = (vec![0; ROOM], vec![0; ROOM], [0; 4]);
+        let ((sets_a, count_a), (sets_b, count_b)) = (views(&self.sets), views(&other.sets));
+        let (index_a, index_b, room) = (self.address(), other.address(), ROOM as i64);
+        let mut pairs = Vec::new();
+        while state[0] != -1 {
+            let (to_a, to_b, at) = (a.as_mut_ptr(), b.as_mut_ptr(), state.as_mut_ptr());
+            let found = answer(|| unsafe {
+                T::join_within(index_a, sets_a, count_a, index_b, sets_b, count_b, distance, 0, 1, to_a, to_b, room, at)
+            })?;
+            pairs.extend(a[..found].iter().copied().zip(b[..found].iter().copied()));
+        }
+        Ok(pairs)
+    }
+
     /// How many pairs [`join`](Index::join) gives.
     pub fn join_count(&self, other: &Index<'_, T>, query: JoinQuery) -> Result<usize, Error> {
         self.ask_join(other, query, 0, 1, (ptr::null_mut(), ptr::null_mut(), 0, ptr::null_mut()))

@@ -36,6 +36,7 @@ mod measures;
 mod motion;
 mod query;
 mod shape;
+mod topology;
 
 pub use batch::*;
 pub use construct::*;
@@ -46,6 +47,7 @@ pub use measures::*;
 pub use motion::*;
 pub use query::*;
 pub use shape::{AnyShape, Kind, Shape, Shapes};
+pub use topology::*;
 pub use vesica_sys as sys;
 pub use vesica_sys::Segment;
 pub use vesica_sys::{Aabb, Circle, ClosestPoints, CrossingPoints, Ellipse, Impact, Penetration, Point, Rect, Scalar};

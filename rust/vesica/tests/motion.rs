@@ -64,3 +64,34 @@ fn ratios_and_suppression() {
     assert_eq!(kept(Suppression { ratio: Ratio::OverFirst, ..by_smaller }), Err(Error::Argument));
     assert_eq!(kept(Suppression { labels: &[1], ..by_smaller }), Err(Error::Counts(2, 1)));
 }
+
+#[test]
+fn near_deep_and_how_they_meet() {
+    let square = |x: f64, y: f64| Aabb { min_x: x, min_y: y, max_x: x + 2.0, max_y: y + 2.0 };
+    let (a, b, disc) = (square(0.0, 0.0), square(1.0, 1.0), Circle { cx: 6.0, cy: 1.0, r: 1.0 });
+    assert_eq!(within(&a, &disc, 3.0), Ok(Within::Yes));
+    assert_eq!(within(&a, &disc, 2.999), Ok(Within::No));
+    let ellipse = Ellipse { cx: 5.0, cy: 0.0, ux: 1.0, uy: 0.0, a: 2.0, b: 1.0 };
+    assert_eq!(within(&Point { x: 0.0, y: 0.0 }, &ellipse, 3.0), Ok(Within::Nearly));
+    assert_eq!(within(&a, &b, -1.0), Err(Error::Argument));
+    let (boxes, mut found, mut signed) = ([a, b, square(5.0, 0.0)], [Within::No; 3], [0.0; 3]);
+    assert_eq!(within_many(&boxes, &a, 2.0, &mut found), Ok(2));
+    assert_eq!(found, [Within::Yes, Within::Yes, Within::No]);
+    assert_eq!(signed_distance_many(&boxes, &a, &mut signed), Ok(2));
+    assert_eq!(signed, [-2.0, -1.0, 3.0]);
+    let index = Index::new(&[Shapes::from(&boxes)]).unwrap();
+    assert_eq!(index.join_within(&index, 2.0).map(|pairs| pairs.len()), Ok(2));
+    assert_eq!(de9im(&a, &square(2.0, 0.0)).as_ref(), Ok(b"FF2F11212"));
+    assert_eq!(de9im_match(b"FF2F11212", b"FF*FT****"), Ok(true));
+    assert_eq!(de9im_match(b"FF2F11212", b"FF*FT***"), Err(Error::Argument));
+    let region = intersection(&a, &b).unwrap();
+    assert_eq!(region.vertices(), [[1.0, 1.0], [2.0, 1.0], [2.0, 2.0], [1.0, 2.0]]);
+    assert_eq!(intersection(&a, &disc), Err(Error::Kind));
+    let soft = [Aabb { max_x: 4.0, max_y: 4.0, ..a }, Aabb { max_x: 4.0, max_y: 3.0, ..a }, square(9.0, 9.0)];
+    let (mut keep, mut left) = ([0; 3], [0.0; 3]);
+    let mut scratch = vec![0; suppress_soft_scratch(3).unwrap()];
+    let (decay, ratio) = (Decay::Linear(0.5), Ratio::OverUnion);
+    let how = SoftSuppression { decay, ratio, labels: &[], least_score: 0.0, most: 3 };
+    assert_eq!(suppress_soft(&soft, &[1.0, 0.75, 0.5], how, &mut scratch, &mut keep, &mut left), Ok(3));
+    assert_eq!((keep, left), ([0, 2, 1], [1.0, 0.5, 0.1875]));
+}
