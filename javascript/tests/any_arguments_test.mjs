@@ -15,11 +15,16 @@ const numbers = [0, 1, -1, 0.5, NaN, Infinity, -0, 5e-324, 1.7e308, 1e-200];
 function value() {
   const kind = pick(kinds);
   const some = () => Array.from({ length: 12 }, () => pick(numbers));
-  return pick([
+  // Shapes come often enough that some calls are answered.
+  const shape = [
     () => rect(pick(numbers), pick(numbers), pick(numbers), pick(numbers), pick(numbers)),
     () => circle(pick(numbers), pick(numbers), pick(numbers)),
     () => vesica.shapes(kind, some().slice(0, { point: 4, segment: 8, aabb: 8 }[kind] ?? 12)),
     () => vesica.shapes(kind, 3, { scalar: 'f32' }),
+    () => vesica.shapes('rect', [rect(0, 0, 2, 1), rect(1, 0, 2, 1)]),
+  ];
+  return pick([
+    ...shape, ...shape, ...shape, ...shape,
     () => ({ kind }), () => kind, () => undefined, () => null, () => pick(numbers), some, () => ({}), () => 7n,
     () => Symbol('x'), () => [pick(numbers), pick(numbers)], () => pick(ratios), () => ({ degrees: true }),
   ])();
