@@ -69,7 +69,7 @@ func single[T Float](argument string) Any[T] {
 	return shape
 }
 
-func floats[N bool | Relation | int64 | float32 | float64](numbers []N) []float64 {
+func floats[N bool | Relation | WithinResult | int64 | float32 | float64](numbers []N) []float64 {
 	out := make([]float64, len(numbers))
 	for i, number := range numbers {
 		switch number := any(number).(type) {
@@ -78,6 +78,8 @@ func floats[N bool | Relation | int64 | float32 | float64](numbers []N) []float6
 				out[i] = 1
 			}
 		case Relation:
+			out[i] = float64(number)
+		case WithinResult:
 			out[i] = float64(number)
 		case int64:
 			out[i] = float64(number)
@@ -128,6 +130,9 @@ func ofOneOrTwo[T Float](function string, arguments []string) outcome {
 	case "depth":
 		depth, err := Depth(a, b)
 		return whole(0, err, depth.Depth, depth.X, depth.Y)
+	case "signed_distance":
+		distance, err := SignedDistance(a, b)
+		return whole(0, err, distance)
 	case "area":
 		area, err := Area(a, b)
 		return whole(0, err, area)
@@ -292,6 +297,64 @@ func ofRatios[T Float](function string, arguments []string) outcome {
 	return outcome{count, err, floats(out)}
 }
 
+func ofTopology[T Float](function string, arguments []string) outcome {
+	switch function {
+	case "de9im_match":
+		fits, err := DE9IMMatch(arguments[0], strings.TrimSpace(arguments[1]))
+		return whole(truth(fits), err)
+	case "de9im":
+		matrix, err := DE9IM(single[T](arguments[0]), single[T](arguments[1]))
+		values := []float64{}
+		for _, letter := range matrix {
+			values = append(values, float64(strings.IndexRune("F012", letter)-1))
+		}
+		return whole(0, err, values...)
+	case "intersection":
+		vertices, err := Intersection(single[T](arguments[0]), single[T](arguments[1]))
+		values := []float64{}
+		for _, vertex := range vertices {
+			values = append(values, vertex.X, vertex.Y)
+		}
+		return whole(len(vertices), err, values...)
+	case "within":
+		found, err := Within(single[T](arguments[0]), single[T](arguments[1]), number(strings.TrimSpace(arguments[2])))
+		return whole(int(found), err)
+	case "join_within":
+		slash := indexOf(arguments, "/")
+		a := must(NewIndex(arrays[T](arguments[1:slash])...))
+		b := a
+		if slash+1 < len(arguments) {
+			b = must(NewIndex(arrays[T](arguments[slash+1:])...))
+		}
+		pairs, err := a.JoinWithin(b, numbers[T](arguments[0])[0])
+		values := []float64{}
+		for _, pair := range pairs {
+			values = append(values, float64(pair.A), float64(pair.B))
+		}
+		return whole(len(pairs), err, values...)
+	case "suppress_soft":
+		words := numbers[T](arguments[2])
+		how := SoftSuppression[T]{Ratio: Ratio(words[0]), Decay: Decay(words[1]), Parameter: words[2],
+			LeastScore: words[3], Most: int(words[4])}
+		if len(arguments) > 3 {
+			for _, label := range numbers[float64](arguments[3]) {
+				how.Labels = append(how.Labels, int32(label))
+			}
+		}
+		kept, left, err := SuppressSoft(array[T](arguments[0]), numbers[T](arguments[1]), how)
+		return outcome{0, err, append(floats(kept), floats(left)...)}
+	}
+	a, b, distance := array[T](arguments[0]), array[T](arguments[1]), numbers[T](arguments[2])[0]
+	if function == "within_matrix" {
+		out := make([]WithinResult, a.Len()*b.Len())
+		count, err := WithinMatrix(a, b, distance, out)
+		return outcome{count, err, floats(out)}
+	}
+	out := make([]WithinResult, must(inStep(a, b)))
+	count, err := WithinMany(a, b, distance, out)
+	return outcome{count, err, floats(out)}
+}
+
 func suppressed[T Float](arguments []string) outcome {
 	words := numbers[T](arguments[2])
 	how := Suppression[T]{Ratio: Ratio(words[0]), Threshold: words[1], LeastScore: &words[2], Most: int(words[3])}
@@ -347,6 +410,10 @@ func ofArrays[T Float](function string, arguments []string) outcome {
 		return ofColumns(1)(AreaMatrix(a, b, column(0)))
 	case "iou_matrix":
 		return ofColumns(1)(IoUMatrix(a, b, column(0)))
+	case "signed_distance_many":
+		return ofColumns(1)(SignedDistanceMany(a, b, column(0)))
+	case "signed_distance_matrix":
+		return ofColumns(1)(SignedDistanceMatrix(a, b, column(0)))
 	case "nearest_matrix":
 		return ofColumns(1)(NearestMatrix(a, b, column(0)))
 	case "boundary_distance_matrix":
@@ -418,6 +485,9 @@ func answer[T Float](function string, arguments []string) outcome {
 		return ofMotion[T](function, arguments)
 	case strings.HasPrefix(function, "ratio"):
 		return ofRatios[T](function, arguments)
+	case strings.HasPrefix(function, "within") || strings.HasPrefix(function, "de9im") || function == "intersection" ||
+		function == "join_within" || function == "suppress_soft":
+		return ofTopology[T](function, arguments)
 	case function == "suppress":
 		return suppressed[T](arguments)
 	case strings.Contains(function, "_from_"):
@@ -496,7 +566,7 @@ func TestEveryCallIsRight(t *testing.T) {
 			t.Error(line)
 		}
 	}
-	if n := len(lines(t)); n < 600 {
+	if n := len(lines(t)); n < 670 {
 		t.Errorf("only %d calls", n)
 	}
 }
@@ -511,7 +581,7 @@ func TestWrongAnswersAreFound(t *testing.T) {
 		}
 		functions[function] = true
 	}
-	if len(functions) < 58 {
+	if len(functions) < 69 {
 		t.Errorf("only %d functions", len(functions))
 	}
 }

@@ -131,6 +131,30 @@ const (
 	AngleReversed Angle = 4
 )
 
+// Decay is how soft suppression lowers scores.
+type Decay int32
+
+// Decay values.
+const (
+	// DecayLinear: score * (1 - r) if r exceeds the parameter, a threshold from 0 to 1
+	DecayLinear Decay = 0
+	// DecayGaussian: score * exp(-r^2 / parameter) if r > 0; the parameter is at least 2^-100
+	DecayGaussian Decay = 1
+)
+
+// WithinResult is whether two shapes are so near.
+type WithinResult uint8
+
+// WithinResult values.
+const (
+	// WithinNo: they are farther apart
+	WithinNo WithinResult = 0
+	// WithinYes: they are not
+	WithinYes WithinResult = 1
+	// WithinNearly: with an ellipse alone: their distance is too near the one asked for to tell
+	WithinNearly WithinResult = 2
+)
+
 // CastResult is what a cast finds.
 type CastResult int32
 

@@ -20,6 +20,8 @@ ENUMS = {
     "JOINS": ("JoinQuery", "What makes item a of one index and item b of another a pair of a join."),
     "RATIOS": ("Ratio", "What a shared area is compared with."),
     "ANGLES": ("Angle", "How angles are told. They turn from +x towards +y."),
+    "DECAYS": ("Decay", "How soft suppression lowers scores."),
+    "WITHINS": ("Within", "Whether two shapes are at most so far apart."),
     "CASTS": ("Cast", "What a cast finds."),
     "ERRORS": ("ErrorCode", "Why the library has no answer."),
 }
@@ -50,7 +52,7 @@ def enum(description, group):
         + f"        {camel(entry.own)} = {entry.value},\n"
         for entry in description.constants_of(group)
     )
-    base = " : byte" if group == "RELATIONS" else ""
+    base = " : byte" if group in ("RELATIONS", "WITHINS") else ""
     return f"{summary([about], '    ')}    public enum {name}{base}\n    {{\n{values}    }}\n\n"
 
 

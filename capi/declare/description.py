@@ -17,10 +17,12 @@ GROUPS = {
 PREFIXES = {
     "ANGLE_": "ANGLES",
     "CAST_": "CASTS",
+    "DECAY_": "DECAYS",
     "E_": "ERRORS",
     "JOIN_": "JOINS",
     "RATIO_": "RATIOS",
     "VERSION": "VERSIONS",
+    "WITHIN_": "WITHINS",
 }
 SCALARS = {"f64": "double", "f32": "float"}
 #: The longest line of what is written.

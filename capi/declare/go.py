@@ -15,6 +15,8 @@ GROUPS = {
     "JOINS": ("JoinQuery is what makes a pair of a join.", "JoinQuery", "int32", "Join"),
     "RATIOS": ("Ratio is what a shared area is compared with.", "Ratio", "int32", "Ratio"),
     "ANGLES": ("Angle is how angles are told, from +x towards +y.", "Angle", "int32", "Angle"),
+    "DECAYS": ("Decay is how soft suppression lowers scores.", "Decay", "int32", "Decay"),
+    "WITHINS": ("WithinResult is whether two shapes are so near.", "WithinResult", "uint8", "Within"),
     "CASTS": ("CastResult is what a cast finds.", "CastResult", "int32", "Cast"),
 }
 SHAPES = ("point", "segment", "circle", "aabb", "rect", "ellipse")
@@ -51,7 +53,7 @@ def name_of(name, first=True):
     """As Go writes names: cx is CX, min_x MinX, aabb AABB."""
     words = name.lower().split("_")
     short = ("aabb", "iou", "nms")
-    is_short = [word in short or (len(word) <= 2 and word != "of") for word in words]
+    is_short = [word in short or (len(word) <= 2 and word not in ("no", "of")) for word in words]
     capital = [word.upper() if upper else word.capitalize() for word, upper in zip(words, is_short)]
     return "".join(capital) if first else words[0] + "".join(capital[1:])
 

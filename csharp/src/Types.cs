@@ -156,6 +156,40 @@ namespace Vesica
     }
 
     /// <summary>
+    /// How soft suppression lowers scores.
+    /// </summary>
+    public enum Decay
+    {
+        /// <summary>
+        /// score * (1 - r) if r exceeds the parameter, a threshold from 0 to 1
+        /// </summary>
+        Linear = 0,
+        /// <summary>
+        /// score * exp(-r^2 / parameter) if r &gt; 0; the parameter is at least 2^-100
+        /// </summary>
+        Gaussian = 1,
+    }
+
+    /// <summary>
+    /// Whether two shapes are at most so far apart.
+    /// </summary>
+    public enum Within : byte
+    {
+        /// <summary>
+        /// they are farther apart
+        /// </summary>
+        No = 0,
+        /// <summary>
+        /// they are not
+        /// </summary>
+        Yes = 1,
+        /// <summary>
+        /// with an ellipse alone: their distance is too near the one asked for to tell
+        /// </summary>
+        Nearly = 2,
+    }
+
+    /// <summary>
     /// What a cast finds.
     /// </summary>
     public enum Cast
