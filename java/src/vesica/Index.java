@@ -164,11 +164,30 @@ public final class Index {
 
   /** One of some parts of a join, which threads may ask at the same time. One after the other they are the join. */
   public long[][] join(Index other, JoinQuery query, long part, long parts) {
+    return pairs((a, b, state) -> ask(other, query, part, parts, a, b, state));
+  }
+
+  /**
+   * All pairs of an item of this index and one of another that are at most {@code distance} apart, as {@link #join}
+   * gives them. Of ellipses also those too near to it to tell.
+   */
+  public long[][] joinWithin(Index other, double distance) {
+    Vesica.alike(sets.wide, other.sets.wide);
+    return pairs((a, b, state) -> checked(
+        Native.joinWithin(sets.wide, memory, sets, other.memory, other.sets, distance, 0, 1, a, b, a.length, state)));
+  }
+
+  private interface Pairs {
+    long write(long[] a, long[] b, long[] state);
+  }
+
+  /** All pairs that a join writes in as many calls as it takes. */
+  private static long[][] pairs(Pairs ask) {
     long[][] pairs = new long[2][PAIRS_A_CALL];
     long[] a = new long[PAIRS_A_CALL], b = new long[PAIRS_A_CALL], state = new long[4];
     int count = 0;
     while (state[0] != -1) {
-      int found = (int) ask(other, query, part, parts, a, b, state);
+      int found = (int) ask.write(a, b, state);
       for (int side = 0; side < 2; side++) {
         if (count + found > pairs[side].length) pairs[side] = Arrays.copyOf(pairs[side], 2 * (count + found));
         System.arraycopy(side == 0 ? a : b, 0, pairs[side], count, found);

@@ -125,6 +125,35 @@ final class Arguments {
     }
   }
 
+  private static void topology() {
+    Aabb a = new Aabb(0, 0, 2, 2), b = new Aabb(1, 1, 3, 3), far = new Aabb(5, 0, 7, 2);
+    Circle disc = new Circle(6, 1, 1);
+    check(Measures.within(a, disc, 3) == Within.YES, "within");
+    check(Measures.within(a, disc, 2.999) == Within.NO, "not within");
+    check(Measures.within(new Point(0, 0), new Ellipse(5, 0, 1, 0, 2, 1), 3) == Within.NEARLY, "nearly within");
+    Shapes boxes = Shapes.of(Kind.AABB, a, b, far), one = Shapes.of(Kind.AABB, a);
+    byte[] near = new byte[3];
+    check(Measures.withinMany(boxes, one, 2, near) == 2 && near[1] == 1 && near[2] == 0, "within, of many");
+    double[] signed = new double[3];
+    check(Measures.signedDistanceMany(boxes, one, signed) == 2, "signed distances");
+    check(Arrays.equals(signed, new double[] {-2, -1, 3}), "signed distances");
+    check(new Index(boxes).joinWithin(new Index(one), 2)[0].length == 2, "a join within a distance");
+    check(Topology.de9im(a, new Aabb(2, 0, 4, 2)).equals("FF2F11212"), "a matrix");
+    check(Topology.matches("FF2F11212", "FF*FT****"), "a pattern");
+    check(Topology.intersection(a, b).get(0).equals(new Point(1, 1)), "a region");
+    check(Topology.intersection(a, far).isEmpty(), "no region");
+    for (String pattern : new String[] {"T*", "T********\0", "\u00e9********", "X********"}) {
+      refused(VesicaException.class, "", () -> Topology.matches("FF2F11212", pattern));
+    }
+    refused(VesicaException.class, "", () -> Topology.intersection(a, disc));
+    refused(VesicaException.class, "", () -> Measures.within(a, b, -1));
+    Shapes soft = Shapes.of(Kind.AABB, new Aabb(0, 0, 4, 4), new Aabb(0, 0, 4, 3), new Aabb(9, 9, 10, 10));
+    double[] scores = {1, 0.75, 0.5};
+    Measures.Kept kept = Measures.suppressSoft(soft, scores, new Measures.SoftSuppression(Decay.LINEAR, 0.5));
+    check(Arrays.equals(kept.items(), new long[] {0, 2, 1}), "soft suppression");
+    check(Arrays.equals(kept.scores(), new double[] {1, 0.5, 0.1875}), "scores that are left");
+  }
+
   private static DoubleBuffer direct(double... numbers) {
     DoubleBuffer buffer = ByteBuffer.allocateDirect(8 * numbers.length).order(ByteOrder.nativeOrder()).asDoubleBuffer();
     return buffer.put(0, numbers);
@@ -209,6 +238,7 @@ final class Arguments {
     refusals();
     layouts();
     measuresAndMotion();
+    topology();
     nothingIsCopied();
     anyArguments(arguments.length > 0 ? Integer.parseInt(arguments[0]) : 5000);
     System.out.println("arguments: as they should be");

@@ -21,6 +21,9 @@ import java.util.stream.LongStream;
 final class Calls {
   private static final List<String> KINDS = List.of("point", "segment", "circle", "aabb", "rect", "ellipse");
 
+  private static final Set<String> TOPOLOGY =
+      Set.of("de9im", "de9im_match", "intersection", "join_within", "suppress_soft");
+
   private final String function;
   private final boolean wide;
   private final String[] arguments;
@@ -117,6 +120,7 @@ final class Calls {
       case "nearest" -> points(Vesica.nearest(a, b));
       case "boundary_distance" -> points(Vesica.boundaryDistance(a, b));
       case "depth" -> depth(Vesica.depth(a, b));
+      case "signed_distance" -> gives(Measures.signedDistance(a, b));
       case "area" -> gives(Vesica.area(a, b));
       case "iou" -> gives(Vesica.iou(a, b));
       case "crossings" -> places(Vesica.crossings(a, b));
@@ -178,6 +182,10 @@ final class Calls {
       case "depth" -> {
         Vesica.depthMany(a, b, columns[0], columns[1], columns[2]);
         yield gives(0, Arrays.copyOf(columns, 3));
+      }
+      case "signed_distance" -> {
+        Measures.signedDistanceMany(a, b, columns[0]);
+        yield gives(0, columns[0]);
       }
       case "area" -> {
         Vesica.areaMany(a, b, columns[0]);
@@ -262,7 +270,7 @@ final class Calls {
         case "overlap_select": return Vesica.overlapSelect(a, b, indices);
         default: break;
       }
-      boolean isOne = function.startsWith("area") || function.startsWith("iou") || function.endsWith("_matrix");
+      boolean isOne = function.matches("(signed_distance|area|iou)_.*") || function.endsWith("_matrix");
       used = function.equals("depth_many") ? 3 : isOne ? 1 : 5;
       Object[] c = columns;
       return switch (function) {
@@ -270,6 +278,8 @@ final class Calls {
         case "iou_many" -> Vesica.iouMany(a, b, c[0]);
         case "area_matrix" -> Vesica.areaMatrix(a, b, c[0]);
         case "iou_matrix" -> Vesica.iouMatrix(a, b, c[0]);
+        case "signed_distance_many" -> Measures.signedDistanceMany(a, b, c[0]);
+        case "signed_distance_matrix" -> Measures.signedDistanceMatrix(a, b, c[0]);
         case "nearest_matrix" -> Vesica.nearestMatrix(a, b, c[0]);
         case "boundary_distance_matrix" -> Vesica.boundaryDistanceMatrix(a, b, c[0]);
         case "depth_matrix" -> Vesica.depthMatrix(a, b, c[0]);
@@ -395,6 +405,82 @@ final class Calls {
     }
   }
 
+  private long ofTopology() {
+    switch (function) {
+      case "de9im_match": return Topology.matches(arguments[0], arguments[1].trim()) ? 1 : 0;
+      case "join_within": {
+        List<String> rest = Arrays.asList(arguments);
+        int slash = rest.indexOf("/");
+        Index a = new Index(sets(rest.subList(1, slash)));
+        Index b = slash == rest.size() - 1 ? a : new Index(sets(rest.subList(slash + 1, rest.size())));
+        long[][] pairs = a.joinWithin(b, numbers(arguments[0])[0]);
+        values = new double[2 * pairs[0].length];
+        for (int i = 0; i < values.length; i++) values[i] = pairs[i % 2][i / 2];
+        return pairs[0].length;
+      }
+      case "within_many": return nearby(Math.max(shapes(arguments[0]).count(), shapes(arguments[1]).count()));
+      case "within_matrix": return nearby(shapes(arguments[0]).count() * shapes(arguments[1]).count());
+      case "suppress_soft": return softly();
+      default: return wide ? topologyInDouble() : topologyInFloat();
+    }
+  }
+
+  private long nearby(long count) {
+    Shapes a = shapes(arguments[0]), b = shapes(arguments[1]);
+    double distance = numbers(arguments[2])[0];
+    byte[] out = new byte[(int) count];
+    try {
+      boolean isMatrix = function.equals("within_matrix");
+      return isMatrix ? Measures.withinMatrix(a, b, distance, out) : Measures.withinMany(a, b, distance, out);
+    } finally {
+      values = of(out);
+    }
+  }
+
+  private long softly() {
+    double[] how = numbers(arguments[2]);
+    int[] labels = arguments.length < 4 ? null : Arrays.stream(numbers(arguments[3])).mapToInt(x -> (int) x).toArray();
+    Measures.SoftSuppression soft = new Measures.SoftSuppression(
+        Decay.of((int) how[1]), how[2], Ratio.of((int) how[0]), labels, how[3], (long) how[4]);
+    return kept(Measures.suppressSoft(shapes(arguments[0]), scalars(numbers(arguments[1])), soft));
+  }
+
+  private long kept(Measures.Kept kept) {
+    return gives(joined(of(kept.items()), kept.scores()));
+  }
+
+  private static double[] matrix(byte[] letters) {
+    double[] out = new double[9];
+    for (int i = 0; i < 9; i++) out[i] = letters[i] == 'F' ? -1 : letters[i] - '0';
+    return out;
+  }
+
+  private long topologyInDouble() {
+    Shape a = single(0), b = single(1);
+    if (function.equals("within")) return Measures.within(a, b, numbers(arguments[2])[0]).value;
+    if (function.equals("de9im")) return gives(matrix(Topology.de9im(a, b).getBytes()));
+    List<Point> vertices = Topology.intersection(a, b);
+    gives(vertices.stream().flatMapToDouble(p -> DoubleStream.of(p.x(), p.y())).toArray());
+    return vertices.size();
+  }
+
+  /** Single shapes are double in this package: these are native calls. */
+  private long topologyInFloat() {
+    int kindA = kind(arguments[0]).value, kindB = kind(arguments[1]).value;
+    float[] a = narrow(numbers(arguments[0])), b = narrow(numbers(arguments[1])), vertices = new float[16];
+    byte[] letters = new byte[10];
+    if (function.equals("within")) {
+      return VesicaException.checked(Native.within(false, kindA, a, kindB, b, numbers(arguments[2])[0]));
+    }
+    if (function.equals("de9im")) {
+      VesicaException.checked(Native.de9imF32(kindA, a, kindB, b, letters));
+      return gives(matrix(letters));
+    }
+    long count = VesicaException.checked(Native.intersectionF32(kindA, a, kindB, b, vertices));
+    gives(Arrays.copyOf(widened(vertices), 2 * (int) count));
+    return count;
+  }
+
   private long chosen() {
     double[] how = numbers(arguments[2]);
     int[] labels = arguments.length < 4 ? null : Arrays.stream(numbers(arguments[3])).mapToInt(x -> (int) x).toArray();
@@ -455,6 +541,7 @@ final class Calls {
     if (function.contains("cast") || function.equals("sweep_bounds")) return ofMotion();
     if (function.startsWith("ratio")) return ofRatios();
     if (function.equals("suppress")) return chosen();
+    if (function.startsWith("within") || TOPOLOGY.contains(function)) return ofTopology();
     if (function.contains("_from_")) return constructor();
     if (function.equals("nms")) return suppression();
     if (function.startsWith("index_") || function.startsWith("join")) return ofIndexes();
@@ -478,6 +565,7 @@ final class Calls {
       return String.valueOf(call.answer()).equals(right[0]) && same(call.values, expected);
     } catch (VesicaException e) {
       if (e.result() instanceof long[] kept) call.gives(of(kept));
+      if (e.result() instanceof Measures.Kept kept) call.kept(kept);
       if (e.result() instanceof Shapes shapes) call.gives(widened(shapes.base));
       if (e.result() instanceof Index.Neighbours found) call.gives(joined(of(found.items()), found.distances()));
       return right[0].equals("E_" + e.errorCode()) && (expected.length == 0 || same(call.values, expected));
@@ -497,7 +585,7 @@ final class Calls {
       String spoilt = line.substring(0, line.lastIndexOf(' ')) + " 7.5";
       if (functions.add(line.split(" ")[0]) && isRight(spoilt)) throw new AssertionError("taken for right: " + spoilt);
     }
-    if (lines.size() < 600 || functions.size() < 58) throw new AssertionError("too few");
+    if (lines.size() < 670 || functions.size() < 69) throw new AssertionError("too few");
     System.out.println(lines.size() + " calls of " + functions.size() + " functions");
   }
 }
