@@ -56,7 +56,7 @@ namespace Vesica
                 throw new ArgumentException("output overlaps an input: results need memory of their own");
         }
 
-        private static long Many(Bytes function, Shapes a, Shapes b, void* output, long given, int size)
+        internal static long Many(Bytes function, Shapes a, Shapes b, void* output, long given, int size)
         {
             Room(a, b, output, given, InStep(a, b), size);
             return Ask(function, a, b, output);
@@ -78,7 +78,7 @@ namespace Vesica
             }
         }
 
-        private static long Matrix(Matrices function, Shapes a, Shapes b, void* output, long given, int size)
+        internal static long Matrix(Matrices function, Shapes a, Shapes b, void* output, long given, int size)
         {
             Room(a, b, output, given, Pairs(a, b), size);
             return Ask((wide, x, y, z) => function(wide, x, y, z, (IntPtr)b.Count), a, b, output);

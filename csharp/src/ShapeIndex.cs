@@ -281,12 +281,27 @@ namespace Vesica
         /// asked by several threads; one after the other they are the join.</summary>
         public Pair[] Join(ShapeIndex other, JoinQuery query = JoinQuery.Overlap, long part = 0, long parts = 1)
         {
+            return Pairs((p, q, s) => Ask(other, query, part, parts, p, q, PairsACall, s));
+        }
+
+        /// <summary>All pairs of an item of this index and one of another that are at most so far apart, as Join gives
+        /// them. Of ellipses also those too near to it to tell.</summary>
+        public Pair[] JoinWithin(ShapeIndex other, double distance)
+        {
+            return Pairs((p, q, s) => AskWithin(other, distance, p, q, s));
+        }
+
+        private delegate long Writer(long* a, long* b, long* state);
+
+        /// <summary>All pairs that a join writes in as many calls as it takes.</summary>
+        private static Pair[] Pairs(Writer ask)
+        {
             var pairs = new List<Pair>();
             long[] a = new long[PairsACall], b = new long[PairsACall], state = new long[4];
             fixed (long* p = a, q = b, s = state)
                 while (s[0] != -1)
                 {
-                    long found = Ask(other, query, part, parts, p, q, PairsACall, s);
+                    long found = ask(p, q, s);
                     for (long i = 0; i < found; ++i) pairs.Add(new Pair { A = p[i], B = q[i] });
                 }
             return pairs.ToArray();
@@ -296,6 +311,22 @@ namespace Vesica
         public long JoinCount(ShapeIndex other, JoinQuery query = JoinQuery.Overlap)
         {
             return Ask(other, query, 0, 1, null, null, 0, null);
+        }
+
+        private long AskWithin(ShapeIndex other, double distance, long* a, long* b, long* state)
+        {
+            if (other == null) throw new ArgumentNullException("other");
+            Query.Alike(wide, other.wide);
+            using (Pinned pinned = new Pinned(sets), pinnedOther = new Pinned(other.sets))
+                fixed (View* views = pinned.Views)
+                fixed (View* viewsOther = pinnedOther.Views)
+                {
+                    long found = Native.Checked(Native.JoinWithin(wide, Address, views, sets.Length, other.Address,
+                        viewsOther, other.sets.Length, distance, 0, 1, a, b, PairsACall, state));
+                    GC.KeepAlive(this);
+                    GC.KeepAlive(other);
+                    return found;
+                }
         }
 
         private long Ask(ShapeIndex other, JoinQuery query, long part, long parts, long* a, long* b, long room,

@@ -144,6 +144,35 @@ internal static unsafe class Arguments
         Check(t[0] == 9.5 && t[1] == double.PositiveInfinity && double.IsNaN(t[2]), "times");
     }
 
+    private static void Topologies()
+    {
+        Aabb a = new Aabb(0, 0, 2, 2), b = new Aabb(1, 1, 3, 3), far = new Aabb(5, 0, 7, 2);
+        var disc = new Circle(6, 1, 1);
+        Check(Distances.Within(a, disc, 3) == Within.Yes, "within");
+        Check(Distances.Within(a, disc, 2.999) == Within.No, "not within");
+        Check(Distances.Within(new Point(0, 0), new Ellipse(5, 0, 1, 0, 2, 1), 3) == Within.Nearly, "nearly within");
+        Shapes boxes = Shapes.Of(new[] { a, b, far }), one = Shapes.Of(new[] { a });
+        var near = new Within[3];
+        Check(Distances.WithinMany(boxes, one, 2, near) == 2 && near[2] == Within.No, "within, of many");
+        var signed = new double[3];
+        Check(Distances.SignedMany(boxes, one, signed) == 2, "signed distances");
+        Check(signed.SequenceEqual(new double[] { -2, -1, 3 }), "signed distances");
+        using (ShapeIndex index = new ShapeIndex(boxes), other = new ShapeIndex(one))
+            Check(index.JoinWithin(other, 2).Length == 2, "a join within a distance");
+        Check(Topology.De9im(a, new Aabb(2, 0, 4, 2)) == "FF2F11212", "a matrix");
+        Check(Topology.Matches("FF2F11212", "FF*FT****"), "a pattern");
+        Check(Topology.Intersection(a, b)[0].Equals(new Point(1, 1)), "a region");
+        Check(Topology.Intersection(a, far).Length == 0, "no region");
+        foreach (string pattern in new[] { "T*", "T********\0", "\u00e9********", "X********" })
+            Refused<VesicaException>("", () => Topology.Matches("FF2F11212", pattern));
+        Refused<VesicaException>("", () => Topology.Intersection(a, disc));
+        Refused<VesicaException>("", () => Distances.Within(a, b, -1));
+        Shapes soft = Shapes.Of(new[] { new Aabb(0, 0, 4, 4), new Aabb(0, 0, 4, 3), new Aabb(9, 9, 10, 10) });
+        Kept[] kept = Soft.Suppress(soft, new[] { 1, 0.75, 0.5 }, new SoftSuppression(Decay.Linear, 0.5));
+        Check(kept.Select(each => each.Item).SequenceEqual(new long[] { 0, 2, 1 }), "soft suppression");
+        Check(kept[2].Score == 0.1875, "a score that is left");
+    }
+
     private static void Layouts()
     {
         Shapes records = Shapes.Of(Kind.Circle, new double[] { 0, 0, 1, 77, 5, 0, 1, 77 }, 4);
@@ -237,6 +266,7 @@ internal static unsafe class Arguments
         Layouts();
         MeasuresAndBoxes();
         Motions();
+        Topologies();
         NothingIsCopied();
         AnyArguments(arguments.Length > 1 ? int.Parse(arguments[1]) : 5000);
         Console.WriteLine("arguments: as they should be");

@@ -11,6 +11,9 @@ internal sealed unsafe class Calls
 {
     private static readonly string[] Kinds = { "point", "segment", "circle", "aabb", "rect", "ellipse" };
 
+    private static readonly string[] Topologies =
+        { "de9im", "de9im_match", "intersection", "join_within", "suppress_soft" };
+
     private readonly string function;
     private readonly bool wide;
     private readonly string[] arguments;
@@ -97,6 +100,7 @@ internal sealed unsafe class Calls
             case "contains": return Query.Contains(a, b) ? 1 : 0;
             case "nearest": return Gives(Query.Nearest(a, b));
             case "boundary_distance": return Gives(Query.BoundaryDistance(a, b));
+            case "signed_distance": return Gives(Distances.Signed(a, b));
             case "area": return Gives(Query.Area(a, b));
             case "iou": return Gives(Query.Iou(a, b));
             case "shape_area": return Gives(Query.ShapeArea(a));
@@ -322,6 +326,72 @@ internal sealed unsafe class Calls
         }
     }
 
+    private long OfTopology()
+    {
+        switch (function)
+        {
+            case "de9im_match": return Topology.Matches(arguments[0], arguments[1].Trim()) ? 1 : 0;
+            case "within": return (long)Distances.Within(Single(arguments[0]), Single(arguments[1]), Distance());
+            case "suppress_soft": return Softly();
+            case "join_within": return JoinWithin();
+            case "de9im":
+                string matrix = Topology.De9im(Single(arguments[0]), Single(arguments[1]));
+                return Gives(matrix.Select(letter => (double)("F012".IndexOf(letter) - 1)).ToArray());
+            case "intersection":
+                Point[] vertices = Topology.Intersection(Single(arguments[0]), Single(arguments[1]));
+                values = vertices.SelectMany(p => new[] { p.X, p.Y }).ToArray();
+                return vertices.Length;
+        }
+        Shapes a = ShapesOf(arguments[0]), b = ShapesOf(arguments[1]);
+        bool isMatrix = function == "within_matrix";
+        var near = new Within[isMatrix ? a.Count * b.Count : Math.Max(a.Count, b.Count)];
+        try
+        {
+            return isMatrix ? Distances.WithinMatrix(a, b, Distance(), near) : Distances.WithinMany(a, b, Distance(),
+                near);
+        }
+        finally
+        {
+            values = near.Select(each => (double)each).ToArray();
+        }
+    }
+
+    private double Distance()
+    {
+        return Numbers(arguments[2])[0];
+    }
+
+    private long JoinWithin()
+    {
+        Shapes[] setsA = arguments.Skip(1).TakeWhile(text => text != "/").Select(ShapesOf).ToArray();
+        Shapes[] setsB = arguments.SkipWhile(text => text != "/").Skip(1).Select(ShapesOf).ToArray();
+        using (var a = new ShapeIndex(setsA))
+        using (ShapeIndex other = setsB.Length > 0 ? new ShapeIndex(setsB) : null)
+        {
+            Pair[] pairs = a.JoinWithin(other ?? a, Numbers(arguments[0])[0]);
+            values = pairs.SelectMany(pair => new double[] { pair.A, pair.B }).ToArray();
+            return pairs.Length;
+        }
+    }
+
+    private long Softly()
+    {
+        double[] scores = Numbers(arguments[1]), how = Numbers(arguments[2]);
+        int[] labels = arguments.Length < 4 ? null : Numbers(arguments[3]).Select(label => (int)label).ToArray();
+        var soft = new SoftSuppression((Decay)(int)how[1], how[2])
+        {
+            Ratio = (Ratio)(int)how[0], Labels = labels, LeastScore = how[3], Most = (long)how[4]
+        };
+        Shapes shapes = ShapesOf(arguments[0]);
+        Take(wide ? Soft.Suppress(shapes, scores, soft) : Soft.Suppress(shapes, Narrow(scores), soft));
+        return 0;
+    }
+
+    private void Take(Kept[] kept)
+    {
+        values = kept.Select(each => (double)each.Item).Concat(kept.Select(each => each.Score)).ToArray();
+    }
+
     private long Chosen()
     {
         double[] scores = Numbers(arguments[1]), how = Numbers(arguments[2]);
@@ -364,7 +434,7 @@ internal sealed unsafe class Calls
 
     private int Used()
     {
-        bool isOne = function.StartsWith("area") || function.StartsWith("iou") || function.EndsWith("_matrix");
+        bool isOne = new[] { "signed", "area", "iou" }.Any(function.StartsWith) || function.EndsWith("_matrix");
         return function == "depth_many" ? 3 : isOne ? 1 : 5;
     }
 
@@ -380,6 +450,8 @@ internal sealed unsafe class Calls
                 case "iou_many": return Query.IouMany(a, b, c[0]);
                 case "area_matrix": return Query.AreaMatrix(a, b, c[0]);
                 case "iou_matrix": return Query.IouMatrix(a, b, c[0]);
+                case "signed_distance_many": return Distances.SignedMany(a, b, c[0]);
+                case "signed_distance_matrix": return Distances.SignedMatrix(a, b, c[0]);
                 case "nearest_matrix": return Query.NearestMatrix(a, b, c[0]);
                 case "boundary_distance_matrix": return Query.BoundaryDistanceMatrix(a, b, c[0]);
                 case "depth_matrix": return Query.DepthMatrix(a, b, c[0]);
@@ -407,6 +479,8 @@ internal sealed unsafe class Calls
                 case "iou_many": return Query.IouMany(a, b, c[0]);
                 case "area_matrix": return Query.AreaMatrix(a, b, c[0]);
                 case "iou_matrix": return Query.IouMatrix(a, b, c[0]);
+                case "signed_distance_many": return Distances.SignedMany(a, b, c[0]);
+                case "signed_distance_matrix": return Distances.SignedMatrix(a, b, c[0]);
                 case "nearest_matrix": return Query.NearestMatrix(a, b, c[0]);
                 case "boundary_distance_matrix": return Query.BoundaryDistanceMatrix(a, b, c[0]);
                 case "depth_matrix": return Query.DepthMatrix(a, b, c[0]);
@@ -486,6 +560,7 @@ internal sealed unsafe class Calls
         if (function.Contains("cast") || function == "sweep_bounds") return OfMotion();
         if (function.StartsWith("ratio")) return OfRatios();
         if (function == "suppress") return Chosen();
+        if (function.StartsWith("within") || Topologies.Contains(function)) return OfTopology();
         if (function.Contains("_from_")) return Constructed();
         if (function == "nms") return Suppression();
         if (function == "overlap_select")
@@ -522,6 +597,7 @@ internal sealed unsafe class Calls
             if (e.Result is long[]) call.values = OfItems((long[])e.Result);
             if (e.Result is Rect[] || e.Result is Ellipse[]) call.Take(e.Result);
             if (e.Result is RectF[] || e.Result is EllipseF[]) call.Take(e.Result);
+            if (e.Result is Kept[]) call.Take((Kept[])e.Result);
             if (e.Result is Neighbour[]) call.Take((Neighbour[])e.Result);
             return right[0] == NameOf(e.Code) && (expected.Length == 0 || call.Same(expected));
         }
@@ -540,7 +616,7 @@ internal sealed unsafe class Calls
             if (functions.Add(line.Split(' ')[0]) && IsRight(spoilt))
                 throw new InvalidOperationException("taken for right: " + spoilt);
         }
-        if (lines.Length < 600 || functions.Count < 58) throw new InvalidOperationException("too few");
+        if (lines.Length < 670 || functions.Count < 69) throw new InvalidOperationException("too few");
         Console.WriteLine(lines.Length + " calls of " + functions.Count + " functions");
     }
 }
