@@ -22,8 +22,8 @@ namespace Vesica
         /// <summary>Does such a matrix fit a pattern of F, 0, 1, 2, T (any of 0, 1 and 2) and * (anything)?</summary>
         public static bool Matches(string matrix, string pattern)
         {
-            fixed (byte* m = Text(matrix), p = Text(pattern)) return Native.Checked(Native.vesica_de9im_match(m,
-                p)) == 1;
+            fixed (byte* m = Text(matrix), p = Text(pattern))
+                return Native.Checked(Native.vesica_de9im_match(m, p)) == 1;
         }
 
         /// <summary>Characters and a final 0; what has a 0 inside is passed on as no characters, which are no
@@ -44,8 +44,8 @@ namespace Vesica
                 count = Native.Intersection(isDouble, kindA, p, kindB, q, to);
             bool wide = Query.Measure(call, a, b, n);
             var vertices = new Point[count];
-            for (int i = 0; i < count; ++i) vertices[i] = new Point(Query.At(wide, n, 2 * i),
-                Query.At(wide, n, 2 * i + 1));
+            for (int i = 0; i < count; ++i)
+                vertices[i] = new Point(Query.At(wide, n, 2 * i), Query.At(wide, n, 2 * i + 1));
             return vertices;
         }
     }

@@ -347,8 +347,8 @@ internal sealed unsafe class Calls
         var near = new Within[isMatrix ? a.Count * b.Count : Math.Max(a.Count, b.Count)];
         try
         {
-            return isMatrix ? Distances.WithinMatrix(a, b, Distance(), near) : Distances.WithinMany(a, b, Distance(),
-                near);
+            if (isMatrix) return Distances.WithinMatrix(a, b, Distance(), near);
+            return Distances.WithinMany(a, b, Distance(), near);
         }
         finally
         {
