@@ -3,6 +3,7 @@
 #include "queries/topology.hpp"
 
 #include <vesica/de9im/matrix.hpp>
+#include <vesica/intersection.hpp>
 
 #include "environment.hpp"
 #include "vesica_topology.h"
@@ -17,7 +18,8 @@ int32_t answer(const vesica::Query& query, int32_t kind_a, const T* a, int32_t k
   return out == nullptr ? VESICA_E_NULL : vesica::ask(query, kind_a, a, kind_b, b, out);
 }
 
-static_assert(sizeof(vesica::NineIntersections) == 10 && alignof(vesica::NineIntersections) == 1);
+static_assert(sizeof(vesica::NineIntersections) == VESICA_DE9IM_SIZE && alignof(vesica::NineIntersections) == 1);
+static_assert(sizeof(vesica::SharedRegion<double>) == 2 * VESICA_MOST_VERTICES * sizeof(double));
 
 }  // namespace
 

@@ -35,6 +35,13 @@
 #define vesica_ratio(ratio, a, b, out) \
     VESICA_QUERY_(vesica_ratio, VESICA_SIZE_(a) & VESICA_SIZE_(b) & VESICA_SIZE_(out)) \
     (ratio, VESICA_SHAPE_(a), VESICA_SHAPE_(b), out)
+#define vesica_signed_distance(a, b, out) VESICA_TWO_OUT_(vesica_signed_distance, a, b, out)
+#define vesica_within(a, b, distance) \
+    VESICA_QUERY_(vesica_within, VESICA_SIZE_(a) & VESICA_SIZE_(b))(VESICA_SHAPE_(a), VESICA_SHAPE_(b), distance)
+
+#define vesica_de9im(a, b, matrix) \
+    VESICA_QUERY_(vesica_de9im, VESICA_SIZE_(a) & VESICA_SIZE_(b))(VESICA_SHAPE_(a), VESICA_SHAPE_(b), matrix)
+#define vesica_intersection(a, b, vertices) VESICA_TWO_OUT_(vesica_intersection, a, b, vertices)
 
 #define vesica_cast(a, b, vx, vy, t_end, out) \
     VESICA_QUERY_(vesica_cast, VESICA_SIZE_(a) & VESICA_SIZE_(b) & VESICA_SIZE_(out)) \

@@ -154,7 +154,8 @@ VESICA_API int64_t vesica_signed_distance_matrix_f64(const vesica_shapes_f64 *a,
  * Distance 0 asks what vesica_overlap_f64 does, and is exact for all kinds. Who must not miss a pair takes an answer
  * > 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the shapes changes nothing.
  * Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
- * Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide.
+ * Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide, as
+ * it must for distances that are exact; more where exponents are wildly unlike.
  */
 VESICA_API int32_t vesica_within_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
                                      double distance);
@@ -219,7 +220,7 @@ VESICA_API int64_t vesica_suppress_soft_scratch(int64_t count);
  * Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right
  * to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every machine.
  * Floats are widened first, and only the final scores rounded.
- * Cost: that of vesica_ratio_matrix_f64 for each kept shape with all of its label that are left.
+ * Cost: for each kept shape, that of vesica_ratio_matrix_f64 with all of its label that are left.
  */
 VESICA_API int32_t vesica_suppress_soft_f64(const vesica_shapes_f64 *shapes, const double *scores,
                                             const int32_t *labels, int32_t ratio, int32_t decay, double parameter,

@@ -2,6 +2,8 @@
 // Shapes at most a distance apart: two, and arrays of them.
 #include "queries/within.hpp"
 
+#include <vesica/within.hpp>
+
 #include "arrays.hpp"
 #include "environment.hpp"
 #include "vesica_measures.h"
@@ -10,6 +12,12 @@ namespace {
 
 using namespace vesica::capi;
 namespace queries = vesica::queries;
+
+constexpr bool is_code(vesica::Within answer, int32_t code) { return static_cast<int32_t>(answer) == code; }
+
+// The core's answers are the C face's.
+static_assert(is_code(vesica::Within::no, VESICA_WITHIN_NO) && is_code(vesica::Within::yes, VESICA_WITHIN_YES));
+static_assert(is_code(vesica::Within::nearly, VESICA_WITHIN_NEARLY));
 
 /// The numbers of a shape as doubles.
 template <class T>

@@ -98,3 +98,7 @@ export const CAST_MISS = 0;
 export const CAST_HIT = 1;
 /** the shapes overlap at t = 0, as vesica_overlap_f64 tells */
 export const CAST_START = 2;
+/** characters of a nine-intersection matrix with its final NUL */
+export const DE9IM_SIZE = 10;
+/** vertices of a shared region, at most */
+export const MOST_VERTICES = 8;

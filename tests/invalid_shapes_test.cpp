@@ -78,6 +78,19 @@ void expect_checked_forms_to_refuse(const A& a, const B& b) {
   EXPECT_EQ(ratio_or_error(Ratio::over_first, a, b, number), error_shape);
   EXPECT_EQ(ratio_or_error(Ratio::distance, a, b, number), error_shape);
   EXPECT_EQ(number, 7);
+  EXPECT_EQ(signed_distance_or_error(a, b, number), error_shape);
+  EXPECT_EQ(number, 7);
+  for (const T distance : {T(0), T(1), std::numeric_limits<T>::infinity()}) {
+    EXPECT_EQ(within_or_error(a, b, distance), error_shape);
+  }
+  NineIntersections nine{"untouch.."};
+  EXPECT_EQ(de9im_or_error(a, b, nine), error_shape);
+  EXPECT_STREQ(nine.at, "untouch..");
+  if constexpr (detail::intersection::answers<A, B>) {
+    SharedRegion<T> region{{7}};
+    EXPECT_EQ(intersection_or_error(a, b, region), error_shape);
+    EXPECT_EQ(region.at[0], 7);
+  }
   CrossingPoints<T> crossing{};
   crossing.count = 7;
   EXPECT_EQ(crossings_or_error(a, b, crossing), error_shape);
@@ -99,6 +112,8 @@ void expect_nothing_in_common(const A& a, const B& b) {
   EXPECT_EQ(area(a, b), 0);
   EXPECT_EQ(iou(a, b), 0);
   EXPECT_EQ(ratio(Ratio::generalized, a, b), 0);
+  EXPECT_TRUE(std::isnan(signed_distance(a, b)));
+  EXPECT_EQ(within(a, b, T(9)), Within::no);
   EXPECT_EQ(crossings(a, b).count, 0);
 }
 

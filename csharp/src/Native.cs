@@ -1603,7 +1603,8 @@ namespace Vesica
         /// <para>Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or
         /// NaN.</para>
         /// <para>Accuracy: that of vesica_within_f64; a pair that is VESICA_WITHIN_NEARLY is among them.</para>
-        /// <para>Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f64 a candidate.</para>
+        /// <para>Cost: about 1 us a shape of index_a and that of vesica_within_f64 a candidate: seven times that of
+        /// vesica_join_f64.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1718,7 +1719,8 @@ namespace Vesica
         /// <para>Errors: those of vesica_join_f32; VESICA_E_ARGUMENT also for a distance that is negative or
         /// NaN.</para>
         /// <para>Accuracy: that of vesica_within_f32; a pair that is VESICA_WITHIN_NEARLY is among them.</para>
-        /// <para>Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f32 a candidate.</para>
+        /// <para>Cost: about 1 us a shape of index_a and that of vesica_within_f32 a candidate: seven times that of
+        /// vesica_join_f32.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1904,7 +1906,7 @@ namespace Vesica
         /// between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
         /// one.</para>
         /// <para>Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can
-        /// decide.</para>
+        /// decide, as it must for distances that are exact; more where exponents are wildly unlike.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1992,7 +1994,7 @@ namespace Vesica
         /// <para>Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the
         /// exponential, right to 1 unit in the last place. So the choice is that of the definition in double, the same
         /// bits on every machine. Floats are widened first, and only the final scores rounded.</para>
-        /// <para>Cost: that of vesica_ratio_matrix_f64 for each kept shape with all of its label that are left.</para>
+        /// <para>Cost: for each kept shape, that of vesica_ratio_matrix_f64 with all of its label that are left.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2160,7 +2162,7 @@ namespace Vesica
         /// between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
         /// one.</para>
         /// <para>Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can
-        /// decide.</para>
+        /// decide, as it must for distances that are exact; more where exponents are wildly unlike.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2221,7 +2223,7 @@ namespace Vesica
         /// <para>Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the
         /// exponential, right to 1 unit in the last place. So the choice is that of the definition in double, the same
         /// bits on every machine. Floats are widened first, and only the final scores rounded.</para>
-        /// <para>Cost: that of vesica_ratio_matrix_f32 for each kept shape with all of its label that are left.</para>
+        /// <para>Cost: for each kept shape, that of vesica_ratio_matrix_f32 with all of its label that are left.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2433,12 +2435,12 @@ namespace Vesica
         /// is its two end points; a point has none; that of a shape with area is the curve around it. A segment without
         /// length is a point; a shape with one size 0 is a segment, with both a point. So a box that shares a side with
         /// another gives "FF2F11212". Exchanging the shapes exchanges rows and columns.</para>
-        /// <para>Requires: matrix with room for 10 characters.</para>
+        /// <para>Requires: matrix with room for VESICA_DE9IM_SIZE characters.</para>
         /// <para>Returns: 0, and nine characters and a final NUL in matrix.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
-        /// <para>Cost: that of vesica_relation_f64; for a segment and for boxes whose sides are parallel, a microsecond
-        /// more.</para>
+        /// <para>Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are
+        /// parallel.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2469,14 +2471,14 @@ namespace Vesica
         /// <para>Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is
         /// shared.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE,
-        /// VESICA_E_RANGE (a vertex exceeds the finite numbers).</para>
+        /// VESICA_E_RANGE (a vertex, or the length of a side that makes one, exceeds the finite numbers).</para>
         /// <para>Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own
         /// corner has the numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f64. Others are
         /// right to 4 u times the largest coordinate or size of either shape. Bounds on computed numbers use u = 2^-53.
         /// The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
         /// aspect ratio is a shape's longer size over its shorter one.</para>
-        /// <para>Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly
-        /// unlike.</para>
+        /// <para>Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas;
+        /// at worst 300 us, where exponents are wildly unlike.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2491,12 +2493,12 @@ namespace Vesica
         /// is its two end points; a point has none; that of a shape with area is the curve around it. A segment without
         /// length is a point; a shape with one size 0 is a segment, with both a point. So a box that shares a side with
         /// another gives "FF2F11212". Exchanging the shapes exchanges rows and columns.</para>
-        /// <para>Requires: matrix with room for 10 characters.</para>
+        /// <para>Requires: matrix with room for VESICA_DE9IM_SIZE characters.</para>
         /// <para>Returns: 0, and nine characters and a final NUL in matrix.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
-        /// <para>Cost: that of vesica_relation_f32; for a segment and for boxes whose sides are parallel, a microsecond
-        /// more.</para>
+        /// <para>Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are
+        /// parallel.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2513,15 +2515,15 @@ namespace Vesica
         /// <para>Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f32 says that nothing is
         /// shared.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE,
-        /// VESICA_E_RANGE (a vertex exceeds the finite numbers).</para>
+        /// VESICA_E_RANGE (a vertex, or the length of a side that makes one, exceeds the finite numbers).</para>
         /// <para>Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own
         /// corner has the numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f32. Others are
         /// right to 4 u times the largest coordinate or size of either shape. Each number is computed in double, within
         /// these bounds, and then rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of two
         /// shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a
         /// shape's longer size over its shorter one.</para>
-        /// <para>Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly
-        /// unlike.</para>
+        /// <para>Cost: that of vesica_overlap_f32 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas;
+        /// at worst 300 us, where exponents are wildly unlike.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -101,25 +101,33 @@ inline Circle<double> times(double k, const Circle<double>& s) noexcept { return
 inline Aabb<double> times(double k, const Aabb<double>& s) noexcept {
   return {k * s.min_x, k * s.min_y, k * s.max_x, k * s.max_y};
 }
-inline Rect<double> times(double k, const Rect<double>& s) noexcept {
-  return {k * s.cx, k * s.cy, k * s.ux, k * s.uy, s.hx, s.hy};
-}
-inline Ellipse<double> times(double k, const Ellipse<double>& s) noexcept {
-  return {k * s.cx, k * s.cy, k * s.ux, k * s.uy, s.a, s.b};
+/// The axis or, if that is short, the sizes: an axis must not vanish.
+template <template <class> class Shape>
+Shape<double> times(double k, const Shape<double>& s) noexcept {
+  const auto [cx, cy, ux, uy, first, second] = s;
+  const bool is_short = std::fmax(std::fabs(ux), std::fabs(uy)) < 1;
+  const double of_axis = is_short ? 1 : k, of_sizes = is_short ? k : 1;
+  return {k * cx, k * cy, of_axis * ux, of_axis * uy, of_sizes * first, of_sizes * second};
 }
 
 /// Valid disjoint shapes, one of them an ellipse with an area, and a distance above 0. The distance of nearest() is right to
 /// 4u of the scale, and to half the least number; 4.5u leave room for the roundings here.
 template <class A, class B>
-VESICA_COLD Within by_distance(const A& a, const B& b, double distance) noexcept {
-  ClosestPoints<double> found;
-  if (nearest_or_error(a, b, found) == 0) {
-    const double error = 9 * 0x1p-54 * scale(a, b) + std::numeric_limits<double>::denorm_min();
-    if (all_finite(error)) return compared(found.distance, distance, error);
+VESICA_COLD Within by_distance(A a, B b, double distance) noexcept {
+  // Lengths are below 2^2050. In a unit of 2^600, or of its square or cube, none is beyond the range of double, and what
+  // underflows there is nothing beside them.
+  for (int unit = 0; unit < 4; ++unit) {
+    ClosestPoints<double> found;
+    if (nearest_or_error(a, b, found) == 0) {
+      const double error = 9 * 0x1p-54 * scale(a, b) + std::numeric_limits<double>::denorm_min();
+      if (all_finite(error)) return compared(found.distance, distance, error);
+    }
+    constexpr double k = 0x1p-600;
+    a = times(k, a);
+    b = times(k, b);
+    distance *= k;
   }
-  // Beyond the range. In a smaller unit it is not, and what underflows is nothing beside such lengths.
-  constexpr double k = 0x1p-600;
-  return by_distance(times(k, a), times(k, b), k * distance);
+  return Within::nearly;
 }
 
 /// With an ellipse.

@@ -49,6 +49,10 @@ struct Face<double> {
   static constexpr auto nearest_matrix = vesica_nearest_matrix_f64;
   static constexpr auto boundary_distance_matrix = vesica_boundary_distance_matrix_f64;
   static constexpr auto depth_matrix = vesica_depth_matrix_f64;
+  static constexpr auto signed_distance = vesica_signed_distance_f64;
+  static constexpr auto within = vesica_within_f64;
+  static constexpr auto within_many = vesica_within_many_f64;
+  static constexpr auto within_matrix = vesica_within_matrix_f64;
   static constexpr auto nms = vesica_nms_f64;
   static constexpr auto suppress = vesica_suppress_f64;
   static constexpr auto index_build = vesica_index_build_f64;
@@ -105,6 +109,10 @@ struct Face<float> {
   static constexpr auto nearest_matrix = vesica_nearest_matrix_f32;
   static constexpr auto boundary_distance_matrix = vesica_boundary_distance_matrix_f32;
   static constexpr auto depth_matrix = vesica_depth_matrix_f32;
+  static constexpr auto signed_distance = vesica_signed_distance_f32;
+  static constexpr auto within = vesica_within_f32;
+  static constexpr auto within_many = vesica_within_many_f32;
+  static constexpr auto within_matrix = vesica_within_matrix_f32;
   static constexpr auto nms = vesica_nms_f32;
   static constexpr auto suppress = vesica_suppress_f32;
   static constexpr auto index_build = vesica_index_build_f32;

@@ -105,6 +105,17 @@ static void test_float(void) {
            vesica_ratio_##scalar(VESICA_RATIO_GENERALIZED, KIND_A, (const T*)(a), KIND_B, (const T*)(b), &direct)); \
     EXPECT(generic == direct, 1);                                                                                   \
   } while (0)
+#define EXPECT_WITHIN(scalar, T, a, KIND_A, b, KIND_B) \
+  EXPECT(vesica_within(a, b, 1), vesica_within_##scalar(KIND_A, (const T*)(a), KIND_B, (const T*)(b), 1))
+#define EXPECT_TOPOLOGY(scalar, T, a, KIND_A, b, KIND_B)                                                              \
+  do {                                                                                                                \
+    char generic[10] = "", direct[10] = "?";                                                                          \
+    T vertices[16] = {0}, directly[16] = {-7};                                                                        \
+    EXPECT(vesica_de9im(a, b, generic), vesica_de9im_##scalar(KIND_A, (const T*)(a), KIND_B, (const T*)(b), direct)); \
+    EXPECT(strcmp(generic, direct), 0);                                                                               \
+    EXPECT(vesica_intersection(a, b, vertices),                                                                       \
+           vesica_intersection_##scalar(KIND_A, (const T*)(a), KIND_B, (const T*)(b), directly));                     \
+  } while (0)
 #define EXPECT_CAST(scalar, T, a, KIND_A, b, KIND_B)                                              \
   do {                                                                                            \
     vesica_impact_##scalar generic, direct;                                                       \
@@ -127,6 +138,9 @@ static void test_float(void) {
     EXPECT_RESULT(vesica_area, scalar, T, T, a, KIND_A, b, KIND_B);                                           \
     EXPECT_RESULT(vesica_iou, scalar, T, T, a, KIND_A, b, KIND_B);                                            \
     EXPECT_RATIO(scalar, T, a, KIND_A, b, KIND_B);                                                            \
+    EXPECT_RESULT(vesica_signed_distance, scalar, T, T, a, KIND_A, b, KIND_B);                                \
+    EXPECT_WITHIN(scalar, T, a, KIND_A, b, KIND_B);                                                           \
+    EXPECT_TOPOLOGY(scalar, T, a, KIND_A, b, KIND_B);                                                         \
   } while (0)
 #define EXPECT_KIND(scalar, T, a, KIND_A)                                     \
   do {                                                                        \
@@ -168,7 +182,8 @@ static void test_results(void) {
   vesica_penetration_f32 penetration;
   vesica_aabb_f64 bounds;
   vesica_impact_f64 impact;
-  float number;
+  char matrix[10];
+  float number, vertices[16];
 
   EXPECT(vesica_nearest(&disc, &point, &closest), 0);
   EXPECT(closest.distance == 3 && closest.ax == 2 && closest.bx == 5, 1);
@@ -186,6 +201,14 @@ static void test_results(void) {
   EXPECT(number == 0.25f, 1);
   EXPECT(vesica_ratio(VESICA_RATIO_OVER_FIRST, &box, &other, &number), 0);
   EXPECT(number == 0.5f, 1);
+  EXPECT(vesica_signed_distance(&box, &other, &number), 0);
+  EXPECT(number == -1, 1);
+  EXPECT(vesica_within(&disc, &point, 3), VESICA_WITHIN_YES);
+  EXPECT(vesica_within(&disc, &point, 2), VESICA_WITHIN_NO);
+  EXPECT(vesica_de9im(&box, &other, matrix), 0);
+  EXPECT(strcmp(matrix, "212111212"), 0);
+  EXPECT(vesica_intersection(&box, &other, vertices), 4);
+  EXPECT(vertices[0] == 1 && vertices[2] == 2 && vertices[5] == 1 && vertices[8] == 0, 1);
   EXPECT(vesica_shape_area(&box, &number), 0);
   EXPECT(number == 2, 1);
   EXPECT(vesica_bounds(&disc, &bounds), 0);

@@ -3,6 +3,7 @@
 
 #include <vesica.h>
 
+#include <array>
 #include <cstring>
 #include <limits>
 
@@ -306,6 +307,57 @@ std::int64_t ratio_matrix(const typename capi_tests::Face<T>::Shapes* a, const t
 
 }  // namespace
 
+/// Within a distance of 1/2.
+template <class T>
+std::int32_t within(std::int32_t kind_a, const T* a, std::int32_t kind_b, const T* b) {
+  return capi_tests::Face<T>::within(kind_a, a, kind_b, b, T{1} / 2);
+}
+template <class T>
+std::int64_t within_matrix(const typename capi_tests::Face<T>::Shapes* a, const typename capi_tests::Face<T>::Shapes* b,
+                           std::uint8_t* out, std::ptrdiff_t row_stride) {
+  return capi_tests::Face<T>::within_matrix(a, b, T{1} / 2, out, row_stride);
+}
+
+/// function(kind_a, a, kind_b, b, text).
+template <class T, auto function>
+Bytes ask_text(const Input& p) {
+  char text[10] = "";
+  Bytes bytes;
+  append(bytes, function(p.kind_a, first(p, T{}).data(), p.kind_b, second(p, T{}).data(), text));
+  append(bytes, text);
+  return bytes;
+}
+/// function(kind_a, a, kind_b, b, numbers).
+template <class T, auto function, std::size_t count>
+Bytes ask_numbers(const Input& p) {
+  T numbers[count] = {};
+  Bytes bytes;
+  append(bytes, function(p.kind_a, first(p, T{}).data(), p.kind_b, second(p, T{}).data(), numbers));
+  append(bytes, numbers, count);
+  return bytes;
+}
+/// function(shapes, scores, labels, ratio, decay, parameter, least, most, scratch, keep, decayed): by a Gaussian.
+template <class T, class Shapes, auto function>
+Bytes ask_soft(const Inputs& inputs) {
+  const Operands<T, Shapes> operands(inputs);
+  const std::int64_t n = operands.b.count;
+  // Without arithmetic, which may trap here.
+  constexpr std::array<T, 7> some{T(0.3), T(0.9), T(0.5), T(0.7), T(0.9), T(0.1), T(0.6)};
+  std::vector<T> scores;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) scores.push_back(some[i % some.size()]);
+  std::vector<double> scratch(static_cast<std::size_t>(vesica_suppress_soft_scratch(n)) / sizeof(double) + 1);
+  std::vector<std::int64_t> keep(scores.size());
+  std::vector<T> decayed(scores.size());
+  std::int64_t kept = 0;
+  Bytes bytes;
+  append(bytes, function(&operands.b, scores.data(), nullptr, VESICA_RATIO_OVER_UNION, VESICA_DECAY_GAUSSIAN, T{1} / 2,
+                         T{0}, n, scratch.data(), static_cast<std::int64_t>(scratch.size() * sizeof(double)),
+                         keep.data(), decayed.data(), &kept));
+  append(bytes, keep.data(), keep.size());
+  append(bytes, decayed.data(), decayed.size());
+  return bytes;
+}
+
 // The two scalar types' functions differ in their suffix alone.
 #define SCALAR_CALLS(s, T)                                                                                          \
   {                                                                                                                 \
@@ -318,6 +370,8 @@ std::int64_t ratio_matrix(const typename capi_tests::Face<T>::Shapes* a, const t
         {"area", ask_pair<T, T, vesica_area_##s>}, {"iou", ask_pair<T, T, vesica_iou_##s>},                         \
         {"over_first", ask_pair<T, T, ratio<T, VESICA_RATIO_OVER_FIRST>>},                                          \
         {"complete", ask_pair<T, T, ratio<T, VESICA_RATIO_COMPLETE>>},                                              \
+        {"signed_distance", ask_pair<T, T, vesica_signed_distance_##s>}, {"within", ask_code<T, within<T>>},        \
+        {"de9im", ask_text<T, vesica_de9im_##s>}, {"intersection", ask_numbers<T, vesica_intersection_##s, 16>},    \
         {"shape_area", ask_one<T, T, vesica_shape_area_##s>},                                                       \
         {"cast", ask_cast<T, vesica_impact_##s, vesica_cast_##s>},                                                  \
         {"sweep_bounds", ask_sweep<T, vesica_aabb_##s, vesica_sweep_bounds_##s>},                                   \
@@ -348,6 +402,8 @@ std::int64_t ratio_matrix(const typename capi_tests::Face<T>::Shapes* a, const t
         {"iou_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_iou_matrix_##s>},                                   \
         {"nearest_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_nearest_matrix_##s>},                           \
         {"generalized_matrix", ask_matrix<T, vesica_shapes_##s, T, ratio_matrix<T, VESICA_RATIO_GENERALIZED>>},       \
+        {"within_matrix", ask_matrix<T, vesica_shapes_##s, std::uint8_t, within_matrix<T>>},                          \
+        {"suppress_soft", ask_soft<T, vesica_shapes_##s, vesica_suppress_soft_##s>},                                  \
         {"overlap_select", ask_select<T, vesica_shapes_##s, vesica_overlap_select_##s>},                              \
         {"nms", ask_nms<T, vesica_shapes_##s, vesica_nms_##s>},                                                       \
         {"casts", ask_casts<T, vesica_shapes_##s, vesica_impact_##s, vesica_cast_many_##s, vesica_cast_first_##s>},   \

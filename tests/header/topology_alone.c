@@ -2,8 +2,8 @@
 /* vesica_topology.h before anything else, compiled as every C and C++ it promises to be. It brings vesica.h with it. */
 #include <vesica_topology.h>
 
-#if !defined(VESICA_H) || VESICA_ELLIPSE != 5
-#error "vesica.h is missing"
+#if !defined(VESICA_H) || VESICA_DE9IM_SIZE != 10
+#error "vesica.h or the constants of topology are missing"
 #endif
 
 int main(void) {

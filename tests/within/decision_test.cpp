@@ -101,7 +101,7 @@ TEST_P(Within, EveryWorkload) {
                       workload == properties::Workload::thin;
     properties::Stream stream(workload, k.a, k.b, k.scalar, properties::seed() + 21);
     properties::Random random(properties::seed() + 22);
-    const int count = curved ? (wild ? 1 : 3) : (wild ? 8 : 40);
+    const int count = curved ? (wild ? 4 : 3) : (wild ? 8 : 40);
     for (int i = 0; i < count * properties::repeat(); ++i) {
       const Pair p = stream.next();
       for (const double distance : distances(p, random)) check(p, distance);

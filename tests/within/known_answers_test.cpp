@@ -100,6 +100,11 @@ TEST(KnownWithin, EllipsesAreCertainAwayFromTheirDistance) {
   const Pair q{VESICA_ELLIPSE, VESICA_POINT, {0, 0, 1, 0, 3, 0}, {10, 0}};
   EXPECT_EQ(within(Scalar::f64, q, 7), VESICA_WITHIN_YES);
   EXPECT_EQ(within(Scalar::f64, q, std::nextafter(7, 0)), VESICA_WITHIN_NO);
+  // As long as no finite number is, beside what is as short: nothing is known of a distance so much smaller.
+  const Pair unlike{
+      VESICA_RECT, VESICA_ELLIPSE, {0, 0, 0x1p900, 0, 0x1p900, 1}, {0, 0x1p1000, 0x1p-900, 0, 0x1p-100, 1}};
+  EXPECT_EQ(within(Scalar::f64, unlike, 1), VESICA_WITHIN_NEARLY);
+  EXPECT_EQ(within(Scalar::f64, unlike, 0), VESICA_WITHIN_NO);
   // Farther apart than any finite number.
   const Pair far{VESICA_ELLIPSE, VESICA_POINT, {-1.7e308, 0, 1e307, 0, 3, 2}, {1.7e308, 0}};
   EXPECT_EQ(within(Scalar::f64, far, 1.79e308), VESICA_WITHIN_NO);

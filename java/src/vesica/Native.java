@@ -1931,7 +1931,8 @@ final class Native {
    *
    * <p>Accuracy: that of vesica_within_f64; a pair that is VESICA_WITHIN_NEARLY is among them.
    *
-   * <p>Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f64 a candidate.
+   * <p>Cost: about 1 us a shape of index_a and that of vesica_within_f64 a candidate: seven times that of
+   * vesica_join_f64.
    *
    * <p>Since: 0.1.
    */
@@ -2075,7 +2076,8 @@ final class Native {
    *
    * <p>Accuracy: that of vesica_within_f32; a pair that is VESICA_WITHIN_NEARLY is among them.
    *
-   * <p>Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f32 a candidate.
+   * <p>Cost: about 1 us a shape of index_a and that of vesica_within_f32 a candidate: seven times that of
+   * vesica_join_f32.
    *
    * <p>Since: 0.1.
    */
@@ -2308,7 +2310,8 @@ final class Native {
    * = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
    * An aspect ratio is a shape's longer size over its shorter one.
    *
-   * <p>Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide.
+   * <p>Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide,
+   * as it must for distances that are exact; more where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */
@@ -2411,7 +2414,7 @@ final class Native {
    * right to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every
    * machine. Floats are widened first, and only the final scores rounded.
    *
-   * <p>Cost: that of vesica_ratio_matrix_f64 for each kept shape with all of its label that are left.
+   * <p>Cost: for each kept shape, that of vesica_ratio_matrix_f64 with all of its label that are left.
    *
    * <p>Since: 0.1.
    */
@@ -2623,7 +2626,8 @@ final class Native {
    * = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
    * An aspect ratio is a shape's longer size over its shorter one.
    *
-   * <p>Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide.
+   * <p>Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide,
+   * as it must for distances that are exact; more where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */
@@ -2693,7 +2697,7 @@ final class Native {
    * right to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every
    * machine. Floats are widened first, and only the final scores rounded.
    *
-   * <p>Cost: that of vesica_ratio_matrix_f32 for each kept shape with all of its label that are left.
+   * <p>Cost: for each kept shape, that of vesica_ratio_matrix_f32 with all of its label that are left.
    *
    * <p>Since: 0.1.
    */
@@ -2951,7 +2955,7 @@ final class Native {
    * shape with one size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212".
    * Exchanging the shapes exchanges rows and columns.
    *
-   * <p>Requires: matrix with room for 10 characters.
+   * <p>Requires: matrix with room for VESICA_DE9IM_SIZE characters.
    *
    * <p>Returns: 0, and nine characters and a final NUL in matrix.
    *
@@ -2959,7 +2963,7 @@ final class Native {
    *
    * <p>Accuracy: exact.
    *
-   * <p>Cost: that of vesica_relation_f64; for a segment and for boxes whose sides are parallel, a microsecond more.
+   * <p>Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
    *
    * <p>Since: 0.1.
    */
@@ -2995,7 +2999,7 @@ final class Native {
    * <p>Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is shared.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE
-   * (a vertex exceeds the finite numbers).
+   * (a vertex, or the length of a side that makes one, exceeds the finite numbers).
    *
    * <p>Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has
    * the numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f64. Others are right to 4 u times
@@ -3003,7 +3007,8 @@ final class Native {
    * is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's
    * longer size over its shorter one.
    *
-   * <p>Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly unlike.
+   * <p>Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
+   * 300 us, where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */
@@ -3019,7 +3024,7 @@ final class Native {
    * shape with one size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212".
    * Exchanging the shapes exchanges rows and columns.
    *
-   * <p>Requires: matrix with room for 10 characters.
+   * <p>Requires: matrix with room for VESICA_DE9IM_SIZE characters.
    *
    * <p>Returns: 0, and nine characters and a final NUL in matrix.
    *
@@ -3027,7 +3032,7 @@ final class Native {
    *
    * <p>Accuracy: exact.
    *
-   * <p>Cost: that of vesica_relation_f32; for a segment and for boxes whose sides are parallel, a microsecond more.
+   * <p>Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
    *
    * <p>Since: 0.1.
    */
@@ -3045,7 +3050,7 @@ final class Native {
    * <p>Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f32 says that nothing is shared.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE
-   * (a vertex exceeds the finite numbers).
+   * (a vertex, or the length of a side that makes one, exceeds the finite numbers).
    *
    * <p>Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has
    * the numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f32. Others are right to 4 u times
@@ -3054,7 +3059,8 @@ final class Native {
    * |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
    * one.
    *
-   * <p>Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly unlike.
+   * <p>Cost: that of vesica_overlap_f32 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
+   * 300 us, where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */

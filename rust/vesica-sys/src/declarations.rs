@@ -99,6 +99,10 @@ pub const VESICA_CAST_MISS: i32 = 0;
 pub const VESICA_CAST_HIT: i32 = 1;
 /// the shapes overlap at t = 0, as vesica_overlap_f64 tells
 pub const VESICA_CAST_START: i32 = 2;
+/// characters of a nine-intersection matrix with its final NUL
+pub const VESICA_DE9IM_SIZE: i32 = 10;
+/// vertices of a shared region, at most
+pub const VESICA_MOST_VERTICES: i32 = 8;
 
 /// A location.
 #[repr(C)]
@@ -2458,7 +2462,8 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_within_f64; a pair that is VESICA_WITHIN_NEARLY is among them.
     ///
-    /// Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f64 a candidate.
+    /// Cost: about 1 us a shape of index_a and that of vesica_within_f64 a candidate: seven times that of
+    /// vesica_join_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_join_within_f64(index_a: *const c_void, sets_a: *const Shapes<f64>, set_count_a: i32,
@@ -2597,7 +2602,8 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_within_f32; a pair that is VESICA_WITHIN_NEARLY is among them.
     ///
-    /// Cost: 0.1 to 0.3 us a shape of index_a, and that of vesica_within_f32 a candidate.
+    /// Cost: about 1 us a shape of index_a and that of vesica_within_f32 a candidate: seven times that of
+    /// vesica_join_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_join_within_f32(index_a: *const c_void, sets_a: *const Shapes<f32>, set_count_a: i32,
@@ -2793,7 +2799,8 @@ extern "C" {
     /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
     /// their half lengths. An aspect ratio is a shape's longer size over its shorter one.
     ///
-    /// Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide.
+    /// Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide,
+    /// as it must for distances that are exact; more where exponents are wildly unlike.
     ///
     /// Since: 0.1.
     pub fn vesica_within_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -2883,7 +2890,7 @@ extern "C" {
     /// right to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every
     /// machine. Floats are widened first, and only the final scores rounded.
     ///
-    /// Cost: that of vesica_ratio_matrix_f64 for each kept shape with all of its label that are left.
+    /// Cost: for each kept shape, that of vesica_ratio_matrix_f64 with all of its label that are left.
     ///
     /// Since: 0.1.
     pub fn vesica_suppress_soft_f64(shapes: *const Shapes<f64>, scores: *const f64, labels: *const i32, ratio: i32,
@@ -3063,7 +3070,8 @@ extern "C" {
     /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
     /// their half lengths. An aspect ratio is a shape's longer size over its shorter one.
     ///
-    /// Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide.
+    /// Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide,
+    /// as it must for distances that are exact; more where exponents are wildly unlike.
     ///
     /// Since: 0.1.
     pub fn vesica_within_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -3126,7 +3134,7 @@ extern "C" {
     /// right to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every
     /// machine. Floats are widened first, and only the final scores rounded.
     ///
-    /// Cost: that of vesica_ratio_matrix_f32 for each kept shape with all of its label that are left.
+    /// Cost: for each kept shape, that of vesica_ratio_matrix_f32 with all of its label that are left.
     ///
     /// Since: 0.1.
     pub fn vesica_suppress_soft_f32(shapes: *const Shapes<f32>, scores: *const f32, labels: *const i32, ratio: i32,
@@ -3343,7 +3351,7 @@ extern "C" {
     /// a shape with one size 0 is a segment, with both a point. So a box that shares a side with another gives
     /// "FF2F11212". Exchanging the shapes exchanges rows and columns.
     ///
-    /// Requires: matrix with room for 10 characters.
+    /// Requires: matrix with room for VESICA_DE9IM_SIZE characters.
     ///
     /// Returns: 0, and nine characters and a final NUL in matrix.
     ///
@@ -3351,7 +3359,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: that of vesica_relation_f64; for a segment and for boxes whose sides are parallel, a microsecond more.
+    /// Cost: that of vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
     ///
     /// Since: 0.1.
     pub fn vesica_de9im_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -3382,7 +3390,7 @@ extern "C" {
     /// Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is shared.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE
-    /// (a vertex exceeds the finite numbers).
+    /// (a vertex, or the length of a side that makes one, exceeds the finite numbers).
     ///
     /// Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has
     /// the numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f64. Others are right to 4 u times
@@ -3390,7 +3398,8 @@ extern "C" {
     /// shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a
     /// shape's longer size over its shorter one.
     ///
-    /// Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly unlike.
+    /// Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
+    /// 300 us, where exponents are wildly unlike.
     ///
     /// Since: 0.1.
     pub fn vesica_intersection_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -3404,7 +3413,7 @@ extern "C" {
     /// a shape with one size 0 is a segment, with both a point. So a box that shares a side with another gives
     /// "FF2F11212". Exchanging the shapes exchanges rows and columns.
     ///
-    /// Requires: matrix with room for 10 characters.
+    /// Requires: matrix with room for VESICA_DE9IM_SIZE characters.
     ///
     /// Returns: 0, and nine characters and a final NUL in matrix.
     ///
@@ -3412,7 +3421,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: that of vesica_relation_f32; for a segment and for boxes whose sides are parallel, a microsecond more.
+    /// Cost: that of vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose sides are parallel.
     ///
     /// Since: 0.1.
     pub fn vesica_de9im_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -3428,7 +3437,7 @@ extern "C" {
     /// Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f32 says that nothing is shared.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE
-    /// (a vertex exceeds the finite numbers).
+    /// (a vertex, or the length of a side that makes one, exceeds the finite numbers).
     ///
     /// Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has
     /// the numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f32. Others are right to 4 u times
@@ -3437,7 +3446,8 @@ extern "C" {
     /// and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its
     /// shorter one.
     ///
-    /// Cost: 0.1 us for disjoint shapes, a few us otherwise; at worst 300 us, where exponents are wildly unlike.
+    /// Cost: that of vesica_overlap_f32 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
+    /// 300 us, where exponents are wildly unlike.
     ///
     /// Since: 0.1.
     pub fn vesica_intersection_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,

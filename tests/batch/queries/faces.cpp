@@ -108,6 +108,21 @@ constexpr QueryFace<T> ratio_face(const char* name) {
   return {name, 1, false, false, ratio<which, T>, ratio_many<which, T>, ratio_matrix<which, T>};
 }
 
+/// Within a distance that is less than most of the workloads' and more than some.
+template <class T>
+std::int32_t within(int kind_a, const T* a, int kind_b, const T* b) {
+  return Face<T>::within(kind_a, a, kind_b, b, T{1} / 2);
+}
+template <class T>
+std::int64_t within_many(const typename Face<T>::Shapes* a, const typename Face<T>::Shapes* b, std::uint8_t* out) {
+  return Face<T>::within_many(a, b, T{1} / 2, out);
+}
+template <class T>
+std::int64_t within_matrix(const typename Face<T>::Shapes* a, const typename Face<T>::Shapes* b, std::uint8_t* out,
+                           std::ptrdiff_t row_stride) {
+  return Face<T>::within_matrix(a, b, T{1} / 2, out, row_stride);
+}
+
 }  // namespace
 
 template <>
@@ -126,6 +141,7 @@ std::span<const QueryFace<double>> query_faces<double>() {
       ratio_face<VESICA_RATIO_OVER_SECOND, double>("over_second"),
       ratio_face<VESICA_RATIO_GENERALIZED, double>("generalized"),
       ratio_face<VESICA_RATIO_COMPLETE, double>("complete"),
+      code_face<double, within<double>, within_many<double>, within_matrix<double>>("within"),
   };
   return faces;
 }
@@ -146,6 +162,7 @@ std::span<const QueryFace<float>> query_faces<float>() {
       ratio_face<VESICA_RATIO_OVER_SECOND, float>("over_second"),
       ratio_face<VESICA_RATIO_GENERALIZED, float>("generalized"),
       ratio_face<VESICA_RATIO_COMPLETE, float>("complete"),
+      code_face<float, within<float>, within_many<float>, within_matrix<float>>("within"),
   };
   return faces;
 }

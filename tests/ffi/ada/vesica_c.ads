@@ -60,6 +60,8 @@ package Vesica_C is
    Vesica_Cast_Miss : constant := 0;
    Vesica_Cast_Hit : constant := 1;
    Vesica_Cast_Start : constant := 2;
+   Vesica_De9im_Size : constant := 10;
+   Vesica_Most_Vertices : constant := 8;
 
    type Doubles_8 is array (1 .. 8) of IEEE_Float_64 with Convention => C;
    type Floats_8 is array (1 .. 8) of IEEE_Float_32 with Convention => C;

@@ -59,6 +59,8 @@ module vesica_c
   integer(c_int32_t), parameter :: vesica_cast_miss = 0
   integer(c_int32_t), parameter :: vesica_cast_hit = 1
   integer(c_int32_t), parameter :: vesica_cast_start = 2
+  integer(c_int32_t), parameter :: vesica_de9im_size = 10
+  integer(c_int32_t), parameter :: vesica_most_vertices = 8
 
   !> A location.
   type, bind(c) :: vesica_point_f64

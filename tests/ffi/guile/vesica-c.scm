@@ -56,6 +56,8 @@
 (define-public VESICA_CAST_MISS 0)
 (define-public VESICA_CAST_HIT 1)
 (define-public VESICA_CAST_START 2)
+(define-public VESICA_DE9IM_SIZE 10)
+(define-public VESICA_MOST_VERTICES 8)
 
 (define library (load-foreign-library "libvesica.so.0"))
 

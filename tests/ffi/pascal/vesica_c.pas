@@ -60,6 +60,8 @@ const
   vesica_cast_miss = 0;
   vesica_cast_hit = 1;
   vesica_cast_start = 2;
+  vesica_de9im_size = 10;
+  vesica_most_vertices = 8;
 
 type
   // A location.

@@ -59,6 +59,8 @@ our %CONSTANTS = (
     CAST_MISS => 0,
     CAST_HIT => 1,
     CAST_START => 2,
+    DE9IM_SIZE => 10,
+    MOST_VERTICES => 8,
 );
 
 our @FUNCTIONS = (

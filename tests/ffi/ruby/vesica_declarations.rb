@@ -56,6 +56,8 @@ module Vesica
   CAST_MISS = 0
   CAST_HIT = 1
   CAST_START = 2
+  DE9IM_SIZE = 10
+  MOST_VERTICES = 8
 
   # For Fiddle::Importer#extern. A pointer is a string, or what Fiddle makes.
   DECLARATIONS = [
