@@ -30,7 +30,7 @@ const (
 	KindEllipse Kind = 5
 )
 
-// Relation is how a shape a relates to a shape b: one of RCC-8's eight.
+// Relation is how a shape relates to another: one of RCC-8's eight.
 type Relation uint8
 
 // Relation values.

@@ -10,7 +10,7 @@ OPENING = "".join(f"// {line}\n" for line in HEAD)
 # The texts of groups of constants, the type, and the prefix of each name.
 GROUPS = {
     "KINDS": ("Kind is one of the six kinds of shapes.", "Kind", "int32", "Kind"),
-    "RELATIONS": ("Relation is how a shape a relates to a shape b: one of RCC-8's eight.", "Relation", "uint8", "Relation"),
+    "RELATIONS": ("Relation is how a shape relates to another: one of RCC-8's eight.", "Relation", "uint8", "Relation"),
     "ERRORS": ("Error is an error code of the library.", "Error", "int32", "Err"),
     "JOINS": ("JoinQuery is what makes a pair of a join.", "JoinQuery", "int32", "Join"),
     "RATIOS": ("Ratio is what a shared area is compared with.", "Ratio", "int32", "Ratio"),
@@ -166,7 +166,8 @@ def function_in_go(entry):
     calls = {}
     for suffix, base in SCALARS.items():
         names = ", ".join(
-            f"C.{base}({local(each.name)})" if in_go(each) == "float64" else local(each.name) for each in entry.parameters
+            f"C.{base}({local(each.name)})" if in_go(each) == "float64" else local(each.name)
+            for each in entry.parameters
         )
         calls[suffix] = f"C.go_{entry.stem}_{suffix}({names})"
     return (

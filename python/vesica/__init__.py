@@ -76,4 +76,5 @@ from .shapes import (
 from .topology import de9im, de9im_match, intersection
 
 __version__ = "{}.{}.{}".format(c.vesica_version_major(), c.vesica_version_minor(), c.vesica_version_patch())
-__all__ = [name for name in dir() if not name.startswith("_") and name not in ("queries", "index", "motion", "topology")]
+_MODULES = "queries", "index", "motion", "topology"
+__all__ = [name for name in dir() if not name.startswith("_") and name not in _MODULES]
