@@ -152,7 +152,7 @@ func TestAnyArguments(t *testing.T) {
 		bools, out := make([]bool, draw(100)), make([]float64, draw(100))
 		var err error
 		motion := Motion{special[draw(10)], float64(draw(5)) - 2, special[draw(10)]}
-		switch draw(15) {
+		switch draw(18) {
 		case 0:
 			_, err = OverlapMany(a, b, bools)
 		case 1:
@@ -185,6 +185,13 @@ func TestAnyArguments(t *testing.T) {
 			err = RectsFromBoxes(second, draw(9)-1, Angle(draw(10)-1), make([]Rect[float64], draw(9)))
 		case 12:
 			_, err = CastMany(a, b, second, out, motion.End, ImpactColumns[float64]{Y: out})
+		case 14:
+			_, err = WithinMatrix(a, b, special[draw(10)], make([]WithinResult, draw(100)))
+		case 15:
+			_, err = Intersection(Any[float64]{Kind: kindA}, Any[float64]{Kind: kindB})
+		case 16:
+			how := SoftSuppression[float64]{Decay: Decay(draw(4) - 1), Parameter: special[draw(10)], Most: draw(9) - 2}
+			_, _, err = SuppressSoft(a, out, how)
 		case 13:
 			_, _, err = CastFirst(Any[float64]{Kind: kindA}, b, motion)
 		default:

@@ -216,7 +216,7 @@ internal static unsafe class Arguments
             {
                 Shapes a = draw.Next(2) == 0 ? Shapes.Of(kindA, first) : Shapes.Columns(kindA, first);
                 Shapes b = draw.Next(9) == 0 ? null : Shapes.Of(kindB, second);
-                switch (draw.Next(14))
+                switch (draw.Next(16))
                 {
                     case 0: Query.OverlapMany(a, b, new bool[draw.Next(100)]); break;
                     case 1: Query.ContainsMatrix(a, b, new bool[draw.Next(100)]); break;
@@ -232,6 +232,10 @@ internal static unsafe class Arguments
                     case 8: Measures.RatioMany((Ratio)draw.Next(9) - 1, a, b, output); break;
                     case 9: Boxes.Of(a, (Angle)draw.Next(10) - 1, output); break;
                     case 10: Boxes.Rects(second, (Angle)draw.Next(10) - 1, draw.Next(9)); break;
+                    case 13: Distances.WithinMatrix(a, b, special[draw.Next(10)], new Within[draw.Next(100)]); break;
+                    case 14:
+                        Soft.Suppress(a, second, new SoftSuppression((Decay)draw.Next(4) - 1, special[draw.Next(10)]));
+                        break;
                     case 11:
                         double end = special[draw.Next(10)];
                         Motion.CastMany(a, b, first, second, end, output, none, none, none, none);

@@ -204,7 +204,7 @@ final class Arguments {
         Shapes a = draw.nextBoolean() ? Shapes.of(kindA, first) : Shapes.columns(kindA, direct(first));
         Shapes b = Shapes.of(kindB, second);
         double[] out = new double[draw.nextInt(100)];
-        switch (draw.nextInt(14)) {
+        switch (draw.nextInt(16)) {
           case 0 -> Vesica.overlapMany(a, b, new boolean[draw.nextInt(100)]);
           case 1 -> Vesica.containsMatrix(a, b, new boolean[draw.nextInt(100)]);
           case 2 -> Vesica.areaMany(a, b, draw.nextInt(5) == 0 ? second : out);
@@ -218,6 +218,9 @@ final class Arguments {
           case 10 -> Boxes.rects(second, draw.nextInt(9), Angle.of(draw.nextInt(5)), draw.nextBoolean());
           case 11 -> Motion.castMany(a, b, first, second, special[draw.nextInt(10)], out, null, null, null, null);
           case 12 -> new Index(a, b).cast(b, new Motion(special[draw.nextInt(10)], 1, special[draw.nextInt(10)]));
+          case 13 -> Measures.withinMatrix(a, b, special[draw.nextInt(10)], new byte[draw.nextInt(100)]);
+          case 14 -> Measures.suppressSoft(
+              a, second, new Measures.SoftSuppression(Decay.of(draw.nextInt(3)), special[draw.nextInt(10)]));
           default -> Index.fromBytes(new byte[draw.nextInt(900)], a);
         }
         answered++;

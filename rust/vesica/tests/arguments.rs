@@ -105,7 +105,7 @@ fn any_arguments() {
         };
         let (mut bools, mut out, mut items) = (vec![false; room], vec![0.0; room], vec![0; room]);
         let motion = Motion { vx: special[draw(10)], vy: draw(5) as f64 - 2.0, t_end: special[draw(10)] };
-        let code = match draw(16) {
+        let code = match draw(19) {
             0 => overlap_many(a, b, &mut bools),
             1 => contains_matrix(a, b, &mut bools),
             2 => area_many(a, b, &mut out),
@@ -120,6 +120,15 @@ fn any_arguments() {
             11 => boxes_from_shapes(a, Angle::QUARTERS.reversed(), &mut vec![[0.0; 5]; room]).map(|()| 0),
             12 => cast_many(a, b, (&second, &first), motion.t_end, ImpactColumns { y: &mut out, ..Default::default() }),
             13 => AnyShape::new(kind_a, &first).and_then(|one| cast_first(&one, b, motion)).map(|_| 0),
+            15 => within_matrix(a, b, special[draw(10)], &mut vec![Within::No; room]),
+            16 => AnyShape::new(kind_a, &first)
+                .and_then(|one| intersection(&one, &AnyShape::new(kind_b, &second)?))
+                .map(|region| region.vertices().len()),
+            17 => {
+                let (decay, ratio) = (Decay::Gaussian(special[draw(10)]), Ratio::Generalized);
+                let how = SoftSuppression { decay, ratio, labels: &[], least_score: 0.0, most: draw(9) };
+                suppress_soft(a, &second, how, &mut vec![0; draw(500)], &mut items, &mut out)
+            }
             14 => {
                 let how = Suppression { labels: &[1; 3], most: room, ..Suppression::by_iou(0.5) };
                 suppress(a, &second, how, &mut vec![0; draw(500_000)], &mut items)
