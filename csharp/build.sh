@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# build.sh DIRECTORY: builds a zip into DIRECTORY, of the assembly, its texts and the native library beside it, unpacks it
-# into a fresh folder, and there compiles and runs its tests, by mcs and mono. VESICA_SHARED names a folder with a
+# build.sh DIRECTORY: builds a zip into DIRECTORY, of the assembly, its texts and the native library beside it, unpacks
+# it into a fresh folder, and there compiles and runs its tests, by mcs and mono. VESICA_SHARED names a folder with a
 # libvesica.so.0 to be taken; VESICA_OLDER one with a library that is to be refused.
 set -euo pipefail
 
@@ -27,6 +27,15 @@ cd "$work/fresh"
 unzip -q "$directory/vesica-csharp-$version.zip"
 cp vesica-csharp/Vesica.dll vesica-csharp/libvesica.so .
 compile -r:Vesica.dll -out:VesicaTests.exe "$here"/tests/*.cs
+{
+  # The README's example, and what it gives.
+  printf '%s\n' 'using System;' 'using System.Linq;' 'using Vesica;' 'static class Example { static void Main() {'
+  sed -n '/^```csharp$/,/^```$/{/^```/!p}' "$here/README.md"
+  echo 'Console.WriteLine("{0} {1} {2} {3} {4} {5}", hit, far > 5, hits.All(x => x), ratio < 0, impact.T > 0,'
+  echo 'pairs.Length); } }'
+} >Example.cs
+compile -r:Vesica.dll -out:Example.exe Example.cs
+mono Example.exe | grep -Fx 'True True True True True 2'
 mono VesicaTests.exe "$here/../tests/ffi/calls.txt" "${VESICA_CALLS:-5000}"
 
 if [ -n "${VESICA_OLDER:-}" ]; then

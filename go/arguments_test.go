@@ -151,7 +151,8 @@ func TestAnyArguments(t *testing.T) {
 		}
 		bools, out := make([]bool, draw(100)), make([]float64, draw(100))
 		var err error
-		switch draw(9) {
+		motion := Motion{special[draw(10)], float64(draw(5)) - 2, special[draw(10)]}
+		switch draw(18) {
 		case 0:
 			_, err = OverlapMany(a, b, bools)
 		case 1:
@@ -174,6 +175,25 @@ func TestAnyArguments(t *testing.T) {
 			if err = failed; err == nil {
 				_, _, err = index.NearestOfEach(draw(5)-1, special[draw(10)], b, a)
 			}
+		case 8:
+			_, err = RatioMany(Ratio(draw(10)-1), a, b, out)
+		case 9:
+			_, err = Suppress(a, out, Suppression[float64]{Threshold: special[draw(10)], Most: draw(9) - 2})
+		case 10:
+			err = BoxesFromShapes(a, Angle(draw(10)-1), make([][5]float64, draw(9)))
+		case 11:
+			err = RectsFromBoxes(second, draw(9)-1, Angle(draw(10)-1), make([]Rect[float64], draw(9)))
+		case 12:
+			_, err = CastMany(a, b, second, out, motion.End, ImpactColumns[float64]{Y: out})
+		case 14:
+			_, err = WithinMatrix(a, b, special[draw(10)], make([]WithinResult, draw(100)))
+		case 15:
+			_, err = Intersection(Any[float64]{Kind: kindA}, Any[float64]{Kind: kindB})
+		case 16:
+			how := SoftSuppression[float64]{Decay: Decay(draw(4) - 1), Parameter: special[draw(10)], Most: draw(9) - 2}
+			_, _, err = SuppressSoft(a, out, how)
+		case 13:
+			_, _, err = CastFirst(Any[float64]{Kind: kindA}, b, motion)
 		default:
 			_, err = IndexFromBytes(make([]byte, draw(900)), a)
 		}

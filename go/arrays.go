@@ -130,12 +130,20 @@ func output[T Float, R any](out []R, needed int, inputs ...Array[T]) error {
 	if err := room("out", len(out), needed); err != nil || needed == 0 {
 		return err
 	}
-	start := uintptr(first(out))
-	end := start + uintptr(needed)*unsafe.Sizeof(out[0])
 	for _, input := range inputs {
-		if from, to := input.extent(); start < to && from < end {
-			return fmt.Errorf("out overlaps an input, results need memory of their own: %w", ErrArgument)
+		from, to := input.extent()
+		if err := apart(out[:needed], from, to); err != nil {
+			return err
 		}
+	}
+	return nil
+}
+
+// apart says whether memory for results, of which there are some, overlaps an input.
+func apart[R any](out []R, from, to uintptr) error {
+	start := uintptr(first(out))
+	if end := start + uintptr(len(out))*unsafe.Sizeof(out[0]); start < to && from < end {
+		return fmt.Errorf("out overlaps an input, results need memory of their own: %w", ErrArgument)
 	}
 	return nil
 }

@@ -38,23 +38,12 @@ go 1.19
 require example.org/vesica v0.0.0
 replace example.org/vesica => ../vesica-go
 END
-cat >main.go <<'END'
-package main
-
-import (
-	"fmt"
-
-	"example.org/vesica"
-)
-
-func main() {
-	car, err := vesica.RectFromAngle(0.0, 0.0, 0.5, 4.0, 2.0)
-	if err != nil {
-		panic(err)
-	}
-	hit, err := vesica.Overlap(car, vesica.Circle[float64]{CX: 1.4, CY: 1.5, R: 0.5})
-	fmt.Println("overlap:", hit, err)
-}
-END
-go run . | grep -Fx 'overlap: true <nil>'
+# The program is the README's example.
+{
+  printf '%s\n' 'package main' '' 'import (' '"fmt"' '"math"' '' '"example.org/vesica"' ')' '' 'func main() {'
+  sed -n '/^```go$/,/^```$/{/^```/!p}' "$here/README.md"
+  echo 'fmt.Println("overlap:", hit, far.Distance > 5, n, item, impact.T, pairs, err)'
+  echo '}'
+} >main.go
+go run . | grep -Fx 'overlap: true true 2 0 0 [{0 2} {1 3}] <nil>'
 ls "$directory"/vesica-go-*.zip

@@ -30,7 +30,7 @@ const (
 	KindEllipse Kind = 5
 )
 
-// Relation is how a shape a relates to a shape b: one of RCC-8's eight.
+// Relation is how a shape relates to another: one of RCC-8's eight.
 type Relation uint8
 
 // Relation values.
@@ -93,6 +93,79 @@ const (
 	JoinContains JoinQuery = 2
 	// JoinInside: b contains a
 	JoinInside JoinQuery = 3
+)
+
+// Ratio is what a shared area is compared with.
+type Ratio int32
+
+// Ratio values.
+const (
+	// RatioOverUnion: shared area / area of a and b together (IoU)
+	RatioOverUnion Ratio = 0
+	// RatioOverFirst: shared area / area of a (IoF)
+	RatioOverFirst Ratio = 1
+	// RatioOverSecond: shared area / area of b (IoA)
+	RatioOverSecond Ratio = 2
+	// RatioOverSmaller: shared area / the smaller of the areas (IoS)
+	RatioOverSmaller Ratio = 3
+	// RatioGeneralized: IoU - the part of the hull that neither covers (GIoU)
+	RatioGeneralized Ratio = 4
+	// RatioDistance: IoU - (distance of the centres / diagonal of the hull)^2 (DIoU)
+	RatioDistance Ratio = 5
+	// RatioComplete: DIoU - v^2 / (1 - IoU + v), v = (difference of angles / 90 degrees)^2 (CIoU)
+	RatioComplete Ratio = 6
+)
+
+// Angle is how angles are told, from +x towards +y.
+type Angle int32
+
+// Angle values.
+const (
+	// AngleRadians: radians
+	AngleRadians Angle = 0
+	// AngleDegrees: degrees
+	AngleDegrees Angle = 1
+	// AngleQuarters: quarter turns
+	AngleQuarters Angle = 2
+	// AngleReversed: added to a unit: angles turn from +x away from +y
+	AngleReversed Angle = 4
+)
+
+// Decay is how soft suppression lowers scores.
+type Decay int32
+
+// Decay values.
+const (
+	// DecayLinear: score * (1 - r) if r exceeds the parameter, a threshold from 0 to 1
+	DecayLinear Decay = 0
+	// DecayGaussian: score * exp(-r^2 / parameter) if r > 0; the parameter is at least 2^-100
+	DecayGaussian Decay = 1
+)
+
+// WithinResult is whether two shapes are so near.
+type WithinResult uint8
+
+// WithinResult values.
+const (
+	// WithinNo: they are farther apart
+	WithinNo WithinResult = 0
+	// WithinYes: they are not
+	WithinYes WithinResult = 1
+	// WithinNearly: with an ellipse alone: their distance is too near the one asked for to tell
+	WithinNearly WithinResult = 2
+)
+
+// CastResult is what a cast finds.
+type CastResult int32
+
+// CastResult values.
+const (
+	// CastMiss: no contact from 0 to t_end
+	CastMiss CastResult = 0
+	// CastHit: contact, the first after t = 0
+	CastHit CastResult = 1
+	// CastStart: the shapes overlap at t = 0, as vesica_overlap_f64 tells
+	CastStart CastResult = 2
 )
 
 // Point: A location.
@@ -195,7 +268,8 @@ type ClosestPoints[T Float] struct {
 	BY       T
 }
 
-// CrossingPoints: Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if they have a stretch in common.
+// CrossingPoints: Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if they have a stretch
+// in common.
 type CrossingPoints[T Float] struct {
 	Count  int32
 	Shared int32
@@ -228,49 +302,56 @@ func cCheck(wide bool, kind C.int32_t, numbers C.vesica_go_numbers) C.int32_t {
 	return C.go_check_f32(kind, numbers)
 }
 
-func cOverlap(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers) C.int32_t {
+func cOverlap(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
+	numbersB C.vesica_go_numbers) C.int32_t {
 	if wide {
 		return C.go_overlap_f64(kindA, numbersA, kindB, numbersB)
 	}
 	return C.go_overlap_f32(kindA, numbersA, kindB, numbersB)
 }
 
-func cRelation(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers) C.int32_t {
+func cRelation(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
+	numbersB C.vesica_go_numbers) C.int32_t {
 	if wide {
 		return C.go_relation_f64(kindA, numbersA, kindB, numbersB)
 	}
 	return C.go_relation_f32(kindA, numbersA, kindB, numbersB)
 }
 
-func cContains(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers) C.int32_t {
+func cContains(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
+	numbersB C.vesica_go_numbers) C.int32_t {
 	if wide {
 		return C.go_contains_f64(kindA, numbersA, kindB, numbersB)
 	}
 	return C.go_contains_f32(kindA, numbersA, kindB, numbersB)
 }
 
-func cCrossings(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+func cCrossings(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
+	out unsafe.Pointer) C.int32_t {
 	if wide {
 		return C.go_crossings_f64(kindA, numbersA, kindB, numbersB, out)
 	}
 	return C.go_crossings_f32(kindA, numbersA, kindB, numbersB, out)
 }
 
-func cNearest(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+func cNearest(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
+	out unsafe.Pointer) C.int32_t {
 	if wide {
 		return C.go_nearest_f64(kindA, numbersA, kindB, numbersB, out)
 	}
 	return C.go_nearest_f32(kindA, numbersA, kindB, numbersB, out)
 }
 
-func cBoundaryDistance(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+func cBoundaryDistance(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
+	numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
 	if wide {
 		return C.go_boundary_distance_f64(kindA, numbersA, kindB, numbersB, out)
 	}
 	return C.go_boundary_distance_f32(kindA, numbersA, kindB, numbersB, out)
 }
 
-func cDepth(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+func cDepth(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
+	out unsafe.Pointer) C.int32_t {
 	if wide {
 		return C.go_depth_f64(kindA, numbersA, kindB, numbersB, out)
 	}
@@ -284,14 +365,16 @@ func cShapeArea(wide bool, kind C.int32_t, numbers C.vesica_go_numbers, out unsa
 	return C.go_shape_area_f32(kind, numbers, out)
 }
 
-func cArea(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+func cArea(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
+	out unsafe.Pointer) C.int32_t {
 	if wide {
 		return C.go_area_f64(kindA, numbersA, kindB, numbersB, out)
 	}
 	return C.go_area_f32(kindA, numbersA, kindB, numbersB, out)
 }
 
-func cIOU(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+func cIOU(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
+	out unsafe.Pointer) C.int32_t {
 	if wide {
 		return C.go_iou_f64(kindA, numbersA, kindB, numbersB, out)
 	}
@@ -312,7 +395,8 @@ func cAABBFromCorners(wide bool, x0 float64, y0 float64, x1 float64, y1 float64,
 	return C.go_aabb_from_corners_f32(C.float(x0), C.float(y0), C.float(x1), C.float(y1), out)
 }
 
-func cRectFromAngle(wide bool, cx float64, cy float64, angle float64, width float64, height float64, out unsafe.Pointer) C.int32_t {
+func cRectFromAngle(wide bool, cx float64, cy float64, angle float64, width float64, height float64,
+	out unsafe.Pointer) C.int32_t {
 	if wide {
 		return C.go_rect_from_angle_f64(C.double(cx), C.double(cy), C.double(angle), C.double(width), C.double(height), out)
 	}
@@ -326,28 +410,35 @@ func cRectFromCorners(wide bool, corners unsafe.Pointer, out unsafe.Pointer) C.i
 	return C.go_rect_from_corners_f32(corners, out)
 }
 
-func cEllipseFromAngle(wide bool, cx float64, cy float64, angle float64, a float64, b float64, out unsafe.Pointer) C.int32_t {
+func cEllipseFromAngle(wide bool, cx float64, cy float64, angle float64, a float64, b float64,
+	out unsafe.Pointer) C.int32_t {
 	if wide {
 		return C.go_ellipse_from_angle_f64(C.double(cx), C.double(cy), C.double(angle), C.double(a), C.double(b), out)
 	}
 	return C.go_ellipse_from_angle_f32(C.float(cx), C.float(cy), C.float(angle), C.float(a), C.float(b), out)
 }
 
-func cEllipseFromRadiusVector(wide bool, cx float64, cy float64, wx float64, wy float64, ratio float64, out unsafe.Pointer) C.int32_t {
+func cEllipseFromRadiusVector(wide bool, cx float64, cy float64, wx float64, wy float64, ratio float64,
+	out unsafe.Pointer) C.int32_t {
 	if wide {
-		return C.go_ellipse_from_radius_vector_f64(C.double(cx), C.double(cy), C.double(wx), C.double(wy), C.double(ratio), out)
+		return C.go_ellipse_from_radius_vector_f64(C.double(cx), C.double(cy), C.double(wx), C.double(wy), C.double(ratio),
+			out)
 	}
 	return C.go_ellipse_from_radius_vector_f32(C.float(cx), C.float(cy), C.float(wx), C.float(wy), C.float(ratio), out)
 }
 
-func cEllipseFromCovariance(wide bool, meanX float64, meanY float64, cxx float64, cxy float64, cyy float64, k float64, out unsafe.Pointer) C.int32_t {
+func cEllipseFromCovariance(wide bool, meanX float64, meanY float64, cxx float64, cxy float64, cyy float64, k float64,
+	out unsafe.Pointer) C.int32_t {
 	if wide {
-		return C.go_ellipse_from_covariance_f64(C.double(meanX), C.double(meanY), C.double(cxx), C.double(cxy), C.double(cyy), C.double(k), out)
+		return C.go_ellipse_from_covariance_f64(C.double(meanX), C.double(meanY), C.double(cxx), C.double(cxy), C.double(cyy),
+			C.double(k), out)
 	}
-	return C.go_ellipse_from_covariance_f32(C.float(meanX), C.float(meanY), C.float(cxx), C.float(cxy), C.float(cyy), C.float(k), out)
+	return C.go_ellipse_from_covariance_f32(C.float(meanX), C.float(meanY), C.float(cxx), C.float(cxy), C.float(cyy),
+		C.float(k), out)
 }
 
-func cEllipseFromMatrix(wide bool, cx float64, cy float64, mxx float64, mxy float64, myy float64, out unsafe.Pointer) C.int32_t {
+func cEllipseFromMatrix(wide bool, cx float64, cy float64, mxx float64, mxy float64, myy float64,
+	out unsafe.Pointer) C.int32_t {
 	if wide {
 		return C.go_ellipse_from_matrix_f64(C.double(cx), C.double(cy), C.double(mxx), C.double(mxy), C.double(myy), out)
 	}
@@ -375,21 +466,24 @@ func cContainsMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe
 	return C.go_contains_many_f32(a, b, out)
 }
 
-func cNearestMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance unsafe.Pointer, ax unsafe.Pointer, ay unsafe.Pointer, bx unsafe.Pointer, by unsafe.Pointer) C.int64_t {
+func cNearestMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance unsafe.Pointer, ax unsafe.Pointer,
+	ay unsafe.Pointer, bx unsafe.Pointer, by unsafe.Pointer) C.int64_t {
 	if wide {
 		return C.go_nearest_many_f64(a, b, distance, ax, ay, bx, by)
 	}
 	return C.go_nearest_many_f32(a, b, distance, ax, ay, bx, by)
 }
 
-func cBoundaryDistanceMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance unsafe.Pointer, ax unsafe.Pointer, ay unsafe.Pointer, bx unsafe.Pointer, by unsafe.Pointer) C.int64_t {
+func cBoundaryDistanceMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance unsafe.Pointer,
+	ax unsafe.Pointer, ay unsafe.Pointer, bx unsafe.Pointer, by unsafe.Pointer) C.int64_t {
 	if wide {
 		return C.go_boundary_distance_many_f64(a, b, distance, ax, ay, bx, by)
 	}
 	return C.go_boundary_distance_many_f32(a, b, distance, ax, ay, bx, by)
 }
 
-func cDepthMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, depth unsafe.Pointer, x unsafe.Pointer, y unsafe.Pointer) C.int64_t {
+func cDepthMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, depth unsafe.Pointer, x unsafe.Pointer,
+	y unsafe.Pointer) C.int64_t {
 	if wide {
 		return C.go_depth_many_f64(a, b, depth, x, y)
 	}
@@ -410,63 +504,72 @@ func cIOUMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Poin
 	return C.go_iou_many_f32(a, b, out)
 }
 
-func cOverlapMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer, rowStride C.ptrdiff_t) C.int64_t {
+func cOverlapMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
+	rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_overlap_matrix_f64(a, b, out, rowStride)
 	}
 	return C.go_overlap_matrix_f32(a, b, out, rowStride)
 }
 
-func cRelationMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer, rowStride C.ptrdiff_t) C.int64_t {
+func cRelationMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
+	rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_relation_matrix_f64(a, b, out, rowStride)
 	}
 	return C.go_relation_matrix_f32(a, b, out, rowStride)
 }
 
-func cContainsMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer, rowStride C.ptrdiff_t) C.int64_t {
+func cContainsMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
+	rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_contains_matrix_f64(a, b, out, rowStride)
 	}
 	return C.go_contains_matrix_f32(a, b, out, rowStride)
 }
 
-func cAreaMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer, rowStride C.ptrdiff_t) C.int64_t {
+func cAreaMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
+	rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_area_matrix_f64(a, b, out, rowStride)
 	}
 	return C.go_area_matrix_f32(a, b, out, rowStride)
 }
 
-func cIOUMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer, rowStride C.ptrdiff_t) C.int64_t {
+func cIOUMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
+	rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_iou_matrix_f64(a, b, out, rowStride)
 	}
 	return C.go_iou_matrix_f32(a, b, out, rowStride)
 }
 
-func cOverlapSelect(wide bool, one C.vesica_go_view, many C.vesica_go_view, out unsafe.Pointer, capacity C.int64_t) C.int64_t {
+func cOverlapSelect(wide bool, one C.vesica_go_view, many C.vesica_go_view, out unsafe.Pointer,
+	capacity C.int64_t) C.int64_t {
 	if wide {
 		return C.go_overlap_select_f64(one, many, out, capacity)
 	}
 	return C.go_overlap_select_f32(one, many, out, capacity)
 }
 
-func cNMS(wide bool, shapes C.vesica_go_view, scores unsafe.Pointer, threshold float64, scratch unsafe.Pointer, scratchSize C.int64_t, keep unsafe.Pointer, kept unsafe.Pointer) C.int32_t {
+func cNMS(wide bool, shapes C.vesica_go_view, scores unsafe.Pointer, threshold float64, scratch unsafe.Pointer,
+	scratchSize C.int64_t, keep unsafe.Pointer, kept unsafe.Pointer) C.int32_t {
 	if wide {
 		return C.go_nms_f64(shapes, scores, C.double(threshold), scratch, scratchSize, keep, kept)
 	}
 	return C.go_nms_f32(shapes, scores, C.float(threshold), scratch, scratchSize, keep, kept)
 }
 
-func cRectsFromBoxes(wide bool, boxes unsafe.Pointer, count C.int64_t, stride C.ptrdiff_t, angle C.int32_t, out unsafe.Pointer) C.int64_t {
+func cRectsFromBoxes(wide bool, boxes unsafe.Pointer, count C.int64_t, stride C.ptrdiff_t, angle C.int32_t,
+	out unsafe.Pointer) C.int64_t {
 	if wide {
 		return C.go_rects_from_boxes_f64(boxes, count, stride, angle, out)
 	}
 	return C.go_rects_from_boxes_f32(boxes, count, stride, angle, out)
 }
 
-func cEllipsesFromBoxes(wide bool, boxes unsafe.Pointer, count C.int64_t, stride C.ptrdiff_t, angle C.int32_t, out unsafe.Pointer) C.int64_t {
+func cEllipsesFromBoxes(wide bool, boxes unsafe.Pointer, count C.int64_t, stride C.ptrdiff_t, angle C.int32_t,
+	out unsafe.Pointer) C.int64_t {
 	if wide {
 		return C.go_ellipses_from_boxes_f64(boxes, count, stride, angle, out)
 	}
@@ -480,7 +583,7 @@ func cBoxesFromShapes(wide bool, shapes C.vesica_go_view, angle C.int32_t, boxes
 	return C.go_boxes_from_shapes_f32(shapes, angle, boxes)
 }
 
-func cCornersOFShapes(wide bool, shapes C.vesica_go_view, corners unsafe.Pointer) C.int64_t {
+func cCornersOfShapes(wide bool, shapes C.vesica_go_view, corners unsafe.Pointer) C.int64_t {
 	if wide {
 		return C.go_corners_of_shapes_f64(shapes, corners)
 	}
@@ -494,49 +597,66 @@ func cBoundsMany(wide bool, shapes C.vesica_go_view, out unsafe.Pointer) C.int64
 	return C.go_bounds_many_f32(shapes, out)
 }
 
-func cIndexBuild(wide bool, sets C.vesica_go_sets, setCount C.int32_t, index unsafe.Pointer, indexSize C.int64_t, scratch unsafe.Pointer, scratchSize C.int64_t) C.int64_t {
+func cIndexBuild(wide bool, sets C.vesica_go_sets, setCount C.int32_t, index unsafe.Pointer, indexSize C.int64_t,
+	scratch unsafe.Pointer, scratchSize C.int64_t) C.int64_t {
 	if wide {
 		return C.go_index_build_f64(sets, setCount, index, indexSize, scratch, scratchSize)
 	}
 	return C.go_index_build_f32(sets, setCount, index, indexSize, scratch, scratchSize)
 }
 
-func cIndexSelect(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view, out unsafe.Pointer, capacity C.int64_t, state unsafe.Pointer) C.int64_t {
+func cIndexSelect(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view,
+	out unsafe.Pointer, capacity C.int64_t, state unsafe.Pointer) C.int64_t {
 	if wide {
 		return C.go_index_select_f64(index, sets, setCount, one, out, capacity, state)
 	}
 	return C.go_index_select_f32(index, sets, setCount, one, out, capacity, state)
 }
 
-func cJoin(wide bool, query C.int32_t, indexA unsafe.Pointer, setsA C.vesica_go_sets, setCountA C.int32_t, indexB unsafe.Pointer, setsB C.vesica_go_sets, setCountB C.int32_t, part C.int64_t, parts C.int64_t, scratch unsafe.Pointer, scratchSize C.int64_t, outA unsafe.Pointer, outB unsafe.Pointer, capacity C.int64_t, state unsafe.Pointer) C.int64_t {
+func cJoin(wide bool, query C.int32_t, indexA unsafe.Pointer, setsA C.vesica_go_sets, setCountA C.int32_t,
+	indexB unsafe.Pointer, setsB C.vesica_go_sets, setCountB C.int32_t, part C.int64_t, parts C.int64_t,
+	scratch unsafe.Pointer, scratchSize C.int64_t, outA unsafe.Pointer, outB unsafe.Pointer, capacity C.int64_t,
+	state unsafe.Pointer) C.int64_t {
 	if wide {
-		return C.go_join_f64(query, indexA, setsA, setCountA, indexB, setsB, setCountB, part, parts, scratch, scratchSize, outA, outB, capacity, state)
+		return C.go_join_f64(query, indexA, setsA, setCountA, indexB, setsB, setCountB, part, parts, scratch, scratchSize,
+			outA, outB, capacity, state)
 	}
-	return C.go_join_f32(query, indexA, setsA, setCountA, indexB, setsB, setCountB, part, parts, scratch, scratchSize, outA, outB, capacity, state)
+	return C.go_join_f32(query, indexA, setsA, setCountA, indexB, setsB, setCountB, part, parts, scratch, scratchSize,
+		outA, outB, capacity, state)
 }
 
-func cJoinWithin(wide bool, indexA unsafe.Pointer, setsA C.vesica_go_sets, setCountA C.int32_t, indexB unsafe.Pointer, setsB C.vesica_go_sets, setCountB C.int32_t, distance float64, part C.int64_t, parts C.int64_t, outA unsafe.Pointer, outB unsafe.Pointer, capacity C.int64_t, state unsafe.Pointer) C.int64_t {
+func cJoinWithin(wide bool, indexA unsafe.Pointer, setsA C.vesica_go_sets, setCountA C.int32_t, indexB unsafe.Pointer,
+	setsB C.vesica_go_sets, setCountB C.int32_t, distance float64, part C.int64_t, parts C.int64_t, outA unsafe.Pointer,
+	outB unsafe.Pointer, capacity C.int64_t, state unsafe.Pointer) C.int64_t {
 	if wide {
-		return C.go_join_within_f64(indexA, setsA, setCountA, indexB, setsB, setCountB, C.double(distance), part, parts, outA, outB, capacity, state)
+		return C.go_join_within_f64(indexA, setsA, setCountA, indexB, setsB, setCountB, C.double(distance), part, parts, outA,
+			outB, capacity, state)
 	}
-	return C.go_join_within_f32(indexA, setsA, setCountA, indexB, setsB, setCountB, C.float(distance), part, parts, outA, outB, capacity, state)
+	return C.go_join_within_f32(indexA, setsA, setCountA, indexB, setsB, setCountB, C.float(distance), part, parts, outA,
+		outB, capacity, state)
 }
 
-func cIndexNearest(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view, k C.int64_t, within float64, out unsafe.Pointer, distance unsafe.Pointer) C.int64_t {
+func cIndexNearest(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view,
+	k C.int64_t, within float64, out unsafe.Pointer, distance unsafe.Pointer) C.int64_t {
 	if wide {
 		return C.go_index_nearest_f64(index, sets, setCount, one, k, C.double(within), out, distance)
 	}
 	return C.go_index_nearest_f32(index, sets, setCount, one, k, C.float(within), out, distance)
 }
 
-func cJoinNearest(wide bool, setsA C.vesica_go_sets, setCountA C.int32_t, indexB unsafe.Pointer, setsB C.vesica_go_sets, setCountB C.int32_t, k C.int64_t, within float64, part C.int64_t, parts C.int64_t, out unsafe.Pointer, distance unsafe.Pointer) C.int64_t {
+func cJoinNearest(wide bool, setsA C.vesica_go_sets, setCountA C.int32_t, indexB unsafe.Pointer, setsB C.vesica_go_sets,
+	setCountB C.int32_t, k C.int64_t, within float64, part C.int64_t, parts C.int64_t, out unsafe.Pointer,
+	distance unsafe.Pointer) C.int64_t {
 	if wide {
-		return C.go_join_nearest_f64(setsA, setCountA, indexB, setsB, setCountB, k, C.double(within), part, parts, out, distance)
+		return C.go_join_nearest_f64(setsA, setCountA, indexB, setsB, setCountB, k, C.double(within), part, parts, out,
+			distance)
 	}
-	return C.go_join_nearest_f32(setsA, setCountA, indexB, setsB, setCountB, k, C.float(within), part, parts, out, distance)
+	return C.go_join_nearest_f32(setsA, setCountA, indexB, setsB, setCountB, k, C.float(within), part, parts, out,
+		distance)
 }
 
-func cRatio(wide bool, ratio C.int32_t, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+func cRatio(wide bool, ratio C.int32_t, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
+	numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
 	if wide {
 		return C.go_ratio_f64(ratio, kindA, numbersA, kindB, numbersB, out)
 	}
@@ -550,35 +670,40 @@ func cRatioMany(wide bool, ratio C.int32_t, a C.vesica_go_view, b C.vesica_go_vi
 	return C.go_ratio_many_f32(ratio, a, b, out)
 }
 
-func cRatioMatrix(wide bool, ratio C.int32_t, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer, rowStride C.ptrdiff_t) C.int64_t {
+func cRatioMatrix(wide bool, ratio C.int32_t, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
+	rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_ratio_matrix_f64(ratio, a, b, out, rowStride)
 	}
 	return C.go_ratio_matrix_f32(ratio, a, b, out, rowStride)
 }
 
-func cNearestMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer, rowStride C.ptrdiff_t) C.int64_t {
+func cNearestMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
+	rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_nearest_matrix_f64(a, b, out, rowStride)
 	}
 	return C.go_nearest_matrix_f32(a, b, out, rowStride)
 }
 
-func cBoundaryDistanceMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer, rowStride C.ptrdiff_t) C.int64_t {
+func cBoundaryDistanceMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
+	rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_boundary_distance_matrix_f64(a, b, out, rowStride)
 	}
 	return C.go_boundary_distance_matrix_f32(a, b, out, rowStride)
 }
 
-func cDepthMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer, rowStride C.ptrdiff_t) C.int64_t {
+func cDepthMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
+	rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_depth_matrix_f64(a, b, out, rowStride)
 	}
 	return C.go_depth_matrix_f32(a, b, out, rowStride)
 }
 
-func cSignedDistance(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
+func cSignedDistance(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
+	numbersB C.vesica_go_numbers, out unsafe.Pointer) C.int32_t {
 	if wide {
 		return C.go_signed_distance_f64(kindA, numbersA, kindB, numbersB, out)
 	}
@@ -592,14 +717,16 @@ func cSignedDistanceMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, out 
 	return C.go_signed_distance_many_f32(a, b, out)
 }
 
-func cSignedDistanceMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer, rowStride C.ptrdiff_t) C.int64_t {
+func cSignedDistanceMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, out unsafe.Pointer,
+	rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_signed_distance_matrix_f64(a, b, out, rowStride)
 	}
 	return C.go_signed_distance_matrix_f32(a, b, out, rowStride)
 }
 
-func cWithin(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers, distance float64) C.int32_t {
+func cWithin(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
+	distance float64) C.int32_t {
 	if wide {
 		return C.go_within_f64(kindA, numbersA, kindB, numbersB, C.double(distance))
 	}
@@ -613,77 +740,96 @@ func cWithinMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance flo
 	return C.go_within_many_f32(a, b, C.float(distance), out)
 }
 
-func cWithinMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance float64, out unsafe.Pointer, rowStride C.ptrdiff_t) C.int64_t {
+func cWithinMatrix(wide bool, a C.vesica_go_view, b C.vesica_go_view, distance float64, out unsafe.Pointer,
+	rowStride C.ptrdiff_t) C.int64_t {
 	if wide {
 		return C.go_within_matrix_f64(a, b, C.double(distance), out, rowStride)
 	}
 	return C.go_within_matrix_f32(a, b, C.float(distance), out, rowStride)
 }
 
-func cSuppress(wide bool, shapes C.vesica_go_view, scores unsafe.Pointer, labels unsafe.Pointer, ratio C.int32_t, threshold float64, leastScore float64, most C.int64_t, scratch unsafe.Pointer, scratchSize C.int64_t, keep unsafe.Pointer, kept unsafe.Pointer) C.int32_t {
+func cSuppress(wide bool, shapes C.vesica_go_view, scores unsafe.Pointer, labels unsafe.Pointer, ratio C.int32_t,
+	threshold float64, leastScore float64, most C.int64_t, scratch unsafe.Pointer, scratchSize C.int64_t,
+	keep unsafe.Pointer, kept unsafe.Pointer) C.int32_t {
 	if wide {
-		return C.go_suppress_f64(shapes, scores, labels, ratio, C.double(threshold), C.double(leastScore), most, scratch, scratchSize, keep, kept)
+		return C.go_suppress_f64(shapes, scores, labels, ratio, C.double(threshold), C.double(leastScore), most, scratch,
+			scratchSize, keep, kept)
 	}
-	return C.go_suppress_f32(shapes, scores, labels, ratio, C.float(threshold), C.float(leastScore), most, scratch, scratchSize, keep, kept)
+	return C.go_suppress_f32(shapes, scores, labels, ratio, C.float(threshold), C.float(leastScore), most, scratch,
+		scratchSize, keep, kept)
 }
 
-func cSuppressSoft(wide bool, shapes C.vesica_go_view, scores unsafe.Pointer, labels unsafe.Pointer, ratio C.int32_t, decay C.int32_t, parameter float64, leastScore float64, most C.int64_t, scratch unsafe.Pointer, scratchSize C.int64_t, keep unsafe.Pointer, decayed unsafe.Pointer, kept unsafe.Pointer) C.int32_t {
+func cSuppressSoft(wide bool, shapes C.vesica_go_view, scores unsafe.Pointer, labels unsafe.Pointer, ratio C.int32_t,
+	decay C.int32_t, parameter float64, leastScore float64, most C.int64_t, scratch unsafe.Pointer, scratchSize C.int64_t,
+	keep unsafe.Pointer, decayed unsafe.Pointer, kept unsafe.Pointer) C.int32_t {
 	if wide {
-		return C.go_suppress_soft_f64(shapes, scores, labels, ratio, decay, C.double(parameter), C.double(leastScore), most, scratch, scratchSize, keep, decayed, kept)
+		return C.go_suppress_soft_f64(shapes, scores, labels, ratio, decay, C.double(parameter), C.double(leastScore), most,
+			scratch, scratchSize, keep, decayed, kept)
 	}
-	return C.go_suppress_soft_f32(shapes, scores, labels, ratio, decay, C.float(parameter), C.float(leastScore), most, scratch, scratchSize, keep, decayed, kept)
+	return C.go_suppress_soft_f32(shapes, scores, labels, ratio, decay, C.float(parameter), C.float(leastScore), most,
+		scratch, scratchSize, keep, decayed, kept)
 }
 
-func cCast(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers, vx float64, vy float64, tEnd float64, out unsafe.Pointer) C.int32_t {
+func cCast(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
+	vx float64, vy float64, tEnd float64, out unsafe.Pointer) C.int32_t {
 	if wide {
 		return C.go_cast_f64(kindA, numbersA, kindB, numbersB, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
 	return C.go_cast_f32(kindA, numbersA, kindB, numbersB, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cCastMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, vx unsafe.Pointer, vy unsafe.Pointer, stride C.ptrdiff_t, tEnd float64, t unsafe.Pointer, x unsafe.Pointer, y unsafe.Pointer, nx unsafe.Pointer, ny unsafe.Pointer) C.int64_t {
+func cCastMany(wide bool, a C.vesica_go_view, b C.vesica_go_view, vx unsafe.Pointer, vy unsafe.Pointer,
+	stride C.ptrdiff_t, tEnd float64, t unsafe.Pointer, x unsafe.Pointer, y unsafe.Pointer, nx unsafe.Pointer,
+	ny unsafe.Pointer) C.int64_t {
 	if wide {
 		return C.go_cast_many_f64(a, b, vx, vy, stride, C.double(tEnd), t, x, y, nx, ny)
 	}
 	return C.go_cast_many_f32(a, b, vx, vy, stride, C.float(tEnd), t, x, y, nx, ny)
 }
 
-func cCastFirst(wide bool, one C.vesica_go_view, many C.vesica_go_view, vx float64, vy float64, tEnd float64, out unsafe.Pointer) C.int64_t {
+func cCastFirst(wide bool, one C.vesica_go_view, many C.vesica_go_view, vx float64, vy float64, tEnd float64,
+	out unsafe.Pointer) C.int64_t {
 	if wide {
 		return C.go_cast_first_f64(one, many, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
 	return C.go_cast_first_f32(one, many, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cSweepBounds(wide bool, kind C.int32_t, numbers C.vesica_go_numbers, vx float64, vy float64, tEnd float64, out unsafe.Pointer) C.int32_t {
+func cSweepBounds(wide bool, kind C.int32_t, numbers C.vesica_go_numbers, vx float64, vy float64, tEnd float64,
+	out unsafe.Pointer) C.int32_t {
 	if wide {
 		return C.go_sweep_bounds_f64(kind, numbers, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
 	return C.go_sweep_bounds_f32(kind, numbers, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cIndexCast(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view, vx float64, vy float64, tEnd float64, out unsafe.Pointer, capacity C.int64_t, state unsafe.Pointer) C.int64_t {
+func cIndexCast(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view,
+	vx float64, vy float64, tEnd float64, out unsafe.Pointer, capacity C.int64_t, state unsafe.Pointer) C.int64_t {
 	if wide {
-		return C.go_index_cast_f64(index, sets, setCount, one, C.double(vx), C.double(vy), C.double(tEnd), out, capacity, state)
+		return C.go_index_cast_f64(index, sets, setCount, one, C.double(vx), C.double(vy), C.double(tEnd), out, capacity,
+			state)
 	}
 	return C.go_index_cast_f32(index, sets, setCount, one, C.float(vx), C.float(vy), C.float(tEnd), out, capacity, state)
 }
 
-func cIndexCastFirst(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view, vx float64, vy float64, tEnd float64, out unsafe.Pointer) C.int64_t {
+func cIndexCastFirst(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, setCount C.int32_t, one C.vesica_go_view,
+	vx float64, vy float64, tEnd float64, out unsafe.Pointer) C.int64_t {
 	if wide {
 		return C.go_index_cast_first_f64(index, sets, setCount, one, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
 	return C.go_index_cast_first_f32(index, sets, setCount, one, C.float(vx), C.float(vy), C.float(tEnd), out)
 }
 
-func cDe9im(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers, matrix unsafe.Pointer) C.int32_t {
+func cDe9im(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
+	matrix unsafe.Pointer) C.int32_t {
 	if wide {
 		return C.go_de9im_f64(kindA, numbersA, kindB, numbersB, matrix)
 	}
 	return C.go_de9im_f32(kindA, numbersA, kindB, numbersB, matrix)
 }
 
-func cIntersection(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers, vertices unsafe.Pointer) C.int32_t {
+func cIntersection(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t,
+	numbersB C.vesica_go_numbers, vertices unsafe.Pointer) C.int32_t {
 	if wide {
 		return C.go_intersection_f64(kindA, numbersA, kindB, numbersB, vertices)
 	}

@@ -127,20 +127,25 @@ func (x *Index[T]) Order() ([]int64, error) {
 
 // Select gives the items that one shape overlaps, in the index's order.
 func (x *Index[T]) Select(one Shape) ([]int64, error) {
+	return x.all(one, func(single Array[T], out []int64, state unsafe.Pointer) C.int64_t {
+		return cIndexSelect(isWide[T](), first(x.bytes), x.sets, x.count, single.view, first(out), C.int64_t(len(out)),
+			state)
+	})
+}
+
+// all has the items of a question about one shape, which is put twice: how many, and which.
+func (x *Index[T]) all(one Shape, ask func(single Array[T], out []int64, state unsafe.Pointer) C.int64_t) ([]int64,
+	error) {
 	single, err := arrayOfOne[T](one)
 	if err != nil {
 		return nil, err
 	}
-	ask := func(out []int64, state unsafe.Pointer) (int, error) {
-		return count(cIndexSelect(isWide[T](), first(x.bytes), x.sets, x.count, single.view, first(out),
-			C.int64_t(len(out)), state))
-	}
-	found, err := ask(nil, nil)
+	found, err := count(ask(single, nil, nil))
 	if err != nil || found == 0 {
 		return []int64{}, err
 	}
 	out, state := make([]int64, found), [4]int64{}
-	_, err = ask(out, unsafe.Pointer(&state))
+	_, err = count(ask(single, out, unsafe.Pointer(&state)))
 	return out, err
 }
 
@@ -169,8 +174,8 @@ func (x *Index[T]) Nearest(one Shape, k int, within T) ([]Neighbour[T], error) {
 	return out, nil
 }
 
-// NearestOfEach gives rows of k: the items nearest to each shape of some arrays, and their distances, filled up by -1 at
-// distance infinity. With ErrShape, if a shape is invalid: its row holds -1, and all others are right.
+// NearestOfEach gives rows of k: the items nearest to each shape of some arrays, and their distances, filled up by -1
+// at distance infinity. With ErrShape, if a shape is invalid: its row holds -1, and all others are right.
 func (x *Index[T]) NearestOfEach(k int, within T, arrays ...Array[T]) ([]int64, []T, error) {
 	sets, items, err := setsOf(arrays)
 	if err != nil {

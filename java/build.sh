@@ -33,12 +33,21 @@ javadoc -quiet -Xdoclint:all,-missing -Werror -d "$work/javadoc" "$here"/src/ves
 mkdir "$work/fresh"
 cd "$work/fresh"
 javac -Xlint:all -Werror -cp "$directory/vesica-$version.jar" -d . "$here"/tests/vesica/*.java
+{
+  # The README's example, and what it gives.
+  printf '%s\n' 'import java.util.Arrays;' 'import vesica.*;' 'class Example { public static void main(String[] a) {'
+  sed -n '/^```java$/,/^```$/{/^```/!p}' "$here/README.md"
+  echo 'System.out.println(Arrays.toString(hits) + Arrays.deepToString(pairs)); } }'
+} >Example.java
+javac -cp "$directory/vesica-$version.jar" -d . Example.java
+java -cp "$directory/vesica-$version.jar:." Example | grep -Fx '[true, true][[0, 1], [2, 3]]'
 java -Xcheck:jni -cp "$directory/vesica-$version.jar:." vesica.Calls "$here/../tests/ffi/calls.txt"
 java -Xcheck:jni -Xmx150m -cp "$directory/vesica-$version.jar:." vesica.Arguments "${VESICA_CALLS:-5000}"
 
 if [ -n "${VESICA_OLDER:-}" ]; then
   native older.so -L "$VESICA_OLDER" -lvesica "-Wl,-rpath,$VESICA_OLDER"
-  java -Dvesica.library=older.so -cp "$directory/vesica-$version.jar:." vesica.Calls "$here/../tests/ffi/calls.txt" >older.out 2>&1 && exit 1
+  run=(java -Dvesica.library=older.so -cp "$directory/vesica-$version.jar:." vesica.Calls)
+  "${run[@]}" "$here/../tests/ffi/calls.txt" >older.out 2>&1 && exit 1
   grep -q 'older than [0-9]*, which this package needs' older.out
 fi
 ls "$directory"/vesica-*.jar

@@ -24,7 +24,7 @@ rm -f "$directory"/vesica-*.tgz
 (cd "$work/package" && npm pack --silent --pack-destination "$directory")
 
 cd "$work/program"
-cp -r "$here"/tests/* "$here/../tests/ffi/vectors.txt" "$here/../tests/ffi/calls.txt" .
+cp -r "$here"/tests/* "$here/../tests/ffi/vectors.txt" "$here/../tests/ffi/calls.txt" "$here/README.md" .
 echo '{ "private": true, "type": "module" }' >package.json
 npm install --silent --offline --no-audit --no-fund "$directory"/vesica-*.tgz
 node --test

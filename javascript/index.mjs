@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // All pairs among millions: an index of shapes, joins, windows and nearest shapes.
 import * as constants from './constants.mjs';
+import { indexCastFirst, motionOf } from './motion.mjs';
 import { aabb, scalars, ShapeArray, shapesSize } from './shapes.mjs';
 
 const queries = {
@@ -68,9 +69,11 @@ export class Index {
 
   /** Builds into `room` bytes at the index's place. */
   #write(room) {
-    const vesica = this.#vesica, { c } = vesica, scratchSize = vesica.check(c.vesica_index_scratch(BigInt(this.length)));
-    const code = vesica.within((scratch) =>
-      Number(c[`vesica_index_build_${this.scalar}`](this.#struct, this.#sets.length, this.#index, BigInt(room), scratch.take(scratchSize), BigInt(scratchSize))));
+    const vesica = this.#vesica, { c } = vesica, size = vesica.check(c.vesica_index_scratch(BigInt(this.length)));
+    const code = vesica.inRoom((scratch) => {
+      const [memory, with_] = [[this.#index, BigInt(room)], [scratch.take(size), BigInt(size)]];
+      return Number(c[`vesica_index_build_${this.scalar}`](this.#struct, this.#sets.length, ...memory, ...with_));
+    });
     /** Whether invalid shapes were left out. */
     this.incomplete = code === constants.E_SHAPE;
     if (!this.incomplete) vesica.check(code);
@@ -101,7 +104,8 @@ export class Index {
     const vesica = this.#vesica;
     this.#size = bytes.byteLength;
     this.#index = this.#take(this.#size);
-    new Uint8Array(vesica.memory.buffer, this.#index, this.#size).set(ArrayBuffer.isView(bytes) ? bytes : new Uint8Array(bytes));
+    const given = ArrayBuffer.isView(bytes) ? bytes : new Uint8Array(bytes);
+    new Uint8Array(vesica.memory.buffer, this.#index, this.#size).set(given);
     vesica.check(vesica.c.vesica_index_check(this.#index, BigInt(this.#size)));
     const built = vesica.check(vesica.c.vesica_index_count(this.#index));
     if (built !== this.length) throw new RangeError(`an index of ${built} shapes cannot be that of ${this.length}`);
@@ -121,7 +125,7 @@ export class Index {
   }
 
   order() {
-    return this.#vesica.within((room) => {
+    return this.#vesica.inRoom((room) => {
       const out = room.take(8 * this.length);
       const count = this.#vesica.check(this.#vesica.c.vesica_index_order(this.#index, out, BigInt(this.length)));
       return Array.from(new BigInt64Array(this.#vesica.memory.buffer, out, count), Number);
@@ -129,7 +133,7 @@ export class Index {
   }
 
   bounds() {
-    return this.#vesica.within((room) => {
+    return this.#vesica.inRoom((room) => {
       const out = room.take(32);
       this.#vesica.check(this.#vesica.c.vesica_index_bounds(this.#index, out));
       return aabb(...new Float64Array(this.#vesica.memory.buffer, out, 4));
@@ -147,46 +151,85 @@ export class Index {
 
   forEachPair(found, { with: other = this, query = 'overlap', part = 0, parts = 1 } = {}) {
     if (typeof found !== 'function') throw new TypeError('what is to be called for each pair is a function');
-    this.#vesica.within((room) => {
-      const { buffers, call } = this.#joining(other, query, part, parts, room);
-      const [a, b, state] = [8 * pairsACall, 8 * pairsACall, 32].map((size) => room.take(size));
-      new BigInt64Array(buffers.buffer, state, 4).fill(0n);
-      while (new BigInt64Array(buffers.buffer, state, 1)[0] !== -1n) {
-        const count = this.#vesica.check(call(a, b, BigInt(pairsACall), state));
-        // Items are below 2^31, and WebAssembly is little-endian: the lower halves are the items. A copy, as `found` may
-        // make the memory grow.
-        const lower = (address) => new Int32Array(buffers.buffer, address, 2 * count).slice();
-        const first = lower(a), second = lower(b);
-        for (let i = 0; i < 2 * count; i += 2) found(first[i], second[i]);
-      }
+    this.#vesica.inRoom((room) => {
+      this.#eachPair(this.#joining(other, query, part, parts, room), room, found);
     });
   }
 
+  joinWithin(distance, { with: other = this, part = 0, parts = 1 } = {}) {
+    if (typeof distance !== 'number') throw new TypeError('a distance is a number, which may be Infinity');
+    const pairs = { a: [], b: [] };
+    this.#vesica.inRoom((room) => {
+      const ask = this.#vesica.c[`vesica_join_within_${this.scalar}`], indexes = this.#both(other);
+      const call = (...output) => ask(...indexes, distance, BigInt(part), BigInt(parts), ...output);
+      this.#eachPair(call, room, (a, b) => {
+        pairs.a.push(a);
+        pairs.b.push(b);
+      });
+    });
+    return pairs;
+  }
+
+  /** found(a, b) for each pair that a join writes in as many calls as it takes. */
+  #eachPair(call, room, found) {
+    const { memory } = this.#vesica;
+    const [a, b, state] = [8 * pairsACall, 8 * pairsACall, 32].map((size) => room.take(size));
+    new BigInt64Array(memory.buffer, state, 4).fill(0n);
+    while (new BigInt64Array(memory.buffer, state, 1)[0] !== -1n) {
+      const count = this.#vesica.check(call(a, b, BigInt(pairsACall), state));
+      // Items are below 2^31, and WebAssembly is little-endian: the lower halves are the items. A copy, as `found` may
+      // make the memory grow.
+      const lower = (address) => new Int32Array(memory.buffer, address, 2 * count).slice();
+      const first = lower(a), second = lower(b);
+      for (let i = 0; i < 2 * count; i += 2) found(first[i], second[i]);
+    }
+  }
+
+  /** The arguments for this index and another. */
+  #both(other) {
+    if (!(other instanceof Index)) throw new TypeError('an index is joined with an index');
+    if (other.scalar !== this.scalar) {
+      throw new TypeError(`this index is of ${this.scalar}, the other of ${other.scalar}`);
+    }
+    return [this, other].flatMap((index) => [index.#index, index.#struct, index.#sets.length]);
+  }
+
   joinCount({ with: other = this, query = 'overlap', part = 0, parts = 1 } = {}) {
-    return this.#vesica.within((room) =>
-      this.#vesica.check(this.#joining(other, query, part, parts, room).call(0, 0, 0n, 0)));
+    return this.#vesica.inRoom((room) =>
+      this.#vesica.check(this.#joining(other, query, part, parts, room)(0, 0, 0n, 0)));
   }
 
   #joining(other, query, part, parts, room) {
-    if (!(other instanceof Index)) throw new TypeError('an index is joined with an index');
-    if (other.scalar !== this.scalar) throw new TypeError(`this index is of ${this.scalar}, the other of ${other.scalar}`);
+    const indexes = this.#both(other);
     if (!(query in queries)) throw new TypeError(`query is one of ${Object.keys(queries).join(', ')}`);
     const vesica = this.#vesica, size = vesica.check(vesica.c.vesica_join_scratch()), scratch = room.take(size);
-    const call = (...output) =>
-      vesica.c[`vesica_join_${this.scalar}`](
-        queries[query],
-        ...[this.#index, this.#struct, this.#sets.length],
-        ...[other.#index, other.#struct, other.#sets.length],
-        ...[BigInt(part), BigInt(parts), scratch, BigInt(size)],
-        ...output,
-      );
-    return { buffers: vesica.memory, call };
+    const how = [BigInt(part), BigInt(parts), scratch, BigInt(size)];
+    return (...output) => vesica.c[`vesica_join_${this.scalar}`](queries[query], ...indexes, ...how, ...output);
   }
 
   select(shape) {
+    return this.#items('select', shape);
+  }
+
+  cast(shape, velocity, options) {
+    return this.#items('cast', shape, ...motionOf(velocity, options));
+  }
+
+  castFirst(shape, velocity, options) {
+    const motion = motionOf(velocity, options);
     return this.#ofShape(shape, (one, room) => {
-      const call = this.#vesica.c[`vesica_index_select_${this.scalar}`];
-      const ask = (...output) => this.#vesica.check(call(this.#index, this.#struct, this.#sets.length, one, ...output));
+      const call = this.#vesica.c[`vesica_index_cast_first_${this.scalar}`];
+      const ask = (out) => call(this.#index, this.#struct, this.#sets.length, one, ...motion, out);
+      return indexCastFirst(this.#vesica, this.scalar, room, this.length, ask);
+    });
+  }
+
+  /** All items of a question, which is put twice: how many, and which. */
+  #items(name, shape, ...asked) {
+    return this.#ofShape(shape, (one, room) => {
+      const call = this.#vesica.c[`vesica_index_${name}_${this.scalar}`];
+      const ask = (...output) =>
+        this.#vesica.check(call(this.#index, this.#struct, this.#sets.length, one, ...asked, ...output));
       const count = ask(0, 0n, 0), out = room.take(8 * count), state = room.take(32);
       new BigInt64Array(this.#vesica.memory.buffer, state, 4).fill(0n);
       if (count > 0) ask(out, BigInt(count), state);
@@ -200,7 +243,8 @@ export class Index {
       if (k === 0) return { items: [], distances: [] };
       const Numbers = scalars[this.scalar], out = room.take(8 * k), distance = room.take(8 * k);
       const call = this.#vesica.c[`vesica_index_nearest_${this.scalar}`];
-      const found = this.#vesica.check(call(this.#index, this.#struct, this.#sets.length, one, BigInt(k), within, out, distance));
+      const asked = [this.#index, this.#struct, this.#sets.length, one];
+      const found = this.#vesica.check(call(...asked, BigInt(k), within, out, distance));
       return {
         items: Array.from(new BigInt64Array(this.#vesica.memory.buffer, out, found), Number),
         distances: Array.from(new Numbers(this.#vesica.memory.buffer, distance, found)),
@@ -211,7 +255,7 @@ export class Index {
   nearestOfEach(sets, { k = 1, within = Infinity } = {}) {
     if (!(Number.isInteger(k) && k >= 1)) throw new RangeError(`k is a whole number from 1 on, not ${k}`);
     checkSets(sets, this.scalar);
-    return this.#vesica.within((room) => {
+    return this.#vesica.inRoom((room) => {
       const Numbers = scalars[this.scalar], count = k * sets.reduce((sum, set) => sum + set.length, 0);
       const asked = room.take(sets.length * shapesSize), out = room.take(8 * count), distance = room.take(8 * count);
       this.#writeStructs(sets, asked);
@@ -230,7 +274,7 @@ export class Index {
   #ofShape(shape, call) {
     const one = this.#vesica.shapes(shape?.kind, [shape], { scalar: this.scalar });
     try {
-      return this.#vesica.within((room) => call(one.address, room));
+      return this.#vesica.inRoom((room) => call(one.address, room));
     } finally {
       one.free();
     }

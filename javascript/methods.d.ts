@@ -25,7 +25,10 @@ export class Methods {
   rectEllipseAllFeatures(rect: Rect, ellipse: Ellipse): Verdict;
   rectEllipseClosestFeatures(rect: Rect, ellipse: Ellipse): Verdict;
   rectEllipseMinkowskiSum(rect: Rect, ellipse: Ellipse): Verdict;
-  rectEllipsePointParallelogramDistance(rect: Rect, ellipse: Ellipse): { answer: Verdict; x: number; y: number; cMin: number };
+  rectEllipsePointParallelogramDistance(
+    rect: Rect,
+    ellipse: Ellipse,
+  ): { answer: Verdict; x: number; y: number; cMin: number };
   rectRectBounds(a: Rect, b: Rect): Verdict;
   rectRectSamplePoints(a: Rect, b: Rect, k: number): Verdict;
   rectRectSeparatingLines(a: Rect, b: Rect): Verdict;

@@ -51,8 +51,8 @@ export function numbersOf(shape) {
   const names = fields[kinds[kindNumber(shape?.kind)]];
   const numbers = names.map((name) => shape[name]);
   const missing = names.filter((_, i) => typeof numbers[i] !== 'number');
-  if (missing.length > 0) throw new TypeError(`a ${shape.kind} has numbers ${names.join(', ')}; missing: ${missing.join(', ')}`);
-  return numbers;
+  if (missing.length === 0) return numbers;
+  throw new TypeError(`a ${shape.kind} has numbers ${names.join(', ')}; missing: ${missing.join(', ')}`);
 }
 
 /** All numbers of some shapes, one after the other, from any way to give them. */
@@ -65,7 +65,8 @@ export function flat(kind, source) {
   return source.flatMap((shape) => {
     if (shape?.kind === kind) return numbersOf(shape);
     if (Array.isArray(shape) && shape.length === count) return shape;
-    throw new TypeError(`a ${kind} is an object of that kind or an array of ${count} numbers (${fields[kind].join(', ')})`);
+    const wanted = `${count} numbers (${fields[kind].join(', ')})`;
+    throw new TypeError(`a ${kind} is an object of that kind or an array of ${wanted}`);
   });
 }
 
@@ -75,13 +76,12 @@ export function flat(kind, source) {
  */
 export class ShapeArray {
   #memory;
-  #base;
   #free;
 
   /** Made by Vesica.shapes(). free: what gives the memory back. */
   constructor(memory, kind, scalar, count, address, base, free) {
     this.#memory = memory;
-    this.#base = base;
+    this.base = base; // of the numbers
     this.#free = free;
     this.kind = kind;
     this.scalar = scalar;
@@ -90,13 +90,14 @@ export class ShapeArray {
   }
 
   get numbers() {
-    return new scalars[this.scalar](this.#memory.buffer, this.#base, this.length * fields[this.kind].length);
+    return new scalars[this.scalar](this.#memory.buffer, this.base, this.length * fields[this.kind].length);
   }
 
   /** Shape i as a plain object: a copy. */
   at(i) {
     const names = fields[this.kind], index = i < 0 ? this.length + i : i;
-    if (!(Number.isInteger(index) && index >= 0 && index < this.length)) throw new RangeError(`shape ${i} of ${this.length}`);
+    const isThere = Number.isInteger(index) && index >= 0 && index < this.length;
+    if (!isThere) throw new RangeError(`shape ${i} of ${this.length}`);
     const numbers = this.numbers.subarray(index * names.length, (index + 1) * names.length);
     return { kind: this.kind, ...Object.fromEntries(names.map((name, k) => [name, numbers[k]])) };
   }

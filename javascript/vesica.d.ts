@@ -67,12 +67,50 @@ export class ShapeArray<T extends Float64Array | Float32Array = Float64Array | F
   free(): void;
 }
 
+export type Within = 'no' | 'yes' | 'nearly';
+/** Names of what `within` answers, by the numbers that arrays have. */
+export const withins: readonly Within[];
 export interface ClosestPoints<N> { distance: N; ax: N; ay: N; bx: N; by: N }
 /** How far, and in which direction (x, y), b must move until it only touches a. */
 export interface Penetration<N> { depth: N; x: N; y: N }
 export interface Crossings { places: { x: number; y: number }[]; shared: boolean }
 export type Numbers = Float64Array | Float32Array;
 type Many = ShapeArray | Shape;
+
+/** What a shared area is compared with: IoU, IoF, IoA, IoS, GIoU, DIoU, CIoU. */
+export type Ratio =
+  | 'over_union' | 'over_first' | 'over_second' | 'over_smaller' | 'generalized' | 'distance' | 'complete';
+/** Names of ratios, by their numbers. */
+export const ratios: readonly Ratio[];
+
+/** How angles are told: in radians from +x towards +y, unless this says otherwise. */
+export interface Angles {
+  degrees?: boolean;
+  quarters?: boolean;
+  /** From +x away from +y. */
+  reverse?: boolean;
+}
+
+export interface Suppression {
+  /** A whole number each: only shapes of the same label suppress one another. */
+  labels?: ArrayLike<number>;
+  /** Any but 'over_first' and 'over_second'; 'over_union' if left out. */
+  ratio?: Ratio;
+  /** Shapes below it are left out. */
+  leastScore?: number;
+  /** How many are kept at most. */
+  most?: number;
+}
+
+export type Velocity = readonly [number, number];
+/** tEnd is Infinity if left out. */
+export interface Until { tEnd?: number }
+export type Outcome = 'miss' | 'hit' | 'start';
+/** Names of what a cast finds, by its numbers. */
+export const casts: readonly Outcome[];
+/** When and where, and the unit normal there, from a to b. After a miss t is Infinity and the rest NaN. */
+export interface Impact<N> { t: N; x: N; y: N; nx: N; ny: N }
+export interface FirstImpact extends Impact<number> { item: number }
 
 export type Query = 'overlap' | 'bounds' | 'contains' | 'inside';
 export interface Joining {
@@ -97,6 +135,8 @@ export class Index {
   /** The same, pair by pair, without arrays of them. */
   forEachPair(found: (a: number, b: number) => void, options?: Joining): void;
   joinCount(options?: Joining): number;
+  /** All pairs at most `distance` apart. Of ellipses also those too near to it to tell. */
+  joinWithin(distance: number, options?: Omit<Joining, 'query'>): { a: number[]; b: number[] };
   /** The items that a shape overlaps. */
   select(shape: Shape): number[];
   /** The k nearest items within a distance, nearest first; at equal distances by number. */
@@ -107,7 +147,14 @@ export class Index {
    * Of each shape of some arrays the k nearest items: rows of k, one after the other, filled up by -1 at distance
    * Infinity. After a VesicaError of an invalid shape its result has all other rows.
    */
-  nearestOfEach(sets: readonly ShapeArray[], options?: { k?: number; within?: number }): { items: number[]; distances: Numbers };
+  nearestOfEach(
+    sets: readonly ShapeArray[],
+    options?: { k?: number; within?: number },
+  ): { items: number[]; distances: Numbers };
+  /** The items that a moving shape touches. */
+  cast(shape: Shape, velocity: Velocity, options?: Until): number[];
+  /** The item that it touches first, the lowest of several, or null. */
+  castFirst(shape: Shape, velocity: Velocity, options?: Until): FirstImpact | null;
   /** The items in spatial order: arrays that are laid so are joined quicker. */
   order(): number[];
   /** A box around all valid shapes. */
@@ -129,7 +176,27 @@ export class Vesica {
   readonly isa: string;
 
   /** An array from numbers one after the other, from plain objects of that kind, or of a count, with all numbers 0. */
-  shapes(kind: Kind, source: ArrayLike<number> | readonly (Shape | readonly number[])[] | number, options?: { scalar?: Scalar }): ShapeArray;
+  shapes(
+    kind: Kind,
+    source: ArrayLike<number> | readonly (Shape | readonly number[])[] | number,
+    options?: { scalar?: Scalar },
+  ): ShapeArray;
+  /**
+   * Rectangles from boxes, or the ellipses that touch their sides in the middle. A box is five numbers: centre x, y,
+   * width along the angle, height across it, angle. Quarter turns are exact. Of an invalid box all numbers are NaN, and
+   * it is a VesicaError, whose result is the array.
+   */
+  shapesFromBoxes(
+    kind: 'rect' | 'ellipse',
+    boxes: ArrayLike<number> | readonly (readonly number[])[],
+    options?: Angles & { scalar?: Scalar },
+  ): ShapeArray;
+  /** The way back: five numbers of each rectangle, or of the box about each ellipse, one after the other. */
+  boxes(shapes: Many, options?: Angles): Numbers;
+  /** x0 y0 ... x3 y3 of each rectangle, or of the box about each ellipse. */
+  corners(shapes: Many): Numbers;
+  /** min_x min_y max_x max_y of each shape: boxes that surely contain them. */
+  boundsMany(shapes: Many): Numbers;
 
   /** Do a and b share a point? */
   overlap(a: Shape, b: Shape): boolean;
@@ -155,12 +222,54 @@ export class Vesica {
   iou(a: Shape, b: Shape): number;
   iou(a: Many, b: Many): Numbers;
 
+  /** The distance or, below 0, how deep they overlap. */
+  signedDistance(a: Shape, b: Shape): number;
+  signedDistance(a: Many, b: Many): Numbers;
+  /**
+   * Are they at most `distance` apart? Exactly so far counts. Exact; with an ellipse 'nearly' where the distance is too
+   * near the one asked for to tell. Arrays have numbers: see `withins`.
+   */
+  within(a: Shape, b: Shape, distance: number): Within;
+  within(a: Many, b: Many, distance: number, options?: { out?: Uint8Array }): Uint8Array;
+  /** The nine-intersection matrix, as geographic systems have it, such as 'FF2F11212'. */
+  de9im(a: Shape, b: Shape): string;
+  /** Does such a matrix fit a pattern of F, 0, 1, 2, T (any of 0, 1 and 2) and * (anything)? */
+  de9imMatch(matrix: string, pattern: string): boolean;
+  /** The vertices of the region shared by points, segments, aabbs and rects, or by a segment and anything. */
+  intersection(a: Shape, b: Shape): { x: number; y: number }[];
+  /** What share of one shape the other covers, and other ratios by which detections are compared: see `ratios`. */
+  ratio(which: Ratio, a: Shape, b: Shape): number;
+  ratio(which: Ratio, a: Many, b: Many): Numbers;
+
   /** Every pair: the answer for a[i] and b[j] is element i * b.length + j. */
   overlapMatrix(a: ShapeArray, b: ShapeArray): Uint8Array;
   relationMatrix(a: ShapeArray, b: ShapeArray): Uint8Array;
   containsMatrix(a: ShapeArray, b: ShapeArray): Uint8Array;
   areaMatrix(a: ShapeArray, b: ShapeArray): Numbers;
   iouMatrix(a: ShapeArray, b: ShapeArray): Numbers;
+  ratioMatrix(which: Ratio, a: ShapeArray, b: ShapeArray): Numbers;
+  /** Distances and depths alone, without points or directions. */
+  nearestMatrix(a: ShapeArray, b: ShapeArray): Numbers;
+  boundaryDistanceMatrix(a: ShapeArray, b: ShapeArray): Numbers;
+  depthMatrix(a: ShapeArray, b: ShapeArray): Numbers;
+  signedDistanceMatrix(a: ShapeArray, b: ShapeArray): Numbers;
+  withinMatrix(a: ShapeArray, b: ShapeArray, distance: number): Uint8Array;
+
+  /**
+   * Does b touch a while it is moved by t * velocity, t from 0 to tEnd, when first, and where? Whether it does is
+   * exact, and t is rounded down. A ray is a point that moves. Of arrays a velocity may be two numbers, or two arrays.
+   */
+  cast(a: Shape, b: Shape, velocity: Velocity, options?: Until): Impact<number> & { outcome: Outcome };
+  cast(
+    a: Many,
+    b: Many,
+    velocity: Velocity | readonly [ArrayLike<number>, ArrayLike<number>],
+    options?: Until,
+  ): Impact<Numbers>;
+  /** Which of many shapes at rest does one moving shape touch first? The lowest of several, or null. */
+  castFirst(one: Shape, many: ShapeArray, velocity: Velocity, options?: Until): FirstImpact | null;
+  /** A box that holds a shape throughout its motion. */
+  sweepBounds(shape: Shape, velocity: Velocity, tEnd: number): Aabb;
 
   /** The indices of those of many that overlap one. */
   overlapSelect(one: Shape, many: ShapeArray): number[];
@@ -172,7 +281,17 @@ export class Vesica {
   /** Why a shape is invalid, or null. */
   invalidity(shape: Shape): string | null;
   /** Greedy suppression: the indices kept, best score first. */
-  nms(boxes: ShapeArray, scores: ArrayLike<number>, threshold?: number): number[];
+  nms(boxes: ShapeArray, scores: ArrayLike<number>, threshold?: number, options?: Suppression): number[];
+  /**
+   * Soft suppression: the indices as they are taken, and the scores that were left then. What has a ratio r with one
+   * taken keeps its score times 1 - r where r is above the parameter, or times exp(-r^2 / parameter).
+   */
+  nmsSoft(
+    boxes: ShapeArray,
+    scores: ArrayLike<number>,
+    parameter?: number,
+    options?: Suppression & { decay?: 'linear' | 'gaussian' },
+  ): { indices: number[]; scores: number[] };
 
   index(...sets: ShapeArray[]): Index;
   /** An index whose bytes were saved, over the same arrays. Damaged bytes are a VesicaError. */

@@ -2,13 +2,21 @@
 // Vesica for JavaScript, by WebAssembly: for browsers, Node and Deno. vesica.d.ts describes every call.
 import * as constants from './constants.mjs';
 import { Index } from './index.mjs';
+import * as measures from './measures.mjs';
 import { Memory, Room } from './memory.mjs';
-import { aabb, circle, ellipse, fields, flat, kindNumber, kinds, numbersOf, point, rect, scalars, segment, ShapeArray, shapesSize } from './shapes.mjs';
+import * as motion from './motion.mjs';
+import { fields, flat, kindNumber, kinds, numbersOf, scalars, ShapeArray, shapesSize } from './shapes.mjs';
+import { aabb, circle, ellipse, point, rect, segment } from './shapes.mjs';
+import * as topology from './topology.mjs';
 
-export { aabb, circle, constants, ellipse, fields, Index, kinds, point, rect, segment, ShapeArray };
+const { casts } = motion, { ratios } = measures, { withins } = topology;
+export { aabb, casts, circle, constants, ellipse, fields, Index, kinds, point, ratios, rect, segment, ShapeArray };
+export { withins };
 
 /** Names of relations, by the numbers that arrays have. */
-export const relations = Object.freeze(['disjoint', 'touch', 'cross', 'inside', 'inside_touch', 'contains', 'contains_touch', 'equal']);
+export const relations = Object.freeze([
+  'disjoint', 'touch', 'cross', 'inside', 'inside_touch', 'contains', 'contains_touch', 'equal',
+]);
 
 /** What the library refuses. `code` is its VESICA_E_... number; `result` has the answers of valid shapes in arrays. */
 export class VesicaError extends Error {
@@ -45,12 +53,17 @@ export async function load({ module = undefined, simd = WebAssembly.validate(vec
   const { exports } = await WebAssembly.instantiate(compiled);
   const version = exports.vesica_version();
   if (version < constants.VERSION) {
-    throw new Error(`vesica ${version} is older than ${constants.VERSION}, which this package needs: load the module that came with it`);
+    const words = `vesica ${version} is older than ${constants.VERSION}, which this package needs`;
+    throw new Error(`${words}: load the module that came with it`);
   }
   return new Vesica(exports);
 }
 
 const isArray = (shapes) => shapes instanceof ShapeArray;
+
+/** Whether numbers of arrays are there. As counts agree, an argument is wrong only where there is no ratio, but NaN. */
+const isWritten = (name, code) =>
+  code >= 0 || code === constants.E_SHAPE || ((name === 'iou' || name === 'ratio') && code === constants.E_ARGUMENT);
 
 export class Vesica {
   #memory;
@@ -84,10 +97,24 @@ export class Vesica {
     const base = this.#memory.take(count * stride);
     blocks.push([base, count * stride]);
     this.check(this.c[`vesica_shapes_from_records_${scalar}`](kindNumber(kind), BigInt(count), base, stride, address));
-    const made = new ShapeArray(this.#memory, kind, scalar, count, address, base, () => this.release(made, blocks));
+    const free = () => this.release(made, blocks);
+    const made = new ShapeArray(this.#memory, kind, scalar, count, address, base, free);
     this.own(made, blocks);
     if (numbers !== null) made.numbers.set(numbers);
     return made;
+  }
+
+  shapesFromBoxes(kind, boxes, options) {
+    return measures.shapesFromBoxes(this, kind, boxes, options);
+  }
+  boxes(shapes, options) {
+    return measures.boxes(this, shapes, options);
+  }
+  corners(shapes) {
+    return measures.corners(this, shapes);
+  }
+  boundsMany(shapes) {
+    return measures.boundsMany(this, shapes);
   }
 
   // ---- Questions ----
@@ -116,6 +143,33 @@ export class Vesica {
   iou(a, b) {
     return this.#numbers('iou', ['iou'], a, b);
   }
+  within(a, b, distance, options) {
+    return this.#codes('within', a, b, options, (code) => topology.withins[code], this.#distance(distance));
+  }
+  withinMatrix(a, b, distance) {
+    return this.#matrix('within', Uint8Array, a, b, [], [this.#distance(distance)]);
+  }
+  signedDistance(a, b) {
+    return this.#numbers('signed_distance', ['distance'], a, b);
+  }
+  signedDistanceMatrix(a, b) {
+    return this.#matrix('signed_distance', scalars[a?.scalar], a, b);
+  }
+  de9im(a, b) {
+    return topology.de9im(this, a, b);
+  }
+  de9imMatch(matrix, pattern) {
+    return topology.de9imMatch(this, matrix, pattern);
+  }
+  intersection(a, b) {
+    return topology.intersection(this, a, b);
+  }
+  nmsSoft(boxes, scores, parameter, options) {
+    return topology.nmsSoft(this, boxes, scores, parameter, options);
+  }
+  ratio(which, a, b) {
+    return this.#numbers('ratio', ['ratio'], a, b, measures.ratioNumber(which));
+  }
   overlapMatrix(a, b) {
     return this.#matrix('overlap', Uint8Array, a, b);
   }
@@ -132,9 +186,32 @@ export class Vesica {
     return this.#matrix('iou', scalars[a?.scalar], a, b);
   }
 
+  ratioMatrix(which, a, b) {
+    return this.#matrix('ratio', scalars[a?.scalar], a, b, [measures.ratioNumber(which)]);
+  }
+  nearestMatrix(a, b) {
+    return this.#matrix('nearest', scalars[a?.scalar], a, b);
+  }
+  boundaryDistanceMatrix(a, b) {
+    return this.#matrix('boundary_distance', scalars[a?.scalar], a, b);
+  }
+  depthMatrix(a, b) {
+    return this.#matrix('depth', scalars[a?.scalar], a, b);
+  }
+
+  cast(a, b, velocity, options) {
+    return motion.cast(this, a, b, velocity, options);
+  }
+  castFirst(one, many, velocity, options) {
+    return motion.castFirst(this, one, many, velocity, options);
+  }
+  sweepBounds(shape, velocity, tEnd) {
+    return motion.sweepBounds(this, shape, velocity, tEnd);
+  }
+
   overlapSelect(one, many) {
-    return this.within((room) => {
-      const { scalar, a, b } = this.#operands(one, many, room);
+    return this.inRoom((room) => {
+      const { scalar, a, b } = this.operands(one, many, room);
       if (!isArray(many)) throw new TypeError('many is an array of shapes, as shapes() makes it');
       const out = room.take(8 * many.length + 8);
       const code = Number(this.c[`vesica_overlap_select_${scalar}`](a, b, out, BigInt(many.length)));
@@ -164,27 +241,15 @@ export class Vesica {
 
   /** Why a shape is invalid, or null. */
   invalidity(shape) {
-    return this.within((room) => {
-      const [kind, address] = this.#record(shape, room);
+    return this.inRoom((room) => {
+      const [kind, address] = this.record(shape, room);
       const code = this.c.vesica_check_f64(kind, address);
       return code < 0 ? this.#text(code) : null;
     });
   }
 
-  nms(boxes, scores, threshold = 0.5) {
-    if (!isArray(boxes)) throw new TypeError('boxes are an array of shapes, as shapes() makes it');
-    if (scores.length !== boxes.length) throw new RangeError(`${boxes.length} boxes need as many scores, not ${scores.length}`);
-    const n = boxes.length, Scores = scalars[boxes.scalar];
-    return this.within((room) => {
-      const size = Number(this.c.vesica_nms_scratch(BigInt(n)));
-      const [at, scratch, keep, kept] = [n * Scores.BYTES_PER_ELEMENT, size, 8 * n, 8].map((bytes) => room.take(bytes));
-      new Scores(this.#memory.buffer, at, n).set(scores);
-      new BigInt64Array(this.#memory.buffer, kept, 1)[0] = 0n;
-      const call = this.c[`vesica_nms_${boxes.scalar}`];
-      const code = call(boxes.address, at, threshold, scratch, BigInt(size), keep, kept);
-      const count = Number(new BigInt64Array(this.#memory.buffer, kept, 1)[0]);
-      return this.#answer(code, Array.from(new BigInt64Array(this.#memory.buffer, keep, count), Number));
-    });
+  nms(boxes, scores, threshold, options) {
+    return measures.nms(this, boxes, scores, threshold, options);
   }
 
   index(...sets) {
@@ -210,7 +275,7 @@ export class Vesica {
   }
 
   /** call(room), whose memory is given back afterwards. */
-  within(call) {
+  inRoom(call) {
     const room = new Room(this.#memory);
     try {
       return call(room);
@@ -221,12 +286,12 @@ export class Vesica {
 
   /** The answer, if it is one. */
   check(code) {
-    return this.#answer(Number(code), Number(code));
+    return this.#answer(Number(code), Number(code), false);
   }
 
-  /** A result, unless its code is an error. */
-  finish(code, result) {
-    return this.#answer(code, result);
+  /** A result, unless its code is an error, which has the result if it was written. */
+  finish(code, result, written) {
+    return this.#answer(code, result, written);
   }
 
   #answer(code, result, written = code === constants.E_SHAPE) {
@@ -248,7 +313,7 @@ export class Vesica {
   }
 
   /** [kind, address of its numbers] of a plain object. */
-  #record(shape, room) {
+  record(shape, room) {
     const numbers = numbersOf(shape);
     const address = room.take(8 * numbers.length);
     new Float64Array(this.#memory.buffer, address, numbers.length).set(numbers);
@@ -256,7 +321,7 @@ export class Vesica {
   }
 
   /** Two operands of a batch, one of which may be a plain object. */
-  #operands(a, b, room) {
+  operands(a, b, room) {
     const scalar = (isArray(a) ? a : b).scalar ?? 'f64';
     const address = (shape, name) => {
       if (!isArray(shape)) return this.#struct(shape, scalar, room);
@@ -278,75 +343,86 @@ export class Vesica {
     return address;
   }
 
+  #distance(distance) {
+    if (typeof distance === 'number') return distance;
+    throw new TypeError('a distance is a number, which may be Infinity');
+  }
+
   /** How many results two operands in step have. */
-  #inStep([a, b]) {
+  inStep([a, b]) {
     if (a !== b && a !== 1 && b !== 1) throw new RangeError(`a has ${a} shapes and b ${b}: as many, or one of either`);
     return a === 0 || b === 0 ? 0 : Math.max(a, b);
   }
 
-  #codes(name, a, b, { out = undefined } = {}, meaning) {
+  /** last: arguments after the shapes. */
+  #codes(name, a, b, { out = undefined } = {}, meaning, ...last) {
     if (!isArray(a) && !isArray(b)) {
-      return this.within((room) => {
-        const code = this.c[`vesica_${name}_f64`](...this.#record(a, room), ...this.#record(b, room));
+      return this.inRoom((room) => {
+        const code = this.c[`vesica_${name}_f64`](...this.record(a, room), ...this.record(b, room), ...last);
         return meaning(this.check(code));
       });
     }
-    return this.within((room) => {
-      const { scalar, a: first, b: second, counts } = this.#operands(a, b, room);
-      const count = this.#inStep(counts), address = room.take(count);
-      const code = Number(this.c[`vesica_${name}_many_${scalar}`](first, second, address));
+    return this.inRoom((room) => {
+      const { scalar, a: first, b: second, counts } = this.operands(a, b, room);
+      const count = this.inStep(counts), address = room.take(count);
+      const code = Number(this.c[`vesica_${name}_many_${scalar}`](first, second, ...last, address));
       const bytes = new Uint8Array(this.#memory.buffer, address, count);
       if (code < 0 && code !== constants.E_SHAPE) return this.check(code);
       if (out === undefined) return this.#answer(code, bytes.slice());
-      if (!(out instanceof Uint8Array && out.length >= count)) throw new RangeError(`out is a Uint8Array of ${count} or more`);
+      if (!(out instanceof Uint8Array && out.length >= count)) {
+        throw new RangeError(`out is a Uint8Array of ${count} or more`);
+      }
       out.set(bytes);
       return this.#answer(code, out);
     });
   }
 
-  #numbers(name, names, a, b) {
-    const named = (columns) => (columns.length === 1 ? columns[0] : Object.fromEntries(names.map((field, i) => [field, columns[i]])));
+  /** leading: arguments before the shapes. */
+  #numbers(name, names, a, b, ...leading) {
+    const named = (columns) => {
+      return columns.length === 1 ? columns[0] : Object.fromEntries(names.map((field, i) => [field, columns[i]]));
+    };
     if (!isArray(a) && !isArray(b)) {
-      return this.#single(name, 8 * names.length, a, b, (view) => named(names.map((_, i) => view.getFloat64(8 * i, true))));
+      const read = (view) => named(names.map((_, i) => view.getFloat64(8 * i, true)));
+      return this.#single(name, 8 * names.length, a, b, read, ...leading);
     }
-    return this.within((room) => {
-      const { scalar, a: first, b: second, counts } = this.#operands(a, b, room);
-      const Numbers = scalars[scalar], count = this.#inStep(counts);
+    return this.inRoom((room) => {
+      const { scalar, a: first, b: second, counts } = this.operands(a, b, room);
+      const Numbers = scalars[scalar], count = this.inStep(counts);
       const columns = names.map(() => room.take(count * Numbers.BYTES_PER_ELEMENT));
-      const code = Number(this.c[`vesica_${name}_many_${scalar}`](first, second, ...columns));
-      // Counts agree, so that an argument is wrong only where two shapes without area have no ratio, and get NaN.
-      const written = code >= 0 || code === constants.E_SHAPE || (name === 'iou' && code === constants.E_ARGUMENT);
-      if (!written) return this.check(code);
-      return this.#answer(code, named(columns.map((address) => new Numbers(this.#memory.buffer, address, count).slice())), true);
+      const code = Number(this.c[`vesica_${name}_many_${scalar}`](...leading, first, second, ...columns));
+      if (!isWritten(name, code)) return this.check(code);
+      const arrays = columns.map((address) => new Numbers(this.#memory.buffer, address, count).slice());
+      return this.#answer(code, named(arrays), true);
     });
   }
 
   /** One call for two plain objects, in double. */
-  #single(name, size, a, b, read) {
-    return this.within((room) => {
-      const operands = [...this.#record(a, room), ...this.#record(b, room)], out = room.take(size);
-      this.check(this.c[`vesica_${name}_f64`](...operands, out));
+  #single(name, size, a, b, read, ...leading) {
+    return this.inRoom((room) => {
+      const operands = [...this.record(a, room), ...this.record(b, room)], out = room.take(size);
+      this.check(this.c[`vesica_${name}_f64`](...leading, ...operands, out));
       return read(new DataView(this.#memory.buffer, out, size));
     });
   }
 
   #ofOne(name, count, shape) {
-    return this.within((room) => {
-      const operands = this.#record(shape, room), out = room.take(8 * count);
+    return this.inRoom((room) => {
+      const operands = this.record(shape, room), out = room.take(8 * count);
       this.check(this.c[`vesica_${name}_f64`](...operands, out));
       return Array.from(new Float64Array(this.#memory.buffer, out, count));
     });
   }
 
   /** Rows one after the other: element [i * b.length + j] is of a[i] and b[j]. */
-  #matrix(name, Numbers, a, b) {
+  #matrix(name, Numbers, a, b, leading = [], last = []) {
     if (!isArray(a) || !isArray(b)) throw new TypeError('a matrix is of two arrays of shapes, as shapes() makes them');
-    return this.within((room) => {
-      const { scalar, a: first, b: second } = this.#operands(a, b, room);
+    return this.inRoom((room) => {
+      const { scalar, a: first, b: second } = this.operands(a, b, room);
       const count = a.length * b.length, address = room.take(count * Numbers.BYTES_PER_ELEMENT);
-      const code = Number(this.c[`vesica_${name}_matrix_${scalar}`](first, second, address, b.length));
-      const written = code >= 0 || code === constants.E_SHAPE || (name === 'iou' && code === constants.E_ARGUMENT);
-      if (!written) return this.check(code);
+      const operands = [...leading, first, second, ...last, address, b.length];
+      const code = Number(this.c[`vesica_${name}_matrix_${scalar}`](...operands));
+      if (!isWritten(name, code)) return this.check(code);
       return this.#answer(code, new Numbers(this.#memory.buffer, address, count).slice(), true);
     });
   }

@@ -22,7 +22,7 @@ rm -f "$directory"/vesica-*.whl
 /usr/bin/python3 -m venv --system-site-packages "$work/environment"
 "$work/environment/bin/pip" install --quiet --no-deps "$directory"/vesica-*.whl
 cp -r "$here/tests" "$work/tests"
-cp "$here/../tests/ffi/vectors.txt" "$here/../tests/ffi/calls.txt" "$work/tests"
+cp "$here/../tests/ffi/vectors.txt" "$here/../tests/ffi/calls.txt" "$here/README.md" "$work/tests"
 cd "$work"
 "$work/environment/bin/python" -B -m unittest discover -s "$work/tests"
 "$work/environment/bin/python" -B -c 'import vesica; print("installed:", vesica.__version__, vesica.__file__)'

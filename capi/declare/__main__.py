@@ -15,9 +15,10 @@ import java
 import javascript
 import python
 import rust
+import small
 from description import DESCRIPTION, REPOSITORY, Description
 
-LANGUAGES = (csharp, go, java, javascript, python, rust)
+LANGUAGES = (csharp, go, java, javascript, python, rust, small)
 
 
 def main(arguments):

@@ -3,7 +3,7 @@
 
 Structs of doubles have the plain name, those of floats end on F, as those of System.Drawing do.
 """
-from description import HEAD, SCALARS, camel
+from description import HEAD, SCALARS, WIDTH, broken, camel, filled
 
 OPENING = "".join(f"// {line}\n" for line in HEAD)
 SHAPES = ("point", "segment", "circle", "aabb", "rect", "ellipse")
@@ -18,6 +18,11 @@ ENUMS = {
     "KINDS": ("Kind", "The six kinds of shapes."),
     "RELATIONS": ("Relation", "How a shape a relates to a shape b: the eight relations of RCC-8."),
     "JOINS": ("JoinQuery", "What makes item a of one index and item b of another a pair of a join."),
+    "RATIOS": ("Ratio", "What a shared area is compared with."),
+    "ANGLES": ("Angle", "How angles are told. They turn from +x towards +y."),
+    "DECAYS": ("Decay", "How soft suppression lowers scores."),
+    "WITHINS": ("Within", "Whether two shapes are at most so far apart."),
+    "CASTS": ("Cast", "What a cast finds."),
     "ERRORS": ("ErrorCode", "Why the library has no answer."),
 }
 KEYWORDS = {"out": "output"}
@@ -28,9 +33,10 @@ def escaped(text):
 
 
 def summary(paragraphs, indent):
-    lines = [line for paragraph in paragraphs for line in f"<para>{escaped(paragraph)}</para>".split("\n")]
-    if len(paragraphs) == 1:
-        lines = escaped(paragraphs[0]).split("\n")
+    texts = [escaped(paragraph) for paragraph in paragraphs]
+    if len(texts) > 1:
+        texts = [f"<para>{each}</para>" for each in texts]
+    lines = [line for text in texts for line in filled(text, WIDTH - 4 - len(indent)).split("\n")]
     body = "".join(f"{indent}/// {line}\n" for line in lines)
     return f"{indent}/// <summary>\n{body}{indent}/// </summary>\n"
 
@@ -42,11 +48,11 @@ def local(name):
 def enum(description, group):
     name, about = ENUMS[group]
     values = "".join(
-        summary([entry.comment], "        ")
-        + f"        {camel(entry.short.removeprefix('JOIN_').removeprefix('E_'))} = {entry.value},\n"
+        summary([entry.meaning], "        ")
+        + f"        {camel(entry.own)} = {entry.value},\n"
         for entry in description.constants_of(group)
     )
-    base = " : byte" if group == "RELATIONS" else ""
+    base = " : byte" if group in ("RELATIONS", "WITHINS") else ""
     return f"{summary([about], '    ')}    public enum {name}{base}\n    {{\n{values}    }}\n\n"
 
 
@@ -94,7 +100,8 @@ def imported(entry):
     return (
         f"{summary(entry.paragraphs, '        ')}"
         "        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]\n"
-        f"        internal static extern {result(entry)} {entry.name}({parameters});\n\n"
+        + broken(f"        internal static extern {result(entry)} {entry.name}({parameters});")
+        + "\n\n"
     )
 
 
@@ -107,9 +114,12 @@ def dispatcher(entry):
         double.append(local(each.name))
         single.append(f"(float){local(each.name)}" if is_scalar else local(each.name))
     return (
-        f"        internal static {result(entry)} {camel(entry.stem)}(bool wide, {', '.join(declared)})\n        {{\n"
-        f"            return wide\n                ? vesica_{entry.stem}_f64({', '.join(double)})\n"
-        f"                : vesica_{entry.stem}_f32({', '.join(single)});\n        }}\n\n"
+        broken(f"        internal static {result(entry)} {camel(entry.stem)}(bool wide, {', '.join(declared)})")
+        + "\n        {\n            return wide\n"
+        + broken(f"                ? vesica_{entry.stem}_f64({', '.join(double)})")
+        + "\n"
+        + broken(f"                : vesica_{entry.stem}_f32({', '.join(single)});")
+        + "\n        }\n\n"
     )
 
 

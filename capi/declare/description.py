@@ -3,6 +3,7 @@
 import json
 import pathlib
 import re
+import textwrap
 
 REPOSITORY = pathlib.Path(__file__).resolve().parent.parent.parent
 DESCRIPTION = REPOSITORY / "capi" / "vesica.json"
@@ -13,8 +14,19 @@ GROUPS = {
     "KINDS": ("POINT", "SEGMENT", "CIRCLE", "AABB", "RECT", "ELLIPSE"),
     "RELATIONS": ("DISJOINT", "TOUCH", "CROSS", "INSIDE", "INSIDE_TOUCH", "CONTAINS", "CONTAINS_TOUCH", "EQUAL"),
 }
-PREFIXES = {"E_": "ERRORS", "JOIN_": "JOINS", "VERSION": "VERSIONS"}
+PREFIXES = {
+    "ANGLE_": "ANGLES",
+    "CAST_": "CASTS",
+    "DECAY_": "DECAYS",
+    "E_": "ERRORS",
+    "JOIN_": "JOINS",
+    "RATIO_": "RATIOS",
+    "VERSION": "VERSIONS",
+    "WITHIN_": "WITHINS",
+}
 SCALARS = {"f64": "double", "f32": "float"}
+#: The longest line of what is written.
+WIDTH = 120
 
 _PARTS = re.compile(r"\n(?=(?:Requires|Returns|Errors|Accuracy|Cost|Since): )")
 
@@ -36,6 +48,17 @@ class Entry:
     def short(self):
         """The name without the library's."""
         return self.name.removeprefix("vesica_").removeprefix("VESICA_")
+
+    @property
+    def own(self):
+        """A constant's name without its group's."""
+        prefix = next((each for each in PREFIXES if each.endswith("_") and self.short.startswith(each)), "")
+        return self.short.removeprefix(prefix)
+
+    @property
+    def meaning(self):
+        """A constant's text; of one that says all by its name, that."""
+        return self.comment or self.own.lower().replace("_", " ")
 
     @property
     def scalar(self):
@@ -80,7 +103,7 @@ class Description:
             setattr(self, part, entries)
 
     def constants_of(self, group):
-        """The constants of a group: KINDS, RELATIONS, ERRORS, JOINS or VERSIONS."""
+        """The constants of a group: a key of GROUPS or a value of PREFIXES."""
         return [entry for entry in self.constants if group_of(entry) == group]
 
     def in_double(self, part):
@@ -103,3 +126,27 @@ def camel(name, first=True):
     """closest_points as ClosestPoints, or closestPoints."""
     words = name.lower().split("_")
     return "".join(word.capitalize() if i or first else word for i, word in enumerate(words))
+
+
+def filled(text, width):
+    """A text whose paragraphs have no line longer than that: those that had one are laid out anew."""
+    paragraphs = []
+    for paragraph in text.split("\n\n"):
+        if any(len(line) > width for line in paragraph.split("\n")):
+            words = " ".join(paragraph.split("\n"))
+            paragraph = "\n".join(textwrap.wrap(words, width, break_long_words=False, break_on_hyphens=False))
+        paragraphs.append(paragraph)
+    return "\n\n".join(paragraphs)
+
+
+def broken(line, step="    "):
+    """A statement on one line, or where it is too long on several: broken after commas, and further ones indented."""
+    indent = line[: len(line) - len(line.lstrip())]
+    lines, parts = [], line.split(", ")
+    for i, part in enumerate(parts):
+        part += ", " if i + 1 < len(parts) else ""
+        if lines and len(lines[-1] + part.rstrip()) <= WIDTH:
+            lines[-1] += part
+        else:
+            lines.append(part if not lines else indent + step + part)
+    return "\n".join(each.rstrip() for each in lines)

@@ -4,15 +4,20 @@
 Go memory that holds pointers to Go memory must not be passed to C. So views of arrays and the numbers of one shape go
 by value, to functions of a header that is written too.
 """
-from description import HEAD, SCALARS, camel
+from description import HEAD, SCALARS, WIDTH, broken, camel, filled
 
 OPENING = "".join(f"// {line}\n" for line in HEAD)
 # The texts of groups of constants, the type, and the prefix of each name.
 GROUPS = {
     "KINDS": ("Kind is one of the six kinds of shapes.", "Kind", "int32", "Kind"),
-    "RELATIONS": ("Relation is how a shape a relates to a shape b: one of RCC-8's eight.", "Relation", "uint8", "Relation"),
+    "RELATIONS": ("Relation is how a shape relates to another: one of RCC-8's eight.", "Relation", "uint8", "Relation"),
     "ERRORS": ("Error is an error code of the library.", "Error", "int32", "Err"),
     "JOINS": ("JoinQuery is what makes a pair of a join.", "JoinQuery", "int32", "Join"),
+    "RATIOS": ("Ratio is what a shared area is compared with.", "Ratio", "int32", "Ratio"),
+    "ANGLES": ("Angle is how angles are told, from +x towards +y.", "Angle", "int32", "Angle"),
+    "DECAYS": ("Decay is how soft suppression lowers scores.", "Decay", "int32", "Decay"),
+    "WITHINS": ("WithinResult is whether two shapes are so near.", "WithinResult", "uint8", "Within"),
+    "CASTS": ("CastResult is what a cast finds.", "CastResult", "int32", "Cast"),
 }
 SHAPES = ("point", "segment", "circle", "aabb", "rect", "ellipse")
 
@@ -48,21 +53,21 @@ def name_of(name, first=True):
     """As Go writes names: cx is CX, min_x MinX, aabb AABB."""
     words = name.lower().split("_")
     short = ("aabb", "iou", "nms")
-    capital = [word.upper() if len(word) <= 2 or word in short else word.capitalize() for word in words]
+    is_short = [word in short or (len(word) <= 2 and word not in ("no", "of")) for word in words]
+    capital = [word.upper() if upper else word.capitalize() for word, upper in zip(words, is_short)]
     return "".join(capital) if first else words[0] + "".join(capital[1:])
 
 
 def comment(text):
-    return "".join(f"// {line}".rstrip() + "\n" for line in text.split("\n"))
+    return "".join(f"// {line}".rstrip() + "\n" for line in filled(text, WIDTH - 3).split("\n"))
 
 
 def constants(description, group):
     about, kind, base, prefix = GROUPS[group]
     lines = []
     for entry in description.constants_of(group):
-        own = entry.short.removeprefix("E_").removeprefix("JOIN_")
-        name = prefix + name_of(own)
-        lines += [f"\t// {name}: {entry.comment}", f"\t{name} {kind} = {entry.value}"]
+        name = prefix + name_of(entry.own)
+        lines += [f"\t// {name}: {entry.meaning}", f"\t{name} {kind} = {entry.value}"]
     values = "\n".join(lines)
     return f"{comment(about)}type {kind} {base}\n\n// {kind} values.\nconst (\n{values}\n)\n\n"
 
@@ -137,8 +142,10 @@ def function_in_c(entry, suffix):
     copies = "".join(copy for copy, _ in passed)
     names = ", ".join(name for _, name in passed)
     return (
-        f"static inline {entry.returns.base} go_{entry.stem}_{suffix}({parameters}) {{\n"
-        f"{copies}    return vesica_{entry.stem}_{suffix}({names});\n}}\n\n"
+        broken(f"static inline {entry.returns.base} go_{entry.stem}_{suffix}({parameters}) {{")
+        + f"\n{copies}"
+        + broken(f"    return vesica_{entry.stem}_{suffix}({names});")
+        + "\n}\n\n"
     )
 
 
@@ -159,12 +166,17 @@ def function_in_go(entry):
     calls = {}
     for suffix, base in SCALARS.items():
         names = ", ".join(
-            f"C.{base}({local(each.name)})" if in_go(each) == "float64" else local(each.name) for each in entry.parameters
+            f"C.{base}({local(each.name)})" if in_go(each) == "float64" else local(each.name)
+            for each in entry.parameters
         )
         calls[suffix] = f"C.go_{entry.stem}_{suffix}({names})"
     return (
-        f"func {name}(wide bool{parameters}) C.{entry.returns.base} {{\n\tif wide {{\n"
-        f"\t\treturn {calls['f64']}\n\t}}\n\treturn {calls['f32']}\n}}\n\n"
+        broken(f"func {name}(wide bool{parameters}) C.{entry.returns.base} {{", "\t")
+        + "\n\tif wide {\n"
+        + broken(f"\t\treturn {calls['f64']}", "\t")
+        + "\n\t}\n"
+        + broken(f"\treturn {calls['f32']}", "\t")
+        + "\n}\n\n"
     )
 
 

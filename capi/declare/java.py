@@ -4,7 +4,7 @@
 A pointer is an Object in Java: an array or a direct buffer, lent to C for the time of the call. An array of shapes is
 five arguments: kind, count, stride, the bytes from one number to the next, and the memory.
 """
-from description import HEAD, SCALARS, camel
+from description import HEAD, SCALARS, WIDTH, broken, camel, filled
 
 OPENING = "".join(f"// {line}\n" for line in HEAD)
 PACKAGE = OPENING + "package vesica;\n\n"
@@ -27,6 +27,11 @@ ENUMS = {
     "KINDS": ("Kind", "The six kinds of shapes."),
     "RELATIONS": ("Relation", "How a shape a relates to a shape b: the eight relations of RCC-8."),
     "JOINS": ("JoinQuery", "What makes item a of one index and item b of another a pair of a join."),
+    "RATIOS": ("Ratio", "What a shared area is compared with."),
+    "ANGLES": ("Angle", "How angles are told. They turn from +x towards +y."),
+    "DECAYS": ("Decay", "How soft suppression lowers scores."),
+    "WITHINS": ("Within", "Whether two shapes are at most so far apart."),
+    "CASTS": ("Cast", "What a cast finds."),
     "ERRORS": ("ErrorCode", "Why the library has no answer."),
 }
 
@@ -40,7 +45,7 @@ def escaped(text):
 def javadoc(text, indent=""):
     """Paragraphs as those of HTML."""
     paragraphs = escaped(text).split("\n\n")
-    lines = "\n\n<p>".join(paragraphs).split("\n")
+    lines = filled("\n\n<p>".join(paragraphs), WIDTH - 3 - len(indent)).split("\n")
     return f"{indent}/**\n" + "".join(f"{indent} * {line}".rstrip() + "\n" for line in lines) + f"{indent} */\n"
 
 
@@ -55,7 +60,7 @@ def field_name(name):
 def enum(description, group):
     name, about = ENUMS[group]
     values = ",\n".join(
-        javadoc(entry.comment, "  ") + f"  {entry.short.removeprefix('JOIN_').removeprefix('E_')}({entry.value})"
+        javadoc(entry.meaning, "  ") + f"  {entry.own}({entry.value})"
         for entry in description.constants_of(group)
     )
     return (
@@ -124,7 +129,8 @@ def parameters_in_java(entry):
 
 def native_method(entry):
     about = javadoc("\n\n".join(entry.paragraphs), "  ")
-    return f"{about}  static native {result_in_java(entry)} {native_name(entry)}({parameters_in_java(entry)});\n\n"
+    declared = f"  static native {result_in_java(entry)} {native_name(entry)}({parameters_in_java(entry)});"
+    return f"{about}{broken(declared)}\n\n"
 
 
 def dispatcher(entry):
@@ -150,8 +156,12 @@ def dispatcher(entry):
     stem = local(entry.stem)
     calls = [f"{stem}{suffix.upper()}({', '.join(names)})" for suffix, names in passed.items()]
     return (
-        f"  static {result_in_java(entry)} {stem}(boolean wide, {', '.join(declared)}) {{\n"
-        f"    return wide\n        ? {calls[0]}\n        : {calls[1]};\n  }}\n\n"
+        broken(f"  static {result_in_java(entry)} {stem}(boolean wide, {', '.join(declared)}) {{")
+        + "\n    return wide\n"
+        + broken(f"        ? {calls[0]}")
+        + "\n"
+        + broken(f"        : {calls[1]};")
+        + "\n  }\n\n"
     )
 
 
@@ -194,14 +204,15 @@ class Body:
         """What sets lend is taken first and given back last."""
         sets = [f"env, lent_to[{i}].held, lent_to[{i}].count" for i in range(self.sets)]
         all_lent = sets + [f"env, held, {self.held}"] * (self.held > 0)
-        lend = " && ".join(["ok"] * (self.sets > 0) + [f"lend({each})" for each in all_lent])
+        lend = "\n      && ".join(["ok"] * (self.sets > 0) + [f"lend({each})" for each in all_lent])
         back = "".join(f"  give_back({each});\n" for each in all_lent[self.sets :] + sets)
+        asked = broken(f"    answer = {call};")
         return (
             f"  lent held[{self.held}];\n" * (self.held > 0)
             + f"  lent_sets lent_to[{self.sets}];\n  int ok = 1;\n" * (self.sets > 0)
             + f"  {returns} answer = NOT_LENT;\n  (void)type;\n"
             + "".join(self.prepare)
-            + f"  if ({lend}) {{\n{''.join(self.views)}    answer = {call};\n  }}\n{back}  return answer;\n"
+            + f"  if ({lend}) {{\n{''.join(self.views)}{asked}\n  }}\n{back}  return answer;\n"
         )
 
 
@@ -219,7 +230,8 @@ def function_in_c(entry):
     else:
         text = body.text(entry.returns.base, call)
     returns = JNI[result_in_java(entry)]
-    return f"JNIEXPORT {returns} JNICALL Java_vesica_Native_{native_name(entry)}({', '.join(parameters)}) {{\n{text}}}\n\n"
+    head = f"JNIEXPORT {returns} JNICALL Java_vesica_Native_{native_name(entry)}({', '.join(parameters)}) {{"
+    return f"{broken(head)}\n{text}}}\n\n"
 
 
 def called(description):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """TypeScript's view of the WebAssembly module, and the constants, with JSDoc."""
-from description import HEAD
+from description import HEAD, WIDTH, broken, filled
 
 OPENING = "".join(f"// {line}\n" for line in HEAD) + "\n"
 ABOUT = "The module's exports: the C library. Pointers are addresses in `memory`, int64_t are bigint."
@@ -12,13 +12,14 @@ def type_of(declaration):
 
 
 def comment(text, indent=""):
-    lines = "\n".join(f"{indent} * {line}".rstrip() for line in text.split("\n"))
+    lines = "\n".join(f"{indent} * {line}".rstrip() for line in filled(text, WIDTH - 3 - len(indent)).split("\n"))
     return f"{indent}/**\n{lines}\n{indent} */\n"
 
 
 def function(entry):
     parameters = ", ".join(f"{each.name}: {type_of(each)}" for each in entry.parameters)
-    return f"{comment(entry.comment, '  ')}  {entry.name}({parameters}): {type_of(entry.returns)};\n"
+    declared = broken(f"  {entry.name}({parameters}): {type_of(entry.returns)};", "  ")
+    return f"{comment(entry.comment, '  ')}{declared}\n"
 
 
 def constant(entry):

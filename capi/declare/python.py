@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """ctypes' view of the library, with docstrings."""
-from description import HEAD
+from description import HEAD, broken, filled
 
 NUMBERS = {
     "uint8_t": "c_uint8",
@@ -46,7 +46,7 @@ def text_of(comment):
     """A docstring, for whose quotes and backslashes nothing has to be done: the headers have none."""
     if '"""' in comment or "\\" in comment:
         raise ValueError(f"a comment with quotes or a backslash: {comment!r}")
-    return f'"""{comment}"""'
+    return f'"""{filled(comment, 108)}"""'
 
 
 def struct(entry):
@@ -60,7 +60,8 @@ def function(entry):
     return (
         f'    "{entry.name}": (\n'
         f"        {type_of(entry.returns)},\n"
-        f"        ({parameters.strip()}),\n"
+        + broken(f"        ({parameters.strip()}),")
+        + "\n"
         f"        {text_of(entry.name + '(' + names + ')' + chr(10) * 2 + entry.comment)},\n"
         "    ),\n"
     )

@@ -2,7 +2,7 @@
 """The crate vesica-sys: constants, structs, functions, and a trait that has both scalars' functions by one name."""
 import re
 
-from description import HEAD, SCALARS, camel
+from description import HEAD, SCALARS, WIDTH, broken, camel, filled
 
 NUMBERS = {
     "uint8_t": "u8",
@@ -28,7 +28,7 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
 def text(entry, indent=""):
     """Paragraphs, in which nothing is taken for markup."""
     escaped = (re.sub(r"([\[\]<>*])", r"\\\1", paragraph) for paragraph in entry.paragraphs)
-    lines = "\n\n".join(escaped).split("\n")
+    lines = filled("\n\n".join(escaped), WIDTH - 4 - len(indent)).split("\n")
     return "".join(f"{indent}/// {line}".rstrip() + "\n" for line in lines if entry.comment)
 
 
@@ -80,7 +80,8 @@ def signature(entry, name, scalar=None):
 def call(entry, suffix):
     names = ", ".join(each.name for each in entry.parameters)
     head = signature(entry, entry.stem, SCALAR_OF[suffix])
-    return f"    #[inline]\n    unsafe {head} {{\n        vesica_{entry.stem}_{suffix}({names})\n    }}\n"
+    body = broken(f"        vesica_{entry.stem}_{suffix}({names})")
+    return f"    #[inline]\n{broken(f'    unsafe {head} {{')}\n{body}\n    }}\n"
 
 
 def implementation(functions, suffix):
@@ -94,7 +95,9 @@ def constant(entry):
 
 def files(description):
     generic = description.in_double("functions")
-    functions = "".join(f"{text(each, '    ')}    pub {signature(each, each.name)};\n" for each in description.functions)
+    functions = "".join(
+        f"{text(each, '    ')}{broken(f'    pub {signature(each, each.name)};')}\n" for each in description.functions
+    )
     return {
         "rust/vesica-sys/src/declarations.rs": OPENING
         + "".join(map(constant, description.constants))
@@ -102,7 +105,7 @@ def files(description):
         + "".join(map(struct, description.in_double("structs")))
         + f'extern "C" {{\n{functions}}}\n\n'
         + TRAIT
-        + "".join(f"    unsafe {signature(each, each.stem, 'Self')};\n" for each in generic)
+        + "".join(broken(f"    unsafe {signature(each, each.stem, 'Self')};") + "\n" for each in generic)
         + "}\n"
         + "".join(implementation(generic, suffix) for suffix in SCALARS)
     }

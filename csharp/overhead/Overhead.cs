@@ -13,8 +13,8 @@ internal static class Overhead
     private static Rect RectOf(long i)
     {
         bool odd = i % 2 == 1;
-        return new Rect((i * 7919 % 4001) / 1000.0, (i * 104729 % 4003) / 1000.0, odd ? 5.0 / 13 : 0.8, odd ? 12.0 / 13 : 0.6,
-            0.5 + (i % 100) / 200.0, 0.5 + (i % 70) / 140.0);
+        return new Rect((i * 7919 % 4001) / 1000.0, (i * 104729 % 4003) / 1000.0, odd ? 5.0 / 13 : 0.8,
+            odd ? 12.0 / 13 : 0.6, 0.5 + (i % 100) / 200.0, 0.5 + (i % 70) / 140.0);
     }
 
     private static double Least(int repeats, int calls, Action<int> call)
@@ -29,8 +29,9 @@ internal static class Overhead
 
     private static void Row(string question, Action<int> one, Action<int> many)
     {
-        Console.WriteLine(string.Format(CultureInfo.InvariantCulture, "C# {0} {1:0.###} {2:0.####} {3:0.####}", question,
-            Least(100, 1000, one), Least(100, 1, i => many(1000)) / 1e3, Least(7, 1, i => many(Count)) / Count));
+        Console.WriteLine(string.Format(CultureInfo.InvariantCulture, "C# {0} {1:0.###} {2:0.####} {3:0.####}",
+            question, Least(100, 1000, one), Least(100, 1, i => many(1000)) / 1e3,
+            Least(7, 1, i => many(Count)) / Count));
     }
 
     private static void Main()

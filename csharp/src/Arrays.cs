@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 using System;
+using static System.Runtime.InteropServices.MemoryMarshal;
 
 namespace Vesica
 {
@@ -7,27 +8,31 @@ namespace Vesica
     // of the caller's.
     public static unsafe partial class Query
     {
-        private delegate long Bytes(bool wide, void* a, void* b, void* output);
+        internal delegate long Bytes(bool wide, void* a, void* b, void* output);
 
-        private delegate long Matrices(bool wide, void* a, void* b, void* output, IntPtr row);
+        internal delegate long Matrices(bool wide, void* a, void* b, void* output, IntPtr row);
 
-        private delegate long Closests(bool wide, void* a, void* b, void* distance, void* ax, void* ay, void* bx, void* by);
+        internal delegate long Closests(
+            bool wide, void* a, void* b, void* distance, void* ax, void* ay, void* bx, void* by);
 
         private static readonly Bytes overlapMany = Native.OverlapMany, relationMany = Native.RelationMany;
         private static readonly Bytes containsMany = Native.ContainsMany, areaMany = Native.AreaMany;
         private static readonly Bytes iouMany = Native.IouMany;
         private static readonly Matrices overlapMatrix = Native.OverlapMatrix, relationMatrix = Native.RelationMatrix;
         private static readonly Matrices containsMatrix = Native.ContainsMatrix, areaMatrix = Native.AreaMatrix;
-        private static readonly Matrices iouMatrix = Native.IouMatrix;
+        private static readonly Matrices iouMatrix = Native.IouMatrix, nearestMatrix = Native.NearestMatrix;
+        private static readonly Matrices boundaryDistanceMatrix = Native.BoundaryDistanceMatrix;
+        private static readonly Matrices depthMatrix = Native.DepthMatrix;
         private static readonly Closests nearestMany = Native.NearestMany;
         private static readonly Closests boundaryDistanceMany = Native.BoundaryDistanceMany;
 
-        private static long InStep(Shapes a, Shapes b)
+        internal static long InStep(Shapes a, Shapes b)
         {
             Both(a, b);
             if (a.Count == b.Count || b.Count == 1) return a.Count;
             if (a.Count == 1) return b.Count;
-            throw new ArgumentException("a has " + a.Count + " shapes and b " + b.Count + ": as many are needed, or one of either");
+            throw new ArgumentException(
+                "a has " + a.Count + " shapes and b " + b.Count + ": as many are needed, or one of either");
         }
 
         private static long Pairs(Shapes a, Shapes b)
@@ -43,7 +48,7 @@ namespace Vesica
             Alike(a.IsDouble, b.IsDouble);
         }
 
-        private static void Room(Shapes a, Shapes b, void* output, long given, long needed, int size)
+        internal static void Room(Shapes a, Shapes b, void* output, long given, long needed, int size)
         {
             if (given < needed)
                 throw new ArgumentException("output has " + given + " elements, where " + needed + " are needed");
@@ -51,13 +56,13 @@ namespace Vesica
                 throw new ArgumentException("output overlaps an input: results need memory of their own");
         }
 
-        private static long Many(Bytes function, Shapes a, Shapes b, void* output, long given, int size)
+        internal static long Many(Bytes function, Shapes a, Shapes b, void* output, long given, int size)
         {
             Room(a, b, output, given, InStep(a, b), size);
             return Ask(function, a, b, output);
         }
 
-        private static long Ask(Bytes function, Shapes a, Shapes b, void* output)
+        internal static long Ask(Bytes function, Shapes a, Shapes b, void* output)
         {
             View viewA, viewB;
             var pinA = a.Pin(out viewA);
@@ -73,7 +78,7 @@ namespace Vesica
             }
         }
 
-        private static long Matrix(Matrices function, Shapes a, Shapes b, void* output, long given, int size)
+        internal static long Matrix(Matrices function, Shapes a, Shapes b, void* output, long given, int size)
         {
             Room(a, b, output, given, Pairs(a, b), size);
             return Ask((wide, x, y, z) => function(wide, x, y, z, (IntPtr)b.Count), a, b, output);
@@ -106,7 +111,8 @@ namespace Vesica
         /// <summary>How does each of a relate to each of b?</summary>
         public static long RelationMatrix(Shapes a, Shapes b, Span<Relation> output)
         {
-            fixed (Relation* p = &output.GetPinnableReference()) return Matrix(relationMatrix, a, b, p, output.Length, 1);
+            fixed (Relation* p = &output.GetPinnableReference())
+                return Matrix(relationMatrix, a, b, p, output.Length, 1);
         }
 
         /// <summary>Does each of a hold all of each of b?</summary>
@@ -115,90 +121,139 @@ namespace Vesica
             fixed (bool* p = &output.GetPinnableReference()) return Matrix(containsMatrix, a, b, p, output.Length, 1);
         }
 
-        // ---- Numbers in double ----
+        // ---- Numbers, in double or float as the shapes have them ----
 
         /// <summary>The area that a[i] and b[i] share. Returns how many are above 0.</summary>
         public static long AreaMany(Shapes a, Shapes b, Span<double> output)
         {
-            Numbers(a, true);
-            fixed (double* p = &output.GetPinnableReference()) return Many(areaMany, a, b, p, output.Length, sizeof(double));
+            return Many(areaMany, a, b, AsBytes(output), true);
+        }
+
+        /// <summary>The same in float.</summary>
+        public static long AreaMany(Shapes a, Shapes b, Span<float> output)
+        {
+            return Many(areaMany, a, b, AsBytes(output), false);
         }
 
         /// <summary>Intersection over union of a[i] and b[i]. Returns how many are above 0.</summary>
         public static long IouMany(Shapes a, Shapes b, Span<double> output)
         {
-            Numbers(a, true);
-            fixed (double* p = &output.GetPinnableReference()) return Many(iouMany, a, b, p, output.Length, sizeof(double));
+            return Many(iouMany, a, b, AsBytes(output), true);
+        }
+
+        /// <summary>The same in float.</summary>
+        public static long IouMany(Shapes a, Shapes b, Span<float> output)
+        {
+            return Many(iouMany, a, b, AsBytes(output), false);
         }
 
         /// <summary>The area that each of a shares with each of b.</summary>
         public static long AreaMatrix(Shapes a, Shapes b, Span<double> output)
         {
-            Numbers(a, true);
-            fixed (double* p = &output.GetPinnableReference()) return Matrix(areaMatrix, a, b, p, output.Length, sizeof(double));
+            return Matrix(areaMatrix, a, b, AsBytes(output), true);
+        }
+
+        /// <summary>The same in float.</summary>
+        public static long AreaMatrix(Shapes a, Shapes b, Span<float> output)
+        {
+            return Matrix(areaMatrix, a, b, AsBytes(output), false);
         }
 
         /// <summary>Intersection over union of each of a with each of b.</summary>
         public static long IouMatrix(Shapes a, Shapes b, Span<double> output)
         {
-            Numbers(a, true);
-            fixed (double* p = &output.GetPinnableReference()) return Matrix(iouMatrix, a, b, p, output.Length, sizeof(double));
+            return Matrix(iouMatrix, a, b, AsBytes(output), true);
         }
 
-        /// <summary>How far are a[i] and b[i] apart, and where? Empty spans are not written, but one must be. Returns how many
-        /// overlap.</summary>
+        /// <summary>The same in float.</summary>
+        public static long IouMatrix(Shapes a, Shapes b, Span<float> output)
+        {
+            return Matrix(iouMatrix, a, b, AsBytes(output), false);
+        }
+
+        /// <summary>The distance of each of a from each of b. Returns how many pairs overlap.</summary>
+        public static long NearestMatrix(Shapes a, Shapes b, Span<double> output)
+        {
+            return Matrix(nearestMatrix, a, b, AsBytes(output), true);
+        }
+
+        /// <summary>The same in float.</summary>
+        public static long NearestMatrix(Shapes a, Shapes b, Span<float> output)
+        {
+            return Matrix(nearestMatrix, a, b, AsBytes(output), false);
+        }
+
+        /// <summary>The distance of the outline of each of a from that of each of b. Returns how many meet.</summary>
+        public static long BoundaryDistanceMatrix(Shapes a, Shapes b, Span<double> output)
+        {
+            return Matrix(boundaryDistanceMatrix, a, b, AsBytes(output), true);
+        }
+
+        /// <summary>The same in float.</summary>
+        public static long BoundaryDistanceMatrix(Shapes a, Shapes b, Span<float> output)
+        {
+            return Matrix(boundaryDistanceMatrix, a, b, AsBytes(output), false);
+        }
+
+        /// <summary>How deep each of a and each of b overlap. Returns how many depths are above 0.</summary>
+        public static long DepthMatrix(Shapes a, Shapes b, Span<double> output)
+        {
+            return Matrix(depthMatrix, a, b, AsBytes(output), true);
+        }
+
+        /// <summary>The same in float.</summary>
+        public static long DepthMatrix(Shapes a, Shapes b, Span<float> output)
+        {
+            return Matrix(depthMatrix, a, b, AsBytes(output), false);
+        }
+
+        /// <summary>How far are a[i] and b[i] apart, and where? Empty spans are not written, but one must be. Returns
+        /// how many overlap.</summary>
         public static long NearestMany(
-            Shapes a, Shapes b, Span<double> distance, Span<double> ax, Span<double> ay, Span<double> bx, Span<double> by)
+            Shapes a, Shapes b, Span<double> distance, Span<double> ax, Span<double> ay, Span<double> bx,
+                Span<double> by)
         {
-            Numbers(a, true);
-            long n = InStep(a, b);
-            fixed (double* d = &distance.GetPinnableReference(), px = &ax.GetPinnableReference())
-            fixed (double* py = &ay.GetPinnableReference(), qx = &bx.GetPinnableReference())
-            fixed (double* qy = &by.GetPinnableReference())
-            {
-                Column(a, b, d, distance.Length, n, sizeof(double));
-                Column(a, b, px, ax.Length, n, sizeof(double));
-                Column(a, b, py, ay.Length, n, sizeof(double));
-                Column(a, b, qx, bx.Length, n, sizeof(double));
-                Column(a, b, qy, by.Length, n, sizeof(double));
-                void* v1 = px, v2 = py, v3 = qx, v4 = qy;
-                return Ask((wide, x, y, z) => nearestMany(wide, x, y, z, v1, v2, v3, v4), a, b, d);
-            }
+            return Closest(nearestMany, a, b, true, AsBytes(distance), AsBytes(ax), AsBytes(ay), AsBytes(bx),
+                AsBytes(by));
         }
 
-        /// <summary>How far are the outlines of a[i] and b[i] apart? Spans as in NearestMany. Returns how many meet.</summary>
+        /// <summary>The same in float.</summary>
+        public static long NearestMany(
+            Shapes a, Shapes b, Span<float> distance, Span<float> ax, Span<float> ay, Span<float> bx, Span<float> by)
+        {
+            return Closest(nearestMany, a, b, false, AsBytes(distance), AsBytes(ax), AsBytes(ay), AsBytes(bx),
+                AsBytes(by));
+        }
+
+        /// <summary>How far are the outlines of a[i] and b[i] apart? Spans as in NearestMany. Returns how many
+        /// meet.</summary>
         public static long BoundaryDistanceMany(
-            Shapes a, Shapes b, Span<double> distance, Span<double> ax, Span<double> ay, Span<double> bx, Span<double> by)
+            Shapes a, Shapes b, Span<double> distance, Span<double> ax, Span<double> ay, Span<double> bx,
+                Span<double> by)
         {
-            Numbers(a, true);
-            long n = InStep(a, b);
-            fixed (double* d = &distance.GetPinnableReference(), px = &ax.GetPinnableReference())
-            fixed (double* py = &ay.GetPinnableReference(), qx = &bx.GetPinnableReference())
-            fixed (double* qy = &by.GetPinnableReference())
-            {
-                Column(a, b, d, distance.Length, n, sizeof(double));
-                Column(a, b, px, ax.Length, n, sizeof(double));
-                Column(a, b, py, ay.Length, n, sizeof(double));
-                Column(a, b, qx, bx.Length, n, sizeof(double));
-                Column(a, b, qy, by.Length, n, sizeof(double));
-                void* v1 = px, v2 = py, v3 = qx, v4 = qy;
-                return Ask((wide, x, y, z) => boundaryDistanceMany(wide, x, y, z, v1, v2, v3, v4), a, b, d);
-            }
+            return Closest(boundaryDistanceMany, a, b, true, AsBytes(distance), AsBytes(ax), AsBytes(ay), AsBytes(bx),
+                AsBytes(by));
         }
 
-        /// <summary>How deep do a[i] and b[i] overlap? Spans as in NearestMany. Returns how many depths are above 0.</summary>
+        /// <summary>The same in float.</summary>
+        public static long BoundaryDistanceMany(
+            Shapes a, Shapes b, Span<float> distance, Span<float> ax, Span<float> ay, Span<float> bx, Span<float> by)
+        {
+            return Closest(boundaryDistanceMany, a, b, false, AsBytes(distance), AsBytes(ax), AsBytes(ay), AsBytes(bx),
+                AsBytes(by));
+        }
+
+        /// <summary>How deep do a[i] and b[i] overlap? Spans as in NearestMany. Returns how many depths are above
+        /// 0.</summary>
         public static long DepthMany(Shapes a, Shapes b, Span<double> depth, Span<double> x, Span<double> y)
         {
-            Numbers(a, true);
-            long n = InStep(a, b);
-            fixed (double* d = &depth.GetPinnableReference(), px = &x.GetPinnableReference(), py = &y.GetPinnableReference())
-            {
-                Column(a, b, d, depth.Length, n, sizeof(double));
-                Column(a, b, px, x.Length, n, sizeof(double));
-                Column(a, b, py, y.Length, n, sizeof(double));
-                void* v1 = px, v2 = py;
-                return Ask((wide, p, q, z) => Native.DepthMany(wide, p, q, z, v1, v2), a, b, d);
-            }
+            return Deep(a, b, true, AsBytes(depth), AsBytes(x), AsBytes(y));
+        }
+
+        /// <summary>The same in float.</summary>
+        public static long DepthMany(Shapes a, Shapes b, Span<float> depth, Span<float> x, Span<float> y)
+        {
+            return Deep(a, b, false, AsBytes(depth), AsBytes(x), AsBytes(y));
         }
 
         /// <summary>Greedy suppression: the indices of the shapes kept, best score first. Each has an intersection over
@@ -208,110 +263,77 @@ namespace Vesica
             fixed (double* p = &scores.GetPinnableReference()) return Nms(shapes, p, scores.Length, true, threshold);
         }
 
-        // ---- Numbers in float ----
-
-        /// <summary>The area that a[i] and b[i] share. Returns how many are above 0.</summary>
-        public static long AreaMany(Shapes a, Shapes b, Span<float> output)
-        {
-            Numbers(a, false);
-            fixed (float* p = &output.GetPinnableReference()) return Many(areaMany, a, b, p, output.Length, sizeof(float));
-        }
-
-        /// <summary>Intersection over union of a[i] and b[i]. Returns how many are above 0.</summary>
-        public static long IouMany(Shapes a, Shapes b, Span<float> output)
-        {
-            Numbers(a, false);
-            fixed (float* p = &output.GetPinnableReference()) return Many(iouMany, a, b, p, output.Length, sizeof(float));
-        }
-
-        /// <summary>The area that each of a shares with each of b.</summary>
-        public static long AreaMatrix(Shapes a, Shapes b, Span<float> output)
-        {
-            Numbers(a, false);
-            fixed (float* p = &output.GetPinnableReference()) return Matrix(areaMatrix, a, b, p, output.Length, sizeof(float));
-        }
-
-        /// <summary>Intersection over union of each of a with each of b.</summary>
-        public static long IouMatrix(Shapes a, Shapes b, Span<float> output)
-        {
-            Numbers(a, false);
-            fixed (float* p = &output.GetPinnableReference()) return Matrix(iouMatrix, a, b, p, output.Length, sizeof(float));
-        }
-
-        /// <summary>How far are a[i] and b[i] apart, and where? Empty spans are not written, but one must be. Returns how many
-        /// overlap.</summary>
-        public static long NearestMany(
-            Shapes a, Shapes b, Span<float> distance, Span<float> ax, Span<float> ay, Span<float> bx, Span<float> by)
-        {
-            Numbers(a, false);
-            long n = InStep(a, b);
-            fixed (float* d = &distance.GetPinnableReference(), px = &ax.GetPinnableReference())
-            fixed (float* py = &ay.GetPinnableReference(), qx = &bx.GetPinnableReference())
-            fixed (float* qy = &by.GetPinnableReference())
-            {
-                Column(a, b, d, distance.Length, n, sizeof(float));
-                Column(a, b, px, ax.Length, n, sizeof(float));
-                Column(a, b, py, ay.Length, n, sizeof(float));
-                Column(a, b, qx, bx.Length, n, sizeof(float));
-                Column(a, b, qy, by.Length, n, sizeof(float));
-                void* v1 = px, v2 = py, v3 = qx, v4 = qy;
-                return Ask((wide, x, y, z) => nearestMany(wide, x, y, z, v1, v2, v3, v4), a, b, d);
-            }
-        }
-
-        /// <summary>How far are the outlines of a[i] and b[i] apart? Spans as in NearestMany. Returns how many meet.</summary>
-        public static long BoundaryDistanceMany(
-            Shapes a, Shapes b, Span<float> distance, Span<float> ax, Span<float> ay, Span<float> bx, Span<float> by)
-        {
-            Numbers(a, false);
-            long n = InStep(a, b);
-            fixed (float* d = &distance.GetPinnableReference(), px = &ax.GetPinnableReference())
-            fixed (float* py = &ay.GetPinnableReference(), qx = &bx.GetPinnableReference())
-            fixed (float* qy = &by.GetPinnableReference())
-            {
-                Column(a, b, d, distance.Length, n, sizeof(float));
-                Column(a, b, px, ax.Length, n, sizeof(float));
-                Column(a, b, py, ay.Length, n, sizeof(float));
-                Column(a, b, qx, bx.Length, n, sizeof(float));
-                Column(a, b, qy, by.Length, n, sizeof(float));
-                void* v1 = px, v2 = py, v3 = qx, v4 = qy;
-                return Ask((wide, x, y, z) => boundaryDistanceMany(wide, x, y, z, v1, v2, v3, v4), a, b, d);
-            }
-        }
-
-        /// <summary>How deep do a[i] and b[i] overlap? Spans as in NearestMany. Returns how many depths are above 0.</summary>
-        public static long DepthMany(Shapes a, Shapes b, Span<float> depth, Span<float> x, Span<float> y)
-        {
-            Numbers(a, false);
-            long n = InStep(a, b);
-            fixed (float* d = &depth.GetPinnableReference(), px = &x.GetPinnableReference(), py = &y.GetPinnableReference())
-            {
-                Column(a, b, d, depth.Length, n, sizeof(float));
-                Column(a, b, px, x.Length, n, sizeof(float));
-                Column(a, b, py, y.Length, n, sizeof(float));
-                void* v1 = px, v2 = py;
-                return Ask((wide, p, q, z) => Native.DepthMany(wide, p, q, z, v1, v2), a, b, d);
-            }
-        }
-
-        /// <summary>Greedy suppression: the indices of the shapes kept, best score first. Each has an intersection over
-        /// union of at most threshold with every better one that was kept.</summary>
+        /// <summary>The same in float.</summary>
         public static long[] Nms(Shapes shapes, ReadOnlySpan<float> scores, double threshold)
         {
             fixed (float* p = &scores.GetPinnableReference()) return Nms(shapes, p, scores.Length, false, threshold);
         }
 
-        private static void Numbers(Shapes shapes, bool isDouble)
+        private static int Size(bool wide)
         {
-            if (shapes == null) throw new ArgumentNullException("a");
-            if (shapes.IsDouble != isDouble)
-                throw new ArgumentException(
-                    "the shapes have " + (shapes.IsDouble ? "double" : "float") + " numbers: the output must have them too");
+            return wide ? sizeof(double) : sizeof(float);
         }
 
-        private static void Column(Shapes a, Shapes b, void* output, long given, long needed, int size)
+        internal static long Many(Bytes function, Shapes a, Shapes b, Span<byte> output, bool wide)
         {
-            if (given > 0) Room(a, b, output, given, needed, size);
+            Numbers(a, wide);
+            fixed (byte* p = &output.GetPinnableReference())
+                return Many(function, a, b, p, output.Length / Size(wide), Size(wide));
+        }
+
+        internal static long Matrix(Matrices function, Shapes a, Shapes b, Span<byte> output, bool wide)
+        {
+            Numbers(a, wide);
+            fixed (byte* p = &output.GetPinnableReference())
+                return Matrix(function, a, b, p, output.Length / Size(wide), Size(wide));
+        }
+
+        internal static long Closest(Closests function, Shapes a, Shapes b, bool wide, Span<byte> distance,
+            Span<byte> ax,
+            Span<byte> ay, Span<byte> bx, Span<byte> by)
+        {
+            Numbers(a, wide);
+            long n = InStep(a, b);
+            fixed (byte* d = &distance.GetPinnableReference(), px = &ax.GetPinnableReference())
+            fixed (byte* py = &ay.GetPinnableReference(), qx = &bx.GetPinnableReference())
+            fixed (byte* qy = &by.GetPinnableReference())
+            {
+                Column(a, b, d, distance.Length, n, wide);
+                Column(a, b, px, ax.Length, n, wide);
+                Column(a, b, py, ay.Length, n, wide);
+                Column(a, b, qx, bx.Length, n, wide);
+                Column(a, b, qy, by.Length, n, wide);
+                void* v1 = px, v2 = py, v3 = qx, v4 = qy;
+                return Ask((isDouble, x, y, z) => function(isDouble, x, y, z, v1, v2, v3, v4), a, b, d);
+            }
+        }
+
+        private static long Deep(Shapes a, Shapes b, bool wide, Span<byte> depth, Span<byte> x, Span<byte> y)
+        {
+            Numbers(a, wide);
+            long n = InStep(a, b);
+            fixed (byte* d = &depth.GetPinnableReference(), px = &x.GetPinnableReference())
+            fixed (byte* py = &y.GetPinnableReference())
+            {
+                Column(a, b, d, depth.Length, n, wide);
+                Column(a, b, px, x.Length, n, wide);
+                Column(a, b, py, y.Length, n, wide);
+                void* v1 = px, v2 = py;
+                return Ask((isDouble, p, q, z) => Native.DepthMany(isDouble, p, q, z, v1, v2), a, b, d);
+            }
+        }
+
+        internal static void Numbers(Shapes shapes, bool isDouble)
+        {
+            if (shapes == null) throw new ArgumentNullException("a");
+            string numbers = shapes.IsDouble ? "double" : "float";
+            if (shapes.IsDouble != isDouble)
+                throw new ArgumentException("the shapes have " + numbers + " numbers: the output must have them too");
+        }
+
+        private static void Column(Shapes a, Shapes b, void* output, long bytes, long needed, bool wide)
+        {
+            if (bytes > 0) Room(a, b, output, bytes / Size(wide), needed, Size(wide));
         }
 
         /// <summary>The indices of those of many that overlap one, in ascending order.</summary>
@@ -352,7 +374,8 @@ namespace Vesica
         {
             if (shapes == null) throw new ArgumentNullException("shapes");
             Alike(shapes.IsDouble, wide);
-            if (given != shapes.Count) throw new ArgumentException(shapes.Count + " shapes need as many scores, not " + given);
+            if (given != shapes.Count)
+                throw new ArgumentException(shapes.Count + " shapes need as many scores, not " + given);
             var scratch = new byte[Native.Checked(Native.vesica_nms_scratch(given))];
             var keep = new long[given];
             long kept = 0;

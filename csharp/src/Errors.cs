@@ -38,7 +38,8 @@ namespace Vesica
         {
             if (version >= Version) return;
             throw new DllNotFoundException(
-                "libvesica " + version + " is older than " + Version + ", which this assembly needs: install a newer one");
+                "libvesica " + version + " is older than " + Version
+                + ", which this assembly needs: install a newer one");
         }
 
         /// <summary>The answer, if it is one.</summary>

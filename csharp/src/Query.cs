@@ -6,8 +6,8 @@ namespace Vesica
     /// <summary>
     /// Exact overlap queries between plain 2D shapes.
     /// <para>Shapes are closed and solid, and touching is overlap. Answers that are yes or no are exact for every valid
-    /// input. An invalid shape is a VesicaException; in a batch all other answers are written all the same. All methods may
-    /// be called by several threads at once.</para>
+    /// input. An invalid shape is a VesicaException; in a batch all other answers are written all the same. All methods
+    /// may be called by several threads at once.</para>
     /// </summary>
     public static unsafe partial class Query
     {
@@ -15,12 +15,13 @@ namespace Vesica
 
         private delegate int Codes(bool wide, int kindA, void* a, int kindB, void* b);
 
-        private delegate int Measures(bool wide, int kindA, void* a, int kindB, void* b, void* output);
+        internal delegate int Measures(bool wide, int kindA, void* a, int kindB, void* b, void* output);
 
         // Made once: a delegate of a static method is slow to make.
         private static readonly Codes overlap = Native.Overlap, relation = Native.Relation, contains = Native.Contains;
         private static readonly Measures crossings = Native.Crossings, nearest = Native.Nearest, depth = Native.Depth;
-        private static readonly Measures boundaryDistance = Native.BoundaryDistance, area = Native.Area, iou = Native.Iou;
+        private static readonly Measures boundaryDistance = Native.BoundaryDistance, area = Native.Area;
+        private static readonly Measures iou = Native.Iou;
 
         private static int Code<A, B>(Codes function, A a, B b) where A : IShape where B : IShape
         {
@@ -29,7 +30,7 @@ namespace Vesica
             return (int)Native.Checked(function(wide, (int)a.Kind, numbersA, (int)b.Kind, numbersB));
         }
 
-        private static bool Measure<A, B>(Measures function, A a, B b, void* output) where A : IShape where B : IShape
+        internal static bool Measure<A, B>(Measures function, A a, B b, void* output) where A : IShape where B : IShape
         {
             double* numbersA = stackalloc double[MostNumbers], numbersB = stackalloc double[MostNumbers];
             bool wide = Write(a, b, numbersA, numbersB);
@@ -50,7 +51,7 @@ namespace Vesica
             if (a != b) throw new ArgumentException("one has double numbers and one float: convert one of them");
         }
 
-        private static double At(bool wide, double* numbers, int i)
+        internal static double At(bool wide, double* numbers, int i)
         {
             return wide ? numbers[i] : ((float*)numbers)[i];
         }
@@ -170,7 +171,7 @@ namespace Vesica
             return made;
         }
 
-        /// <summary>Rectangle from centre, angle in radians, and whole sizes: width along the angle, height across.</summary>
+        /// <summary>Rectangle from centre, angle in radians, and whole sizes: width along it, height across.</summary>
         public static Rect Rect(double cx, double cy, double angle, double width, double height)
         {
             Rect made;
@@ -204,7 +205,8 @@ namespace Vesica
         }
 
         /// <summary>Ellipse of the points within k standard deviations of a mean.</summary>
-        public static Ellipse EllipseFromCovariance(double meanX, double meanY, double cxx, double cxy, double cyy, double k)
+        public static Ellipse EllipseFromCovariance(
+            double meanX, double meanY, double cxx, double cxy, double cyy, double k)
         {
             Ellipse made;
             Native.Checked(Native.vesica_ellipse_from_covariance_f64(meanX, meanY, cxx, cxy, cyy, k, &made));

@@ -96,7 +96,8 @@ namespace Vesica
             Marshal.Copy(bytes, 0, (IntPtr)memory.Address, bytes.Length);
             Native.Checked(Native.vesica_index_check(memory.Address, bytes.Length));
             long builtOf = Native.Checked(Native.vesica_index_count(memory.Address));
-            if (builtOf != Count) throw new ArgumentException("an index of " + builtOf + " shapes cannot be that of " + Count);
+            if (builtOf != Count)
+                throw new ArgumentException("an index of " + builtOf + " shapes cannot be that of " + Count);
         }
 
         /// <summary>The index whose bytes were saved, over the same shapes. They are checked.</summary>
@@ -190,6 +191,36 @@ namespace Vesica
                 }
         }
 
+        /// <summary>The items that a single shape touches while it moves, in the index's order.</summary>
+        public long[] Cast<S>(S one, Motion motion) where S : IShape
+        {
+            Query.Alike(wide, one.IsDouble);
+            double* numbers = stackalloc double[6];
+            View view = Query.ViewOf(one, numbers);
+            using (var pinned = new Pinned(sets))
+                fixed (View* views = pinned.Views)
+                {
+                    long[] items = motion.CastAt(wide, &view, Address, views, sets.Length);
+                    GC.KeepAlive(this);
+                    return items;
+                }
+        }
+
+        /// <summary>The item that a single moving shape touches first, the lowest of several, or -1.</summary>
+        public long CastFirst<S>(S one, Motion motion, out Impact impact) where S : IShape
+        {
+            Query.Alike(wide, one.IsDouble);
+            double* numbers = stackalloc double[6];
+            View view = Query.ViewOf(one, numbers);
+            using (var pinned = new Pinned(sets))
+                fixed (View* views = pinned.Views)
+                {
+                    long item = motion.CastFirstAt(wide, &view, Address, views, sets.Length, out impact);
+                    GC.KeepAlive(this);
+                    return item == Count ? -1 : item;
+                }
+        }
+
         /// <summary>The k items nearest to a single shape, at most within away; infinity asks for any.</summary>
         public Neighbour[] Nearest<S>(S one, int k, double within) where S : IShape
         {
@@ -220,8 +251,8 @@ namespace Vesica
             return all;
         }
 
-        /// <summary>Of each shape of some arrays, the k nearest items: rows of k, one after the other, filled up by -1 at
-        /// distance infinity. Where a shape is invalid its row holds -1, and the exception has the result.</summary>
+        /// <summary>Of each shape of some arrays, the k nearest items: rows of k, one after the other, filled up by -1
+        /// at distance infinity. Where a shape is invalid its row holds -1, and the exception has the result.</summary>
         public Neighbour[] NearestOfEach(int k, double within, params Shapes[] asked)
         {
             asked = Sets(asked);
@@ -236,8 +267,8 @@ namespace Vesica
                 fixed (long* p = items)
                 fixed (double* d = distances)
                 {
-                    long code = Native.JoinNearest(wide, viewsAsked, asked.Length, Address, views, sets.Length, k, within,
-                        0, 1, p, d);
+                    long code = Native.JoinNearest(wide, viewsAsked, asked.Length, Address, views, sets.Length, k,
+                        within, 0, 1, p, d);
                     GC.KeepAlive(this);
                     if (code < 0 && code != (long)ErrorCode.Shape) Native.Checked(code);
                     Neighbour[] found = Neighbours(p, d, rows);
@@ -250,12 +281,27 @@ namespace Vesica
         /// asked by several threads; one after the other they are the join.</summary>
         public Pair[] Join(ShapeIndex other, JoinQuery query = JoinQuery.Overlap, long part = 0, long parts = 1)
         {
+            return Pairs((p, q, s) => Ask(other, query, part, parts, p, q, PairsACall, s));
+        }
+
+        /// <summary>All pairs of an item of this index and one of another that are at most so far apart, as Join gives
+        /// them. Of ellipses also those too near to it to tell.</summary>
+        public Pair[] JoinWithin(ShapeIndex other, double distance)
+        {
+            return Pairs((p, q, s) => AskWithin(other, distance, p, q, s));
+        }
+
+        private delegate long Writer(long* a, long* b, long* state);
+
+        /// <summary>All pairs that a join writes in as many calls as it takes.</summary>
+        private static Pair[] Pairs(Writer ask)
+        {
             var pairs = new List<Pair>();
             long[] a = new long[PairsACall], b = new long[PairsACall], state = new long[4];
             fixed (long* p = a, q = b, s = state)
                 while (s[0] != -1)
                 {
-                    long found = Ask(other, query, part, parts, p, q, PairsACall, s);
+                    long found = ask(p, q, s);
                     for (long i = 0; i < found; ++i) pairs.Add(new Pair { A = p[i], B = q[i] });
                 }
             return pairs.ToArray();
@@ -267,7 +313,24 @@ namespace Vesica
             return Ask(other, query, 0, 1, null, null, 0, null);
         }
 
-        private long Ask(ShapeIndex other, JoinQuery query, long part, long parts, long* a, long* b, long room, long* state)
+        private long AskWithin(ShapeIndex other, double distance, long* a, long* b, long* state)
+        {
+            if (other == null) throw new ArgumentNullException("other");
+            Query.Alike(wide, other.wide);
+            using (Pinned pinned = new Pinned(sets), pinnedOther = new Pinned(other.sets))
+                fixed (View* views = pinned.Views)
+                fixed (View* viewsOther = pinnedOther.Views)
+                {
+                    long found = Native.Checked(Native.JoinWithin(wide, Address, views, sets.Length, other.Address,
+                        viewsOther, other.sets.Length, distance, 0, 1, a, b, PairsACall, state));
+                    GC.KeepAlive(this);
+                    GC.KeepAlive(other);
+                    return found;
+                }
+        }
+
+        private long Ask(ShapeIndex other, JoinQuery query, long part, long parts, long* a, long* b, long room,
+            long* state)
         {
             if (other == null) throw new ArgumentNullException("other");
             Query.Alike(wide, other.wide);
@@ -276,8 +339,9 @@ namespace Vesica
                 fixed (View* views = pinned.Views)
                 fixed (View* viewsOther = pinnedOther.Views)
                 {
-                    long found = Native.Checked(Native.Join(wide, (int)query, Address, views, sets.Length, other.Address,
-                        viewsOther, other.sets.Length, part, parts, scratch.Address, scratch.Size, a, b, room, state));
+                    long found = Native.Checked(Native.Join(wide, (int)query, Address, views, sets.Length,
+                        other.Address, viewsOther, other.sets.Length, part, parts, scratch.Address, scratch.Size,
+                        a, b, room, state));
                     GC.KeepAlive(this);
                     GC.KeepAlive(other);
                     return found;

@@ -91,7 +91,8 @@ namespace Vesica
         /// <summary>How many numbers a shape of a kind has.</summary>
         public static int Fields(Kind kind)
         {
-            if (kind < Kind.Point || kind > Kind.Ellipse) throw new ArgumentException(kind + " is not a kind of shapes");
+            if (kind < Kind.Point || kind > Kind.Ellipse)
+                throw new ArgumentException(kind + " is not a kind of shapes");
             return FieldCounts[(int)kind];
         }
 
@@ -104,10 +105,11 @@ namespace Vesica
         public static Shapes Of<S>(S[] shapes) where S : struct, IShape
         {
             if (shapes == null) throw new ArgumentNullException("shapes");
-            if (typeof(S) == typeof(AnyShape)) throw new ArgumentException("an array is of shapes of one kind, as Rect[]");
+            if (typeof(S) == typeof(AnyShape))
+                throw new ArgumentException("an array is of shapes of one kind, as Rect[]");
             S one = default(S);
-            int size = Size(one.IsDouble);
-            return new Shapes(one.Kind, one.IsDouble, shapes.Length, Fields(one.Kind) * size, size, shapes, IntPtr.Zero);
+            int size = Size(one.IsDouble), stride = Fields(one.Kind) * size;
+            return new Shapes(one.Kind, one.IsDouble, shapes.Length, stride, size, shapes, IntPtr.Zero);
         }
 
         /// <summary>Shapes whose numbers follow one another, or records of so many numbers, of which the first are a
@@ -129,8 +131,8 @@ namespace Vesica
             int fields = Fields(kind), size = Size(isDouble);
             if (record == 0) record = fields;
             if (record < fields || numbers.Length % record != 0)
-                throw new ArgumentException(
-                    numbers.Length + " numbers are no records of " + record + ", of which " + fields + " are a " + kind + "'s");
+                throw new ArgumentException(numbers.Length + " numbers are no records of " + record + ", of which "
+                    + fields + " are a " + kind + "'s");
             return new Shapes(kind, isDouble, numbers.Length / record, (long)record * size, size, numbers, IntPtr.Zero);
         }
 
@@ -159,7 +161,8 @@ namespace Vesica
         /// <summary>Records in memory of the caller's, which must stay: so many bytes from one to the next.</summary>
         public static Shapes At(Kind kind, bool isDouble, IntPtr memory, long count, long stride)
         {
-            if (count < 0 || (memory == IntPtr.Zero && count > 0)) throw new ArgumentException("no memory for " + count + " shapes");
+            if (count < 0 || (memory == IntPtr.Zero && count > 0))
+                throw new ArgumentException("no memory for " + count + " shapes");
             Fields(kind);
             return new Shapes(kind, isDouble, count, stride, Size(isDouble), null, memory);
         }
@@ -194,7 +197,8 @@ namespace Vesica
             view = new View
             {
                 Kind = (int)Kind, Count = Count, Stride = (IntPtr)stride, Field0 = first, Field1 = first + step,
-                Field2 = first + 2 * step, Field3 = first + 3 * step, Field4 = first + 4 * step, Field5 = first + 5 * step
+                Field2 = first + 2 * step, Field3 = first + 3 * step, Field4 = first + 4 * step,
+                Field5 = first + 5 * step
             };
             return handle;
         }

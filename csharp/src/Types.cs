@@ -98,6 +98,117 @@ namespace Vesica
     }
 
     /// <summary>
+    /// What a shared area is compared with.
+    /// </summary>
+    public enum Ratio
+    {
+        /// <summary>
+        /// shared area / area of a and b together (IoU)
+        /// </summary>
+        OverUnion = 0,
+        /// <summary>
+        /// shared area / area of a (IoF)
+        /// </summary>
+        OverFirst = 1,
+        /// <summary>
+        /// shared area / area of b (IoA)
+        /// </summary>
+        OverSecond = 2,
+        /// <summary>
+        /// shared area / the smaller of the areas (IoS)
+        /// </summary>
+        OverSmaller = 3,
+        /// <summary>
+        /// IoU - the part of the hull that neither covers (GIoU)
+        /// </summary>
+        Generalized = 4,
+        /// <summary>
+        /// IoU - (distance of the centres / diagonal of the hull)^2 (DIoU)
+        /// </summary>
+        Distance = 5,
+        /// <summary>
+        /// DIoU - v^2 / (1 - IoU + v), v = (difference of angles / 90 degrees)^2 (CIoU)
+        /// </summary>
+        Complete = 6,
+    }
+
+    /// <summary>
+    /// How angles are told. They turn from +x towards +y.
+    /// </summary>
+    public enum Angle
+    {
+        /// <summary>
+        /// radians
+        /// </summary>
+        Radians = 0,
+        /// <summary>
+        /// degrees
+        /// </summary>
+        Degrees = 1,
+        /// <summary>
+        /// quarter turns
+        /// </summary>
+        Quarters = 2,
+        /// <summary>
+        /// added to a unit: angles turn from +x away from +y
+        /// </summary>
+        Reversed = 4,
+    }
+
+    /// <summary>
+    /// How soft suppression lowers scores.
+    /// </summary>
+    public enum Decay
+    {
+        /// <summary>
+        /// score * (1 - r) if r exceeds the parameter, a threshold from 0 to 1
+        /// </summary>
+        Linear = 0,
+        /// <summary>
+        /// score * exp(-r^2 / parameter) if r &gt; 0; the parameter is at least 2^-100
+        /// </summary>
+        Gaussian = 1,
+    }
+
+    /// <summary>
+    /// Whether two shapes are at most so far apart.
+    /// </summary>
+    public enum Within : byte
+    {
+        /// <summary>
+        /// they are farther apart
+        /// </summary>
+        No = 0,
+        /// <summary>
+        /// they are not
+        /// </summary>
+        Yes = 1,
+        /// <summary>
+        /// with an ellipse alone: their distance is too near the one asked for to tell
+        /// </summary>
+        Nearly = 2,
+    }
+
+    /// <summary>
+    /// What a cast finds.
+    /// </summary>
+    public enum Cast
+    {
+        /// <summary>
+        /// no contact from 0 to t_end
+        /// </summary>
+        Miss = 0,
+        /// <summary>
+        /// contact, the first after t = 0
+        /// </summary>
+        Hit = 1,
+        /// <summary>
+        /// the shapes overlap at t = 0, as vesica_overlap_f64 tells
+        /// </summary>
+        Start = 2,
+    }
+
+    /// <summary>
     /// Why the library has no answer.
     /// </summary>
     public enum ErrorCode
@@ -302,7 +413,8 @@ namespace Vesica
     }
 
     /// <summary>
-    /// All points C + s u + t perp(u) with |s| &lt;= hx and |t| &lt;= hy, where C is (cx, cy); hx, hy &gt;= 0 and u != (0, 0).
+    /// All points C + s u + t perp(u) with |s| &lt;= hx and |t| &lt;= hy, where C is (cx, cy); hx, hy &gt;= 0 and u !=
+    /// (0, 0).
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct Rect : IShape
@@ -355,7 +467,8 @@ namespace Vesica
     }
 
     /// <summary>
-    /// All points C + s u + t perp(u) with (s/a)^2 + (t/b)^2 &lt;= 1, where C is (cx, cy); a, b &gt;= 0 and u != (0, 0).
+    /// All points C + s u + t perp(u) with (s/a)^2 + (t/b)^2 &lt;= 1, where C is (cx, cy); a, b &gt;= 0 and u != (0,
+    /// 0).
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct Ellipse : IShape
@@ -621,7 +734,8 @@ namespace Vesica
     }
 
     /// <summary>
-    /// All points C + s u + t perp(u) with |s| &lt;= hx and |t| &lt;= hy, where C is (cx, cy); hx, hy &gt;= 0 and u != (0, 0).
+    /// All points C + s u + t perp(u) with |s| &lt;= hx and |t| &lt;= hy, where C is (cx, cy); hx, hy &gt;= 0 and u !=
+    /// (0, 0).
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct RectF : IShape
@@ -674,7 +788,8 @@ namespace Vesica
     }
 
     /// <summary>
-    /// All points C + s u + t perp(u) with (s/a)^2 + (t/b)^2 &lt;= 1, where C is (cx, cy); a, b &gt;= 0 and u != (0, 0).
+    /// All points C + s u + t perp(u) with (s/a)^2 + (t/b)^2 &lt;= 1, where C is (cx, cy); a, b &gt;= 0 and u != (0,
+    /// 0).
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct EllipseF : IShape
@@ -784,7 +899,8 @@ namespace Vesica
 
     /// <summary>
     /// <para>A first contact: when, where and along which normal.</para>
-    /// <para>(nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are NaN.</para>
+    /// <para>(nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are
+    /// NaN.</para>
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct Impact
@@ -817,7 +933,8 @@ namespace Vesica
 
     /// <summary>
     /// <para>A first contact: when, where and along which normal.</para>
-    /// <para>(nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are NaN.</para>
+    /// <para>(nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are
+    /// NaN.</para>
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct ImpactF

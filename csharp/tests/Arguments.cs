@@ -3,7 +3,8 @@ using System;
 using System.Linq;
 using Vesica;
 
-/// <summary>What is refused, what memory is taken, that nothing is copied, and that any arguments are survived.</summary>
+/// <summary>What is refused, what memory is taken, that nothing is copied, and that any arguments are
+/// survived.</summary>
 internal static unsafe class Arguments
 {
     private static readonly Circle Disc = new Circle(0, 0, 1);
@@ -32,30 +33,43 @@ internal static unsafe class Arguments
     {
         Refused<VesicaException>("a shape is invalid", () => Query.Overlap(new Circle(0, 0, -1), Disc));
         Refused<VesicaException>("negative", () => Query.Check(new Circle(0, 0, -1)));
-        Refused<ArgumentException>("one has double numbers and one float", () => Query.Overlap(Disc, new CircleF(0, 0, 1)));
-        Refused<ArgumentException>("Circle has 3 numbers, not 2", () => Query.Check(new AnyShape(Kind.Circle, true, 1, 2)));
+        Refused<ArgumentException>("one has double numbers", () => Query.Overlap(Disc, new CircleF(0, 0, 1)));
+        Refused<ArgumentException>("Circle has 3 numbers", () => Query.Check(new AnyShape(Kind.Circle, true, 1, 2)));
         Refused<ArgumentException>("9 is not a kind", () => Shapes.Of((Kind)9, new double[3]));
         Refused<ArgumentException>("2 numbers are no records of 3", () => Shapes.Of(Kind.Circle, new double[2]));
         Refused<ArgumentNullException>("numbers", () => Shapes.Of(Kind.Circle, (double[])null));
         Refused<ArgumentNullException>("a", () => Query.OverlapMany(null, Three, new bool[3]));
-        Refused<ArgumentException>("a has 3 shapes and b 2", () => Query.OverlapMany(Three, Shapes.Of(new[] { Disc, Disc }), new bool[3]));
-        Refused<ArgumentException>("output has 8 elements, where 9 are needed", () => Query.OverlapMatrix(Three, Three, new bool[8]));
+        Shapes two = Shapes.Of(new[] { Disc, Disc });
+        Refused<ArgumentException>("a has 3 shapes and b 2", () => Query.OverlapMany(Three, two, new bool[3]));
+        Refused<ArgumentException>("where 9 are needed", () => Query.OverlapMatrix(Three, Three, new bool[8]));
         Refused<ArgumentException>("the output must have them too", () => Query.AreaMany(Three, Three, new float[3]));
         var numbers = new double[9];
         Shapes own = Shapes.Of(Kind.Circle, numbers);
-        Refused<ArgumentException>("output overlaps an input", () => Query.AreaMany(own, own, new Span<double>(numbers, 3, 3)));
+        Refused<ArgumentException>("output overlaps an input", () =>
+            Query.AreaMany(own, own, new Span<double>(numbers, 3, 3)));
         var both = new Rect[2];
         Refused<ArgumentException>("output overlaps an input", () =>
         {
             fixed (Rect* p = both) Query.OverlapMany(Shapes.Of(both), Shapes.Of(both), new Span<bool>((byte*)p - 1, 2));
         });
-        Refused<VesicaException>("NULL", () => Query.DepthMany(Three, Three, default(Span<double>), default(Span<double>), default(Span<double>)));
+        Refused<VesicaException>("NULL", () =>
+            Query.DepthMany(Three, Three, default(Span<double>), default(Span<double>), default(Span<double>)));
+        Refused<ArgumentException>("1 or 3 velocities", () => Cast(new double[2], new double[1], numbers));
+        Refused<ArgumentException>("overlaps the velocities", () => Cast(numbers.AsSpan(0, 3), new double[3], numbers));
+        Refused<VesicaException>("", () => { Impact impact; new Motion(1, 0, -1).Cast(Disc, Disc, out impact); });
+        Refused<ArgumentException>("9 numbers are no rows of 5", () => Boxes.Rects(numbers, Angle.Radians));
+        Refused<VesicaException>("", () => Boxes.Rects(new double[5], (Angle)3));
+        Refused<VesicaException>("", () => Boxes.Corners(Three, new double[24]));
+        Refused<ArgumentException>("where 15 are needed", () => Boxes.Of(Three, Angle.Radians, new double[6]));
+        Refused<ArgumentException>("labels or none", () =>
+            Measures.Suppress(Three, new double[3], new Suppression(0.5) { Labels = new int[1] }));
         Refused<ArgumentException>("3 shapes need as many scores, not 1", () => Query.Nms(Three, new double[1], 0.5));
         Refused<ArgumentException>("four corners have 8 numbers", () => Make.RectFromCorners(1, 2));
         Refused<ArgumentException>("1 to 64 arrays", () => new ShapeIndex());
         Refused<VesicaException>("index", () => ShapeIndex.FromBytes(new byte[640], Three));
         var index = new ShapeIndex(Three);
-        Refused<ArgumentException>("an index of 3 shapes cannot be that of 6", () => ShapeIndex.FromBytes(index.ToBytes(), Three, Three));
+        Refused<ArgumentException>("an index of 3 shapes cannot be that of 6", () =>
+            ShapeIndex.FromBytes(index.ToBytes(), Three, Three));
         Refused<VesicaException>("", () => index.Join(index, JoinQuery.Overlap, 2, 2));
         Refused<ArgumentException>("k is 0", () => index.NearestOfEach(0, 1, Three));
         index.Dispose();
@@ -64,6 +78,99 @@ internal static unsafe class Arguments
         Shapes none = Shapes.Of(new Rect[0]);
         Check(Query.OverlapMany(none, none, default(Span<bool>)) == 0, "empty arrays");
         Check(new ShapeIndex(none).Join(new ShapeIndex(none)).Length == 0, "empty indexes");
+    }
+
+    private static void Cast(ReadOnlySpan<double> vx, ReadOnlySpan<double> vy, Span<double> t)
+    {
+        var none = default(Span<double>);
+        Motion.CastMany(Three, Three, vx, vy, 1, t, none, none, none, none);
+    }
+
+    private static void Cast(Shapes at, double[] vx, double[] t)
+    {
+        var none = default(Span<double>);
+        Motion.CastMany(at, Shapes.Of(new[] { Disc }), vx, new double[vx.Length], 99, t, none, none, none, none);
+    }
+
+    private static void MeasuresAndBoxes()
+    {
+        Rect[] rects = Boxes.Rects(new double[] { 1, 2, 6, 4, 90, 77, 3, 4, 5, 2, 180, 77 }, Angle.Degrees, 6);
+        Check(rects[0].Equals(new Rect(1, 2, 0, 1, 3, 2)), "a box");
+        double[] boxes = new double[10], corners = new double[16], depths = new double[4];
+        Boxes.Of(Shapes.Of(rects), Angle.Quarters | Angle.Reversed, boxes);
+        Check(boxes.SequenceEqual(new double[] { 1, 2, 6, 4, -1, 3, 4, 5, 2, 2 }), "boxes");
+        Boxes.Corners(Shapes.Of(rects), corners);
+        Check(corners[0] == 3 && corners[1] == -1, "corners");
+        Check(Query.DepthMatrix(Shapes.Of(rects), Shapes.Of(rects), depths) == 4 && depths[0] == 4, "depths");
+        try
+        {
+            Boxes.Rects(new double[] { 1, 2, 6, 4, 90, 3, 4, -5, 2, 180 }, Angle.Degrees);
+            throw new InvalidOperationException("an invalid box");
+        }
+        catch (VesicaException e)
+        {
+            Check(e.Code == ErrorCode.Shape && ((Rect[])e.Result)[0].Equals(rects[0]), "an invalid box");
+        }
+        Aabb small = new Aabb(0, 0, 2, 2), large = new Aabb(0, 0, 4, 4);
+        Check(Measures.Ratio(Ratio.OverSecond, small, large) == 0.25, "ratio");
+        Shapes both = Shapes.Of(new[] { small, large });
+        var how = new Suppression(0.5) { Ratio = Ratio.OverSmaller };
+        Check(Measures.Suppress(both, new double[] { 1, 2 }, how).Length == 1, "by the smaller");
+        how.Labels = new[] { 1, 2 };
+        Check(Measures.Suppress(both, new double[] { 1, 2 }, how).Length == 2, "by labels");
+        how.LeastScore = 1.5;
+        Check(Measures.Suppress(both, new double[] { 1, 2 }, how).Length == 1, "by a least score");
+    }
+
+    private static void Motions()
+    {
+        Aabb wall = new Aabb(10, -5, 12, 5);
+        Impact impact, met = new Impact(3, 10, 0, -1, 0);
+        var east = new Motion(3, 0, 9);
+        Check(east.Cast(wall, Disc, out impact) == Vesica.Cast.Hit && impact.Equals(met), "cast");
+        Check(new Motion(3, 0, 2.5).Cast(wall, Disc, out impact) == Vesica.Cast.Miss, "too late");
+        Check(east.Cast(wall, wall, out impact) == Vesica.Cast.Start, "at the start");
+        Shapes walls = Shapes.Of(new[] { new Aabb(20, -5, 22, 5), wall, wall });
+        Check(east.CastFirst(Disc, walls, out impact) == 1 && impact.Equals(met), "the first");
+        Check(new Motion(-3, 0).CastFirst(Disc, walls, out impact) == -1, "none");
+        using (var index = new ShapeIndex(walls))
+        {
+            Check(index.Cast(Disc, new Motion(1, 0, 10)).Length == 2, "items");
+            Check(index.CastFirst(Disc, east, out impact) == 1 && impact.Equals(met), "the first of an index");
+        }
+        Check(Query.Contains(new Motion(3, 0, 2).Bounds(Disc), new Aabb(-1, -1, 7, 1)), "bounds of a motion");
+        double[] t = new double[3], vx = { 2, -1, double.NaN };
+        Refused<VesicaException>("", () => Cast(walls, vx, t));
+        Check(t[0] == 9.5 && t[1] == double.PositiveInfinity && double.IsNaN(t[2]), "times");
+    }
+
+    private static void Topologies()
+    {
+        Aabb a = new Aabb(0, 0, 2, 2), b = new Aabb(1, 1, 3, 3), far = new Aabb(5, 0, 7, 2);
+        var disc = new Circle(6, 1, 1);
+        Check(Distances.Within(a, disc, 3) == Within.Yes, "within");
+        Check(Distances.Within(a, disc, 2.999) == Within.No, "not within");
+        Check(Distances.Within(new Point(0, 0), new Ellipse(5, 0, 1, 0, 2, 1), 3) == Within.Nearly, "nearly within");
+        Shapes boxes = Shapes.Of(new[] { a, b, far }), one = Shapes.Of(new[] { a });
+        var near = new Within[3];
+        Check(Distances.WithinMany(boxes, one, 2, near) == 2 && near[2] == Within.No, "within, of many");
+        var signed = new double[3];
+        Check(Distances.SignedMany(boxes, one, signed) == 2, "signed distances");
+        Check(signed.SequenceEqual(new double[] { -2, -1, 3 }), "signed distances");
+        using (ShapeIndex index = new ShapeIndex(boxes), other = new ShapeIndex(one))
+            Check(index.JoinWithin(other, 2).Length == 2, "a join within a distance");
+        Check(Topology.De9im(a, new Aabb(2, 0, 4, 2)) == "FF2F11212", "a matrix");
+        Check(Topology.Matches("FF2F11212", "FF*FT****"), "a pattern");
+        Check(Topology.Intersection(a, b)[0].Equals(new Point(1, 1)), "a region");
+        Check(Topology.Intersection(a, far).Length == 0, "no region");
+        foreach (string pattern in new[] { "T*", "T********\0", "\u00e9********", "X********" })
+            Refused<VesicaException>("", () => Topology.Matches("FF2F11212", pattern));
+        Refused<VesicaException>("", () => Topology.Intersection(a, disc));
+        Refused<VesicaException>("", () => Distances.Within(a, b, -1));
+        Shapes soft = Shapes.Of(new[] { new Aabb(0, 0, 4, 4), new Aabb(0, 0, 4, 3), new Aabb(9, 9, 10, 10) });
+        Kept[] kept = Soft.Suppress(soft, new[] { 1, 0.75, 0.5 }, new SoftSuppression(Decay.Linear, 0.5));
+        Check(kept.Select(each => each.Item).SequenceEqual(new long[] { 0, 2, 1 }), "soft suppression");
+        Check(kept[2].Score == 0.1875, "a score that is left");
     }
 
     private static void Layouts()
@@ -103,12 +210,13 @@ internal static unsafe class Arguments
         for (int i = 0; i < calls; ++i)
         {
             Kind kindA = (Kind)draw.Next(6), kindB = (Kind)draw.Next(6);
+            var none = default(Span<double>);
             double[] first = some(kindA), second = some(kindB), output = new double[draw.Next(100)];
             try
             {
                 Shapes a = draw.Next(2) == 0 ? Shapes.Of(kindA, first) : Shapes.Columns(kindA, first);
                 Shapes b = draw.Next(9) == 0 ? null : Shapes.Of(kindB, second);
-                switch (draw.Next(9))
+                switch (draw.Next(16))
                 {
                     case 0: Query.OverlapMany(a, b, new bool[draw.Next(100)]); break;
                     case 1: Query.ContainsMatrix(a, b, new bool[draw.Next(100)]); break;
@@ -117,7 +225,25 @@ internal static unsafe class Arguments
                     case 4: Query.DepthMany(a, b, default(Span<double>), output, default(Span<double>)); break;
                     case 5: Query.Nms(a, new double[a.Count], special[draw.Next(10)]); break;
                     case 6: using (var index = new ShapeIndex(a, b)) index.Join(index, (JoinQuery)draw.Next(5)); break;
-                    case 7: using (var index = new ShapeIndex(a)) index.NearestOfEach(draw.Next(4), special[draw.Next(10)], b, a); break;
+                    case 7:
+                        using (var index = new ShapeIndex(a))
+                            index.NearestOfEach(draw.Next(4), special[draw.Next(10)], b, a);
+                        break;
+                    case 8: Measures.RatioMany((Ratio)draw.Next(9) - 1, a, b, output); break;
+                    case 9: Boxes.Of(a, (Angle)draw.Next(10) - 1, output); break;
+                    case 10: Boxes.Rects(second, (Angle)draw.Next(10) - 1, draw.Next(9)); break;
+                    case 13: Distances.WithinMatrix(a, b, special[draw.Next(10)], new Within[draw.Next(100)]); break;
+                    case 14:
+                        Soft.Suppress(a, second, new SoftSuppression((Decay)draw.Next(4) - 1, special[draw.Next(10)]));
+                        break;
+                    case 11:
+                        double end = special[draw.Next(10)];
+                        Motion.CastMany(a, b, first, second, end, output, none, none, none, none);
+                        break;
+                    case 12:
+                        using (var index = new ShapeIndex(a, b))
+                            index.Cast(Disc, new Motion(special[draw.Next(10)], 1, special[draw.Next(10)]));
+                        break;
                     default: ShapeIndex.FromBytes(new byte[draw.Next(900)], a); break;
                 }
                 ++answered;
@@ -130,7 +256,8 @@ internal static unsafe class Arguments
         Check(answered > calls / 20, answered + " of " + calls);
     }
 
-    /// <summary>FILE of calls, and how many random calls; or nothing, to see whether the library is new enough.</summary>
+    /// <summary>FILE of calls, and how many random calls; or nothing, to see whether the library is new
+    /// enough.</summary>
     private static int Main(string[] arguments)
     {
         if (arguments.Length == 0)
@@ -141,6 +268,9 @@ internal static unsafe class Arguments
         Calls.Test(arguments[0]);
         Refusals();
         Layouts();
+        MeasuresAndBoxes();
+        Motions();
+        Topologies();
         NothingIsCopied();
         AnyArguments(arguments.Length > 1 ? int.Parse(arguments[1]) : 5000);
         Console.WriteLine("arguments: as they should be");

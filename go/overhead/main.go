@@ -48,7 +48,8 @@ func main() {
 	}
 	hits, out := make([]bool, total), make([]float64, 5*total)
 	column := func(k int) []float64 { return out[k*total : (k+1)*total] }
-	columns := vesica.ClosestPointsColumns[float64]{Distance: column(0), AX: column(1), AY: column(2), BX: column(3), BY: column(4)}
+	columns := vesica.ClosestPointsColumns[float64]{Distance: column(0), AX: column(1), AY: column(2)}
+	columns.BX, columns.BY = column(3), column(4)
 	row("overlap", func(i int) { vesica.Overlap(a[i%1000], b[i%1000]) },
 		func(n int) { vesica.OverlapMany(vesica.Rects(a[:n]), vesica.Rects(b[:n]), hits) })
 	row("nearest", func(i int) { vesica.Nearest(a[i%1000], b[i%1000]) },

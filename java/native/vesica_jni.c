@@ -49,7 +49,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_checkF64(JNIEnv* env, jclass type, jin
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_overlapF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB) {
+JNIEXPORT jint JNICALL Java_vesica_Native_overlapF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
+    jobject numbersB) {
   lent held[2];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -62,7 +63,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_overlapF64(JNIEnv* env, jclass type, j
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_relationF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB) {
+JNIEXPORT jint JNICALL Java_vesica_Native_relationF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA,
+    jint kindB, jobject numbersB) {
   lent held[2];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -75,7 +77,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_relationF64(JNIEnv* env, jclass type, 
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_containsF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB) {
+JNIEXPORT jint JNICALL Java_vesica_Native_containsF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA,
+    jint kindB, jobject numbersB) {
   lent held[2];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -88,7 +91,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_containsF64(JNIEnv* env, jclass type, 
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_crossingsF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_crossingsF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA,
+    jint kindB, jobject numbersB, jobject out) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -102,7 +106,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_crossingsF64(JNIEnv* env, jclass type,
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_nearestF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_nearestF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
+    jobject numbersB, jobject out) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -116,7 +121,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_nearestF64(JNIEnv* env, jclass type, j
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_boundaryDistanceF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_boundaryDistanceF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA,
+    jint kindB, jobject numbersB, jobject out) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -130,7 +136,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_boundaryDistanceF64(JNIEnv* env, jclas
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_depthF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_depthF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
+    jobject numbersB, jobject out) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -144,7 +151,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_depthF64(JNIEnv* env, jclass type, jin
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_shapeAreaF64(JNIEnv* env, jclass type, jint kind, jobject numbers, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_shapeAreaF64(JNIEnv* env, jclass type, jint kind, jobject numbers,
+    jobject out) {
   lent held[2];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -157,7 +165,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_shapeAreaF64(JNIEnv* env, jclass type,
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_areaF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_areaF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
+    jobject numbersB, jobject out) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -171,7 +180,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_areaF64(JNIEnv* env, jclass type, jint
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_iouF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_iouF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
+    jobject numbersB, jobject out) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -198,7 +208,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_boundsF64(JNIEnv* env, jclass type, ji
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_aabbFromCornersF64(JNIEnv* env, jclass type, jdouble x0, jdouble y0, jdouble x1, jdouble y1, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_aabbFromCornersF64(JNIEnv* env, jclass type, jdouble x0, jdouble y0,
+    jdouble x1, jdouble y1, jobject out) {
   lent held[1];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -210,7 +221,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_aabbFromCornersF64(JNIEnv* env, jclass
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_rectFromAngleF64(JNIEnv* env, jclass type, jdouble cx, jdouble cy, jdouble angle, jdouble width, jdouble height, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_rectFromAngleF64(JNIEnv* env, jclass type, jdouble cx, jdouble cy,
+    jdouble angle, jdouble width, jdouble height, jobject out) {
   lent held[1];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -235,7 +247,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_rectFromCornersF64(JNIEnv* env, jclass
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromAngleF64(JNIEnv* env, jclass type, jdouble cx, jdouble cy, jdouble angle, jdouble a, jdouble b, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromAngleF64(JNIEnv* env, jclass type, jdouble cx, jdouble cy,
+    jdouble angle, jdouble a, jdouble b, jobject out) {
   lent held[1];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -247,7 +260,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromAngleF64(JNIEnv* env, jclas
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromRadiusVectorF64(JNIEnv* env, jclass type, jdouble cx, jdouble cy, jdouble wx, jdouble wy, jdouble ratio, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromRadiusVectorF64(JNIEnv* env, jclass type, jdouble cx, jdouble cy,
+    jdouble wx, jdouble wy, jdouble ratio, jobject out) {
   lent held[1];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -259,7 +273,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromRadiusVectorF64(JNIEnv* env
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromCovarianceF64(JNIEnv* env, jclass type, jdouble meanX, jdouble meanY, jdouble cxx, jdouble cxy, jdouble cyy, jdouble k, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromCovarianceF64(JNIEnv* env, jclass type, jdouble meanX,
+    jdouble meanY, jdouble cxx, jdouble cxy, jdouble cyy, jdouble k, jobject out) {
   lent held[1];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -271,7 +286,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromCovarianceF64(JNIEnv* env, 
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromMatrixF64(JNIEnv* env, jclass type, jdouble cx, jdouble cy, jdouble mxx, jdouble mxy, jdouble myy, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromMatrixF64(JNIEnv* env, jclass type, jdouble cx, jdouble cy,
+    jdouble mxx, jdouble mxy, jdouble myy, jobject out) {
   lent held[1];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -283,7 +299,9 @@ JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromMatrixF64(JNIEnv* env, jcla
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_overlapManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_overlapManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -301,7 +319,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_overlapManyF64(JNIEnv* env, jclass ty
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_relationManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_relationManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -319,7 +339,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_relationManyF64(JNIEnv* env, jclass t
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_containsManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_containsManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -337,7 +359,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_containsManyF64(JNIEnv* env, jclass t
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_nearestManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject distance, jobject ax, jobject ay, jobject bx, jobject by) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_nearestManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject distance, jobject ax, jobject ay, jobject bx, jobject by) {
   lent held[7];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -353,13 +377,16 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_nearestManyF64(JNIEnv* env, jclass ty
     VIEW(a, aKind, aCount, aStride, aStep, held[0].address, double);
     vesica_shapes_f64 b;
     VIEW(b, bKind, bCount, bStride, bStep, held[1].address, double);
-    answer = vesica_nearest_many_f64(&a, &b, held[2].address, held[3].address, held[4].address, held[5].address, held[6].address);
+    answer = vesica_nearest_many_f64(&a, &b, held[2].address, held[3].address, held[4].address, held[5].address,
+        held[6].address);
   }
   give_back(env, held, 7);
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_boundaryDistanceManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject distance, jobject ax, jobject ay, jobject bx, jobject by) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_boundaryDistanceManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject distance, jobject ax, jobject ay, jobject bx, jobject by) {
   lent held[7];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -375,13 +402,16 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_boundaryDistanceManyF64(JNIEnv* env, 
     VIEW(a, aKind, aCount, aStride, aStep, held[0].address, double);
     vesica_shapes_f64 b;
     VIEW(b, bKind, bCount, bStride, bStep, held[1].address, double);
-    answer = vesica_boundary_distance_many_f64(&a, &b, held[2].address, held[3].address, held[4].address, held[5].address, held[6].address);
+    answer = vesica_boundary_distance_many_f64(&a, &b, held[2].address, held[3].address, held[4].address,
+        held[5].address, held[6].address);
   }
   give_back(env, held, 7);
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_depthManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject depth, jobject x, jobject y) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_depthManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject depth, jobject x, jobject y) {
   lent held[5];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -401,7 +431,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_depthManyF64(JNIEnv* env, jclass type
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_areaManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_areaManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -419,7 +451,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_areaManyF64(JNIEnv* env, jclass type,
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_iouManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_iouManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride,
+    jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -437,7 +470,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_iouManyF64(JNIEnv* env, jclass type, 
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_overlapMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_overlapMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -455,7 +490,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_overlapMatrixF64(JNIEnv* env, jclass 
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_relationMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_relationMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -473,7 +510,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_relationMatrixF64(JNIEnv* env, jclass
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_containsMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_containsMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -491,7 +530,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_containsMatrixF64(JNIEnv* env, jclass
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_areaMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_areaMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -509,7 +550,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_areaMatrixF64(JNIEnv* env, jclass typ
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_iouMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_iouMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -527,7 +570,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_iouMatrixF64(JNIEnv* env, jclass type
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_overlapSelectF64(JNIEnv* env, jclass type, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jint manyKind, jlong manyCount, jlong manyStride, jlong manyStep, jobject manyBase, jobject out, jlong capacity) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_overlapSelectF64(JNIEnv* env, jclass type, jint oneKind, jlong oneCount,
+    jlong oneStride, jlong oneStep, jobject oneBase, jint manyKind, jlong manyCount, jlong manyStride, jlong manyStep,
+    jobject manyBase, jobject out, jlong capacity) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -550,7 +595,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_nmsScratch(JNIEnv* env, jclass type, 
   return vesica_nms_scratch(count);
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_nmsF64(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject scores, jdouble threshold, jobject scratch, jlong scratchSize, jobject keep, jobject kept) {
+JNIEXPORT jint JNICALL Java_vesica_Native_nmsF64(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount,
+    jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject scores, jdouble threshold, jobject scratch,
+    jlong scratchSize, jobject keep, jobject kept) {
   lent held[5];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -562,7 +609,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_nmsF64(JNIEnv* env, jclass type, jint 
   if (lend(env, held, 5)) {
     vesica_shapes_f64 shapes;
     VIEW(shapes, shapesKind, shapesCount, shapesStride, shapesStep, held[0].address, double);
-    answer = vesica_nms_f64(&shapes, held[1].address, threshold, held[2].address, scratchSize, held[3].address, held[4].address);
+    answer = vesica_nms_f64(&shapes, held[1].address, threshold, held[2].address, scratchSize, held[3].address,
+        held[4].address);
   }
   give_back(env, held, 5);
   return answer;
@@ -580,7 +628,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_checkF32(JNIEnv* env, jclass type, jin
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_overlapF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB) {
+JNIEXPORT jint JNICALL Java_vesica_Native_overlapF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
+    jobject numbersB) {
   lent held[2];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -593,7 +642,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_overlapF32(JNIEnv* env, jclass type, j
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_relationF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB) {
+JNIEXPORT jint JNICALL Java_vesica_Native_relationF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA,
+    jint kindB, jobject numbersB) {
   lent held[2];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -606,7 +656,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_relationF32(JNIEnv* env, jclass type, 
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_containsF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB) {
+JNIEXPORT jint JNICALL Java_vesica_Native_containsF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA,
+    jint kindB, jobject numbersB) {
   lent held[2];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -619,7 +670,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_containsF32(JNIEnv* env, jclass type, 
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_crossingsF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_crossingsF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA,
+    jint kindB, jobject numbersB, jobject out) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -633,7 +685,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_crossingsF32(JNIEnv* env, jclass type,
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_nearestF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_nearestF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
+    jobject numbersB, jobject out) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -647,7 +700,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_nearestF32(JNIEnv* env, jclass type, j
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_boundaryDistanceF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_boundaryDistanceF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA,
+    jint kindB, jobject numbersB, jobject out) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -661,7 +715,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_boundaryDistanceF32(JNIEnv* env, jclas
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_depthF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_depthF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
+    jobject numbersB, jobject out) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -675,7 +730,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_depthF32(JNIEnv* env, jclass type, jin
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_shapeAreaF32(JNIEnv* env, jclass type, jint kind, jobject numbers, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_shapeAreaF32(JNIEnv* env, jclass type, jint kind, jobject numbers,
+    jobject out) {
   lent held[2];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -688,7 +744,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_shapeAreaF32(JNIEnv* env, jclass type,
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_areaF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_areaF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
+    jobject numbersB, jobject out) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -702,7 +759,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_areaF32(JNIEnv* env, jclass type, jint
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_iouF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_iouF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
+    jobject numbersB, jobject out) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -729,7 +787,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_boundsF32(JNIEnv* env, jclass type, ji
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_aabbFromCornersF32(JNIEnv* env, jclass type, jfloat x0, jfloat y0, jfloat x1, jfloat y1, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_aabbFromCornersF32(JNIEnv* env, jclass type, jfloat x0, jfloat y0, jfloat x1,
+    jfloat y1, jobject out) {
   lent held[1];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -741,7 +800,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_aabbFromCornersF32(JNIEnv* env, jclass
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_rectFromAngleF32(JNIEnv* env, jclass type, jfloat cx, jfloat cy, jfloat angle, jfloat width, jfloat height, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_rectFromAngleF32(JNIEnv* env, jclass type, jfloat cx, jfloat cy, jfloat angle,
+    jfloat width, jfloat height, jobject out) {
   lent held[1];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -766,7 +826,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_rectFromCornersF32(JNIEnv* env, jclass
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromAngleF32(JNIEnv* env, jclass type, jfloat cx, jfloat cy, jfloat angle, jfloat a, jfloat b, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromAngleF32(JNIEnv* env, jclass type, jfloat cx, jfloat cy,
+    jfloat angle, jfloat a, jfloat b, jobject out) {
   lent held[1];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -778,7 +839,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromAngleF32(JNIEnv* env, jclas
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromRadiusVectorF32(JNIEnv* env, jclass type, jfloat cx, jfloat cy, jfloat wx, jfloat wy, jfloat ratio, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromRadiusVectorF32(JNIEnv* env, jclass type, jfloat cx, jfloat cy,
+    jfloat wx, jfloat wy, jfloat ratio, jobject out) {
   lent held[1];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -790,7 +852,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromRadiusVectorF32(JNIEnv* env
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromCovarianceF32(JNIEnv* env, jclass type, jfloat meanX, jfloat meanY, jfloat cxx, jfloat cxy, jfloat cyy, jfloat k, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromCovarianceF32(JNIEnv* env, jclass type, jfloat meanX, jfloat meanY,
+    jfloat cxx, jfloat cxy, jfloat cyy, jfloat k, jobject out) {
   lent held[1];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -802,7 +865,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromCovarianceF32(JNIEnv* env, 
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromMatrixF32(JNIEnv* env, jclass type, jfloat cx, jfloat cy, jfloat mxx, jfloat mxy, jfloat myy, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromMatrixF32(JNIEnv* env, jclass type, jfloat cx, jfloat cy,
+    jfloat mxx, jfloat mxy, jfloat myy, jobject out) {
   lent held[1];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -814,7 +878,9 @@ JNIEXPORT jint JNICALL Java_vesica_Native_ellipseFromMatrixF32(JNIEnv* env, jcla
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_overlapManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_overlapManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -832,7 +898,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_overlapManyF32(JNIEnv* env, jclass ty
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_relationManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_relationManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -850,7 +918,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_relationManyF32(JNIEnv* env, jclass t
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_containsManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_containsManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -868,7 +938,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_containsManyF32(JNIEnv* env, jclass t
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_nearestManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject distance, jobject ax, jobject ay, jobject bx, jobject by) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_nearestManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject distance, jobject ax, jobject ay, jobject bx, jobject by) {
   lent held[7];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -884,13 +956,16 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_nearestManyF32(JNIEnv* env, jclass ty
     VIEW(a, aKind, aCount, aStride, aStep, held[0].address, float);
     vesica_shapes_f32 b;
     VIEW(b, bKind, bCount, bStride, bStep, held[1].address, float);
-    answer = vesica_nearest_many_f32(&a, &b, held[2].address, held[3].address, held[4].address, held[5].address, held[6].address);
+    answer = vesica_nearest_many_f32(&a, &b, held[2].address, held[3].address, held[4].address, held[5].address,
+        held[6].address);
   }
   give_back(env, held, 7);
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_boundaryDistanceManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject distance, jobject ax, jobject ay, jobject bx, jobject by) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_boundaryDistanceManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject distance, jobject ax, jobject ay, jobject bx, jobject by) {
   lent held[7];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -906,13 +981,16 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_boundaryDistanceManyF32(JNIEnv* env, 
     VIEW(a, aKind, aCount, aStride, aStep, held[0].address, float);
     vesica_shapes_f32 b;
     VIEW(b, bKind, bCount, bStride, bStep, held[1].address, float);
-    answer = vesica_boundary_distance_many_f32(&a, &b, held[2].address, held[3].address, held[4].address, held[5].address, held[6].address);
+    answer = vesica_boundary_distance_many_f32(&a, &b, held[2].address, held[3].address, held[4].address,
+        held[5].address, held[6].address);
   }
   give_back(env, held, 7);
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_depthManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject depth, jobject x, jobject y) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_depthManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject depth, jobject x, jobject y) {
   lent held[5];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -932,7 +1010,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_depthManyF32(JNIEnv* env, jclass type
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_areaManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_areaManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -950,7 +1030,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_areaManyF32(JNIEnv* env, jclass type,
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_iouManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_iouManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride,
+    jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -968,7 +1049,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_iouManyF32(JNIEnv* env, jclass type, 
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_overlapMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_overlapMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -986,7 +1069,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_overlapMatrixF32(JNIEnv* env, jclass 
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_relationMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_relationMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1004,7 +1089,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_relationMatrixF32(JNIEnv* env, jclass
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_containsMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_containsMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1022,7 +1109,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_containsMatrixF32(JNIEnv* env, jclass
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_areaMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_areaMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1040,7 +1129,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_areaMatrixF32(JNIEnv* env, jclass typ
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_iouMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_iouMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1058,7 +1149,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_iouMatrixF32(JNIEnv* env, jclass type
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_overlapSelectF32(JNIEnv* env, jclass type, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jint manyKind, jlong manyCount, jlong manyStride, jlong manyStep, jobject manyBase, jobject out, jlong capacity) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_overlapSelectF32(JNIEnv* env, jclass type, jint oneKind, jlong oneCount,
+    jlong oneStride, jlong oneStep, jobject oneBase, jint manyKind, jlong manyCount, jlong manyStride, jlong manyStep,
+    jobject manyBase, jobject out, jlong capacity) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1076,7 +1169,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_overlapSelectF32(JNIEnv* env, jclass 
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_nmsF32(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject scores, jfloat threshold, jobject scratch, jlong scratchSize, jobject keep, jobject kept) {
+JNIEXPORT jint JNICALL Java_vesica_Native_nmsF32(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount,
+    jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject scores, jfloat threshold, jobject scratch,
+    jlong scratchSize, jobject keep, jobject kept) {
   lent held[5];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -1088,13 +1183,15 @@ JNIEXPORT jint JNICALL Java_vesica_Native_nmsF32(JNIEnv* env, jclass type, jint 
   if (lend(env, held, 5)) {
     vesica_shapes_f32 shapes;
     VIEW(shapes, shapesKind, shapesCount, shapesStride, shapesStep, held[0].address, float);
-    answer = vesica_nms_f32(&shapes, held[1].address, threshold, held[2].address, scratchSize, held[3].address, held[4].address);
+    answer = vesica_nms_f32(&shapes, held[1].address, threshold, held[2].address, scratchSize, held[3].address,
+        held[4].address);
   }
   give_back(env, held, 5);
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_rectsFromBoxesF64(JNIEnv* env, jclass type, jobject boxes, jlong count, jlong stride, jint angle, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_rectsFromBoxesF64(JNIEnv* env, jclass type, jobject boxes, jlong count,
+    jlong stride, jint angle, jobject out) {
   lent held[2];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1107,7 +1204,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_rectsFromBoxesF64(JNIEnv* env, jclass
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_ellipsesFromBoxesF64(JNIEnv* env, jclass type, jobject boxes, jlong count, jlong stride, jint angle, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_ellipsesFromBoxesF64(JNIEnv* env, jclass type, jobject boxes, jlong count,
+    jlong stride, jint angle, jobject out) {
   lent held[2];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1120,7 +1218,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_ellipsesFromBoxesF64(JNIEnv* env, jcl
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_boxesFromShapesF64(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jint angle, jobject boxes) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_boxesFromShapesF64(JNIEnv* env, jclass type, jint shapesKind,
+    jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jint angle, jobject boxes) {
   lent held[2];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1135,7 +1234,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_boxesFromShapesF64(JNIEnv* env, jclas
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_cornersOfShapesF64(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject corners) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_cornersOfShapesF64(JNIEnv* env, jclass type, jint shapesKind,
+    jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject corners) {
   lent held[2];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1150,7 +1250,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_cornersOfShapesF64(JNIEnv* env, jclas
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_boundsManyF64(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_boundsManyF64(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount,
+    jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject out) {
   lent held[2];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1165,7 +1266,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_boundsManyF64(JNIEnv* env, jclass typ
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_rectsFromBoxesF32(JNIEnv* env, jclass type, jobject boxes, jlong count, jlong stride, jint angle, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_rectsFromBoxesF32(JNIEnv* env, jclass type, jobject boxes, jlong count,
+    jlong stride, jint angle, jobject out) {
   lent held[2];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1178,7 +1280,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_rectsFromBoxesF32(JNIEnv* env, jclass
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_ellipsesFromBoxesF32(JNIEnv* env, jclass type, jobject boxes, jlong count, jlong stride, jint angle, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_ellipsesFromBoxesF32(JNIEnv* env, jclass type, jobject boxes, jlong count,
+    jlong stride, jint angle, jobject out) {
   lent held[2];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1191,7 +1294,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_ellipsesFromBoxesF32(JNIEnv* env, jcl
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_boxesFromShapesF32(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jint angle, jobject boxes) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_boxesFromShapesF32(JNIEnv* env, jclass type, jint shapesKind,
+    jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jint angle, jobject boxes) {
   lent held[2];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1206,7 +1310,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_boxesFromShapesF32(JNIEnv* env, jclas
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_cornersOfShapesF32(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject corners) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_cornersOfShapesF32(JNIEnv* env, jclass type, jint shapesKind,
+    jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject corners) {
   lent held[2];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1221,7 +1326,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_cornersOfShapesF32(JNIEnv* env, jclas
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_boundsManyF32(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_boundsManyF32(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount,
+    jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject out) {
   lent held[2];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1300,7 +1406,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_indexBounds(JNIEnv* env, jclass type, 
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_indexOrder(JNIEnv* env, jclass type, jobject index, jobject out, jlong capacity) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_indexOrder(JNIEnv* env, jclass type, jobject index, jobject out,
+    jlong capacity) {
   lent held[2];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1313,7 +1420,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexOrder(JNIEnv* env, jclass type, 
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_indexBuildF64(JNIEnv* env, jclass type, jintArray setsKinds, jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jobject index, jlong indexSize, jobject scratch, jlong scratchSize) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_indexBuildF64(JNIEnv* env, jclass type, jintArray setsKinds,
+    jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jobject index,
+    jlong indexSize, jobject scratch, jlong scratchSize) {
   lent held[2];
   lent_sets lent_to[1];
   int ok = 1;
@@ -1322,7 +1431,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexBuildF64(JNIEnv* env, jclass typ
   ok = prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0]) && ok;
   prepare(env, index, &held[0]);
   prepare(env, scratch, &held[1]);
-  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, held, 2)) {
+  if (ok
+      && lend(env, lent_to[0].held, lent_to[0].count)
+      && lend(env, held, 2)) {
     vesica_shapes_f64 sets[MAX_SETS];
     SETS(sets, lent_to[0], double);
     answer = vesica_index_build_f64(sets, lent_to[0].count, held[0].address, indexSize, held[1].address, scratchSize);
@@ -1332,7 +1443,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexBuildF64(JNIEnv* env, jclass typ
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_indexSelectF64(JNIEnv* env, jclass type, jobject index, jintArray setsKinds, jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jobject out, jlong capacity, jobject state) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_indexSelectF64(JNIEnv* env, jclass type, jobject index, jintArray setsKinds,
+    jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jint oneKind,
+    jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jobject out, jlong capacity, jobject state) {
   lent held[4];
   lent_sets lent_to[1];
   int ok = 1;
@@ -1343,19 +1456,26 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexSelectF64(JNIEnv* env, jclass ty
   prepare(env, oneBase, &held[1]);
   prepare(env, out, &held[2]);
   prepare(env, state, &held[3]);
-  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, held, 4)) {
+  if (ok
+      && lend(env, lent_to[0].held, lent_to[0].count)
+      && lend(env, held, 4)) {
     vesica_shapes_f64 sets[MAX_SETS];
     SETS(sets, lent_to[0], double);
     vesica_shapes_f64 one;
     VIEW(one, oneKind, oneCount, oneStride, oneStep, held[1].address, double);
-    answer = vesica_index_select_f64(held[0].address, sets, lent_to[0].count, &one, held[2].address, capacity, held[3].address);
+    answer = vesica_index_select_f64(held[0].address, sets, lent_to[0].count, &one, held[2].address, capacity,
+        held[3].address);
   }
   give_back(env, held, 4);
   give_back(env, lent_to[0].held, lent_to[0].count);
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_joinF64(JNIEnv* env, jclass type, jint query, jobject indexA, jintArray setsAKinds, jlongArray setsACounts, jlongArray setsAStrides, jlongArray setsASteps, jobjectArray setsABases, jobject indexB, jintArray setsBKinds, jlongArray setsBCounts, jlongArray setsBStrides, jlongArray setsBSteps, jobjectArray setsBBases, jlong part, jlong parts, jobject scratch, jlong scratchSize, jobject outA, jobject outB, jlong capacity, jobject state) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_joinF64(JNIEnv* env, jclass type, jint query, jobject indexA,
+    jintArray setsAKinds, jlongArray setsACounts, jlongArray setsAStrides, jlongArray setsASteps,
+    jobjectArray setsABases, jobject indexB, jintArray setsBKinds, jlongArray setsBCounts, jlongArray setsBStrides,
+    jlongArray setsBSteps, jobjectArray setsBBases, jlong part, jlong parts, jobject scratch, jlong scratchSize,
+    jobject outA, jobject outB, jlong capacity, jobject state) {
   lent held[6];
   lent_sets lent_to[2];
   int ok = 1;
@@ -1369,12 +1489,16 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinF64(JNIEnv* env, jclass type, jin
   prepare(env, outA, &held[3]);
   prepare(env, outB, &held[4]);
   prepare(env, state, &held[5]);
-  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, lent_to[1].held, lent_to[1].count) && lend(env, held, 6)) {
+  if (ok
+      && lend(env, lent_to[0].held, lent_to[0].count)
+      && lend(env, lent_to[1].held, lent_to[1].count)
+      && lend(env, held, 6)) {
     vesica_shapes_f64 setsA[MAX_SETS];
     SETS(setsA, lent_to[0], double);
     vesica_shapes_f64 setsB[MAX_SETS];
     SETS(setsB, lent_to[1], double);
-    answer = vesica_join_f64(query, held[0].address, setsA, lent_to[0].count, held[1].address, setsB, lent_to[1].count, part, parts, held[2].address, scratchSize, held[3].address, held[4].address, capacity, held[5].address);
+    answer = vesica_join_f64(query, held[0].address, setsA, lent_to[0].count, held[1].address, setsB, lent_to[1].count,
+        part, parts, held[2].address, scratchSize, held[3].address, held[4].address, capacity, held[5].address);
   }
   give_back(env, held, 6);
   give_back(env, lent_to[0].held, lent_to[0].count);
@@ -1382,7 +1506,11 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinF64(JNIEnv* env, jclass type, jin
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_joinWithinF64(JNIEnv* env, jclass type, jobject indexA, jintArray setsAKinds, jlongArray setsACounts, jlongArray setsAStrides, jlongArray setsASteps, jobjectArray setsABases, jobject indexB, jintArray setsBKinds, jlongArray setsBCounts, jlongArray setsBStrides, jlongArray setsBSteps, jobjectArray setsBBases, jdouble distance, jlong part, jlong parts, jobject outA, jobject outB, jlong capacity, jobject state) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_joinWithinF64(JNIEnv* env, jclass type, jobject indexA, jintArray setsAKinds,
+    jlongArray setsACounts, jlongArray setsAStrides, jlongArray setsASteps, jobjectArray setsABases, jobject indexB,
+    jintArray setsBKinds, jlongArray setsBCounts, jlongArray setsBStrides, jlongArray setsBSteps,
+    jobjectArray setsBBases, jdouble distance, jlong part, jlong parts, jobject outA, jobject outB, jlong capacity,
+    jobject state) {
   lent held[5];
   lent_sets lent_to[2];
   int ok = 1;
@@ -1395,12 +1523,16 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinWithinF64(JNIEnv* env, jclass typ
   prepare(env, outA, &held[2]);
   prepare(env, outB, &held[3]);
   prepare(env, state, &held[4]);
-  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, lent_to[1].held, lent_to[1].count) && lend(env, held, 5)) {
+  if (ok
+      && lend(env, lent_to[0].held, lent_to[0].count)
+      && lend(env, lent_to[1].held, lent_to[1].count)
+      && lend(env, held, 5)) {
     vesica_shapes_f64 setsA[MAX_SETS];
     SETS(setsA, lent_to[0], double);
     vesica_shapes_f64 setsB[MAX_SETS];
     SETS(setsB, lent_to[1], double);
-    answer = vesica_join_within_f64(held[0].address, setsA, lent_to[0].count, held[1].address, setsB, lent_to[1].count, distance, part, parts, held[2].address, held[3].address, capacity, held[4].address);
+    answer = vesica_join_within_f64(held[0].address, setsA, lent_to[0].count, held[1].address, setsB, lent_to[1].count,
+        distance, part, parts, held[2].address, held[3].address, capacity, held[4].address);
   }
   give_back(env, held, 5);
   give_back(env, lent_to[0].held, lent_to[0].count);
@@ -1408,7 +1540,10 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinWithinF64(JNIEnv* env, jclass typ
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_indexNearestF64(JNIEnv* env, jclass type, jobject index, jintArray setsKinds, jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jlong k, jdouble within, jobject out, jobject distance) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_indexNearestF64(JNIEnv* env, jclass type, jobject index, jintArray setsKinds,
+    jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jint oneKind,
+    jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jlong k, jdouble within, jobject out,
+    jobject distance) {
   lent held[4];
   lent_sets lent_to[1];
   int ok = 1;
@@ -1419,19 +1554,25 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexNearestF64(JNIEnv* env, jclass t
   prepare(env, oneBase, &held[1]);
   prepare(env, out, &held[2]);
   prepare(env, distance, &held[3]);
-  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, held, 4)) {
+  if (ok
+      && lend(env, lent_to[0].held, lent_to[0].count)
+      && lend(env, held, 4)) {
     vesica_shapes_f64 sets[MAX_SETS];
     SETS(sets, lent_to[0], double);
     vesica_shapes_f64 one;
     VIEW(one, oneKind, oneCount, oneStride, oneStep, held[1].address, double);
-    answer = vesica_index_nearest_f64(held[0].address, sets, lent_to[0].count, &one, k, within, held[2].address, held[3].address);
+    answer = vesica_index_nearest_f64(held[0].address, sets, lent_to[0].count, &one, k, within, held[2].address,
+        held[3].address);
   }
   give_back(env, held, 4);
   give_back(env, lent_to[0].held, lent_to[0].count);
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_joinNearestF64(JNIEnv* env, jclass type, jintArray setsAKinds, jlongArray setsACounts, jlongArray setsAStrides, jlongArray setsASteps, jobjectArray setsABases, jobject indexB, jintArray setsBKinds, jlongArray setsBCounts, jlongArray setsBStrides, jlongArray setsBSteps, jobjectArray setsBBases, jlong k, jdouble within, jlong part, jlong parts, jobject out, jobject distance) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_joinNearestF64(JNIEnv* env, jclass type, jintArray setsAKinds,
+    jlongArray setsACounts, jlongArray setsAStrides, jlongArray setsASteps, jobjectArray setsABases, jobject indexB,
+    jintArray setsBKinds, jlongArray setsBCounts, jlongArray setsBStrides, jlongArray setsBSteps,
+    jobjectArray setsBBases, jlong k, jdouble within, jlong part, jlong parts, jobject out, jobject distance) {
   lent held[3];
   lent_sets lent_to[2];
   int ok = 1;
@@ -1442,12 +1583,16 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinNearestF64(JNIEnv* env, jclass ty
   ok = prepare_sets(env, setsBKinds, setsBCounts, setsBStrides, setsBSteps, setsBBases, &lent_to[1]) && ok;
   prepare(env, out, &held[1]);
   prepare(env, distance, &held[2]);
-  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, lent_to[1].held, lent_to[1].count) && lend(env, held, 3)) {
+  if (ok
+      && lend(env, lent_to[0].held, lent_to[0].count)
+      && lend(env, lent_to[1].held, lent_to[1].count)
+      && lend(env, held, 3)) {
     vesica_shapes_f64 setsA[MAX_SETS];
     SETS(setsA, lent_to[0], double);
     vesica_shapes_f64 setsB[MAX_SETS];
     SETS(setsB, lent_to[1], double);
-    answer = vesica_join_nearest_f64(setsA, lent_to[0].count, held[0].address, setsB, lent_to[1].count, k, within, part, parts, held[1].address, held[2].address);
+    answer = vesica_join_nearest_f64(setsA, lent_to[0].count, held[0].address, setsB, lent_to[1].count, k, within, part,
+        parts, held[1].address, held[2].address);
   }
   give_back(env, held, 3);
   give_back(env, lent_to[0].held, lent_to[0].count);
@@ -1455,7 +1600,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinNearestF64(JNIEnv* env, jclass ty
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_indexBuildF32(JNIEnv* env, jclass type, jintArray setsKinds, jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jobject index, jlong indexSize, jobject scratch, jlong scratchSize) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_indexBuildF32(JNIEnv* env, jclass type, jintArray setsKinds,
+    jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jobject index,
+    jlong indexSize, jobject scratch, jlong scratchSize) {
   lent held[2];
   lent_sets lent_to[1];
   int ok = 1;
@@ -1464,7 +1611,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexBuildF32(JNIEnv* env, jclass typ
   ok = prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0]) && ok;
   prepare(env, index, &held[0]);
   prepare(env, scratch, &held[1]);
-  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, held, 2)) {
+  if (ok
+      && lend(env, lent_to[0].held, lent_to[0].count)
+      && lend(env, held, 2)) {
     vesica_shapes_f32 sets[MAX_SETS];
     SETS(sets, lent_to[0], float);
     answer = vesica_index_build_f32(sets, lent_to[0].count, held[0].address, indexSize, held[1].address, scratchSize);
@@ -1474,7 +1623,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexBuildF32(JNIEnv* env, jclass typ
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_indexSelectF32(JNIEnv* env, jclass type, jobject index, jintArray setsKinds, jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jobject out, jlong capacity, jobject state) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_indexSelectF32(JNIEnv* env, jclass type, jobject index, jintArray setsKinds,
+    jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jint oneKind,
+    jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jobject out, jlong capacity, jobject state) {
   lent held[4];
   lent_sets lent_to[1];
   int ok = 1;
@@ -1485,19 +1636,26 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexSelectF32(JNIEnv* env, jclass ty
   prepare(env, oneBase, &held[1]);
   prepare(env, out, &held[2]);
   prepare(env, state, &held[3]);
-  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, held, 4)) {
+  if (ok
+      && lend(env, lent_to[0].held, lent_to[0].count)
+      && lend(env, held, 4)) {
     vesica_shapes_f32 sets[MAX_SETS];
     SETS(sets, lent_to[0], float);
     vesica_shapes_f32 one;
     VIEW(one, oneKind, oneCount, oneStride, oneStep, held[1].address, float);
-    answer = vesica_index_select_f32(held[0].address, sets, lent_to[0].count, &one, held[2].address, capacity, held[3].address);
+    answer = vesica_index_select_f32(held[0].address, sets, lent_to[0].count, &one, held[2].address, capacity,
+        held[3].address);
   }
   give_back(env, held, 4);
   give_back(env, lent_to[0].held, lent_to[0].count);
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_joinF32(JNIEnv* env, jclass type, jint query, jobject indexA, jintArray setsAKinds, jlongArray setsACounts, jlongArray setsAStrides, jlongArray setsASteps, jobjectArray setsABases, jobject indexB, jintArray setsBKinds, jlongArray setsBCounts, jlongArray setsBStrides, jlongArray setsBSteps, jobjectArray setsBBases, jlong part, jlong parts, jobject scratch, jlong scratchSize, jobject outA, jobject outB, jlong capacity, jobject state) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_joinF32(JNIEnv* env, jclass type, jint query, jobject indexA,
+    jintArray setsAKinds, jlongArray setsACounts, jlongArray setsAStrides, jlongArray setsASteps,
+    jobjectArray setsABases, jobject indexB, jintArray setsBKinds, jlongArray setsBCounts, jlongArray setsBStrides,
+    jlongArray setsBSteps, jobjectArray setsBBases, jlong part, jlong parts, jobject scratch, jlong scratchSize,
+    jobject outA, jobject outB, jlong capacity, jobject state) {
   lent held[6];
   lent_sets lent_to[2];
   int ok = 1;
@@ -1511,12 +1669,16 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinF32(JNIEnv* env, jclass type, jin
   prepare(env, outA, &held[3]);
   prepare(env, outB, &held[4]);
   prepare(env, state, &held[5]);
-  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, lent_to[1].held, lent_to[1].count) && lend(env, held, 6)) {
+  if (ok
+      && lend(env, lent_to[0].held, lent_to[0].count)
+      && lend(env, lent_to[1].held, lent_to[1].count)
+      && lend(env, held, 6)) {
     vesica_shapes_f32 setsA[MAX_SETS];
     SETS(setsA, lent_to[0], float);
     vesica_shapes_f32 setsB[MAX_SETS];
     SETS(setsB, lent_to[1], float);
-    answer = vesica_join_f32(query, held[0].address, setsA, lent_to[0].count, held[1].address, setsB, lent_to[1].count, part, parts, held[2].address, scratchSize, held[3].address, held[4].address, capacity, held[5].address);
+    answer = vesica_join_f32(query, held[0].address, setsA, lent_to[0].count, held[1].address, setsB, lent_to[1].count,
+        part, parts, held[2].address, scratchSize, held[3].address, held[4].address, capacity, held[5].address);
   }
   give_back(env, held, 6);
   give_back(env, lent_to[0].held, lent_to[0].count);
@@ -1524,7 +1686,11 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinF32(JNIEnv* env, jclass type, jin
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_joinWithinF32(JNIEnv* env, jclass type, jobject indexA, jintArray setsAKinds, jlongArray setsACounts, jlongArray setsAStrides, jlongArray setsASteps, jobjectArray setsABases, jobject indexB, jintArray setsBKinds, jlongArray setsBCounts, jlongArray setsBStrides, jlongArray setsBSteps, jobjectArray setsBBases, jfloat distance, jlong part, jlong parts, jobject outA, jobject outB, jlong capacity, jobject state) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_joinWithinF32(JNIEnv* env, jclass type, jobject indexA, jintArray setsAKinds,
+    jlongArray setsACounts, jlongArray setsAStrides, jlongArray setsASteps, jobjectArray setsABases, jobject indexB,
+    jintArray setsBKinds, jlongArray setsBCounts, jlongArray setsBStrides, jlongArray setsBSteps,
+    jobjectArray setsBBases, jfloat distance, jlong part, jlong parts, jobject outA, jobject outB, jlong capacity,
+    jobject state) {
   lent held[5];
   lent_sets lent_to[2];
   int ok = 1;
@@ -1537,12 +1703,16 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinWithinF32(JNIEnv* env, jclass typ
   prepare(env, outA, &held[2]);
   prepare(env, outB, &held[3]);
   prepare(env, state, &held[4]);
-  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, lent_to[1].held, lent_to[1].count) && lend(env, held, 5)) {
+  if (ok
+      && lend(env, lent_to[0].held, lent_to[0].count)
+      && lend(env, lent_to[1].held, lent_to[1].count)
+      && lend(env, held, 5)) {
     vesica_shapes_f32 setsA[MAX_SETS];
     SETS(setsA, lent_to[0], float);
     vesica_shapes_f32 setsB[MAX_SETS];
     SETS(setsB, lent_to[1], float);
-    answer = vesica_join_within_f32(held[0].address, setsA, lent_to[0].count, held[1].address, setsB, lent_to[1].count, distance, part, parts, held[2].address, held[3].address, capacity, held[4].address);
+    answer = vesica_join_within_f32(held[0].address, setsA, lent_to[0].count, held[1].address, setsB, lent_to[1].count,
+        distance, part, parts, held[2].address, held[3].address, capacity, held[4].address);
   }
   give_back(env, held, 5);
   give_back(env, lent_to[0].held, lent_to[0].count);
@@ -1550,7 +1720,10 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinWithinF32(JNIEnv* env, jclass typ
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_indexNearestF32(JNIEnv* env, jclass type, jobject index, jintArray setsKinds, jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jlong k, jfloat within, jobject out, jobject distance) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_indexNearestF32(JNIEnv* env, jclass type, jobject index, jintArray setsKinds,
+    jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jint oneKind,
+    jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jlong k, jfloat within, jobject out,
+    jobject distance) {
   lent held[4];
   lent_sets lent_to[1];
   int ok = 1;
@@ -1561,19 +1734,25 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexNearestF32(JNIEnv* env, jclass t
   prepare(env, oneBase, &held[1]);
   prepare(env, out, &held[2]);
   prepare(env, distance, &held[3]);
-  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, held, 4)) {
+  if (ok
+      && lend(env, lent_to[0].held, lent_to[0].count)
+      && lend(env, held, 4)) {
     vesica_shapes_f32 sets[MAX_SETS];
     SETS(sets, lent_to[0], float);
     vesica_shapes_f32 one;
     VIEW(one, oneKind, oneCount, oneStride, oneStep, held[1].address, float);
-    answer = vesica_index_nearest_f32(held[0].address, sets, lent_to[0].count, &one, k, within, held[2].address, held[3].address);
+    answer = vesica_index_nearest_f32(held[0].address, sets, lent_to[0].count, &one, k, within, held[2].address,
+        held[3].address);
   }
   give_back(env, held, 4);
   give_back(env, lent_to[0].held, lent_to[0].count);
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_joinNearestF32(JNIEnv* env, jclass type, jintArray setsAKinds, jlongArray setsACounts, jlongArray setsAStrides, jlongArray setsASteps, jobjectArray setsABases, jobject indexB, jintArray setsBKinds, jlongArray setsBCounts, jlongArray setsBStrides, jlongArray setsBSteps, jobjectArray setsBBases, jlong k, jfloat within, jlong part, jlong parts, jobject out, jobject distance) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_joinNearestF32(JNIEnv* env, jclass type, jintArray setsAKinds,
+    jlongArray setsACounts, jlongArray setsAStrides, jlongArray setsASteps, jobjectArray setsABases, jobject indexB,
+    jintArray setsBKinds, jlongArray setsBCounts, jlongArray setsBStrides, jlongArray setsBSteps,
+    jobjectArray setsBBases, jlong k, jfloat within, jlong part, jlong parts, jobject out, jobject distance) {
   lent held[3];
   lent_sets lent_to[2];
   int ok = 1;
@@ -1584,12 +1763,16 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinNearestF32(JNIEnv* env, jclass ty
   ok = prepare_sets(env, setsBKinds, setsBCounts, setsBStrides, setsBSteps, setsBBases, &lent_to[1]) && ok;
   prepare(env, out, &held[1]);
   prepare(env, distance, &held[2]);
-  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, lent_to[1].held, lent_to[1].count) && lend(env, held, 3)) {
+  if (ok
+      && lend(env, lent_to[0].held, lent_to[0].count)
+      && lend(env, lent_to[1].held, lent_to[1].count)
+      && lend(env, held, 3)) {
     vesica_shapes_f32 setsA[MAX_SETS];
     SETS(setsA, lent_to[0], float);
     vesica_shapes_f32 setsB[MAX_SETS];
     SETS(setsB, lent_to[1], float);
-    answer = vesica_join_nearest_f32(setsA, lent_to[0].count, held[0].address, setsB, lent_to[1].count, k, within, part, parts, held[1].address, held[2].address);
+    answer = vesica_join_nearest_f32(setsA, lent_to[0].count, held[0].address, setsB, lent_to[1].count, k, within, part,
+        parts, held[1].address, held[2].address);
   }
   give_back(env, held, 3);
   give_back(env, lent_to[0].held, lent_to[0].count);
@@ -1597,7 +1780,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_joinNearestF32(JNIEnv* env, jclass ty
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_ratioF64(JNIEnv* env, jclass type, jint ratio, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_ratioF64(JNIEnv* env, jclass type, jint ratio, jint kindA, jobject numbersA,
+    jint kindB, jobject numbersB, jobject out) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -1611,7 +1795,9 @@ JNIEXPORT jint JNICALL Java_vesica_Native_ratioF64(JNIEnv* env, jclass type, jin
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_ratioManyF64(JNIEnv* env, jclass type, jint ratio, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_ratioManyF64(JNIEnv* env, jclass type, jint ratio, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1629,7 +1815,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_ratioManyF64(JNIEnv* env, jclass type
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_ratioMatrixF64(JNIEnv* env, jclass type, jint ratio, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_ratioMatrixF64(JNIEnv* env, jclass type, jint ratio, jint aKind,
+    jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep,
+    jobject bBase, jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1647,7 +1835,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_ratioMatrixF64(JNIEnv* env, jclass ty
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_nearestMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_nearestMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1665,7 +1855,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_nearestMatrixF64(JNIEnv* env, jclass 
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_boundaryDistanceMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_boundaryDistanceMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1683,7 +1875,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_boundaryDistanceMatrixF64(JNIEnv* env
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_depthMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_depthMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1701,7 +1895,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_depthMatrixF64(JNIEnv* env, jclass ty
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_signedDistanceF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_signedDistanceF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA,
+    jint kindB, jobject numbersB, jobject out) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -1715,7 +1910,9 @@ JNIEXPORT jint JNICALL Java_vesica_Native_signedDistanceF64(JNIEnv* env, jclass 
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_signedDistanceManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_signedDistanceManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1733,7 +1930,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_signedDistanceManyF64(JNIEnv* env, jc
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_signedDistanceMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_signedDistanceMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1751,7 +1950,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_signedDistanceMatrixF64(JNIEnv* env, 
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_withinF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jdouble distance) {
+JNIEXPORT jint JNICALL Java_vesica_Native_withinF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
+    jobject numbersB, jdouble distance) {
   lent held[2];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -1764,7 +1964,9 @@ JNIEXPORT jint JNICALL Java_vesica_Native_withinF64(JNIEnv* env, jclass type, ji
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_withinManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jdouble distance, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_withinManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jdouble distance, jobject out) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1782,7 +1984,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_withinManyF64(JNIEnv* env, jclass typ
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_withinMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jdouble distance, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_withinMatrixF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jdouble distance, jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1800,7 +2004,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_withinMatrixF64(JNIEnv* env, jclass t
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_suppressF64(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject scores, jobject labels, jint ratio, jdouble threshold, jdouble leastScore, jlong most, jobject scratch, jlong scratchSize, jobject keep, jobject kept) {
+JNIEXPORT jint JNICALL Java_vesica_Native_suppressF64(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount,
+    jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject scores, jobject labels, jint ratio,
+    jdouble threshold, jdouble leastScore, jlong most, jobject scratch, jlong scratchSize, jobject keep, jobject kept) {
   lent held[6];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -1813,7 +2019,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_suppressF64(JNIEnv* env, jclass type, 
   if (lend(env, held, 6)) {
     vesica_shapes_f64 shapes;
     VIEW(shapes, shapesKind, shapesCount, shapesStride, shapesStep, held[0].address, double);
-    answer = vesica_suppress_f64(&shapes, held[1].address, held[2].address, ratio, threshold, leastScore, most, held[3].address, scratchSize, held[4].address, held[5].address);
+    answer = vesica_suppress_f64(&shapes, held[1].address, held[2].address, ratio, threshold, leastScore, most,
+        held[3].address, scratchSize, held[4].address, held[5].address);
   }
   give_back(env, held, 6);
   return answer;
@@ -1824,7 +2031,10 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_suppressSoftScratch(JNIEnv* env, jcla
   return vesica_suppress_soft_scratch(count);
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_suppressSoftF64(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject scores, jobject labels, jint ratio, jint decay, jdouble parameter, jdouble leastScore, jlong most, jobject scratch, jlong scratchSize, jobject keep, jobject decayed, jobject kept) {
+JNIEXPORT jint JNICALL Java_vesica_Native_suppressSoftF64(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount,
+    jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject scores, jobject labels, jint ratio, jint decay,
+    jdouble parameter, jdouble leastScore, jlong most, jobject scratch, jlong scratchSize, jobject keep,
+    jobject decayed, jobject kept) {
   lent held[7];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -1838,13 +2048,15 @@ JNIEXPORT jint JNICALL Java_vesica_Native_suppressSoftF64(JNIEnv* env, jclass ty
   if (lend(env, held, 7)) {
     vesica_shapes_f64 shapes;
     VIEW(shapes, shapesKind, shapesCount, shapesStride, shapesStep, held[0].address, double);
-    answer = vesica_suppress_soft_f64(&shapes, held[1].address, held[2].address, ratio, decay, parameter, leastScore, most, held[3].address, scratchSize, held[4].address, held[5].address, held[6].address);
+    answer = vesica_suppress_soft_f64(&shapes, held[1].address, held[2].address, ratio, decay, parameter, leastScore,
+        most, held[3].address, scratchSize, held[4].address, held[5].address, held[6].address);
   }
   give_back(env, held, 7);
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_ratioF32(JNIEnv* env, jclass type, jint ratio, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_ratioF32(JNIEnv* env, jclass type, jint ratio, jint kindA, jobject numbersA,
+    jint kindB, jobject numbersB, jobject out) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -1858,7 +2070,9 @@ JNIEXPORT jint JNICALL Java_vesica_Native_ratioF32(JNIEnv* env, jclass type, jin
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_ratioManyF32(JNIEnv* env, jclass type, jint ratio, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_ratioManyF32(JNIEnv* env, jclass type, jint ratio, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1876,7 +2090,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_ratioManyF32(JNIEnv* env, jclass type
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_ratioMatrixF32(JNIEnv* env, jclass type, jint ratio, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_ratioMatrixF32(JNIEnv* env, jclass type, jint ratio, jint aKind,
+    jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep,
+    jobject bBase, jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1894,7 +2110,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_ratioMatrixF32(JNIEnv* env, jclass ty
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_nearestMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_nearestMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1912,7 +2130,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_nearestMatrixF32(JNIEnv* env, jclass 
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_boundaryDistanceMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_boundaryDistanceMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1930,7 +2150,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_boundaryDistanceMatrixF32(JNIEnv* env
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_depthMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_depthMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1948,7 +2170,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_depthMatrixF32(JNIEnv* env, jclass ty
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_suppressF32(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject scores, jobject labels, jint ratio, jfloat threshold, jfloat leastScore, jlong most, jobject scratch, jlong scratchSize, jobject keep, jobject kept) {
+JNIEXPORT jint JNICALL Java_vesica_Native_suppressF32(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount,
+    jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject scores, jobject labels, jint ratio,
+    jfloat threshold, jfloat leastScore, jlong most, jobject scratch, jlong scratchSize, jobject keep, jobject kept) {
   lent held[6];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -1961,13 +2185,15 @@ JNIEXPORT jint JNICALL Java_vesica_Native_suppressF32(JNIEnv* env, jclass type, 
   if (lend(env, held, 6)) {
     vesica_shapes_f32 shapes;
     VIEW(shapes, shapesKind, shapesCount, shapesStride, shapesStep, held[0].address, float);
-    answer = vesica_suppress_f32(&shapes, held[1].address, held[2].address, ratio, threshold, leastScore, most, held[3].address, scratchSize, held[4].address, held[5].address);
+    answer = vesica_suppress_f32(&shapes, held[1].address, held[2].address, ratio, threshold, leastScore, most,
+        held[3].address, scratchSize, held[4].address, held[5].address);
   }
   give_back(env, held, 6);
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_signedDistanceF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_signedDistanceF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA,
+    jint kindB, jobject numbersB, jobject out) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -1981,7 +2207,9 @@ JNIEXPORT jint JNICALL Java_vesica_Native_signedDistanceF32(JNIEnv* env, jclass 
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_signedDistanceManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_signedDistanceManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -1999,7 +2227,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_signedDistanceManyF32(JNIEnv* env, jc
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_signedDistanceMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_signedDistanceMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -2017,7 +2247,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_signedDistanceMatrixF32(JNIEnv* env, 
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_withinF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jfloat distance) {
+JNIEXPORT jint JNICALL Java_vesica_Native_withinF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
+    jobject numbersB, jfloat distance) {
   lent held[2];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -2030,7 +2261,9 @@ JNIEXPORT jint JNICALL Java_vesica_Native_withinF32(JNIEnv* env, jclass type, ji
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_withinManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jfloat distance, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_withinManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jfloat distance, jobject out) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -2048,7 +2281,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_withinManyF32(JNIEnv* env, jclass typ
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_withinMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jfloat distance, jobject out, jlong rowStride) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_withinMatrixF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jfloat distance, jobject out, jlong rowStride) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -2066,7 +2301,10 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_withinMatrixF32(JNIEnv* env, jclass t
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_suppressSoftF32(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount, jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject scores, jobject labels, jint ratio, jint decay, jfloat parameter, jfloat leastScore, jlong most, jobject scratch, jlong scratchSize, jobject keep, jobject decayed, jobject kept) {
+JNIEXPORT jint JNICALL Java_vesica_Native_suppressSoftF32(JNIEnv* env, jclass type, jint shapesKind, jlong shapesCount,
+    jlong shapesStride, jlong shapesStep, jobject shapesBase, jobject scores, jobject labels, jint ratio, jint decay,
+    jfloat parameter, jfloat leastScore, jlong most, jobject scratch, jlong scratchSize, jobject keep, jobject decayed,
+    jobject kept) {
   lent held[7];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -2080,13 +2318,15 @@ JNIEXPORT jint JNICALL Java_vesica_Native_suppressSoftF32(JNIEnv* env, jclass ty
   if (lend(env, held, 7)) {
     vesica_shapes_f32 shapes;
     VIEW(shapes, shapesKind, shapesCount, shapesStride, shapesStep, held[0].address, float);
-    answer = vesica_suppress_soft_f32(&shapes, held[1].address, held[2].address, ratio, decay, parameter, leastScore, most, held[3].address, scratchSize, held[4].address, held[5].address, held[6].address);
+    answer = vesica_suppress_soft_f32(&shapes, held[1].address, held[2].address, ratio, decay, parameter, leastScore,
+        most, held[3].address, scratchSize, held[4].address, held[5].address, held[6].address);
   }
   give_back(env, held, 7);
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_castF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jdouble vx, jdouble vy, jdouble tEnd, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_castF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
+    jobject numbersB, jdouble vx, jdouble vy, jdouble tEnd, jobject out) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -2100,7 +2340,9 @@ JNIEXPORT jint JNICALL Java_vesica_Native_castF64(JNIEnv* env, jclass type, jint
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_castManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject vx, jobject vy, jlong stride, jdouble tEnd, jobject t, jobject x, jobject y, jobject nx, jobject ny) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_castManyF64(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject vx, jobject vy, jlong stride, jdouble tEnd, jobject t, jobject x, jobject y, jobject nx, jobject ny) {
   lent held[9];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -2118,13 +2360,16 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_castManyF64(JNIEnv* env, jclass type,
     VIEW(a, aKind, aCount, aStride, aStep, held[0].address, double);
     vesica_shapes_f64 b;
     VIEW(b, bKind, bCount, bStride, bStep, held[1].address, double);
-    answer = vesica_cast_many_f64(&a, &b, held[2].address, held[3].address, stride, tEnd, held[4].address, held[5].address, held[6].address, held[7].address, held[8].address);
+    answer = vesica_cast_many_f64(&a, &b, held[2].address, held[3].address, stride, tEnd, held[4].address,
+        held[5].address, held[6].address, held[7].address, held[8].address);
   }
   give_back(env, held, 9);
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_castFirstF64(JNIEnv* env, jclass type, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jint manyKind, jlong manyCount, jlong manyStride, jlong manyStep, jobject manyBase, jdouble vx, jdouble vy, jdouble tEnd, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_castFirstF64(JNIEnv* env, jclass type, jint oneKind, jlong oneCount,
+    jlong oneStride, jlong oneStep, jobject oneBase, jint manyKind, jlong manyCount, jlong manyStride, jlong manyStep,
+    jobject manyBase, jdouble vx, jdouble vy, jdouble tEnd, jobject out) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -2142,7 +2387,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_castFirstF64(JNIEnv* env, jclass type
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_sweepBoundsF64(JNIEnv* env, jclass type, jint kind, jobject numbers, jdouble vx, jdouble vy, jdouble tEnd, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_sweepBoundsF64(JNIEnv* env, jclass type, jint kind, jobject numbers,
+    jdouble vx, jdouble vy, jdouble tEnd, jobject out) {
   lent held[2];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -2155,7 +2401,10 @@ JNIEXPORT jint JNICALL Java_vesica_Native_sweepBoundsF64(JNIEnv* env, jclass typ
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastF64(JNIEnv* env, jclass type, jobject index, jintArray setsKinds, jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jdouble vx, jdouble vy, jdouble tEnd, jobject out, jlong capacity, jobject state) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastF64(JNIEnv* env, jclass type, jobject index, jintArray setsKinds,
+    jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jint oneKind,
+    jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jdouble vx, jdouble vy, jdouble tEnd, jobject out,
+    jlong capacity, jobject state) {
   lent held[4];
   lent_sets lent_to[1];
   int ok = 1;
@@ -2166,19 +2415,25 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastF64(JNIEnv* env, jclass type
   prepare(env, oneBase, &held[1]);
   prepare(env, out, &held[2]);
   prepare(env, state, &held[3]);
-  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, held, 4)) {
+  if (ok
+      && lend(env, lent_to[0].held, lent_to[0].count)
+      && lend(env, held, 4)) {
     vesica_shapes_f64 sets[MAX_SETS];
     SETS(sets, lent_to[0], double);
     vesica_shapes_f64 one;
     VIEW(one, oneKind, oneCount, oneStride, oneStep, held[1].address, double);
-    answer = vesica_index_cast_f64(held[0].address, sets, lent_to[0].count, &one, vx, vy, tEnd, held[2].address, capacity, held[3].address);
+    answer = vesica_index_cast_f64(held[0].address, sets, lent_to[0].count, &one, vx, vy, tEnd, held[2].address,
+        capacity, held[3].address);
   }
   give_back(env, held, 4);
   give_back(env, lent_to[0].held, lent_to[0].count);
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastFirstF64(JNIEnv* env, jclass type, jobject index, jintArray setsKinds, jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jdouble vx, jdouble vy, jdouble tEnd, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastFirstF64(JNIEnv* env, jclass type, jobject index,
+    jintArray setsKinds, jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases,
+    jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jdouble vx, jdouble vy, jdouble tEnd,
+    jobject out) {
   lent held[3];
   lent_sets lent_to[1];
   int ok = 1;
@@ -2188,7 +2443,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastFirstF64(JNIEnv* env, jclass
   ok = prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0]) && ok;
   prepare(env, oneBase, &held[1]);
   prepare(env, out, &held[2]);
-  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, held, 3)) {
+  if (ok
+      && lend(env, lent_to[0].held, lent_to[0].count)
+      && lend(env, held, 3)) {
     vesica_shapes_f64 sets[MAX_SETS];
     SETS(sets, lent_to[0], double);
     vesica_shapes_f64 one;
@@ -2200,7 +2457,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastFirstF64(JNIEnv* env, jclass
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_castF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jfloat vx, jfloat vy, jfloat tEnd, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_castF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
+    jobject numbersB, jfloat vx, jfloat vy, jfloat tEnd, jobject out) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -2214,7 +2472,9 @@ JNIEXPORT jint JNICALL Java_vesica_Native_castF32(JNIEnv* env, jclass type, jint
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_castManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount, jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase, jobject vx, jobject vy, jlong stride, jfloat tEnd, jobject t, jobject x, jobject y, jobject nx, jobject ny) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_castManyF32(JNIEnv* env, jclass type, jint aKind, jlong aCount,
+    jlong aStride, jlong aStep, jobject aBase, jint bKind, jlong bCount, jlong bStride, jlong bStep, jobject bBase,
+    jobject vx, jobject vy, jlong stride, jfloat tEnd, jobject t, jobject x, jobject y, jobject nx, jobject ny) {
   lent held[9];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -2232,13 +2492,16 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_castManyF32(JNIEnv* env, jclass type,
     VIEW(a, aKind, aCount, aStride, aStep, held[0].address, float);
     vesica_shapes_f32 b;
     VIEW(b, bKind, bCount, bStride, bStep, held[1].address, float);
-    answer = vesica_cast_many_f32(&a, &b, held[2].address, held[3].address, stride, tEnd, held[4].address, held[5].address, held[6].address, held[7].address, held[8].address);
+    answer = vesica_cast_many_f32(&a, &b, held[2].address, held[3].address, stride, tEnd, held[4].address,
+        held[5].address, held[6].address, held[7].address, held[8].address);
   }
   give_back(env, held, 9);
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_castFirstF32(JNIEnv* env, jclass type, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jint manyKind, jlong manyCount, jlong manyStride, jlong manyStep, jobject manyBase, jfloat vx, jfloat vy, jfloat tEnd, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_castFirstF32(JNIEnv* env, jclass type, jint oneKind, jlong oneCount,
+    jlong oneStride, jlong oneStep, jobject oneBase, jint manyKind, jlong manyCount, jlong manyStride, jlong manyStep,
+    jobject manyBase, jfloat vx, jfloat vy, jfloat tEnd, jobject out) {
   lent held[3];
   int64_t answer = NOT_LENT;
   (void)type;
@@ -2256,7 +2519,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_castFirstF32(JNIEnv* env, jclass type
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_sweepBoundsF32(JNIEnv* env, jclass type, jint kind, jobject numbers, jfloat vx, jfloat vy, jfloat tEnd, jobject out) {
+JNIEXPORT jint JNICALL Java_vesica_Native_sweepBoundsF32(JNIEnv* env, jclass type, jint kind, jobject numbers,
+    jfloat vx, jfloat vy, jfloat tEnd, jobject out) {
   lent held[2];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -2269,7 +2533,10 @@ JNIEXPORT jint JNICALL Java_vesica_Native_sweepBoundsF32(JNIEnv* env, jclass typ
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastF32(JNIEnv* env, jclass type, jobject index, jintArray setsKinds, jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jfloat vx, jfloat vy, jfloat tEnd, jobject out, jlong capacity, jobject state) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastF32(JNIEnv* env, jclass type, jobject index, jintArray setsKinds,
+    jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jint oneKind,
+    jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jfloat vx, jfloat vy, jfloat tEnd, jobject out,
+    jlong capacity, jobject state) {
   lent held[4];
   lent_sets lent_to[1];
   int ok = 1;
@@ -2280,19 +2547,25 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastF32(JNIEnv* env, jclass type
   prepare(env, oneBase, &held[1]);
   prepare(env, out, &held[2]);
   prepare(env, state, &held[3]);
-  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, held, 4)) {
+  if (ok
+      && lend(env, lent_to[0].held, lent_to[0].count)
+      && lend(env, held, 4)) {
     vesica_shapes_f32 sets[MAX_SETS];
     SETS(sets, lent_to[0], float);
     vesica_shapes_f32 one;
     VIEW(one, oneKind, oneCount, oneStride, oneStep, held[1].address, float);
-    answer = vesica_index_cast_f32(held[0].address, sets, lent_to[0].count, &one, vx, vy, tEnd, held[2].address, capacity, held[3].address);
+    answer = vesica_index_cast_f32(held[0].address, sets, lent_to[0].count, &one, vx, vy, tEnd, held[2].address,
+        capacity, held[3].address);
   }
   give_back(env, held, 4);
   give_back(env, lent_to[0].held, lent_to[0].count);
   return answer;
 }
 
-JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastFirstF32(JNIEnv* env, jclass type, jobject index, jintArray setsKinds, jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases, jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jfloat vx, jfloat vy, jfloat tEnd, jobject out) {
+JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastFirstF32(JNIEnv* env, jclass type, jobject index,
+    jintArray setsKinds, jlongArray setsCounts, jlongArray setsStrides, jlongArray setsSteps, jobjectArray setsBases,
+    jint oneKind, jlong oneCount, jlong oneStride, jlong oneStep, jobject oneBase, jfloat vx, jfloat vy, jfloat tEnd,
+    jobject out) {
   lent held[3];
   lent_sets lent_to[1];
   int ok = 1;
@@ -2302,7 +2575,9 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastFirstF32(JNIEnv* env, jclass
   ok = prepare_sets(env, setsKinds, setsCounts, setsStrides, setsSteps, setsBases, &lent_to[0]) && ok;
   prepare(env, oneBase, &held[1]);
   prepare(env, out, &held[2]);
-  if (ok && lend(env, lent_to[0].held, lent_to[0].count) && lend(env, held, 3)) {
+  if (ok
+      && lend(env, lent_to[0].held, lent_to[0].count)
+      && lend(env, held, 3)) {
     vesica_shapes_f32 sets[MAX_SETS];
     SETS(sets, lent_to[0], float);
     vesica_shapes_f32 one;
@@ -2314,7 +2589,8 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastFirstF32(JNIEnv* env, jclass
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_de9imF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jobject matrix) {
+JNIEXPORT jint JNICALL Java_vesica_Native_de9imF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
+    jobject numbersB, jobject matrix) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -2341,7 +2617,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_de9imMatch(JNIEnv* env, jclass type, j
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_intersectionF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jobject vertices) {
+JNIEXPORT jint JNICALL Java_vesica_Native_intersectionF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA,
+    jint kindB, jobject numbersB, jobject vertices) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -2355,7 +2632,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_intersectionF64(JNIEnv* env, jclass ty
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_de9imF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jobject matrix) {
+JNIEXPORT jint JNICALL Java_vesica_Native_de9imF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
+    jobject numbersB, jobject matrix) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;
@@ -2369,7 +2647,8 @@ JNIEXPORT jint JNICALL Java_vesica_Native_de9imF32(JNIEnv* env, jclass type, jin
   return answer;
 }
 
-JNIEXPORT jint JNICALL Java_vesica_Native_intersectionF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB, jobject numbersB, jobject vertices) {
+JNIEXPORT jint JNICALL Java_vesica_Native_intersectionF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA,
+    jint kindB, jobject numbersB, jobject vertices) {
   lent held[3];
   int32_t answer = NOT_LENT;
   (void)type;

@@ -50,7 +50,10 @@ public final class Overhead {
     row("overlap", i -> sum += Vesica.overlap(a[i % 1000], b[i % 1000]) ? 1 : 0,
         n -> Vesica.overlapMany((n == COUNT ? all : some)[0], (n == COUNT ? all : some)[1], hits));
     row("nearest", i -> sum += Vesica.nearest(a[i % 1000], b[i % 1000]).distance(),
-        n -> Vesica.nearestMany((n == COUNT ? all : some)[0], (n == COUNT ? all : some)[1], c[0], c[1], c[2], c[3], c[4]));
+        n -> {
+          Shapes[] of = n == COUNT ? all : some;
+          return Vesica.nearestMany(of[0], of[1], c[0], c[1], c[2], c[3], c[4]);
+        });
     row("iou", i -> sum += Vesica.iou(a[i % 1000], b[i % 1000]),
         n -> Vesica.iouMany((n == COUNT ? all : some)[0], (n == COUNT ? all : some)[1], c[0]));
   }

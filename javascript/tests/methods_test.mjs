@@ -41,7 +41,8 @@ test('exact methods answer random pairs as the library does', () => {
 test('approximate methods are right where they are certain', () => {
   const certain = (name, kinds, ...n) => {
     for (let i = 0; i < 200; ++i) {
-      const a = make[kinds[0]](), b = make[kinds[1]](), found = methods[name](a, b, ...n), answer = found.answer ?? found;
+      const a = make[kinds[0]](), b = make[kinds[1]](), found = methods[name](a, b, ...n),
+        answer = found.answer ?? found;
       assert.ok(verdicts.includes(answer));
       if (answer !== 'uncertain') assert.equal(answer === 'yes', vesica.overlap(a, b), name);
     }
@@ -60,7 +61,8 @@ test('other forms of input', () => {
   const round = { cx: 0, cy: 0, wx: 1, wy: 0, ratio: 1 };
   assert.equal(methods.radiusVectorEllipsesAnyAxes(round, { ...round, cx: 1 }, 5).answer, 'yes');
   assert.equal(methods.ellipseEllipseParallelAxes(ellipse(0, 0, 2, 1), ellipse(9, 0, 2, 1), 5).answer, 'no');
-  assert.deepEqual(methods.rectCorners(rect(0, 0, 4, 2)), [[-2, -1], [2, -1], [2, 1], [-2, 1]].map(([x, y]) => ({ x, y })));
+  assert.deepEqual(methods.rectCorners(rect(0, 0, 4, 2)), [[-2, -1], [2, -1], [2, 1], [-2, 1]].map(([x, y]) =>
+    ({ x, y })));
   const found = methods.rectEllipsePointParallelogramDistance(rect(0, 0, 2, 2), ellipse(3, 0, 1, 1));
   assert.deepEqual([found.answer, found.x, found.cMin], ['no', 1, 3]);
 });
@@ -70,14 +72,18 @@ test('gradient descent', () => {
   const found = methods.ellipseEllipseDistanceGradientDescent(a, b, { errors: 5 });
   assert.ok(found.success && Math.abs(found.distance - 1) < 1e-9);
   assert.equal(found.errors.length, Math.min(5, found.iterations));
-  const printed = methods.ellipseEllipseDistanceGradientDescent(a, b, { schedule: 'literal', iterations: 1, rate: 0.01, decay: 0 });
+  const printed = methods.ellipseEllipseDistanceGradientDescent(a, b,
+    { schedule: 'literal', iterations: 1, rate: 0.01, decay: 0 });
   assert.equal(printed.iterations, 1);
 });
 
 test('what is refused says why', () => {
   assert.throws(() => methods.rectRectBounds(circle(0, 0, 1), rect(0, 0, 1, 1)), TypeError);
-  assert.throws(() => methods.rectRectBounds(rect(0, 0, -1, 1), rect(0, 0, 1, 1)), (error) => error instanceof VesicaError && error.code === -2);
+  assert.throws(() => methods.rectRectBounds(rect(0, 0, -1, 1), rect(0, 0, 1, 1)), (error) =>
+    error instanceof VesicaError && error.code === -2);
   assert.throws(() => methods.circleEllipsePolygonalSandwich(circle(0, 0, 1), ellipse(0, 0, 1, 1), 31), { code: -4 });
-  assert.throws(() => methods.ellipseEllipseDistanceGradientDescent(ellipse(0, 0, 1, 1), ellipse(3, 0, 1, 1), { schedule: 'fast' }), TypeError);
-  assert.throws(() => methods.ellipseEllipseDistanceGradientDescent(ellipse(0, 0, 1, 1), ellipse(3, 0, 1, 1), { rate: -1 }), { code: -4 });
+  assert.throws(() => methods.ellipseEllipseDistanceGradientDescent(ellipse(0, 0, 1, 1), ellipse(3, 0, 1, 1),
+    { schedule: 'fast' }), TypeError);
+  assert.throws(() => methods.ellipseEllipseDistanceGradientDescent(ellipse(0, 0, 1, 1), ellipse(3, 0, 1, 1),
+    { rate: -1 }), { code: -4 });
 });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a program in TypeScript may write, and what it may not: read by tsc, never run.
-import { circle, ellipse, load, rect, type Crossings, type Relation, type ShapeArray } from 'vesica';
+import { circle, ellipse, load, rect } from 'vesica';
+import type { Crossings, FirstImpact, Outcome, Relation, ShapeArray, Within } from 'vesica';
 import { loadMethods } from 'vesica/methods';
 
 const vesica = await load();
@@ -16,7 +17,19 @@ const { a, b }: { a: number[]; b: number[] } = vesica.index(cars).join({ query: 
 const raw: number = vesica.c.vesica_version();
 const count: bigint = vesica.c.vesica_index_size(1n);
 vesica.index(cars).forEachPair((first: number, second: number) => first + second, { query: 'bounds' });
-const bound: number = (await loadMethods()).ellipseEllipseAnyAxes(ellipse(0, 0, 2, 1), ellipse(1, 0, 2, 1), 3).outlineError;
+const near: Within = vesica.within(car, car, 2);
+const matrix: boolean = vesica.de9imMatch(vesica.de9im(car, car), 'T********');
+const left: number[] = vesica.nmsSoft(cars, [1, 2], 0.5, { decay: 'gaussian' }).scores;
+const corners: { x: number; y: number }[] = vesica.intersection(car, car);
+const signed: Float64Array | Float32Array = vesica.signedDistance(cars, car);
+const methods = await loadMethods();
+const bound: number = methods.ellipseEllipseAnyAxes(ellipse(0, 0, 2, 1), ellipse(1, 0, 2, 1), 3).outlineError;
+const turned: ShapeArray = vesica.shapesFromBoxes('ellipse', [[0, 0, 4, 2, 1]], { quarters: true });
+const overSmaller: number = vesica.ratio('over_smaller', car, car);
+const kept: number[] = vesica.nms(cars, [1, 2], 0.5, { labels: [0, 1], ratio: 'generalized', most: 1 });
+const impact: FirstImpact | null = vesica.castFirst(car, cars, [1, 0], { tEnd: 3 });
+const times: Float64Array | Float32Array = vesica.cast(cars, car, [[1, 2], [0, 0]]).t;
+const outcome: Outcome = vesica.cast(car, car, [1, 0]).outcome;
 
 // @ts-expect-error: no such kind
 vesica.shapes('square', 1);
@@ -27,4 +40,11 @@ vesica.index(cars).join({ query: 'near' });
 // @ts-expect-error: arrays of answers are not one answer
 const wrong: boolean = vesica.overlap(cars, car);
 
+// @ts-expect-error: no such ratio
+vesica.ratio('iou', car, car);
+// @ts-expect-error: a velocity has two numbers
+vesica.cast(car, car, 1);
+
 export { a, b, bound, count, distance, distances, hit, hits, places, raw, relation, wrong };
+export { corners, impact, left, matrix, near, signed };
+export { kept, outcome, overSmaller, times, turned };

@@ -76,7 +76,8 @@ test('quarter turns in degrees are exact', () => {
 test('arrays say what single shapes say', () => {
   for (const kindA of kinds) {
     for (const kindB of kinds) {
-      const first = Array.from({ length: 9 }, () => randomShape(kindA)), second = Array.from({ length: 9 }, () => randomShape(kindB));
+      const first = Array.from({ length: 9 }, () => randomShape(kindA)),
+        second = Array.from({ length: 9 }, () => randomShape(kindB));
       const many = [vesica.shapes(kindA, first), vesica.shapes(kindB, second)];
       const hits = vesica.overlap(...many), matrix = vesica.overlapMatrix(...many), codes = vesica.relation(...many);
       const near = vesica.nearest(...many), outlines = vesica.boundaryDistance(...many), depths = vesica.depth(...many);
@@ -130,7 +131,8 @@ test('what is refused says why', () => {
   assert.match(vesica.invalidity(circle(0, 0, -1)), /negative/);
   assert.equal(vesica.invalidity(a), null);
   const bad = vesica.shapes('circle', [0, 0, 1, 0, 0, -1, 1, 1, 1]);
-  assert.throws(() => vesica.overlap(bad, a), (error) => error instanceof VesicaError && [...error.result].join() === '1,0,1');
+  assert.throws(() => vesica.overlap(bad, a), (error) => error instanceof VesicaError &&
+    [...error.result].join() === '1,0,1');
   assert.throws(() => vesica.overlapSelect(a, bad), (error) => error.result.join() === '0,2');
   assert.throws(() => vesica.nms(bad, [1, 2]), RangeError);
   bad.free();
@@ -140,11 +142,13 @@ test('what is refused says why', () => {
 test('suppression', () => {
   const boxes = vesica.shapes('rect', [rect(0, 0, 2, 2), rect(0.1, 0, 2, 2), rect(5, 0, 2, 2)]);
   assert.deepEqual(vesica.nms(boxes, [0.5, 0.9, 0.1], 0.5), [1, 2]);
-  assert.deepEqual([...vesica.iouMatrix(boxes, boxes)].map((x) => x > 0.5), [true, true, false, true, true, false, false, false, true]);
+  assert.deepEqual([...vesica.iouMatrix(boxes, boxes)].map((x) => x > 0.5),
+    [true, true, false, true, true, false, false, false, true]);
 });
 
 test('index and join', () => {
-  const shapes = kinds.map((kind) => Array.from({ length: 60 }, () => randomShape(kind)).map((shape) => ({ ...shape })));
+  const shapes = kinds.map((kind) => Array.from({ length: 60 }, () => randomShape(kind)).map((shape) =>
+    ({ ...shape })));
   const sets = kinds.map((kind, k) => vesica.shapes(kind, shapes[k])), all = shapes.flat();
   const index = vesica.index(...sets);
   const expected = [];
@@ -153,9 +157,11 @@ test('index and join', () => {
   assert.deepEqual(first.map((i, p) => `${i} ${second[p]}`).sort(), expected.sort());
   assert.equal(index.joinCount(), expected.length);
   const probe = circle(0.2, 0.1, 0.3);
-  assert.deepEqual(index.select(probe).sort((x, y) => x - y), all.flatMap((shape, i) => (vesica.overlap(shape, probe) ? [i] : [])));
+  assert.deepEqual(index.select(probe).sort((x, y) => x - y),
+    all.flatMap((shape, i) => (vesica.overlap(shape, probe) ? [i] : [])));
   const far = point(9, 9), { items, distances } = index.nearest(far, { k: 4 });
-  const order = all.map((shape, i) => [vesica.nearest(shape, far).distance, i]).sort((x, y) => x[0] - y[0] || x[1] - y[1]);
+  const order = all.map((shape, i) => [vesica.nearest(shape, far).distance, i]).sort((x, y) => x[0] - y[0] ||
+    x[1] - y[1]);
   assert.deepEqual(items.map((item, i) => [distances[i], item]), order.slice(0, 4));
   const again = vesica.indexFromBytes(index.bytes, ...sets);
   assert.deepEqual(again.join(), index.join());
@@ -208,7 +214,8 @@ test('an index of shapes that move', () => {
 test('memory is given back', () => {
   const pages = () => vesica.c.memory.buffer.byteLength;
   const work = () => {
-    const many = vesica.shapes('rect', Array.from({ length: 20000 }, () => randomShape('rect'))), index = vesica.index(many);
+    const many = vesica.shapes('rect', Array.from({ length: 20000 }, () => randomShape('rect'))),
+      index = vesica.index(many);
     vesica.overlap(many, a);
     index.free();
     index.free();
@@ -228,7 +235,8 @@ test('the vectors that every host answers', () => {
     if (!/^(f64|f32|many)$/.test(what)) continue;
     const shape = (at) => {
       const kind = kinds[+words[at]];
-      const numbers = words.slice(at + 1, at + 7).map((word) => (view.setBigUint64(0, BigInt('0x' + word)), view.getFloat64(0)));
+      const numbers = words.slice(at + 1, at + 7).map((word) =>
+        (view.setBigUint64(0, BigInt('0x' + word)), view.getFloat64(0)));
       return kind && { kind, numbers: numbers.slice(0, fields[kind].length) };
     };
     const [first, second] = [shape(0), shape(7)];

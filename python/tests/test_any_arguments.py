@@ -22,7 +22,8 @@ def any_value(draw):
         made = vesica.shapes(kind, numpy.array(rows, draw.choice(["f8", "f4"])).reshape(count, fields))
     frozen = numpy.zeros(count, draw.choice([bool, "u1", "f8", "f4"]))
     frozen.flags.writeable = draw.random() < 0.7
-    values = [made, made, made, made, made[0] if count else made, made[::-1], array, array[::-1], array.tolist(), frozen]
+    values = [made, made, made, made, made[0] if count else made, made[::-1]]
+    values += [array, array[::-1], array.tolist(), frozen, (1, 0)]
     values += [numpy.zeros((count, count)), None, "text", b"bytes", -1, 3, 2**70, kind, draw.choice(numbers), object()]
     return draw.choice(values)
 
@@ -44,6 +45,7 @@ class AnyArguments(unittest.TestCase):
                     if isinstance(result, vesica.Index):
                         result.join()
                         result.select(arguments[0])
+                        result.cast(*arguments)
                 answered += 1
             except (TypeError, ValueError, OverflowError):
                 pass

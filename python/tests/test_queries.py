@@ -48,7 +48,8 @@ class Consistent(unittest.TestCase):
             if kind_a >= Kind.CIRCLE and kind_b >= Kind.CIRCLE:
                 self.compare_ratios(a, b)
             for i in range(7):
-                self.assertEqual(vesica.overlap_select(a[i], b).tolist(), numpy.flatnonzero(vesica.overlap(a[i], b)).tolist())
+                selected = numpy.flatnonzero(vesica.overlap(a[i], b)).tolist()
+                self.assertEqual(vesica.overlap_select(a[i], b).tolist(), selected)
 
     def compare(self, name, a, b):
         function = getattr(vesica, name)

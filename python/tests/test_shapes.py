@@ -82,7 +82,8 @@ class Layouts(unittest.TestCase):
 
 class Constructors(unittest.TestCase):
     def test_degrees_are_exact_at_quarter_turns(self):
-        turns = vesica.rects([[0, 0, 4, 2, angle] for angle in (0, 90, 180, 270, 360, -90, 450, 36000090)], degrees=True)
+        angles = (0, 90, 180, 270, 360, -90, 450, 36000090)
+        turns = vesica.rects([[0, 0, 4, 2, angle] for angle in angles], degrees=True)
         axes = [(1, 0), (0, 1), (-1, 0), (0, -1), (1, 0), (0, -1), (0, 1), (0, 1)]
         self.assertEqual([tuple(row) for row in turns.numbers[:, 2:4]], axes)
         self.assertTrue(vesica.overlap(turns[1], vesica.points([-1, 2])))
@@ -99,6 +100,32 @@ class Constructors(unittest.TestCase):
         self.assertEqual(vesica.rects([1, 2, 6, 4, 0]).numbers.tolist(), [1, 2, 1, 0, 3, 2])
         self.assertEqual(vesica.ellipses([1, 2, 6, 4, 0]).numbers.tolist(), [1, 2, 1, 0, 6, 4])
         self.assertEqual(vesica.rects(numpy.zeros((2, 5), "f4")).dtype, numpy.float32)
+
+    def test_units_and_senses(self):
+        rows = [[1, 2, 6, 4, 90], [3, 4, 5, 2, -30]]
+        by_degrees = vesica.rects(rows, degrees=True).numbers
+        turned = numpy.array(rows)
+        turned[:, 4] *= -1
+        self.assertEqual(vesica.rects(turned, degrees=True, reverse=True).numbers.tolist(), by_degrees.tolist())
+        self.assertEqual(vesica.rects([1, 2, 6, 4, 1], quarters=True).numbers.tolist(), by_degrees[0].tolist())
+        self.assertEqual(vesica.ellipses([1, 2, 3, 2, 1], quarters=True).numbers.tolist(), by_degrees[0].tolist())
+        self.assertEqual(vesica.ellipses_in_boxes(rows, True).numbers.tolist(), by_degrees.tolist())
+        self.assertEqual(vesica.boxes(vesica.rects(rows, True), True)[0].tolist(), rows[0])
+        back = vesica.boxes(vesica.rects(rows, True)[0], quarters=True, reverse=True)
+        self.assertEqual(back.tolist(), [1, 2, 6, 4, -1])
+        every_other = numpy.repeat(numpy.array(rows, "f8"), 2, axis=0)[::2, ::-1][:, ::-1]
+        self.assertEqual(vesica.rects(every_other, True).numbers.tolist(), by_degrees.tolist())
+        with self.assertRaisesRegex(ValueError, "not both"):
+            vesica.rects(rows, degrees=True, quarters=True)
+        huge = 1.7e308
+        self.assertEqual(vesica.ellipses([0, 0, huge, 1, 0]).numbers.tolist(), [0, 0, 1, 0, huge, 1])
+
+    def test_invalid_rows(self):
+        with self.assertRaisesRegex(vesica.VesicaError, "1 invalid rows, the first is number 1") as caught:
+            vesica.rects([[1, 2, 6, 4, 0], [1, 2, -6, 4, 0]])
+        self.assertEqual(caught.exception.result[0].numbers.tolist(), [1, 2, 1, 0, 3, 2])
+        with self.assertRaises(vesica.VesicaError):
+            vesica.boxes(vesica.points([[1, 2]]))
 
     def test_corners(self):
         corners = [[0, 0], [2, 0], [2, 1], [0, 1]]

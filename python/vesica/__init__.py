@@ -18,12 +18,14 @@ answers of all others. `vesica.c` is the C library itself, and help(vesica.c.ves
 from ._library import VesicaError
 from ._library import library as c
 from .index import Index
+from .motion import Cast, Impact, cast, cast_first, sweep_bounds
 from .queries import (
     ClosestPoints,
     Crossings,
     Penetration,
     Ratio,
     Relation,
+    Within,
     area,
     area_matrix,
     boundary_distance,
@@ -40,6 +42,7 @@ from .queries import (
     nearest,
     nearest_matrix,
     nms,
+    nms_soft,
     overlap,
     overlap_matrix,
     overlap_select,
@@ -48,22 +51,30 @@ from .queries import (
     relation,
     relation_matrix,
     shape_area,
+    signed_distance,
+    signed_distance_matrix,
+    within,
+    within_matrix,
 )
 from .shapes import (
     FIELDS,
     Kind,
     Shapes,
     aabbs,
+    boxes,
     check,
     circles,
     ellipses,
     ellipses_from_covariance,
+    ellipses_in_boxes,
     points,
     rects,
     rects_from_corners,
     segments,
     shapes,
 )
+from .topology import de9im, de9im_match, intersection
 
 __version__ = "{}.{}.{}".format(c.vesica_version_major(), c.vesica_version_minor(), c.vesica_version_patch())
-__all__ = [name for name in dir() if not name.startswith("_") and name not in ("queries", "index")]
+_MODULES = "queries", "index", "motion", "topology"
+__all__ = [name for name in dir() if not name.startswith("_") and name not in _MODULES]

@@ -11,7 +11,8 @@ library = ctypes.CDLL(str(_inside) if _inside.exists() else _inside.name)
 library.vesica_version.restype = ctypes.c_int32
 if library.vesica_version() < _declarations.VERSION:
     raise ImportError(
-        f"libvesica {library.vesica_version()} is older than {_declarations.VERSION}, which this package needs: install a newer one"
+        f"libvesica {library.vesica_version()} is older than {_declarations.VERSION}, which this package needs: "
+        "install a newer one"
     )
 _declarations.declare(library)
 

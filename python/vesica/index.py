@@ -7,6 +7,7 @@ import numpy
 
 from . import _declarations
 from ._library import VesicaError, by_scalar, checked, library
+from .motion import first_of, new_impact, pair
 from .shapes import same_scalar, the_shapes
 
 _QUERIES = {
@@ -17,6 +18,8 @@ _QUERIES = {
 }
 _BUILD, _SELECT, _JOIN = by_scalar("index_build"), by_scalar("index_select"), by_scalar("join")
 _NEAREST, _JOIN_NEAREST = by_scalar("index_nearest"), by_scalar("join_nearest")
+_JOIN_WITHIN = by_scalar("join_within")
+_CAST, _CAST_FIRST = by_scalar("index_cast"), by_scalar("index_cast_first")
 _ALIGNMENT = 64
 _PAIRS_A_CALL = 1 << 16
 _NO_OUTPUT = (None, None, 0, None)
@@ -27,6 +30,17 @@ def _aligned(size):
     room = numpy.empty(size + _ALIGNMENT, numpy.uint8)
     start = -room.ctypes.data % _ALIGNMENT
     return room[start : start + size]
+
+
+def _pairs(ask):
+    """All pairs that a join writes in as many calls as it takes."""
+    firsts, seconds, state = [], [], numpy.zeros(4, numpy.int64)
+    while state[0] != -1:
+        a, b = numpy.empty((2, _PAIRS_A_CALL), numpy.int64)
+        found = ask(a.ctypes.data, b.ctypes.data, len(a), state.ctypes.data)
+        firsts.append(a[:found])
+        seconds.append(b[:found])
+    return numpy.concatenate(firsts), numpy.concatenate(seconds)
 
 
 class Index:
@@ -111,23 +125,28 @@ class Index:
         other: an index, or None for the pairs a < b of this one. query: "overlap", "contains" (the first item contains
         the second), "inside", or "bounds" for candidates. Parts may be asked by several threads or processes.
         """
-        firsts, seconds, state = [], [], numpy.zeros(4, numpy.int64)
-        while state[0] != -1:
-            a, b = numpy.empty((2, _PAIRS_A_CALL), numpy.int64)
-            found = self._join(other, query, part, parts, (a.ctypes.data, b.ctypes.data, len(a), state.ctypes.data))
-            firsts.append(a[:found])
-            seconds.append(b[:found])
-        return numpy.concatenate(firsts), numpy.concatenate(seconds)
+        return _pairs(lambda *output: self._join(other, query, part, parts, output))
+
+    def join_within(self, distance, other=None, part=0, parts=1):
+        """All pairs at most `distance` apart, as join gives them. Of ellipses also those too near to tell."""
+        other = self._joined(other)
+        indexes = self._address(), self._sets, len(self.sets), other._address(), other._sets, len(other.sets)
+        ask = _JOIN_WITHIN[self._letter]
+        return _pairs(lambda *output: checked(ask(*indexes, float(distance), int(part), int(parts), *output)))
 
     def join_count(self, other=None, query="overlap", part=0, parts=1):
         """How many pairs `join` would give."""
         return self._join(other, query, part, parts, _NO_OUTPUT)
 
-    def _join(self, other, query, part, parts, output):
+    def _joined(self, other):
         other = self if other is None else other
         if not isinstance(other, Index):
             raise TypeError(f"other is {type(other).__name__}, not an index")
         same_scalar(self.sets[0], other.sets[0], "this index", "the other")
+        return other
+
+    def _join(self, other, query, part, parts, output):
+        other = self._joined(other)
         if query not in _QUERIES:
             raise ValueError(f"query is one of {', '.join(_QUERIES)}, not {query!r}")
         scratch = _aligned(checked(library.vesica_join_scratch()))
@@ -144,12 +163,33 @@ class Index:
     def select(self, shape):
         """The items that a single shape overlaps. For many shapes, index and join them."""
         same_scalar(self.sets[0], shape, "the index", "shape")
-        arguments = (self._address(), self._sets, len(self.sets), ctypes.byref(shape.view))
-        count = checked(_SELECT[self._letter](*arguments, None, 0, None))
+        return self._items(_SELECT[self._letter], ctypes.byref(shape.view))
+
+    def _items(self, function, *asked):
+        """All items of a question, which is put twice: how many, and which."""
+        arguments = (self._address(), self._sets, len(self.sets), *asked)
+        count = checked(function(*arguments, None, 0, None))
         out, state = numpy.empty(count, numpy.int64), numpy.zeros(4, numpy.int64)
         if count:
-            checked(_SELECT[self._letter](*arguments, out.ctypes.data, count, state.ctypes.data))
+            checked(function(*arguments, out.ctypes.data, count, state.ctypes.data))
         return out
+
+    def cast(self, shape, velocity, t_end=math.inf):
+        """The items that a single shape, moved by t * velocity from t = 0 to t_end, touches."""
+        same_scalar(self.sets[0], shape, "the index", "shape")
+        return self._items(_CAST[self._letter], ctypes.byref(shape.view), *pair(velocity), float(t_end))
+
+    def cast_first(self, shape, velocity, t_end=math.inf):
+        """The item that a moving shape touches first, the lowest of several: (item, Impact), or None."""
+        same_scalar(self.sets[0], shape, "the index", "shape")
+        record = new_impact(self._letter)
+        item = checked(
+            _CAST_FIRST[self._letter](
+                *(self._address(), self._sets, len(self.sets), ctypes.byref(shape.view)),
+                *(*pair(velocity), float(t_end), ctypes.byref(record)),
+            )
+        )
+        return first_of(item, self.count, record)
 
     def nearest(self, shape, k=1, within=math.inf):
         """The k items nearest to a single shape, and their distances, nearest first; at equal distances by number."""

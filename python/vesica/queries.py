@@ -36,6 +36,14 @@ class Ratio(enum.IntEnum):
     COMPLETE = _declarations.RATIO_COMPLETE  # CIoU
 
 
+class Within(enum.IntEnum):
+    """Whether two shapes are at most so far apart. NEARLY, of an ellipse alone: it is too near to tell."""
+
+    NO = _declarations.WITHIN_NO
+    YES = _declarations.WITHIN_YES
+    NEARLY = _declarations.WITHIN_NEARLY
+
+
 class ClosestPoints(NamedTuple):
     """A distance, the point (ax, ay) of a and the point (bx, by) of b: floats, or arrays."""
 
@@ -79,7 +87,8 @@ def _output(out, shape, dtypes, operands):
     return out
 
 
-def _count(a, b):
+def in_step(a, b):
+    """How many answers two operands in step have."""
     counts = {len(shape.columns[0]) for shape in (a, b)}
     if 0 in counts:
         return 0
@@ -89,7 +98,11 @@ def _count(a, b):
     return counts.pop() if counts else 1
 
 
-def _finish(code, result, **operands):
+# Errors of single elements, after which the results of all others are there.
+_WRITTEN = (_declarations.E_SHAPE, _declarations.E_ARGUMENT, _declarations.E_RANGE)
+
+
+def finish(code, result, **operands):
     """The result, or the error with it; operands: what may be invalid, by the names of the parameters."""
     if code >= 0:
         return result
@@ -101,15 +114,23 @@ def _finish(code, result, **operands):
             for name, which in wrong
             if len(which)
         )
-    raise VesicaError(code, message, result)
+    raise VesicaError(code, message, result if code in _WRITTEN else None)
+
+
+def columns_of(named, out, count, a, b):
+    """An array for each field of a named tuple of results: the caller's, if it has one for it."""
+    given = (None,) * len(named._fields) if out is None else out
+    if len(given) != len(named._fields):
+        raise ValueError(f"out has an array, or None, for each of {' '.join(named._fields)}")
+    return [_output(column, (count,), (a.dtype,), (a, b)) for column in given]
 
 
 class _Query:
     """A question about two shapes: its C functions and the types of its results."""
 
-    def __init__(self, name, dtypes=None, convert=None, result=None, record=None, first=()):
+    def __init__(self, name, dtypes=None, convert=None, result=None, record=None, first=(), last=()):
         self.one, self.many = by_scalar(name), by_scalar(f"{name}_many")
-        self.first = first  # arguments before the shapes
+        self.first, self.last = first, last  # arguments before the shapes, and after
         self.dtypes = dtypes  # of codes; numbers have the shapes' own
         self.convert = convert  # a single code
         self.result, self.record = result, record  # a named tuple, and the C struct it comes from
@@ -118,25 +139,23 @@ class _Query:
         letter = same_scalar(a, b)
         if a.single and b.single:
             return self._single(letter, a, b, out)
-        count = _count(a, b)
+        count = in_step(a, b)
         if self.result is None:
             columns = result = _output(out, (count,), self.dtypes or (a.dtype,), (a, b))
             addresses = (columns.ctypes.data,)
         else:
-            given = (None,) * len(self.result._fields) if out is None else out
-            if len(given) != len(self.result._fields):
-                raise ValueError(f"out has an array, or None, for each of {' '.join(self.result._fields)}")
-            columns = [_output(column, (count,), (a.dtype,), (a, b)) for column in given]
-            result, addresses = self.result(*columns), [column.ctypes.data for column in columns]
-        code = self.many[letter](*self.first, ctypes.byref(a.view), ctypes.byref(b.view), *addresses)
-        return _finish(code, result, a=a, b=b)
+            result = self.result(*columns_of(self.result, out, count, a, b))
+            addresses = [column.ctypes.data for column in result]
+        operands = (*self.first, ctypes.byref(a.view), ctypes.byref(b.view), *self.last)
+        code = self.many[letter](*operands, *addresses)
+        return finish(code, result, a=a, b=b)
 
     def _single(self, letter, a, b, out):
         if out is not None:
             raise TypeError("the answer for two single shapes is a number: it has no out")
         function = self.one[letter]
         if self.convert is not None:
-            return self.convert(checked(function(a.kind, a.record, b.kind, b.record)))
+            return self.convert(checked(function(a.kind, a.record, b.kind, b.record, *self.last)))
         record = self.record[letter]()
         checked(function(*self.first, a.kind, a.record, b.kind, b.record, ctypes.byref(record)))
         if self.result is None:
@@ -147,16 +166,18 @@ class _Query:
 class _Matrix:
     """The same question of every pair of two arrays."""
 
-    def __init__(self, name, dtypes=None, first=()):
-        self.function, self.dtypes, self.first = by_scalar(f"{name}_matrix"), dtypes, first
+    def __init__(self, name, dtypes=None, first=(), last=()):
+        self.function, self.dtypes = by_scalar(f"{name}_matrix"), dtypes
+        self.first, self.last = first, last
 
     def __call__(self, a, b, out):
         letter = same_scalar(a, b)
         shape = (len(a.columns[0]), len(b.columns[0]))
         result = _output(out, shape, self.dtypes or (a.dtype,), (a, b))
         row = result.strides[0] // result.itemsize if result.size else shape[1]
-        code = self.function[letter](*self.first, ctypes.byref(a.view), ctypes.byref(b.view), result.ctypes.data, row)
-        return _finish(code, result, a=a, b=b)
+        operands = (*self.first, ctypes.byref(a.view), ctypes.byref(b.view), *self.last)
+        code = self.function[letter](*operands, result.ctypes.data, row)
+        return finish(code, result, a=a, b=b)
 
 
 def _structs(name):
@@ -171,16 +192,18 @@ _CONTAINS = _Query("contains", _BYTES, bool)
 _NEAREST = _Query("nearest", result=ClosestPoints, record=_structs("closest_points"))
 _BOUNDARY_DISTANCE = _Query("boundary_distance", result=ClosestPoints, record=_structs("closest_points"))
 _DEPTH = _Query("depth", result=Penetration, record=_structs("penetration"))
+_SIGNED_DISTANCE = _Query("signed_distance", record=_NUMBER)
 _AREA = _Query("area", record=_NUMBER)
 _IOU = _Query("iou", record=_NUMBER)
 _OVERLAP_MATRIX, _CONTAINS_MATRIX = _Matrix("overlap", _BYTES), _Matrix("contains", _BYTES)
 _RELATION_MATRIX = _Matrix("relation", (numpy.uint8,))
 _AREA_MATRIX, _IOU_MATRIX = _Matrix("area"), _Matrix("iou")
 _NEAREST_MATRIX, _BOUNDARY_DISTANCE_MATRIX = _Matrix("nearest"), _Matrix("boundary_distance")
-_DEPTH_MATRIX = _Matrix("depth")
+_DEPTH_MATRIX, _SIGNED_DISTANCE_MATRIX = _Matrix("depth"), _Matrix("signed_distance")
 _RATIO = {which: _Query("ratio", record=_NUMBER, first=(which,)) for which in Ratio}
 _RATIO_MATRIX = {which: _Matrix("ratio", first=(which,)) for which in Ratio}
-_SELECT, _SUPPRESS = by_scalar("overlap_select"), by_scalar("suppress")
+_SELECT, _SUPPRESS, _SOFT = by_scalar("overlap_select"), by_scalar("suppress"), by_scalar("suppress_soft")
+_DECAYS = {"linear": _declarations.DECAY_LINEAR, "gaussian": _declarations.DECAY_GAUSSIAN}
 _CROSSINGS, _CROSSING_POINTS = by_scalar("crossings"), _structs("crossing_points")
 _SHAPE_AREA, _BOUNDS, _CORNERS = by_scalar("shape_area"), by_scalar("bounds_many"), by_scalar("corners_of_shapes")
 
@@ -206,7 +229,7 @@ def overlap_select(one, many):
     code = _SELECT[letter](ctypes.byref(one.view), ctypes.byref(many.view), out.ctypes.data, len(out))
     # With an invalid shape, which is never selected, -1 follows the others.
     found = out[:code] if code >= 0 else out[: numpy.argmax(out == -1)]
-    return _finish(code, found, one=one, many=many)
+    return finish(code, found, one=one, many=many)
 
 
 def relation(a, b, out=None):
@@ -257,6 +280,29 @@ def depth(a, b, out=None):
 def depth_matrix(a, b, out=None):
     """(len(a), len(b)): how far each of b must move until it only touches each of a; 0 where they do not overlap."""
     return _DEPTH_MATRIX(a, b, out)
+
+
+def signed_distance(a, b, out=None):
+    """How far are the solid shapes apart or, below 0, how deep do they overlap?"""
+    return _SIGNED_DISTANCE(a, b, out)
+
+
+def signed_distance_matrix(a, b, out=None):
+    """(len(a), len(b)): the signed distance of each of a and each of b."""
+    return _SIGNED_DISTANCE_MATRIX(a, b, out)
+
+
+def within(a, b, distance, out=None):
+    """Are a and b at most `distance` apart? Exactly so far counts. A Within, or an array of uint8 with their numbers.
+
+    Exact; with an ellipse it is Within.NEARLY where the distance is too near the one asked for to tell.
+    """
+    return _Query("within", (numpy.uint8,), Within, last=(float(distance),))(a, b, out)
+
+
+def within_matrix(a, b, distance, out=None):
+    """(len(a), len(b)) of uint8: is each of a at most `distance` from each of b? The numbers of Within."""
+    return _Matrix("within", (numpy.uint8,), last=(float(distance),))(a, b, out)
 
 
 def area(a, b, out=None):
@@ -324,7 +370,7 @@ def _numbers_of(shape, functions, numbers):
     the_shapes(shape, "shape")
     out = numpy.empty((len(shape.columns[0]), numbers), shape.dtype)
     result = out[0] if shape.single else out
-    return _finish(functions[shape.letter](ctypes.byref(shape.view), out.ctypes.data), result, shape=shape)
+    return finish(functions[shape.letter](ctypes.byref(shape.view), out.ctypes.data), result, shape=shape)
 
 
 def _each(shape, functions, numbers):
@@ -366,7 +412,29 @@ def nms(boxes, scores, threshold=0.5, *, labels=None, ratio=Ratio.OVER_UNION, le
         keep.ctypes.data,
         ctypes.byref(kept),
     )
-    return _finish(code, keep[: kept.value], boxes=boxes)
+    return finish(code, keep[: kept.value], boxes=boxes)
+
+
+def nms_soft(boxes, scores, parameter=0.5, *, decay="linear", labels=None, ratio=Ratio.OVER_UNION, least_score=0.0,
+             most=None):
+    """Soft suppression: (indices, scores), as they are taken, with the scores that were left then.
+
+    The best is taken again and again, and lowers those that it has a ratio r with: "linear", times 1 - r where r is
+    above the parameter; "gaussian", times exp(-r^2 / parameter). The rest as nms.
+    """
+    scores = _one_each("scores", scores, the_shapes(boxes, "boxes").dtype, boxes)
+    labels = None if labels is None else _one_each("labels", labels, numpy.int32, boxes)
+    if decay not in _DECAYS:
+        raise ValueError(f"decay is one of {', '.join(_DECAYS)}, not {decay!r}")
+    room = max(len(boxes) if most is None else min(int(most), len(boxes)), 0)
+    keep, left, kept = numpy.empty(room, numpy.int64), numpy.empty(room, boxes.dtype), ctypes.c_int64()
+    scratch = numpy.empty(checked(library.vesica_suppress_soft_scratch(len(boxes))) // 8 + 1, numpy.int64)
+    code = _SOFT[boxes.letter](
+        *(ctypes.byref(boxes.view), scores.ctypes.data, None if labels is None else labels.ctypes.data, Ratio(ratio)),
+        *(_DECAYS[decay], float(parameter), float(least_score), room, scratch.ctypes.data, scratch.nbytes),
+        *(keep.ctypes.data, left.ctypes.data, ctypes.byref(kept)),
+    )
+    return finish(code, (keep[: kept.value], left[: kept.value]), boxes=boxes)
 
 
 def _one_each(name, values, dtype, boxes):

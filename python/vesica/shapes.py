@@ -28,6 +28,8 @@ _VIEWS = {"d": _declarations.shapes_f64, "f": _declarations.shapes_f32}
 _CHECK = by_scalar("check")
 _RECT_FROM_CORNERS = by_scalar("rect_from_corners")
 _ELLIPSE_FROM_COVARIANCE = by_scalar("ellipse_from_covariance")
+_RECTS_FROM_BOXES, _ELLIPSES_FROM_BOXES = by_scalar("rects_from_boxes"), by_scalar("ellipses_from_boxes")
+_BOXES_FROM_SHAPES = by_scalar("boxes_from_shapes")
 
 
 class Shapes:
@@ -183,41 +185,64 @@ def aabbs(xyxy):
     return shapes(Kind.AABB, xyxy)
 
 
-def rects(array, degrees=False):
-    """Rotated rectangles from (n, 5): centre x, y, width, height, angle; counter-clockwise where y points up.
+def rects(array, degrees=False, *, quarters=False, reverse=False):
+    """Rotated rectangles from (n, 5): centre x, y, width, height, angle of the width's edge. A row for a single one.
 
-    angle: of the width's edge, in radians, or in degrees; multiples of 90 degrees are turned exactly.
-    A row for a single rectangle. shapes(Kind.RECT, ...) takes the library's own six numbers without a copy.
+    The angle is in radians, degrees, or quarter turns, from +x towards +y (counter-clockwise where y points up), or
+    with `reverse` the other way. Multiples of 90 degrees turn exactly. An invalid row is a VesicaError, whose `result`
+    has NaN for it. shapes(Kind.RECT, ...) takes the library's own six numbers without a copy.
     """
     rows, single = _rows(array, "rects", "x", "y", "width", "height", "angle")
-    return _turned(Kind.RECT, rows, rows[:, 2:4] / 2, degrees, single)
+    return _from_boxes(Kind.RECT, _RECTS_FROM_BOXES, rows, single, angle_unit(degrees, quarters, reverse))
 
 
-def ellipses(array, degrees=False):
+def ellipses(array, degrees=False, *, quarters=False, reverse=False):
     """Ellipses from (n, 5): centre x, y, half axes a, b, angle of a; else as rects."""
     rows, single = _rows(array, "ellipses", "x", "y", "a", "b", "angle")
-    return _turned(Kind.ELLIPSE, rows, rows[:, 2:4], degrees, single)
+    return _from_boxes(Kind.ELLIPSE, _ELLIPSES_FROM_BOXES, rows, single, angle_unit(degrees, quarters, reverse), rows)
 
 
-def _turned(kind, rows, sizes, degrees, single):
-    numbers = numpy.empty((len(rows), 6), rows.dtype)
-    numbers[:, 0:2] = rows[:, 0:2]
-    numbers[:, 2], numbers[:, 3] = _axis(rows[:, 4].astype(numpy.float64), degrees)
-    numbers[:, 4:6] = sizes
-    return shapes(kind, numbers[0] if single else numbers)
+def ellipses_in_boxes(array, degrees=False, *, quarters=False, reverse=False):
+    """Ellipses from the boxes about them, (n, 5) as of rects, whose sides they touch in the middle."""
+    rows, single = _rows(array, "ellipses", "x", "y", "width", "height", "angle")
+    return _from_boxes(Kind.ELLIPSE, _ELLIPSES_FROM_BOXES, rows, single, angle_unit(degrees, quarters, reverse))
 
 
-def _axis(angle, degrees):
-    """Cosine and sine. In degrees, whole quarter turns are taken out first, which is exact."""
-    if not degrees:
-        return numpy.cos(angle), numpy.sin(angle)
-    with numpy.errstate(invalid="ignore"):
-        angle = numpy.fmod(angle, 360.0)
-        quarters = numpy.rint(angle / 90)
-        rest = numpy.radians(angle - 90 * quarters)
-        turn = numpy.nan_to_num(quarters).astype(numpy.int64) % 4
-    cosine, sine = numpy.cos(rest), numpy.sin(rest)
-    return numpy.choose(turn, (cosine, -sine, -cosine, sine)), numpy.choose(turn, (sine, cosine, -sine, -cosine))
+def boxes(shape, degrees=False, *, quarters=False, reverse=False):
+    """The way back: (n, 5) of centre x, y, width, height, angle of rectangles, or of the boxes about ellipses."""
+    unit = angle_unit(degrees, quarters, reverse)
+    out = numpy.empty((len(the_shapes(shape, "shape").columns[0]), 5), shape.dtype)
+    code = _BOXES_FROM_SHAPES[shape.letter](ctypes.byref(shape.view), unit, out.ctypes.data)
+    result = out[0] if shape.single else out
+    if code < 0:
+        raise VesicaError(code, result=result if code != _declarations.E_KIND else None)
+    return result
+
+
+def angle_unit(degrees, quarters, reverse):
+    """The library's number of a unit of angles and a sense."""
+    if degrees and quarters:
+        raise ValueError("angles are in degrees or in quarter turns, not both")
+    unit = _declarations.ANGLE_DEGREES if degrees else _declarations.ANGLE_RADIANS
+    unit = _declarations.ANGLE_QUARTERS if quarters else unit
+    return unit + _declarations.ANGLE_REVERSED if reverse else unit
+
+
+def _from_boxes(kind, functions, rows, single, unit, half_sizes=None):
+    """Shapes that the library makes from rows; half_sizes: the rows whose sizes are not whole but half ones."""
+    if rows.strides[1] != rows.itemsize:
+        rows = numpy.ascontiguousarray(rows)
+    out = numpy.empty((len(rows), 6), rows.dtype)
+    code = functions[rows.dtype.char](rows.ctypes.data, len(rows), rows.strides[0], unit, out.ctypes.data)
+    if half_sizes is not None:
+        valid = ~numpy.isnan(out[:, 4])
+        out[valid, 4:6] = half_sizes[valid, 2:4]
+    made = shapes(kind, out[0] if single else out)
+    if code < 0:
+        wrong = made.invalid()
+        first = f"{len(wrong)} invalid rows, the first is number {wrong[0]}" if len(wrong) else None
+        raise VesicaError(code, first, made)
+    return made
 
 
 def rects_from_corners(corners):

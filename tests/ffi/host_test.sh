@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # host_test.sh MOVED WORK HOST OLDER: a host's folder, built by its own host.sh, answers the vectors with the library
-# installed in MOVED (HOST may be a path); finds every answer that is made wrong in them; and refuses the library in OLDER.
+# installed in MOVED (HOST may be a path), and knows two closest points; finds every answer that is made wrong in them;
+# and refuses the library in OLDER.
 set -euo pipefail
 
 # Not every language's tools can take a library from a place with a space in its name.
@@ -32,6 +33,8 @@ output=$(run "$vectors") || complain "fails in $(declare -f run | sed '1,2d; $d'
 counts=$(awk '/^f/ { calls++ } /^many/ { batch++ } END { printf "%d calls, %d in a batch", calls, batch }' "$vectors")
 grep -Fxq "$counts" <<<"$output" || complain "does not report '$counts'"
 grep -q '^NaN: .*a shape is invalid' <<<"$output" || complain "has no error to show for NaN"
+
+grep -Fxq 'nearest: as in C' <<<"$output" || complain 'has other closest points'
 
 # Index and join, where the folder has them: the same bytes and pairs as in C.
 if declare -F run_index >/dev/null; then

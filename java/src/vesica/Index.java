@@ -5,6 +5,7 @@ import static vesica.VesicaException.checked;
 
 import java.nio.ByteBuffer;
 import java.util.Arrays;
+import java.util.Optional;
 
 /**
  * An index over arrays of shapes laid end to end: item i is shape i of the first array, and the next array's items
@@ -93,6 +94,25 @@ public final class Index {
     return out;
   }
 
+  /** The items that a single shape touches while it moves, in the index's order. */
+  public long[] cast(Shapes one, Motion how) {
+    Vesica.alike(sets.wide, one.wide);
+    double vx = how.vx(), vy = how.vy(), end = how.end();
+    int found = (int) checked(Native.indexCast(sets.wide, memory, sets, one, vx, vy, end, null, 0, null));
+    long[] out = new long[found];
+    if (found > 0) checked(Native.indexCast(sets.wide, memory, sets, one, vx, vy, end, out, found, new long[4]));
+    return out;
+  }
+
+  /** The item that a single moving shape touches first, the lowest of several. */
+  public Optional<Motion.First> castFirst(Shapes one, Motion how) {
+    Vesica.alike(sets.wide, one.wide);
+    Object out = numbers(5);
+    double vx = how.vx(), vy = how.vy(), end = how.end();
+    return Motion.first(
+        checked(Native.indexCastFirst(sets.wide, memory, sets, one, vx, vy, end, out)), sets.count, out);
+  }
+
   /** The k items nearest to a single shape, at most {@code within} away; infinity asks for any. */
   public Neighbours nearest(Shapes one, int k, double within) {
     Vesica.alike(sets.wide, one.wide);
@@ -101,7 +121,8 @@ public final class Index {
     long[] items = new long[most];
     Object distances = numbers(most);
     int found = (int) checked(Native.indexNearest(sets.wide, memory, sets, one, most, within, items, distances));
-    return new Neighbours(Arrays.copyOf(items, Math.min(found, most)), Arrays.copyOf(doubles(distances), Math.min(found, most)));
+    int written = Math.min(found, most);
+    return new Neighbours(Arrays.copyOf(items, written), Arrays.copyOf(doubles(distances), written));
   }
 
   /**
@@ -123,7 +144,7 @@ public final class Index {
     return sets.wide ? new double[count] : new float[count];
   }
 
-  private static double[] doubles(Object numbers) {
+  static double[] doubles(Object numbers) {
     if (numbers instanceof double[] doubles) return doubles;
     float[] floats = (float[]) numbers;
     double[] out = new double[floats.length];
@@ -143,11 +164,30 @@ public final class Index {
 
   /** One of some parts of a join, which threads may ask at the same time. One after the other they are the join. */
   public long[][] join(Index other, JoinQuery query, long part, long parts) {
+    return pairs((a, b, state) -> ask(other, query, part, parts, a, b, state));
+  }
+
+  /**
+   * All pairs of an item of this index and one of another that are at most {@code distance} apart, as {@link #join}
+   * gives them. Of ellipses also those too near to it to tell.
+   */
+  public long[][] joinWithin(Index other, double distance) {
+    Vesica.alike(sets.wide, other.sets.wide);
+    return pairs((a, b, state) -> checked(
+        Native.joinWithin(sets.wide, memory, sets, other.memory, other.sets, distance, 0, 1, a, b, a.length, state)));
+  }
+
+  private interface Pairs {
+    long write(long[] a, long[] b, long[] state);
+  }
+
+  /** All pairs that a join writes in as many calls as it takes. */
+  private static long[][] pairs(Pairs ask) {
     long[][] pairs = new long[2][PAIRS_A_CALL];
     long[] a = new long[PAIRS_A_CALL], b = new long[PAIRS_A_CALL], state = new long[4];
     int count = 0;
     while (state[0] != -1) {
-      int found = (int) ask(other, query, part, parts, a, b, state);
+      int found = (int) ask.write(a, b, state);
       for (int side = 0; side < 2; side++) {
         if (count + found > pairs[side].length) pairs[side] = Arrays.copyOf(pairs[side], 2 * (count + found));
         System.arraycopy(side == 0 ? a : b, 0, pairs[side], count, found);

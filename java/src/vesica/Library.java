@@ -37,6 +37,7 @@ final class Library {
   private static void requireVersion(int version) {
     if (version >= Native.VERSION) return;
     throw new UnsatisfiedLinkError(
-        "libvesica " + version + " is older than " + Native.VERSION + ", which this package needs: install a newer one");
+        "libvesica " + version + " is older than " + Native.VERSION
+            + ", which this package needs: install a newer one");
   }
 }

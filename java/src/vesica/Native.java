@@ -104,13 +104,14 @@ final class Native {
   /**
    * How does a relate to b? The answer is one of the eight relations of the region connection calculus (RCC-8).
    *
-   * <p>The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with one size zero,
-   * is its two end points. A point, or a shape without any size, has no outline. The inside is all but the outline. If
-   * several relations fit, VESICA_EQUAL comes first, then those of containment, then VESICA_CROSS. So a segment that ends
-   * on the middle of another touches it, two segments along one line that overlap in part cross, and a point on the rim
-   * of a disc is inside with touch. Exchanging the shapes always gives the converse relation.
+   * <p>The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with one size
+   * zero, is its two end points. A point, or a shape without any size, has no outline. The inside is all but the
+   * outline. If several relations fit, VESICA_EQUAL comes first, then those of containment, then VESICA_CROSS. So a
+   * segment that ends on the middle of another touches it, two segments along one line that overlap in part cross, and
+   * a point on the rim of a disc is inside with touch. Exchanging the shapes always gives the converse relation.
    *
-   * <p>Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
+   * <p>Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe
+   * them.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
    *
@@ -140,20 +141,21 @@ final class Native {
   /**
    * Where do the outlines of two shapes meet? Touching counts.
    *
-   * <p>The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their own
-   * outlines. A contact of any order is one place. If straight outlines have a stretch in common, its two end points are
-   * places, and out-&gt;shared is 1. So equal boxes have their four corners. Equal curves have no single places: then the
-   * count is 0 and out-&gt;shared is 1.
-   * Places come in order along a's outline, counter-clockwise in the frame of its axis. The start is a box's corner
-   * C - hx u - hy perp(u), an ellipse's point C + a u, a circle's point C + (r, 0), or a segment's first end.
+   * <p>The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their
+   * own outlines. A contact of any order is one place. If straight outlines have a stretch in common, its two end
+   * points are places, and out-&gt;shared is 1. So equal boxes have their four corners. Equal curves have no single
+   * places: then the count is 0 and out-&gt;shared is 1. Places come in order along a's outline, counter-clockwise in
+   * the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's point C + a u, a circle's
+   * point C + (r, 0), or a segment's first end.
    *
    * <p>Returns: the number of places, 0 to 8.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    *
-   * <p>Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, however
-   * closely the outlines touch or coincide. Places closer to one another than that may come in either order or be equal.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * <p>Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape,
+   * however closely the outlines touch or coincide. Places closer to one another than that may come in either order or
+   * be equal. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
+   * their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
    * <p>Cost: 1 to 10 us; at worst 100 us, where exponents are wildly unlike.
    *
@@ -164,22 +166,23 @@ final class Native {
   /**
    * How far apart are two solid shapes, and which of their points are closest?
    *
-   * <p>If the shapes overlap (as vesica_overlap_f64 tells), the distance is 0 and both points are one common point. If not,
-   * the distance is &gt; 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes by the same
-   * exact amounts changes no bit of the distance.
+   * <p>If the shapes overlap (as vesica_overlap_f64 tells), the distance is 0 and both points are one common point. If
+   * not, the distance is &gt; 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes by
+   * the same exact amounts changes no bit of the distance.
    *
    * <p>Returns: 0.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    *
-   * <p>Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale. It is right
-   * to 2 u of itself if it is above 1e-10 scale (aspect ratios up to 1e6) or above 1e-14 scale (up to 1000). Before their
-   * coordinates are rounded, closest points are within 4 u scale of the outlines, and a common point is within 8 u scale
-   * of both shapes.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * <p>Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale. It is
+   * right to 2 u of itself if it is above 1e-10 scale (aspect ratios up to 1e6) or above 1e-14 scale (up to 1000).
+   * Before their coordinates are rounded, closest points are within 4 u scale of the outlines, and a common point is
+   * within 8 u scale of both shapes. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest
+   * of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its
+   * shorter one.
    *
-   * <p>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
-   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 40.
+   * <p>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's
+   * centre; 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 40.
    *
    * <p>Since: 0.1.
    */
@@ -188,22 +191,24 @@ final class Native {
   /**
    * How far apart are the outlines of two shapes, and where do they come closest?
    *
-   * <p>The outline of a shape with area is the curve around it. A point, a segment and a shape with a zero size are their
-   * own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If shapes are disjoint,
-   * the result is that of vesica_nearest_f64. If one is strictly inside the other, the distance is the least over the
-   * whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes exchanges the points
-   * and changes no bit. Moving both shapes by the same exact amounts changes no bit of the distance.
+   * <p>The outline of a shape with area is the curve around it. A point, a segment and a shape with a zero size are
+   * their own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If shapes are
+   * disjoint, the result is that of vesica_nearest_f64. If one is strictly inside the other, the distance is the least
+   * over the whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes exchanges
+   * the points and changes no bit. Moving both shapes by the same exact amounts changes no bit of the distance.
    *
    * <p>Returns: 0.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    *
-   * <p>Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u
-   * scale. At any, it is above 0 if outlines do not meet, and points are on them to 12 u scale before they are rounded.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * <p>Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16
+   * u scale. At any, it is above 0 if outlines do not meet, and points are on them to 12 u scale before they are
+   * rounded. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
+   * their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
-   * <p>Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2 us
-   * for a common point, of needles as vesica_crossings_f64; 5 us more if exact arithmetic must tell; at worst 100 us.
+   * <p>Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2
+   * us for a common point, of needles as vesica_crossings_f64; 5 us more if exact arithmetic must tell; at worst 100
+   * us.
    *
    * <p>Since: 0.1.
    */
@@ -212,24 +217,25 @@ final class Native {
   /**
    * Penetration depth: how far and which way must b be moved until the two shapes only touch?
    *
-   * <p>Moving b by out-&gt;depth along the unit vector (x, y) is the shortest translation after which a line separates the
-   * shapes: a on one side, b on the other, where both may touch the line. For disjoint shapes all three numbers are 0.
-   * Overlapping shapes always get a direction. Their depth is 0 if such a line is there already: if they touch from
-   * outside, if a point lies on an outline, or if points and segments lie along one line. Otherwise the depth is &gt; 0.
-   * Exchanging the shapes reverses the direction and changes no other bit, except for two equal shapes in one place.
+   * <p>Moving b by out-&gt;depth along the unit vector (x, y) is the shortest translation after which a line separates
+   * the shapes: a on one side, b on the other, where both may touch the line. For disjoint shapes all three numbers are
+   * 0. Overlapping shapes always get a direction. Their depth is 0 if such a line is there already: if they touch from
+   * outside, if a point lies on an outline, or if points and segments lie along one line. Otherwise the depth is &gt;
+   * 0. Exchanging the shapes reverses the direction and changes no other bit, except for two equal shapes in one place.
    * Moving both shapes by the same exact amounts changes no bit.
    *
    * <p>Returns: 0.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    *
-   * <p>Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; of two circles, and of a point and a circle, to
-   * its last place. The length of (x, y) is 1 but for 3 u, and it moves b clear but for 8 u scale. Whether the depth is 0
-   * is exact.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * <p>Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; of two circles, and of a point and a
+   * circle, to its last place. The length of (x, y) is 1 but for 3 u, and it moves b clear but for 8 u scale. Whether
+   * the depth is 0 is exact. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx|
+   * and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
+   * one.
    *
-   * <p>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
-   * if only exact arithmetic can tell the depth from 0; at worst 40 us, where exponents are wildly unlike.
+   * <p>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to
+   * 5 us if only exact arithmetic can tell the depth from 0; at worst 40 us, where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */
@@ -242,8 +248,8 @@ final class Native {
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    *
-   * <p>Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another never
-   * has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them.
+   * <p>Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another
+   * never has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them.
    *
    * <p>Cost: about 20 ns.
    *
@@ -254,21 +260,23 @@ final class Native {
   /**
    * Area of the intersection of two shapes.
    *
-   * <p>It is exactly 0 if shapes are disjoint, if they only touch, or if one has no area. If one contains the other, it is
-   * the vesica_shape_area_f64 of the inner one. It is never more than the area of either, and more than 0 if the insides
-   * of shapes with area meet, unless that underflows. Exchanging the shapes changes no bit. Scaling both by a power of
-   * two scales the area by its square.
+   * <p>It is exactly 0 if shapes are disjoint, if they only touch, or if one has no area. If one contains the other, it
+   * is the vesica_shape_area_f64 of the inner one. It is never more than the area of either, and more than 0 if the
+   * insides of shapes with area meet, unless that underflows. Exchanging the shapes changes no bit. Scaling both by a
+   * power of two scales the area by its square.
    *
    * <p>Returns: 0.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    *
-   * <p>Accuracy: within 64 u of the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4, however
-   * near the outlines are to touching or coinciding and however different the sizes are.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * <p>Accuracy: within 64 u of the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4,
+   * however near the outlines are to touching or coinciding and however different the sizes are. Bounds on computed
+   * numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their
+   * half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
-   * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
-   * nearly touch or coincide, or if one shape is far larger; at worst 40 us, where exponents are wildly unlike.
+   * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
+   * outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us, where exponents are wildly
+   * unlike.
    *
    * <p>Since: 0.1.
    */
@@ -277,8 +285,8 @@ final class Native {
   /**
    * Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
    *
-   * <p>It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Nothing overflows or underflows on the
-   * way, whatever the sizes. Exchanging the shapes, or scaling both by a power of two, changes no bit.
+   * <p>It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Nothing overflows or underflows on
+   * the way, whatever the sizes. Exchanging the shapes, or scaling both by a power of two, changes no bit.
    *
    * <p>Returns: 0.
    *
@@ -301,8 +309,8 @@ final class Native {
    *
    * <p>Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
    *
-   * <p>Cost: up to 80 ns; 1 to 3 us for magnitudes beyond 2^+-400, and for an ellipse with an oblique axis and representable
-   * sides; at worst 20 us.
+   * <p>Cost: up to 80 ns; 1 to 3 us for magnitudes beyond 2^+-400, and for an ellipse with an oblique axis and
+   * representable sides; at worst 20 us.
    *
    * <p>Since: 0.1.
    */
@@ -330,9 +338,9 @@ final class Native {
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
    *
-   * <p>Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No number is exactly a quarter turn, so the
-   * axis of one is parallel to a coordinate axis only to that rounding. Sizes are exact: if halving one would round (an
-   * odd multiple of the smallest subnormal number), the axis is halved instead.
+   * <p>Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No number is exactly a quarter turn,
+   * so the axis of one is parallel to a coordinate axis only to that rounding. Sizes are exact: if halving one would
+   * round (an odd multiple of the smallest subnormal number), the axis is halved instead.
    *
    * <p>Cost: about 40 ns.
    *
@@ -343,17 +351,17 @@ final class Native {
   /**
    * Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
    *
-   * <p>Corners that are not exactly a rectangle's give a rectangle near them, which need not contain them. The centre is the
-   * mean of the corners. The axis is a unit vector along the edge from corner 0 to corner 1, and hx belongs to that edge.
-   * Opposite edges are averaged; the longer pair gives the direction, and the shorter pair counts by its part across it.
-   * Two or four equal corners are legal: they give a segment, or a point with axis (1, 0).
+   * <p>Corners that are not exactly a rectangle's give a rectangle near them, which need not contain them. The centre
+   * is the mean of the corners. The axis is a unit vector along the edge from corner 0 to corner 1, and hx belongs to
+   * that edge. Opposite edges are averaged; the longer pair gives the direction, and the shorter pair counts by its
+   * part across it. Two or four equal corners are legal: they give a segment, or a point with axis (1, 0).
    *
    * <p>Returns: 0; the shape is valid.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent overflows).
    *
-   * <p>Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the longer one;
-   * the centre is right to 1 unit in its own. To both comes 2^-98 times the largest coordinate. The corners of an
+   * <p>Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the longer
+   * one; the centre is right to 1 unit in its own. To both comes 2^-98 times the largest coordinate. The corners of an
    * axis-parallel rectangle give exactly it if its centre and half extents are representable.
    *
    * <p>Cost: about 110 ns.
@@ -399,24 +407,26 @@ final class Native {
   /**
    * Ellipse of the points within k standard deviations of a mean (Mahalanobis distance at most k).
    *
-   * <p>A singular covariance, or k = 0, gives a segment or a point. The result has a &gt;= b. Its axis is a unit vector with
-   * x &gt;= 0, or (1, 0) for equal variances without correlation.
+   * <p>A singular covariance, or k = 0, gives a segment or a point. The result has a &gt;= b. Its axis is a unit vector
+   * with x &gt;= 0, or (1, 0) for equal variances without correlation.
    *
-   * <p>Requires: the covariance cxx, cxy, cyy (units squared) positive semidefinite: cxy^2 &lt;= cxx cyy as stored; k &gt;= 0.
+   * <p>Requires: the covariance cxx, cxy, cyy (units squared) positive semidefinite: cxy^2 &lt;= cxx cyy as stored; k
+   * &gt;= 0.
    *
    * <p>Returns: 0; the shape is valid.
    *
-   * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k &lt; 0), VESICA_E_ARGUMENT (not a covariance),
-   * VESICA_E_RANGE (a half length overflows).
+   * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k &lt; 0), VESICA_E_ARGUMENT (not a
+   * covariance), VESICA_E_RANGE (a half length overflows).
    *
-   * <p>Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, however near the
-   * matrix is to a singular one or to a circle's.
+   * <p>Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, however
+   * near the matrix is to a singular one or to a circle's.
    *
    * <p>Cost: about 90 ns.
    *
    * <p>Since: 0.1.
    */
-  static native int ellipseFromCovarianceF64(double meanX, double meanY, double cxx, double cxy, double cyy, double k, Object out);
+  static native int ellipseFromCovarianceF64(double meanX, double meanY, double cxx, double cxy, double cyy, double k,
+      Object out);
 
   /**
    * Ellipse of the points X with (X - C) . M (X - C) &lt;= 1, where M is symmetric with entries mxx, mxy, myy.
@@ -440,282 +450,318 @@ final class Native {
   /**
    * Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f64.
    *
-   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
-   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
+   * as the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    *
    * <p>Returns: how many are 1.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
-   * that is beyond the address space).
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may
+   * be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+   * array that is beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
-   * <p>Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float (see README.md).
+   * <p>Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float (see
+   * README.md).
    *
    * <p>Since: 0.1.
    */
-  static native long overlapManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+  static native long overlapManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out);
 
   /**
    * How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f64.
    *
-   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
-   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
+   * as the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    *
    * <p>Returns: how many are not VESICA_DISJOINT.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
-   * that is beyond the address space).
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may
+   * be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+   * array that is beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Since: 0.1.
    */
-  static native long relationManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+  static native long relationManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out);
 
   /**
    * Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f64.
    *
-   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
-   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
+   * as the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    *
    * <p>Returns: how many are 1.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
-   * that is beyond the address space).
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may
+   * be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+   * array that is beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Since: 0.1.
    */
-  static native long containsManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+  static native long containsManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out);
 
   /**
    * How far apart are a[i] and b[i], and where? The columns are the fields of vesica_nearest_f64's result.
    *
-   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
-   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
+   * as the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    *
    * <p>Returns: how many pairs overlap (distance 0).
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
-   * that is beyond the address space).
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may
+   * be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+   * array that is beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Since: 0.1.
    */
-  static native long nearestManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object distance, Object ax, Object ay, Object bx, Object by);
+  static native long nearestManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object distance, Object ax, Object ay, Object bx, Object by);
 
   /**
-   * How far apart are the outlines of a[i] and b[i]? The columns are the fields of vesica_boundary_distance_f64's result.
+   * How far apart are the outlines of a[i] and b[i]? The columns are the fields of vesica_boundary_distance_f64's
+   * result.
    *
-   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
-   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
+   * as the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    *
    * <p>Returns: how many pairs of outlines meet (distance 0).
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
-   * that is beyond the address space).
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may
+   * be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+   * array that is beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Since: 0.1.
    */
-  static native long boundaryDistanceManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object distance, Object ax, Object ay, Object bx, Object by);
+  static native long boundaryDistanceManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object distance, Object ax, Object ay, Object bx, Object by);
 
   /**
    * How deep do a[i] and b[i] overlap? The columns are the fields of vesica_depth_f64's result.
    *
-   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
-   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
+   * as the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    *
    * <p>Returns: how many depths are &gt; 0.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
-   * that is beyond the address space).
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may
+   * be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+   * array that is beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Since: 0.1.
    */
-  static native long depthManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object depth, Object x, Object y);
+  static native long depthManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object depth, Object x, Object y);
 
   /**
    * What area do a[i] and b[i] share? out[i] is the result of vesica_area_f64.
    *
-   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
-   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
+   * as the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    *
    * <p>Returns: how many areas are &gt; 0.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
-   * that is beyond the address space).
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may
+   * be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+   * array that is beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Since: 0.1.
    */
-  static native long areaManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+  static native long areaManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount,
+      long bStride, long bStep, Object bBase, Object out);
 
   /**
    * Intersection over union of a[i] and b[i]: out[i] is the result of vesica_iou_f64.
    *
-   * <p>If neither of a pair has an area, out[i] is NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   * <p>If neither of a pair has an area, out[i] is NaN, and the call returns VESICA_E_ARGUMENT unless a shape is
+   * invalid.
    *
-   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
-   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
+   * as the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    *
    * <p>Returns: how many are &gt; 0.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
-   * that is beyond the address space).
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may
+   * be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+   * array that is beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Since: 0.1.
    */
-  static native long iouManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+  static native long iouManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount,
+      long bStride, long bStep, Object bBase, Object out);
 
   /**
    * Do a[i] and b[j] share a point? The elements of out are answers of vesica_overlap_f64.
    *
-   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
-   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
+   * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
+   * memory.
    *
    * <p>Returns: how many are 1.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
    * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
-   * beyond the address space).
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or
+   * rows beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Cost: that of one shape against many, however large the arrays are.
    *
    * <p>Since: 0.1.
    */
-  static native long overlapMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+  static native long overlapMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
    * How does a[i] relate to b[j]? The elements of out are answers of vesica_relation_f64.
    *
-   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
-   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
+   * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
+   * memory.
    *
    * <p>Returns: how many are not VESICA_DISJOINT.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
    * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
-   * beyond the address space).
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or
+   * rows beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Cost: that of one shape against many, however large the arrays are.
    *
    * <p>Since: 0.1.
    */
-  static native long relationMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+  static native long relationMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
    * Does a[i] contain all of b[j]? The elements of out are answers of vesica_contains_f64.
    *
-   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
-   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
+   * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
+   * memory.
    *
    * <p>Returns: how many are 1.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
    * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
-   * beyond the address space).
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or
+   * rows beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Cost: that of one shape against many, however large the arrays are.
    *
    * <p>Since: 0.1.
    */
-  static native long containsMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+  static native long containsMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
    * What area do a[i] and b[j] share? The elements of out are results of vesica_area_f64.
    *
-   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
-   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
+   * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
+   * memory.
    *
    * <p>Returns: how many are &gt; 0.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
    * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
-   * beyond the address space).
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or
+   * rows beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Cost: that of one shape against many, however large the arrays are.
    *
    * <p>Since: 0.1.
    */
-  static native long areaMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+  static native long areaMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
    * Intersection over union of a[i] and b[j]. The elements of out are results of vesica_iou_f64.
    *
    * <p>If neither of a pair has an area, it gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
    *
-   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
-   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
+   * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
+   * memory.
    *
    * <p>Returns: how many are &gt; 0.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
    * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
-   * beyond the address space).
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or
+   * rows beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Cost: that of one shape against many, however large the arrays are.
    *
    * <p>Since: 0.1.
    */
-  static native long iouMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+  static native long iouMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
    * Which of many shapes overlap one? Their indices are written to out[0], out[1] ..., in ascending order.
    *
    * <p>Requires: one, an array of count 1; capacity, how many indices out has room for. It may be 0, and out then NULL.
    *
-   * <p>Returns: how many there are, even if that is beyond the capacity. If room is left, the entry after the last is -1.
+   * <p>Returns: how many there are, even if that is beyond the capacity. If room is left, the entry after the last is
+   * -1.
    *
-   * <p>Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the indices of valid ones are written; -1 or
-   * the capacity ends them. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's count is
-   * not 1, a negative capacity, and as vesica_overlap_many_f64).
+   * <p>Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the indices of valid ones are written; -1
+   * or the capacity ends them. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's count
+   * is not 1, a negative capacity, and as vesica_overlap_many_f64).
    *
    * <p>Accuracy: every answer is that of vesica_overlap_f64.
    *
    * <p>Since: 0.1.
    */
-  static native long overlapSelectF64(int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, int manyKind, long manyCount, long manyStride, long manyStep, Object manyBase, Object out, long capacity);
+  static native long overlapSelectF64(int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase,
+      int manyKind, long manyCount, long manyStride, long manyStep, Object manyBase, Object out, long capacity);
 
   /**
    * Bytes of scratch memory that vesica_nms_f64 and vesica_nms_f32 need for that many shapes.
@@ -737,18 +783,20 @@ final class Native {
    * <p>Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to
    * 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
    *
-   * <p>Returns: 0. keep has the indices of the kept shapes in the order of their scores, and *kept how many they are. What
-   * follows them in keep is not written.
+   * <p>Returns: 0. keep has the indices of the kept shapes in the order of their scores, and *kept how many they are.
+   * What follows them in keep is not written.
    *
    * <p>Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: the result is that without it, and is written.
-   * Before anything is written: VESICA_E_NULL (if there are no shapes, only shapes and kept are looked at), VESICA_E_KIND
-   * (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too little scratch).
+   * Before anything is written: VESICA_E_NULL (if there are no shapes, only shapes and kept are looked at),
+   * VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too
+   * little scratch).
    *
    * <p>Cost: an index, sorting, and an IoU where bounds and areas allow one above the threshold: 0.3 to 1.2 us a shape.
    *
    * <p>Since: 0.1.
    */
-  static native int nmsF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object scores, double threshold, Object scratch, long scratchSize, Object keep, Object kept);
+  static native int nmsF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase,
+      Object scores, double threshold, Object scratch, long scratchSize, Object keep, Object kept);
 
   /**
    * Is a shape valid, and if not, which rule does it break?
@@ -782,13 +830,14 @@ final class Native {
   /**
    * How does a relate to b? The answer is one of the eight relations of the region connection calculus (RCC-8).
    *
-   * <p>The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with one size zero,
-   * is its two end points. A point, or a shape without any size, has no outline. The inside is all but the outline. If
-   * several relations fit, VESICA_EQUAL comes first, then those of containment, then VESICA_CROSS. So a segment that ends
-   * on the middle of another touches it, two segments along one line that overlap in part cross, and a point on the rim
-   * of a disc is inside with touch. Exchanging the shapes always gives the converse relation.
+   * <p>The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with one size
+   * zero, is its two end points. A point, or a shape without any size, has no outline. The inside is all but the
+   * outline. If several relations fit, VESICA_EQUAL comes first, then those of containment, then VESICA_CROSS. So a
+   * segment that ends on the middle of another touches it, two segments along one line that overlap in part cross, and
+   * a point on the rim of a disc is inside with touch. Exchanging the shapes always gives the converse relation.
    *
-   * <p>Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
+   * <p>Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe
+   * them.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
    *
@@ -818,21 +867,22 @@ final class Native {
   /**
    * Where do the outlines of two shapes meet? Touching counts.
    *
-   * <p>The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their own
-   * outlines. A contact of any order is one place. If straight outlines have a stretch in common, its two end points are
-   * places, and out-&gt;shared is 1. So equal boxes have their four corners. Equal curves have no single places: then the
-   * count is 0 and out-&gt;shared is 1.
-   * Places come in order along a's outline, counter-clockwise in the frame of its axis. The start is a box's corner
-   * C - hx u - hy perp(u), an ellipse's point C + a u, a circle's point C + (r, 0), or a segment's first end.
+   * <p>The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their
+   * own outlines. A contact of any order is one place. If straight outlines have a stretch in common, its two end
+   * points are places, and out-&gt;shared is 1. So equal boxes have their four corners. Equal curves have no single
+   * places: then the count is 0 and out-&gt;shared is 1. Places come in order along a's outline, counter-clockwise in
+   * the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's point C + a u, a circle's
+   * point C + (r, 0), or a segment's first end.
    *
    * <p>Returns: the number of places, 0 to 8.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    *
-   * <p>Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, however
-   * closely the outlines touch or coincide. Places closer to one another than that may come in either order or be equal.
-   * Each number is computed in double, within these bounds, and then rounded to float once.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * <p>Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape,
+   * however closely the outlines touch or coincide. Places closer to one another than that may come in either order or
+   * be equal. Each number is computed in double, within these bounds, and then rounded to float once. Bounds on
+   * computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and
+   * of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
    * <p>Cost: 1 to 10 us; at worst 100 us, where exponents are wildly unlike.
    *
@@ -843,23 +893,23 @@ final class Native {
   /**
    * How far apart are two solid shapes, and which of their points are closest?
    *
-   * <p>If the shapes overlap (as vesica_overlap_f32 tells), the distance is 0 and both points are one common point. If not,
-   * the distance is &gt; 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes by the same
-   * exact amounts changes no bit of the distance.
+   * <p>If the shapes overlap (as vesica_overlap_f32 tells), the distance is 0 and both points are one common point. If
+   * not, the distance is &gt; 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes by
+   * the same exact amounts changes no bit of the distance.
    *
    * <p>Returns: 0.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    *
-   * <p>Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale. It is right
-   * to 2 u of itself if it is above 1e-10 scale (aspect ratios up to 1e6) or above 1e-14 scale (up to 1000). Before their
-   * coordinates are rounded, closest points are within 4 u scale of the outlines, and a common point is within 8 u scale
-   * of both shapes.
-   * Each number is computed in double, within these bounds, and then rounded to float once.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * <p>Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale. It is
+   * right to 2 u of itself if it is above 1e-10 scale (aspect ratios up to 1e6) or above 1e-14 scale (up to 1000).
+   * Before their coordinates are rounded, closest points are within 4 u scale of the outlines, and a common point is
+   * within 8 u scale of both shapes. Each number is computed in double, within these bounds, and then rounded to float
+   * once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
+   * their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
-   * <p>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
-   * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 40.
+   * <p>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's
+   * centre; 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 40.
    *
    * <p>Since: 0.1.
    */
@@ -868,23 +918,25 @@ final class Native {
   /**
    * How far apart are the outlines of two shapes, and where do they come closest?
    *
-   * <p>The outline of a shape with area is the curve around it. A point, a segment and a shape with a zero size are their
-   * own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If shapes are disjoint,
-   * the result is that of vesica_nearest_f32. If one is strictly inside the other, the distance is the least over the
-   * whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes exchanges the points
-   * and changes no bit. Moving both shapes by the same exact amounts changes no bit of the distance.
+   * <p>The outline of a shape with area is the curve around it. A point, a segment and a shape with a zero size are
+   * their own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If shapes are
+   * disjoint, the result is that of vesica_nearest_f32. If one is strictly inside the other, the distance is the least
+   * over the whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes exchanges
+   * the points and changes no bit. Moving both shapes by the same exact amounts changes no bit of the distance.
    *
    * <p>Returns: 0.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    *
-   * <p>Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u
-   * scale. At any, it is above 0 if outlines do not meet, and points are on them to 12 u scale before they are rounded.
-   * Each number is computed in double, within these bounds, and then rounded to float once.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * <p>Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16
+   * u scale. At any, it is above 0 if outlines do not meet, and points are on them to 12 u scale before they are
+   * rounded. Each number is computed in double, within these bounds, and then rounded to float once. Bounds on computed
+   * numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their
+   * half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
-   * <p>Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2 us
-   * for a common point, of needles as vesica_crossings_f32; 5 us more if exact arithmetic must tell; at worst 100 us.
+   * <p>Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2
+   * us for a common point, of needles as vesica_crossings_f32; 5 us more if exact arithmetic must tell; at worst 100
+   * us.
    *
    * <p>Since: 0.1.
    */
@@ -893,25 +945,25 @@ final class Native {
   /**
    * Penetration depth: how far and which way must b be moved until the two shapes only touch?
    *
-   * <p>Moving b by out-&gt;depth along the unit vector (x, y) is the shortest translation after which a line separates the
-   * shapes: a on one side, b on the other, where both may touch the line. For disjoint shapes all three numbers are 0.
-   * Overlapping shapes always get a direction. Their depth is 0 if such a line is there already: if they touch from
-   * outside, if a point lies on an outline, or if points and segments lie along one line. Otherwise the depth is &gt; 0.
-   * Exchanging the shapes reverses the direction and changes no other bit, except for two equal shapes in one place.
+   * <p>Moving b by out-&gt;depth along the unit vector (x, y) is the shortest translation after which a line separates
+   * the shapes: a on one side, b on the other, where both may touch the line. For disjoint shapes all three numbers are
+   * 0. Overlapping shapes always get a direction. Their depth is 0 if such a line is there already: if they touch from
+   * outside, if a point lies on an outline, or if points and segments lie along one line. Otherwise the depth is &gt;
+   * 0. Exchanging the shapes reverses the direction and changes no other bit, except for two equal shapes in one place.
    * Moving both shapes by the same exact amounts changes no bit.
    *
    * <p>Returns: 0.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    *
-   * <p>Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; of two circles, and of a point and a circle, to
-   * its last place. The length of (x, y) is 1 but for 3 u, and it moves b clear but for 8 u scale. Whether the depth is 0
-   * is exact.
-   * Each number is computed in double, within these bounds, and then rounded to float once.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * <p>Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; of two circles, and of a point and a
+   * circle, to its last place. The length of (x, y) is 1 but for 3 u, and it moves b clear but for 8 u scale. Whether
+   * the depth is 0 is exact. Each number is computed in double, within these bounds, and then rounded to float once.
+   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
+   * centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
-   * <p>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
-   * if only exact arithmetic can tell the depth from 0; at worst 40 us, where exponents are wildly unlike.
+   * <p>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to
+   * 5 us if only exact arithmetic can tell the depth from 0; at worst 40 us, where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */
@@ -924,9 +976,9 @@ final class Native {
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    *
-   * <p>Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another never
-   * has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them.
-   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * <p>Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another
+   * never has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them. Each
+   * number is computed in double, within these bounds, and then rounded to float once.
    *
    * <p>Cost: about 20 ns.
    *
@@ -937,22 +989,24 @@ final class Native {
   /**
    * Area of the intersection of two shapes.
    *
-   * <p>It is exactly 0 if shapes are disjoint, if they only touch, or if one has no area. If one contains the other, it is
-   * the vesica_shape_area_f32 of the inner one. It is never more than the area of either, and more than 0 if the insides
-   * of shapes with area meet, unless that underflows. Exchanging the shapes changes no bit. Scaling both by a power of
-   * two scales the area by its square.
+   * <p>It is exactly 0 if shapes are disjoint, if they only touch, or if one has no area. If one contains the other, it
+   * is the vesica_shape_area_f32 of the inner one. It is never more than the area of either, and more than 0 if the
+   * insides of shapes with area meet, unless that underflows. Exchanging the shapes changes no bit. Scaling both by a
+   * power of two scales the area by its square.
    *
    * <p>Returns: 0.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
    *
-   * <p>Accuracy: within 64 u of the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4, however
-   * near the outlines are to touching or coinciding and however different the sizes are.
-   * Each number is computed in double, within these bounds, and then rounded to float once.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * <p>Accuracy: within 64 u of the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4,
+   * however near the outlines are to touching or coinciding and however different the sizes are. Each number is
+   * computed in double, within these bounds, and then rounded to float once. Bounds on computed numbers use u = 2^-53.
+   * The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect
+   * ratio is a shape's longer size over its shorter one.
    *
-   * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
-   * nearly touch or coincide, or if one shape is far larger; at worst 40 us, where exponents are wildly unlike.
+   * <p>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
+   * outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us, where exponents are wildly
+   * unlike.
    *
    * <p>Since: 0.1.
    */
@@ -961,8 +1015,8 @@ final class Native {
   /**
    * Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
    *
-   * <p>It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Nothing overflows or underflows on the
-   * way, whatever the sizes. Exchanging the shapes, or scaling both by a power of two, changes no bit.
+   * <p>It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Nothing overflows or underflows on
+   * the way, whatever the sizes. Exchanging the shapes, or scaling both by a power of two, changes no bit.
    *
    * <p>Returns: 0.
    *
@@ -986,8 +1040,8 @@ final class Native {
    *
    * <p>Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
    *
-   * <p>Cost: up to 80 ns; 1 to 3 us for magnitudes beyond 2^+-400, and for an ellipse with an oblique axis and representable
-   * sides; at worst 20 us.
+   * <p>Cost: up to 80 ns; 1 to 3 us for magnitudes beyond 2^+-400, and for an ellipse with an oblique axis and
+   * representable sides; at worst 20 us.
    *
    * <p>Since: 0.1.
    */
@@ -1015,9 +1069,9 @@ final class Native {
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
    *
-   * <p>Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No number is exactly a quarter turn, so the
-   * axis of one is parallel to a coordinate axis only to that rounding. Sizes are exact: if halving one would round (an
-   * odd multiple of the smallest subnormal number), the axis is halved instead.
+   * <p>Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No number is exactly a quarter turn,
+   * so the axis of one is parallel to a coordinate axis only to that rounding. Sizes are exact: if halving one would
+   * round (an odd multiple of the smallest subnormal number), the axis is halved instead.
    *
    * <p>Cost: about 40 ns.
    *
@@ -1028,17 +1082,17 @@ final class Native {
   /**
    * Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
    *
-   * <p>Corners that are not exactly a rectangle's give a rectangle near them, which need not contain them. The centre is the
-   * mean of the corners. The axis is a unit vector along the edge from corner 0 to corner 1, and hx belongs to that edge.
-   * Opposite edges are averaged; the longer pair gives the direction, and the shorter pair counts by its part across it.
-   * Two or four equal corners are legal: they give a segment, or a point with axis (1, 0).
+   * <p>Corners that are not exactly a rectangle's give a rectangle near them, which need not contain them. The centre
+   * is the mean of the corners. The axis is a unit vector along the edge from corner 0 to corner 1, and hx belongs to
+   * that edge. Opposite edges are averaged; the longer pair gives the direction, and the shorter pair counts by its
+   * part across it. Two or four equal corners are legal: they give a segment, or a point with axis (1, 0).
    *
    * <p>Returns: 0; the shape is valid.
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent overflows).
    *
-   * <p>Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the longer one;
-   * the centre is right to 1 unit in its own. To both comes 2^-98 times the largest coordinate. The corners of an
+   * <p>Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the longer
+   * one; the centre is right to 1 unit in its own. To both comes 2^-98 times the largest coordinate. The corners of an
    * axis-parallel rectangle give exactly it if its centre and half extents are representable.
    *
    * <p>Cost: about 110 ns.
@@ -1084,24 +1138,26 @@ final class Native {
   /**
    * Ellipse of the points within k standard deviations of a mean (Mahalanobis distance at most k).
    *
-   * <p>A singular covariance, or k = 0, gives a segment or a point. The result has a &gt;= b. Its axis is a unit vector with
-   * x &gt;= 0, or (1, 0) for equal variances without correlation.
+   * <p>A singular covariance, or k = 0, gives a segment or a point. The result has a &gt;= b. Its axis is a unit vector
+   * with x &gt;= 0, or (1, 0) for equal variances without correlation.
    *
-   * <p>Requires: the covariance cxx, cxy, cyy (units squared) positive semidefinite: cxy^2 &lt;= cxx cyy as stored; k &gt;= 0.
+   * <p>Requires: the covariance cxx, cxy, cyy (units squared) positive semidefinite: cxy^2 &lt;= cxx cyy as stored; k
+   * &gt;= 0.
    *
    * <p>Returns: 0; the shape is valid.
    *
-   * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k &lt; 0), VESICA_E_ARGUMENT (not a covariance),
-   * VESICA_E_RANGE (a half length overflows).
+   * <p>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k &lt; 0), VESICA_E_ARGUMENT (not a
+   * covariance), VESICA_E_RANGE (a half length overflows).
    *
-   * <p>Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, however near the
-   * matrix is to a singular one or to a circle's.
+   * <p>Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, however
+   * near the matrix is to a singular one or to a circle's.
    *
    * <p>Cost: about 90 ns.
    *
    * <p>Since: 0.1.
    */
-  static native int ellipseFromCovarianceF32(float meanX, float meanY, float cxx, float cxy, float cyy, float k, Object out);
+  static native int ellipseFromCovarianceF32(float meanX, float meanY, float cxx, float cxy, float cyy, float k,
+      Object out);
 
   /**
    * Ellipse of the points X with (X - C) . M (X - C) &lt;= 1, where M is symmetric with entries mxx, mxy, myy.
@@ -1125,282 +1181,318 @@ final class Native {
   /**
    * Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f32.
    *
-   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
-   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
+   * as the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    *
    * <p>Returns: how many are 1.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
-   * that is beyond the address space).
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may
+   * be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+   * array that is beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
-   * <p>Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float (see README.md).
+   * <p>Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float (see
+   * README.md).
    *
    * <p>Since: 0.1.
    */
-  static native long overlapManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+  static native long overlapManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out);
 
   /**
    * How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f32.
    *
-   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
-   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
+   * as the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    *
    * <p>Returns: how many are not VESICA_DISJOINT.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
-   * that is beyond the address space).
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may
+   * be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+   * array that is beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Since: 0.1.
    */
-  static native long relationManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+  static native long relationManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out);
 
   /**
    * Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f32.
    *
-   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
-   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
+   * as the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    *
    * <p>Returns: how many are 1.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
-   * that is beyond the address space).
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may
+   * be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+   * array that is beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Since: 0.1.
    */
-  static native long containsManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+  static native long containsManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out);
 
   /**
    * How far apart are a[i] and b[i], and where? The columns are the fields of vesica_nearest_f32's result.
    *
-   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
-   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
+   * as the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    *
    * <p>Returns: how many pairs overlap (distance 0).
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
-   * that is beyond the address space).
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may
+   * be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+   * array that is beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Since: 0.1.
    */
-  static native long nearestManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object distance, Object ax, Object ay, Object bx, Object by);
+  static native long nearestManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object distance, Object ax, Object ay, Object bx, Object by);
 
   /**
-   * How far apart are the outlines of a[i] and b[i]? The columns are the fields of vesica_boundary_distance_f32's result.
+   * How far apart are the outlines of a[i] and b[i]? The columns are the fields of vesica_boundary_distance_f32's
+   * result.
    *
-   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
-   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
+   * as the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    *
    * <p>Returns: how many pairs of outlines meet (distance 0).
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
-   * that is beyond the address space).
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may
+   * be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+   * array that is beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Since: 0.1.
    */
-  static native long boundaryDistanceManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object distance, Object ax, Object ay, Object bx, Object by);
+  static native long boundaryDistanceManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object distance, Object ax, Object ay, Object bx, Object by);
 
   /**
    * How deep do a[i] and b[i] overlap? The columns are the fields of vesica_depth_f32's result.
    *
-   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
-   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
+   * as the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    *
    * <p>Returns: how many depths are &gt; 0.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
-   * that is beyond the address space).
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may
+   * be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+   * array that is beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Since: 0.1.
    */
-  static native long depthManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object depth, Object x, Object y);
+  static native long depthManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object depth, Object x, Object y);
 
   /**
    * What area do a[i] and b[i] share? out[i] is the result of vesica_area_f32.
    *
-   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
-   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
+   * as the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    *
    * <p>Returns: how many areas are &gt; 0.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
-   * that is beyond the address space).
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may
+   * be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+   * array that is beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Since: 0.1.
    */
-  static native long areaManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+  static native long areaManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount,
+      long bStride, long bStep, Object bBase, Object out);
 
   /**
    * Intersection over union of a[i] and b[i]: out[i] is the result of vesica_iou_f32.
    *
-   * <p>If neither of a pair has an area, out[i] is NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   * <p>If neither of a pair has an area, out[i] is NaN, and the call returns VESICA_E_ARGUMENT unless a shape is
+   * invalid.
    *
-   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
-   * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
+   * as the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
    *
    * <p>Returns: how many are &gt; 0.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
-   * that is beyond the address space).
+   * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may
+   * be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+   * array that is beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Since: 0.1.
    */
-  static native long iouManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+  static native long iouManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount,
+      long bStride, long bStep, Object bBase, Object out);
 
   /**
    * Do a[i] and b[j] share a point? The elements of out are answers of vesica_overlap_f32.
    *
-   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
-   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
+   * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
+   * memory.
    *
    * <p>Returns: how many are 1.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
    * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
-   * beyond the address space).
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or
+   * rows beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Cost: that of one shape against many, however large the arrays are.
    *
    * <p>Since: 0.1.
    */
-  static native long overlapMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+  static native long overlapMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
    * How does a[i] relate to b[j]? The elements of out are answers of vesica_relation_f32.
    *
-   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
-   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
+   * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
+   * memory.
    *
    * <p>Returns: how many are not VESICA_DISJOINT.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
    * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
-   * beyond the address space).
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or
+   * rows beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Cost: that of one shape against many, however large the arrays are.
    *
    * <p>Since: 0.1.
    */
-  static native long relationMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+  static native long relationMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
    * Does a[i] contain all of b[j]? The elements of out are answers of vesica_contains_f32.
    *
-   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
-   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
+   * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
+   * memory.
    *
    * <p>Returns: how many are 1.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
    * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
-   * beyond the address space).
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or
+   * rows beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Cost: that of one shape against many, however large the arrays are.
    *
    * <p>Since: 0.1.
    */
-  static native long containsMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+  static native long containsMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
    * What area do a[i] and b[j] share? The elements of out are results of vesica_area_f32.
    *
-   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
-   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
+   * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
+   * memory.
    *
    * <p>Returns: how many are &gt; 0.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
    * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
-   * beyond the address space).
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or
+   * rows beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Cost: that of one shape against many, however large the arrays are.
    *
    * <p>Since: 0.1.
    */
-  static native long areaMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+  static native long areaMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
    * Intersection over union of a[i] and b[j]. The elements of out are results of vesica_iou_f32.
    *
    * <p>If neither of a pair has an area, it gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
    *
-   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
-   * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
+   * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
+   * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
+   * memory.
    *
    * <p>Returns: how many are &gt; 0.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
    * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
-   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
-   * beyond the address space).
+   * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or
+   * rows beyond the address space).
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Cost: that of one shape against many, however large the arrays are.
    *
    * <p>Since: 0.1.
    */
-  static native long iouMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+  static native long iouMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
    * Which of many shapes overlap one? Their indices are written to out[0], out[1] ..., in ascending order.
    *
    * <p>Requires: one, an array of count 1; capacity, how many indices out has room for. It may be 0, and out then NULL.
    *
-   * <p>Returns: how many there are, even if that is beyond the capacity. If room is left, the entry after the last is -1.
+   * <p>Returns: how many there are, even if that is beyond the capacity. If room is left, the entry after the last is
+   * -1.
    *
-   * <p>Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the indices of valid ones are written; -1 or
-   * the capacity ends them. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's count is
-   * not 1, a negative capacity, and as vesica_overlap_many_f32).
+   * <p>Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the indices of valid ones are written; -1
+   * or the capacity ends them. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's count
+   * is not 1, a negative capacity, and as vesica_overlap_many_f32).
    *
    * <p>Accuracy: every answer is that of vesica_overlap_f32.
    *
    * <p>Since: 0.1.
    */
-  static native long overlapSelectF32(int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, int manyKind, long manyCount, long manyStride, long manyStep, Object manyBase, Object out, long capacity);
+  static native long overlapSelectF32(int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase,
+      int manyKind, long manyCount, long manyStride, long manyStep, Object manyBase, Object out, long capacity);
 
   /**
    * Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one whose
@@ -1411,18 +1503,20 @@ final class Native {
    * <p>Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to
    * 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
    *
-   * <p>Returns: 0. keep has the indices of the kept shapes in the order of their scores, and *kept how many they are. What
-   * follows them in keep is not written.
+   * <p>Returns: 0. keep has the indices of the kept shapes in the order of their scores, and *kept how many they are.
+   * What follows them in keep is not written.
    *
    * <p>Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: the result is that without it, and is written.
-   * Before anything is written: VESICA_E_NULL (if there are no shapes, only shapes and kept are looked at), VESICA_E_KIND
-   * (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32, threshold, too little scratch).
+   * Before anything is written: VESICA_E_NULL (if there are no shapes, only shapes and kept are looked at),
+   * VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32, threshold, too
+   * little scratch).
    *
    * <p>Cost: an index, sorting, and an IoU where bounds and areas allow one above the threshold: 0.3 to 1.2 us a shape.
    *
    * <p>Since: 0.1.
    */
-  static native int nmsF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object scores, float threshold, Object scratch, long scratchSize, Object keep, Object kept);
+  static native int nmsF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase,
+      Object scores, float threshold, Object scratch, long scratchSize, Object keep, Object kept);
 
   /**
    * Rectangles from boxes.
@@ -1433,11 +1527,11 @@ final class Native {
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
    * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-   * the address space, an unknown unit of angles).
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+   * beyond the address space, an unknown unit of angles).
    *
-   * <p>Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
-   * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
+   * <p>Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90,
+   * and whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
    *
    * <p>Cost: about 30 ns a box.
    *
@@ -1454,8 +1548,8 @@ final class Native {
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
    * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-   * the address space, an unknown unit of angles).
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+   * beyond the address space, an unknown unit of angles).
    *
    * <p>Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
    *
@@ -1470,23 +1564,25 @@ final class Native {
    *
    * <p>An angle is from -180 to 180 degrees.
    *
-   * <p>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
+   * <p>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without
+   * gaps.
    *
    * <p>Returns: 0.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
    * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-   * the address space, an unknown unit of angles).
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+   * beyond the address space, an unknown unit of angles).
    *
-   * <p>Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
-   * quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
+   * <p>Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of
+   * a quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
    *
    * <p>Cost: about 70 ns a shape.
    *
    * <p>Since: 0.1.
    */
-  static native long boxesFromShapesF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, int angle, Object boxes);
+  static native long boxesFromShapesF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep,
+      Object shapesBase, int angle, Object boxes);
 
   /**
    * The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
@@ -1499,8 +1595,8 @@ final class Native {
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
    * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-   * the address space, an unknown unit of angles).
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+   * beyond the address space, an unknown unit of angles).
    *
    * <p>Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
    *
@@ -1508,7 +1604,8 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long cornersOfShapesF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object corners);
+  static native long cornersOfShapesF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep,
+      Object shapesBase, Object corners);
 
   /**
    * The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.
@@ -1519,8 +1616,8 @@ final class Native {
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
    * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-   * the address space, an unknown unit of angles).
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+   * beyond the address space, an unknown unit of angles).
    *
    * <p>Accuracy: that of vesica_bounds_f64.
    *
@@ -1528,7 +1625,8 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long boundsManyF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object out);
+  static native long boundsManyF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep,
+      Object shapesBase, Object out);
 
   /**
    * Rectangles from boxes.
@@ -1539,12 +1637,12 @@ final class Native {
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
    * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-   * the address space, an unknown unit of angles).
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+   * beyond the address space, an unknown unit of angles).
    *
-   * <p>Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
-   * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
-   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * <p>Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90,
+   * and whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32. Each number is computed in
+   * double, within these bounds, and then rounded to float once.
    *
    * <p>Cost: about 30 ns a box.
    *
@@ -1561,8 +1659,8 @@ final class Native {
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
    * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-   * the address space, an unknown unit of angles).
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+   * beyond the address space, an unknown unit of angles).
    *
    * <p>Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
    * Each number is computed in double, within these bounds, and then rounded to float once.
@@ -1578,24 +1676,26 @@ final class Native {
    *
    * <p>An angle is from -180 to 180 degrees.
    *
-   * <p>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
+   * <p>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without
+   * gaps.
    *
    * <p>Returns: 0.
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
    * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-   * the address space, an unknown unit of angles).
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+   * beyond the address space, an unknown unit of angles).
    *
-   * <p>Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
-   * quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
-   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * <p>Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of
+   * a quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact. Each
+   * number is computed in double, within these bounds, and then rounded to float once.
    *
    * <p>Cost: about 70 ns a shape.
    *
    * <p>Since: 0.1.
    */
-  static native long boxesFromShapesF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, int angle, Object boxes);
+  static native long boxesFromShapesF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep,
+      Object shapesBase, int angle, Object boxes);
 
   /**
    * The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
@@ -1608,8 +1708,8 @@ final class Native {
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
    * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-   * the address space, an unknown unit of angles).
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+   * beyond the address space, an unknown unit of angles).
    *
    * <p>Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
    * Each number is computed in double, within these bounds, and then rounded to float once.
@@ -1618,7 +1718,8 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long cornersOfShapesF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object corners);
+  static native long cornersOfShapesF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep,
+      Object shapesBase, Object corners);
 
   /**
    * The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.
@@ -1629,8 +1730,8 @@ final class Native {
    *
    * <p>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
    * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
-   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
-   * the address space, an unknown unit of angles).
+   * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
+   * beyond the address space, an unknown unit of angles).
    *
    * <p>Accuracy: that of vesica_bounds_f32.
    *
@@ -1638,7 +1739,8 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long boundsManyF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object out);
+  static native long boundsManyF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep,
+      Object shapesBase, Object out);
 
   /**
    * How many bytes suffice for an index of `count` shapes, of any kinds?
@@ -1674,8 +1776,8 @@ final class Native {
   /**
    * Are these bytes an index that queries can read?
    *
-   * <p>Ask it once of bytes that come from elsewhere. They may be short, foreign or damaged, or from a machine of the other
-   * byte order. What passes is safe to read.
+   * <p>Ask it once of bytes that come from elsewhere. They may be short, foreign or damaged, or from a machine of the
+   * other byte order. What passes is safe to read.
    *
    * <p>Requires: size is the number of bytes there. The index may be shorter.
    *
@@ -1720,8 +1822,8 @@ final class Native {
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (its header is none).
    *
-   * <p>Accuracy: the box is a little larger than the smallest one. It is infinite where that exceeds the finite numbers.
-   * Without valid shapes min is infinity and max is -infinity.
+   * <p>Accuracy: the box is a little larger than the smallest one. It is infinite where that exceeds the finite
+   * numbers. Without valid shapes min is infinity and max is -infinity.
    *
    * <p>Since: 0.1.
    */
@@ -1745,11 +1847,11 @@ final class Native {
   /**
    * Builds the index of some sets of shapes.
    *
-   * <p>Invalid shapes are left out. The call then returns VESICA_E_SHAPE, and the index of all others is complete. After any
-   * other error nothing is written. Shapes that moved need a new index.
+   * <p>Invalid shapes are left out. The call then returns VESICA_E_SHAPE, and the index of all others is complete.
+   * After any other error nothing is written. Shapes that moved need a new index.
    *
-   * <p>Requires: index_size &gt;= vesica_index_size(items) and scratch_size &gt;= vesica_index_scratch(items). The scratch is free
-   * again after the call.
+   * <p>Requires: index_size &gt;= vesica_index_size(items) and scratch_size &gt;= vesica_index_scratch(items). The
+   * scratch is free again after the call.
    *
    * <p>Returns: the bytes of the index that are used.
    *
@@ -1759,38 +1861,44 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long indexBuildF64(int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, Object index, long indexSize, Object scratch, long scratchSize);
+  static native long indexBuildF64(int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps,
+      Object[] setsBases, Object index, long indexSize, Object scratch, long scratchSize);
 
   /**
    * Which items of an index does one shape overlap? They come in the index's order.
    *
    * <p>Many shapes are better joined: index them too.
    *
-   * <p>Requires: sets are those of the index. NULL with set_count 0 asks for the items whose bounds meet those of the shape.
-   * one is a single shape (count 1). out has room for `capacity` items. With capacity 0, out and state may be NULL.
+   * <p>Requires: sets are those of the index. NULL with set_count 0 asks for the items whose bounds meet those of the
+   * shape. one is a single shape (count 1). out has room for `capacity` items. With capacity 0, out and state may be
+   * NULL.
    *
    * <p>Returns: the number of items written; with capacity 0, how many there are.
    *
-   * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number or
-   * a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this call).
+   * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a
+   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this
+   * call).
    *
    * <p>Accuracy: exact, if there are sets.
    *
    * <p>Since: 0.1.
    */
-  static native long indexSelectF64(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, Object out, long capacity, Object state);
+  static native long indexSelectF64(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides,
+      long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase,
+      Object out, long capacity, Object state);
 
   /**
    * All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
    *
-   * <p>If both indexes are the same pointer, pairs are those of two different items a &lt; b. Pair i is out_a[i] and out_b[i].
-   * The order of pairs depends on the bytes of the indexes and the query alone.
-   * Work may be shared out: each part of `parts` is about as much work as any other, and may run at the same time with a
-   * scratch of its own. The pairs of all parts, one part after the other, are the pairs of part 0 of 1.
+   * <p>If both indexes are the same pointer, pairs are those of two different items a &lt; b. Pair i is out_a[i] and
+   * out_b[i]. The order of pairs depends on the bytes of the indexes and the query alone. Work may be shared out: each
+   * part of `parts` is about as much work as any other, and may run at the same time with a scratch of its own. The
+   * pairs of all parts, one part after the other, are the pairs of part 0 of 1.
    *
    * <p>Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes; with
-   * VESICA_JOIN_BOUNDS they are not looked at. 0 &lt;= part &lt; parts. scratch_size &gt;= vesica_join_scratch(); the scratch is
-   * free between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and state may be NULL.
+   * VESICA_JOIN_BOUNDS they are not looked at. 0 &lt;= part &lt; parts. scratch_size &gt;= vesica_join_scratch(); the
+   * scratch is free between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and state may
+   * be NULL.
    *
    * <p>Returns: the number of pairs written; with capacity 0, how many the whole part has.
    *
@@ -1802,17 +1910,20 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long joinF64(int query, Object indexA, int[] setsAKinds, long[] setsACounts, long[] setsAStrides, long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides, long[] setsBSteps, Object[] setsBBases, long part, long parts, Object scratch, long scratchSize, Object outA, Object outB, long capacity, Object state);
+  static native long joinF64(int query, Object indexA, int[] setsAKinds, long[] setsACounts, long[] setsAStrides,
+      long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides,
+      long[] setsBSteps, Object[] setsBBases, long part, long parts, Object scratch, long scratchSize, Object outA,
+      Object outB, long capacity, Object state);
 
   /**
-   * All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those whose
-   * answer from vesica_within_f64 is &gt; 0.
+   * All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
+   * whose answer from vesica_within_f64 is &gt; 0.
    *
-   * <p>If both indexes are the same pointer, pairs are those of two different items a &lt; b. They come in index_a's order.
-   * Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f64.
+   * <p>If both indexes are the same pointer, pairs are those of two different items a &lt; b. They come in index_a's
+   * order. Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f64.
    *
-   * <p>Requires: distance &gt;= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity and
-   * state as vesica_join_f64.
+   * <p>Requires: distance &gt;= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity
+   * and state as vesica_join_f64.
    *
    * <p>Returns: the number of pairs written; with capacity 0, how many the whole part has.
    *
@@ -1820,61 +1931,72 @@ final class Native {
    *
    * <p>Accuracy: that of vesica_within_f64; a pair that is VESICA_WITHIN_NEARLY is among them.
    *
-   * <p>Cost: about 1 us a shape of index_a and that of vesica_within_f64 a candidate: seven times that of vesica_join_f64.
+   * <p>Cost: about 1 us a shape of index_a and that of vesica_within_f64 a candidate: seven times that of
+   * vesica_join_f64.
    *
    * <p>Since: 0.1.
    */
-  static native long joinWithinF64(Object indexA, int[] setsAKinds, long[] setsACounts, long[] setsAStrides, long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides, long[] setsBSteps, Object[] setsBBases, double distance, long part, long parts, Object outA, Object outB, long capacity, Object state);
+  static native long joinWithinF64(Object indexA, int[] setsAKinds, long[] setsACounts, long[] setsAStrides,
+      long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides,
+      long[] setsBSteps, Object[] setsBBases, double distance, long part, long parts, Object outA, Object outB,
+      long capacity, Object state);
 
   /**
    * Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.
    *
    * <p>An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is not found.
    *
-   * <p>Requires: sets are those of the index. one is a single shape (count 1). k &gt;= 0, and out and distance have room for k
-   * each. With k = 0 they may be NULL. within &gt;= 0 is the largest distance asked for; infinity asks for any.
+   * <p>Requires: sets are those of the index. one is a single shape (count 1). k &gt;= 0, and out and distance have
+   * room for k each. With k = 0 they may be NULL. within &gt;= 0 is the largest distance asked for; infinity asks for
+   * any.
    *
    * <p>Returns: how many items were found and written; with k = 0, how many there are within the distance.
    *
-   * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number or
-   * a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this call).
+   * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a
+   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this
+   * call).
    *
    * <p>Accuracy: distances are those of vesica_nearest_f64, bit for bit.
    *
    * <p>Since: 0.1.
    */
-  static native long indexNearestF64(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, long k, double within, Object out, Object distance);
+  static native long indexNearestF64(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides,
+      long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase,
+      long k, double within, Object out, Object distance);
 
   /**
    * Which items of index_b are nearest to each item of sets_a? Row i is out[i * k] ... out[i * k + k - 1].
    *
-   * <p>A row is what vesica_index_nearest_f64 says of item i, followed by -1, with distance infinity, up to k. Of one set
-   * with itself each item finds itself too, at distance 0. If an item of sets_a is invalid, its row holds -1, all other
-   * rows are right, and the call returns VESICA_E_SHAPE.
-   * Each of `parts` is a run of about as many items as any other, and only its rows are written.
+   * <p>A row is what vesica_index_nearest_f64 says of item i, followed by -1, with distance infinity, up to k. Of one
+   * set with itself each item finds itself too, at distance 0. If an item of sets_a is invalid, its row holds -1, all
+   * other rows are right, and the call returns VESICA_E_SHAPE. Each of `parts` is a run of about as many items as any
+   * other, and only its rows are written.
    *
-   * <p>Requires: sets_b are those of index_b. k &gt;= 1, and out and distance have room for k items a row. 0 &lt;= part &lt; parts.
-   * within &gt;= 0 is the largest distance asked for; infinity asks for any.
+   * <p>Requires: sets_b are those of index_b. k &gt;= 1, and out and distance have room for k items a row. 0 &lt;= part
+   * &lt; parts. within &gt;= 0 is the largest distance asked for; infinity asks for any.
    *
    * <p>Returns: how many items were found in all rows of the part.
    *
-   * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number or
-   * a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this call).
+   * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a
+   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this
+   * call).
    *
    * <p>Accuracy: distances are those of vesica_nearest_f64, bit for bit.
    *
    * <p>Since: 0.1.
    */
-  static native long joinNearestF64(int[] setsAKinds, long[] setsACounts, long[] setsAStrides, long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides, long[] setsBSteps, Object[] setsBBases, long k, double within, long part, long parts, Object out, Object distance);
+  static native long joinNearestF64(int[] setsAKinds, long[] setsACounts, long[] setsAStrides, long[] setsASteps,
+      Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides, long[] setsBSteps,
+      Object[] setsBBases, long k, double within, long part, long parts, Object out, Object distance);
 
   /**
    * Builds the index of some sets of shapes.
    *
-   * <p>Invalid shapes are left out. The call then returns VESICA_E_SHAPE, and the index of all others is complete. After any
-   * other error nothing is written. Shapes that moved need a new index.
+   * <p>Invalid shapes are left out. The call then returns VESICA_E_SHAPE, and the index of all others is complete.
+   * After any other error nothing is written. Shapes that moved need a new index.
    *
-   * <p>Requires: index_size &gt;= vesica_index_size(items) and scratch_size &gt;= vesica_index_scratch(items). The scratch is free
-   * again after the call.
+   * <p>Requires: index_size &gt;= vesica_index_size(items) and scratch_size &gt;= vesica_index_scratch(items). The
+   * scratch is free again after the call.
    *
    * <p>Returns: the bytes of the index that are used.
    *
@@ -1884,38 +2006,44 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long indexBuildF32(int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, Object index, long indexSize, Object scratch, long scratchSize);
+  static native long indexBuildF32(int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps,
+      Object[] setsBases, Object index, long indexSize, Object scratch, long scratchSize);
 
   /**
    * Which items of an index does one shape overlap? They come in the index's order.
    *
    * <p>Many shapes are better joined: index them too.
    *
-   * <p>Requires: sets are those of the index. NULL with set_count 0 asks for the items whose bounds meet those of the shape.
-   * one is a single shape (count 1). out has room for `capacity` items. With capacity 0, out and state may be NULL.
+   * <p>Requires: sets are those of the index. NULL with set_count 0 asks for the items whose bounds meet those of the
+   * shape. one is a single shape (count 1). out has room for `capacity` items. With capacity 0, out and state may be
+   * NULL.
    *
    * <p>Returns: the number of items written; with capacity 0, how many there are.
    *
-   * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number or
-   * a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this call).
+   * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a
+   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this
+   * call).
    *
    * <p>Accuracy: exact, if there are sets.
    *
    * <p>Since: 0.1.
    */
-  static native long indexSelectF32(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, Object out, long capacity, Object state);
+  static native long indexSelectF32(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides,
+      long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase,
+      Object out, long capacity, Object state);
 
   /**
    * All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
    *
-   * <p>If both indexes are the same pointer, pairs are those of two different items a &lt; b. Pair i is out_a[i] and out_b[i].
-   * The order of pairs depends on the bytes of the indexes and the query alone.
-   * Work may be shared out: each part of `parts` is about as much work as any other, and may run at the same time with a
-   * scratch of its own. The pairs of all parts, one part after the other, are the pairs of part 0 of 1.
+   * <p>If both indexes are the same pointer, pairs are those of two different items a &lt; b. Pair i is out_a[i] and
+   * out_b[i]. The order of pairs depends on the bytes of the indexes and the query alone. Work may be shared out: each
+   * part of `parts` is about as much work as any other, and may run at the same time with a scratch of its own. The
+   * pairs of all parts, one part after the other, are the pairs of part 0 of 1.
    *
    * <p>Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes; with
-   * VESICA_JOIN_BOUNDS they are not looked at. 0 &lt;= part &lt; parts. scratch_size &gt;= vesica_join_scratch(); the scratch is
-   * free between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and state may be NULL.
+   * VESICA_JOIN_BOUNDS they are not looked at. 0 &lt;= part &lt; parts. scratch_size &gt;= vesica_join_scratch(); the
+   * scratch is free between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and state may
+   * be NULL.
    *
    * <p>Returns: the number of pairs written; with capacity 0, how many the whole part has.
    *
@@ -1927,17 +2055,20 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long joinF32(int query, Object indexA, int[] setsAKinds, long[] setsACounts, long[] setsAStrides, long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides, long[] setsBSteps, Object[] setsBBases, long part, long parts, Object scratch, long scratchSize, Object outA, Object outB, long capacity, Object state);
+  static native long joinF32(int query, Object indexA, int[] setsAKinds, long[] setsACounts, long[] setsAStrides,
+      long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides,
+      long[] setsBSteps, Object[] setsBBases, long part, long parts, Object scratch, long scratchSize, Object outA,
+      Object outB, long capacity, Object state);
 
   /**
-   * All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those whose
-   * answer from vesica_within_f32 is &gt; 0.
+   * All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
+   * whose answer from vesica_within_f32 is &gt; 0.
    *
-   * <p>If both indexes are the same pointer, pairs are those of two different items a &lt; b. They come in index_a's order.
-   * Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f32.
+   * <p>If both indexes are the same pointer, pairs are those of two different items a &lt; b. They come in index_a's
+   * order. Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f32.
    *
-   * <p>Requires: distance &gt;= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity and
-   * state as vesica_join_f32.
+   * <p>Requires: distance &gt;= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity
+   * and state as vesica_join_f32.
    *
    * <p>Returns: the number of pairs written; with capacity 0, how many the whole part has.
    *
@@ -1945,71 +2076,83 @@ final class Native {
    *
    * <p>Accuracy: that of vesica_within_f32; a pair that is VESICA_WITHIN_NEARLY is among them.
    *
-   * <p>Cost: about 1 us a shape of index_a and that of vesica_within_f32 a candidate: seven times that of vesica_join_f32.
+   * <p>Cost: about 1 us a shape of index_a and that of vesica_within_f32 a candidate: seven times that of
+   * vesica_join_f32.
    *
    * <p>Since: 0.1.
    */
-  static native long joinWithinF32(Object indexA, int[] setsAKinds, long[] setsACounts, long[] setsAStrides, long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides, long[] setsBSteps, Object[] setsBBases, float distance, long part, long parts, Object outA, Object outB, long capacity, Object state);
+  static native long joinWithinF32(Object indexA, int[] setsAKinds, long[] setsACounts, long[] setsAStrides,
+      long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides,
+      long[] setsBSteps, Object[] setsBBases, float distance, long part, long parts, Object outA, Object outB,
+      long capacity, Object state);
 
   /**
    * Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.
    *
    * <p>An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is not found.
    *
-   * <p>Requires: sets are those of the index. one is a single shape (count 1). k &gt;= 0, and out and distance have room for k
-   * each. With k = 0 they may be NULL. within &gt;= 0 is the largest distance asked for; infinity asks for any.
+   * <p>Requires: sets are those of the index. one is a single shape (count 1). k &gt;= 0, and out and distance have
+   * room for k each. With k = 0 they may be NULL. within &gt;= 0 is the largest distance asked for; infinity asks for
+   * any.
    *
    * <p>Returns: how many items were found and written; with k = 0, how many there are within the distance.
    *
-   * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number or
-   * a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this call).
+   * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a
+   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this
+   * call).
    *
    * <p>Accuracy: distances are those of vesica_nearest_f32, bit for bit.
    *
    * <p>Since: 0.1.
    */
-  static native long indexNearestF32(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, long k, float within, Object out, Object distance);
+  static native long indexNearestF32(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides,
+      long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase,
+      long k, float within, Object out, Object distance);
 
   /**
    * Which items of index_b are nearest to each item of sets_a? Row i is out[i * k] ... out[i * k + k - 1].
    *
-   * <p>A row is what vesica_index_nearest_f32 says of item i, followed by -1, with distance infinity, up to k. Of one set
-   * with itself each item finds itself too, at distance 0. If an item of sets_a is invalid, its row holds -1, all other
-   * rows are right, and the call returns VESICA_E_SHAPE.
-   * Each of `parts` is a run of about as many items as any other, and only its rows are written.
+   * <p>A row is what vesica_index_nearest_f32 says of item i, followed by -1, with distance infinity, up to k. Of one
+   * set with itself each item finds itself too, at distance 0. If an item of sets_a is invalid, its row holds -1, all
+   * other rows are right, and the call returns VESICA_E_SHAPE. Each of `parts` is a run of about as many items as any
+   * other, and only its rows are written.
    *
-   * <p>Requires: sets_b are those of index_b. k &gt;= 1, and out and distance have room for k items a row. 0 &lt;= part &lt; parts.
-   * within &gt;= 0 is the largest distance asked for; infinity asks for any.
+   * <p>Requires: sets_b are those of index_b. k &gt;= 1, and out and distance have room for k items a row. 0 &lt;= part
+   * &lt; parts. within &gt;= 0 is the largest distance asked for; infinity asks for any.
    *
    * <p>Returns: how many items were found in all rows of the part.
    *
-   * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number or
-   * a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this call).
+   * <p>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a
+   * number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this
+   * call).
    *
    * <p>Accuracy: distances are those of vesica_nearest_f32, bit for bit.
    *
    * <p>Since: 0.1.
    */
-  static native long joinNearestF32(int[] setsAKinds, long[] setsACounts, long[] setsAStrides, long[] setsASteps, Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides, long[] setsBSteps, Object[] setsBBases, long k, float within, long part, long parts, Object out, Object distance);
+  static native long joinNearestF32(int[] setsAKinds, long[] setsACounts, long[] setsAStrides, long[] setsASteps,
+      Object[] setsABases, Object indexB, int[] setsBKinds, long[] setsBCounts, long[] setsBStrides, long[] setsBSteps,
+      Object[] setsBBases, long k, float within, long part, long parts, Object out, Object distance);
 
   /**
    * What share of a's area does b cover, or of b's area a? And other ratios by which detections are compared.
    *
-   * <p>The first four are from 0 to 1. One over a shape is 0 if no area is shared, and 1 if the other shape contains it. The
-   * last three are at most the IoU, and at least -1, for CIoU -2. The angle of a shape in CIoU is that of the vector
-   * (half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging the shapes exchanges
-   * OVER_FIRST and OVER_SECOND, and changes no bit of the others.
+   * <p>The first four are from 0 to 1. One over a shape is 0 if no area is shared, and 1 if the other shape contains
+   * it. The last three are at most the IoU, and at least -1, for CIoU -2. The angle of a shape in CIoU is that of the
+   * vector (half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging the shapes
+   * exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
    *
    * <p>Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
    *
    * <p>Returns: 0.
    *
-   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the shape whose
-   * area divides has none; for the others, neither shape has one).
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the shape
+   * whose area divides has none; for the others, neither shape has one).
    *
    * <p>Accuracy: within 8 u of what follows from the shared area or the IoU, which are right as vesica_area_f64 and
-   * vesica_iou_f64 tell, for half lengths from 2^-200 to 2^200.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * vesica_iou_f64 tell, for half lengths from 2^-200 to 2^200. Bounds on computed numbers use u = 2^-53. The scale of
+   * two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a
+   * shape's longer size over its shorter one.
    *
    * <p>Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; 40 to 100 in arrays.
    *
@@ -2020,8 +2163,8 @@ final class Native {
   /**
    * A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
    *
-   * <p>Arrays and errors are those of vesica_iou_many_f64. If a pair has no ratio since an area is 0, out[i] is NaN, and the
-   * call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   * <p>Arrays and errors are those of vesica_iou_many_f64. If a pair has no ratio since an area is 0, out[i] is NaN,
+   * and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
    *
    * <p>Returns: how many are &gt; 0.
    *
@@ -2031,13 +2174,14 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long ratioManyF64(int ratio, int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+  static native long ratioManyF64(int ratio, int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out);
 
   /**
    * A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f64.
    *
-   * <p>Arrays, row_stride and errors are those of vesica_iou_matrix_f64. If a pair has no ratio since an area is 0, it gets
-   * NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   * <p>Arrays, row_stride and errors are those of vesica_iou_matrix_f64. If a pair has no ratio since an area is 0, it
+   * gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
    *
    * <p>Returns: how many are &gt; 0.
    *
@@ -2047,7 +2191,8 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long ratioMatrixF64(int ratio, int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+  static native long ratioMatrixF64(int ratio, int aKind, long aCount, long aStride, long aStep, Object aBase,
+      int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
    * How far apart are a[i] and b[j]? The elements of out are distances of vesica_nearest_f64.
@@ -2058,11 +2203,13 @@ final class Native {
    *
    * <p>Errors: as vesica_iou_matrix_f64.
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Since: 0.1.
    */
-  static native long nearestMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+  static native long nearestMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
    * How far apart are the outlines of a[i] and b[j]? The elements of out are distances of vesica_boundary_distance_f64.
@@ -2073,11 +2220,13 @@ final class Native {
    *
    * <p>Errors: as vesica_iou_matrix_f64.
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Since: 0.1.
    */
-  static native long boundaryDistanceMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+  static native long boundaryDistanceMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase,
+      int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
    * How deep do a[i] and b[j] overlap? The elements of out are depths of vesica_depth_f64.
@@ -2088,17 +2237,19 @@ final class Native {
    *
    * <p>Errors: as vesica_iou_matrix_f64.
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout.
    *
    * <p>Since: 0.1.
    */
-  static native long depthMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+  static native long depthMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
    * How far apart are two shapes or, as a number below 0, how deep do they overlap?
    *
-   * <p>The distance of vesica_nearest_f64 if they are disjoint, else minus the depth of vesica_depth_f64: 0 where they only
-   * touch. Exchanging the shapes changes no bit.
+   * <p>The distance of vesica_nearest_f64 if they are disjoint, else minus the depth of vesica_depth_f64: 0 where they
+   * only touch. Exchanging the shapes changes no bit.
    *
    * <p>Returns: 0.
    *
@@ -2123,7 +2274,8 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long signedDistanceManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+  static native long signedDistanceManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out);
 
   /**
    * Signed distances of a[i] and b[j]. Arrays, row_stride and errors are those of vesica_iou_matrix_f64.
@@ -2136,13 +2288,15 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long signedDistanceMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+  static native long signedDistanceMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
    * Are two shapes at most `distance` apart? Exactly so far apart counts, as touching does.
    *
-   * <p>Distance 0 asks what vesica_overlap_f64 does, and is exact for all kinds. Who must not miss a pair takes an answer
-   * &gt; 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the shapes changes nothing.
+   * <p>Distance 0 asks what vesica_overlap_f64 does, and is exact for all kinds. Who must not miss a pair takes an
+   * answer &gt; 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the shapes changes
+   * nothing.
    *
    * <p>Requires: distance &gt;= 0, or infinity, of which any two valid shapes are within.
    *
@@ -2150,13 +2304,14 @@ final class Native {
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
    *
-   * <p>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A pair
-   * with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f64 has it, is less
-   * than 5 u scale from the one asked for; the answers yes and no are certain.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * <p>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
+   * pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f64 has it,
+   * is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed numbers use u
+   * = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
+   * An aspect ratio is a shape's longer size over its shorter one.
    *
-   * <p>Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide, as
-   * it must for distances that are exact; more where exponents are wildly unlike.
+   * <p>Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide,
+   * as it must for distances that are exact; more where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */
@@ -2173,14 +2328,16 @@ final class Native {
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
    *
-   * <p>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A pair
-   * with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f64 has it, is less
-   * than 5 u scale from the one asked for; the answers yes and no are certain.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * <p>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
+   * pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f64 has it,
+   * is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed numbers use u
+   * = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
+   * An aspect ratio is a shape's longer size over its shorter one.
    *
    * <p>Since: 0.1.
    */
-  static native long withinManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, double distance, Object out);
+  static native long withinManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, double distance, Object out);
 
   /**
    * Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f64.
@@ -2193,24 +2350,26 @@ final class Native {
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
    *
-   * <p>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A pair
-   * with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f64 has it, is less
-   * than 5 u scale from the one asked for; the answers yes and no are certain.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * <p>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
+   * pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f64 has it,
+   * is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed numbers use u
+   * = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
+   * An aspect ratio is a shape's longer size over its shorter one.
    *
    * <p>Since: 0.1.
    */
-  static native long withinMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, double distance, Object out, long rowStride);
+  static native long withinMatrixF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, double distance, Object out, long rowStride);
 
   /**
    * Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
    *
-   * <p>Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape kept before, of
-   * the same label, is at most the threshold. Shapes whose score is below least_score are not looked at.
+   * <p>Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape kept
+   * before, of the same label, is at most the threshold. Shapes whose score is below least_score are not looked at.
    *
-   * <p>Requires: shapes, scores, threshold, scratch and keep as vesica_nms_f64; labels, one for each, or NULL if all are
-   * alike; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be -infinity; most, how many
-   * are kept at most: keep needs room for no more.
+   * <p>Requires: shapes, scores, threshold, scratch and keep as vesica_nms_f64; labels, one for each, or NULL if all
+   * are alike; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be -infinity; most, how
+   * many are kept at most: keep needs room for no more.
    *
    * <p>Returns: 0, and keep and *kept as vesica_nms_f64.
    *
@@ -2220,7 +2379,9 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native int suppressF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object scores, Object labels, int ratio, double threshold, double leastScore, long most, Object scratch, long scratchSize, Object keep, Object kept);
+  static native int suppressF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase,
+      Object scores, Object labels, int ratio, double threshold, double leastScore, long most, Object scratch,
+      long scratchSize, Object keep, Object kept);
 
   /**
    * How many bytes of scratch does soft suppression of `count` shapes need?
@@ -2236,48 +2397,51 @@ final class Native {
   /**
    * Soft suppression: what a better shape covers keeps a lower score.
    *
-   * <p>Again and again takes the shape with the highest score, of equal ones the first, keeps it, and lowers the score of
-   * each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or no score is left
-   * that is at least least_score. keep[k] is the shape taken in turn k, and decayed[k] the score that it then had.
+   * <p>Again and again takes the shape with the highest score, of equal ones the first, keeps it, and lowers the score
+   * of each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or no score is
+   * left that is at least least_score. keep[k] is the shape taken in turn k, and decayed[k] the score that it then had.
    *
-   * <p>Requires: shapes, scores and labels as vesica_suppress_f64; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND;
-   * decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score &gt;= 0; scratch of at least
+   * <p>Requires: shapes, scores and labels as vesica_suppress_f64; ratio, any but VESICA_RATIO_OVER_FIRST and
+   * _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score &gt;= 0; scratch of at least
    * vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are kept.
    *
    * <p>Returns: 0, with *kept set to how many are kept.
    *
-   * <p>Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and all
-   * else is written.
+   * <p>Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and
+   * all else is written.
    *
-   * <p>Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right
-   * to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every machine.
-   * Floats are widened first, and only the final scores rounded.
+   * <p>Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential,
+   * right to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every
+   * machine. Floats are widened first, and only the final scores rounded.
    *
    * <p>Cost: for each kept shape, that of vesica_ratio_matrix_f64 with all of its label that are left.
    *
    * <p>Since: 0.1.
    */
-  static native int suppressSoftF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object scores, Object labels, int ratio, int decay, double parameter, double leastScore, long most, Object scratch, long scratchSize, Object keep, Object decayed, Object kept);
+  static native int suppressSoftF64(int shapesKind, long shapesCount, long shapesStride, long shapesStep,
+      Object shapesBase, Object scores, Object labels, int ratio, int decay, double parameter, double leastScore,
+      long most, Object scratch, long scratchSize, Object keep, Object decayed, Object kept);
 
   /**
    * What share of a's area does b cover, or of b's area a? And other ratios by which detections are compared.
    *
-   * <p>The first four are from 0 to 1. One over a shape is 0 if no area is shared, and 1 if the other shape contains it. The
-   * last three are at most the IoU, and at least -1, for CIoU -2. The angle of a shape in CIoU is that of the vector
-   * (half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging the shapes exchanges
-   * OVER_FIRST and OVER_SECOND, and changes no bit of the others.
+   * <p>The first four are from 0 to 1. One over a shape is 0 if no area is shared, and 1 if the other shape contains
+   * it. The last three are at most the IoU, and at least -1, for CIoU -2. The angle of a shape in CIoU is that of the
+   * vector (half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging the shapes
+   * exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
    *
    * <p>Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
    *
    * <p>Returns: 0.
    *
-   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the shape whose
-   * area divides has none; for the others, neither shape has one).
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the shape
+   * whose area divides has none; for the others, neither shape has one).
    *
    * <p>Accuracy: within 8 u of what follows from the shared area or the IoU, which are right as vesica_area_f32 and
-   * vesica_iou_f32 tell, for half lengths from 2^-200 to 2^200.
-   * Each number is computed in double, within these bounds, and then rounded to float once.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * vesica_iou_f32 tell, for half lengths from 2^-200 to 2^200. Each number is computed in double, within these bounds,
+   * and then rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of
+   * |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its
+   * shorter one.
    *
    * <p>Cost: that of vesica_area_f32 or vesica_iou_f32, and 100 to 150 ns more; 40 to 100 in arrays.
    *
@@ -2288,8 +2452,8 @@ final class Native {
   /**
    * A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
    *
-   * <p>Arrays and errors are those of vesica_iou_many_f32. If a pair has no ratio since an area is 0, out[i] is NaN, and the
-   * call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   * <p>Arrays and errors are those of vesica_iou_many_f32. If a pair has no ratio since an area is 0, out[i] is NaN,
+   * and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
    *
    * <p>Returns: how many are &gt; 0.
    *
@@ -2300,13 +2464,14 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long ratioManyF32(int ratio, int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+  static native long ratioManyF32(int ratio, int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out);
 
   /**
    * A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f32.
    *
-   * <p>Arrays, row_stride and errors are those of vesica_iou_matrix_f32. If a pair has no ratio since an area is 0, it gets
-   * NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+   * <p>Arrays, row_stride and errors are those of vesica_iou_matrix_f32. If a pair has no ratio since an area is 0, it
+   * gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
    *
    * <p>Returns: how many are &gt; 0.
    *
@@ -2317,7 +2482,8 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long ratioMatrixF32(int ratio, int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+  static native long ratioMatrixF32(int ratio, int aKind, long aCount, long aStride, long aStep, Object aBase,
+      int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
    * How far apart are a[i] and b[j]? The elements of out are distances of vesica_nearest_f32.
@@ -2328,12 +2494,13 @@ final class Native {
    *
    * <p>Errors: as vesica_iou_matrix_f32.
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
-   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout. Each number is computed in double, within these bounds, and then rounded to float once.
    *
    * <p>Since: 0.1.
    */
-  static native long nearestMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+  static native long nearestMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
    * How far apart are the outlines of a[i] and b[j]? The elements of out are distances of vesica_boundary_distance_f32.
@@ -2344,12 +2511,13 @@ final class Native {
    *
    * <p>Errors: as vesica_iou_matrix_f32.
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
-   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout. Each number is computed in double, within these bounds, and then rounded to float once.
    *
    * <p>Since: 0.1.
    */
-  static native long boundaryDistanceMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+  static native long boundaryDistanceMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase,
+      int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
    * How deep do a[i] and b[j] overlap? The elements of out are depths of vesica_depth_f32.
@@ -2360,22 +2528,23 @@ final class Native {
    *
    * <p>Errors: as vesica_iou_matrix_f32.
    *
-   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
-   * Each number is computed in double, within these bounds, and then rounded to float once.
+   * <p>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+   * layout. Each number is computed in double, within these bounds, and then rounded to float once.
    *
    * <p>Since: 0.1.
    */
-  static native long depthMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+  static native long depthMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
    * Greedy non-maximum suppression as vesica_nms_f32, by any ratio and among like labels.
    *
-   * <p>Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape kept before, of
-   * the same label, is at most the threshold. Shapes whose score is below least_score are not looked at.
+   * <p>Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape kept
+   * before, of the same label, is at most the threshold. Shapes whose score is below least_score are not looked at.
    *
-   * <p>Requires: shapes, scores, threshold, scratch and keep as vesica_nms_f32; labels, one for each, or NULL if all are
-   * alike; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be -infinity; most, how many
-   * are kept at most: keep needs room for no more.
+   * <p>Requires: shapes, scores, threshold, scratch and keep as vesica_nms_f32; labels, one for each, or NULL if all
+   * are alike; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be -infinity; most, how
+   * many are kept at most: keep needs room for no more.
    *
    * <p>Returns: 0, and keep and *kept as vesica_nms_f32.
    *
@@ -2385,13 +2554,15 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native int suppressF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object scores, Object labels, int ratio, float threshold, float leastScore, long most, Object scratch, long scratchSize, Object keep, Object kept);
+  static native int suppressF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase,
+      Object scores, Object labels, int ratio, float threshold, float leastScore, long most, Object scratch,
+      long scratchSize, Object keep, Object kept);
 
   /**
    * How far apart are two shapes or, as a number below 0, how deep do they overlap?
    *
-   * <p>The distance of vesica_nearest_f32 if they are disjoint, else minus the depth of vesica_depth_f32: 0 where they only
-   * touch. Exchanging the shapes changes no bit.
+   * <p>The distance of vesica_nearest_f32 if they are disjoint, else minus the depth of vesica_depth_f32: 0 where they
+   * only touch. Exchanging the shapes changes no bit.
    *
    * <p>Returns: 0.
    *
@@ -2418,7 +2589,8 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long signedDistanceManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out);
+  static native long signedDistanceManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out);
 
   /**
    * Signed distances of a[i] and b[j]. Arrays, row_stride and errors are those of vesica_iou_matrix_f32.
@@ -2432,13 +2604,15 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long signedDistanceMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
+  static native long signedDistanceMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, Object out, long rowStride);
 
   /**
    * Are two shapes at most `distance` apart? Exactly so far apart counts, as touching does.
    *
-   * <p>Distance 0 asks what vesica_overlap_f32 does, and is exact for all kinds. Who must not miss a pair takes an answer
-   * &gt; 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the shapes changes nothing.
+   * <p>Distance 0 asks what vesica_overlap_f32 does, and is exact for all kinds. Who must not miss a pair takes an
+   * answer &gt; 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the shapes changes
+   * nothing.
    *
    * <p>Requires: distance &gt;= 0, or infinity, of which any two valid shapes are within.
    *
@@ -2446,13 +2620,14 @@ final class Native {
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
    *
-   * <p>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A pair
-   * with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f32 has it, is less
-   * than 5 u scale from the one asked for; the answers yes and no are certain.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * <p>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
+   * pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f32 has it,
+   * is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed numbers use u
+   * = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
+   * An aspect ratio is a shape's longer size over its shorter one.
    *
-   * <p>Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide, as
-   * it must for distances that are exact; more where exponents are wildly unlike.
+   * <p>Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide,
+   * as it must for distances that are exact; more where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */
@@ -2469,14 +2644,16 @@ final class Native {
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
    *
-   * <p>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A pair
-   * with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f32 has it, is less
-   * than 5 u scale from the one asked for; the answers yes and no are certain.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * <p>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
+   * pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f32 has it,
+   * is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed numbers use u
+   * = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
+   * An aspect ratio is a shape's longer size over its shorter one.
    *
    * <p>Since: 0.1.
    */
-  static native long withinManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, float distance, Object out);
+  static native long withinManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, float distance, Object out);
 
   /**
    * Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f32.
@@ -2489,47 +2666,51 @@ final class Native {
    *
    * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
    *
-   * <p>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A pair
-   * with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f32 has it, is less
-   * than 5 u scale from the one asked for; the answers yes and no are certain.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * <p>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
+   * pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f32 has it,
+   * is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed numbers use u
+   * = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
+   * An aspect ratio is a shape's longer size over its shorter one.
    *
    * <p>Since: 0.1.
    */
-  static native long withinMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, float distance, Object out, long rowStride);
+  static native long withinMatrixF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind,
+      long bCount, long bStride, long bStep, Object bBase, float distance, Object out, long rowStride);
 
   /**
    * Soft suppression: what a better shape covers keeps a lower score.
    *
-   * <p>Again and again takes the shape with the highest score, of equal ones the first, keeps it, and lowers the score of
-   * each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or no score is left
-   * that is at least least_score. keep[k] is the shape taken in turn k, and decayed[k] the score that it then had.
+   * <p>Again and again takes the shape with the highest score, of equal ones the first, keeps it, and lowers the score
+   * of each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or no score is
+   * left that is at least least_score. keep[k] is the shape taken in turn k, and decayed[k] the score that it then had.
    *
-   * <p>Requires: shapes, scores and labels as vesica_suppress_f32; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND;
-   * decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score &gt;= 0; scratch of at least
+   * <p>Requires: shapes, scores and labels as vesica_suppress_f32; ratio, any but VESICA_RATIO_OVER_FIRST and
+   * _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score &gt;= 0; scratch of at least
    * vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are kept.
    *
    * <p>Returns: 0, with *kept set to how many are kept.
    *
-   * <p>Errors: as vesica_suppress_f32. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and all
-   * else is written.
+   * <p>Errors: as vesica_suppress_f32. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and
+   * all else is written.
    *
-   * <p>Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right
-   * to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every machine.
-   * Floats are widened first, and only the final scores rounded.
+   * <p>Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential,
+   * right to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every
+   * machine. Floats are widened first, and only the final scores rounded.
    *
    * <p>Cost: for each kept shape, that of vesica_ratio_matrix_f32 with all of its label that are left.
    *
    * <p>Since: 0.1.
    */
-  static native int suppressSoftF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep, Object shapesBase, Object scores, Object labels, int ratio, int decay, float parameter, float leastScore, long most, Object scratch, long scratchSize, Object keep, Object decayed, Object kept);
+  static native int suppressSoftF32(int shapesKind, long shapesCount, long shapesStride, long shapesStep,
+      Object shapesBase, Object scores, Object labels, int ratio, int decay, float parameter, float leastScore,
+      long most, Object scratch, long scratchSize, Object keep, Object decayed, Object kept);
 
   /**
    * Does b touch a while it moves, when first, and where?
    *
    * <p>The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
-   * there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of what
-   * they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of
+   * there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of
+   * what they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of
    * vesica_nearest_f64. So shapes that only touch, with a normal that does not point against the velocity, are moving
    * apart. Exchanging the shapes and turning the velocity round changes neither the answer nor the time, and the normal
    * but for its sign and rounding.
@@ -2538,20 +2719,22 @@ final class Native {
    *
    * <p>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
    *
-   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative or
-   * NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed the finite numbers; or the
-   * digits of a place at some time span more than 2000 bits, which takes exponents that are wildly unlike).
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative
+   * or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed the finite numbers;
+   * or the digits of a place at some time span more than 2000 bits, which takes exponents that are wildly unlike).
    *
-   * <p>Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along that
-   * it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * <p>Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along
+   * that it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u. Bounds on computed
+   * numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their
+   * half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
-   * <p>Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can decide;
-   * at worst 2 ms, where exponents are wildly unlike.
+   * <p>Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can
+   * decide; at worst 2 ms, where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */
-  static native int castF64(int kindA, Object numbersA, int kindB, Object numbersB, double vx, double vy, double tEnd, Object out);
+  static native int castF64(int kindA, Object numbersA, int kindB, Object numbersB, double vx, double vy, double tEnd,
+      Object out);
 
   /**
    * When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of vesica_cast_f64's
@@ -2559,20 +2742,22 @@ final class Native {
    *
    * <p>Velocity i is at vx and vy + i * stride bytes; stride 0 repeats one.
    *
-   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
-   * the larger count. Some, but not all, may be NULL.
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
+   * as the larger count. Some, but not all, may be NULL.
    *
    * <p>Returns: how many touch, those that overlap at the start included.
    *
-   * <p>Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of range has NaN
-   * for its numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there is an invalid shape,
-   * else the error.
+   * <p>Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of range has
+   * NaN for its numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there is an invalid
+   * shape, else the error.
    *
    * <p>Accuracy: every result has the bits of vesica_cast_f64.
    *
    * <p>Since: 0.1.
    */
-  static native long castManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object vx, Object vy, long stride, double tEnd, Object t, Object x, Object y, Object nx, Object ny);
+  static native long castManyF64(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount,
+      long bStride, long bStep, Object bBase, Object vx, Object vy, long stride, double tEnd, Object t, Object x,
+      Object y, Object nx, Object ny);
 
   /**
    * Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
@@ -2586,7 +2771,9 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long castFirstF64(int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, int manyKind, long manyCount, long manyStride, long manyStep, Object manyBase, double vx, double vy, double tEnd, Object out);
+  static native long castFirstF64(int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase,
+      int manyKind, long manyCount, long manyStride, long manyStep, Object manyBase, double vx, double vy, double tEnd,
+      Object out);
 
   /**
    * A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
@@ -2597,8 +2784,8 @@ final class Native {
    *
    * <p>Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.
    *
-   * <p>Accuracy: a side that does not move is that of vesica_bounds_f64; one that does is at most two steps between numbers
-   * too far out.
+   * <p>Accuracy: a side that does not move is that of vesica_bounds_f64; one that does is at most two steps between
+   * numbers too far out.
    *
    * <p>Since: 0.1.
    */
@@ -2612,14 +2799,16 @@ final class Native {
    *
    * <p>Returns: the number of items written; with capacity 0, how many there are.
    *
-   * <p>Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a pointer that is not
-   * aligned, or a state that is not of this call. Invalid items are never touched.
+   * <p>Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a pointer that
+   * is not aligned, or a state that is not of this call. Invalid items are never touched.
    *
    * <p>Accuracy: exact.
    *
    * <p>Since: 0.1.
    */
-  static native long indexCastF64(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, double vx, double vy, double tEnd, Object out, long capacity, Object state);
+  static native long indexCastF64(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides,
+      long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase,
+      double vx, double vy, double tEnd, Object out, long capacity, Object state);
 
   /**
    * Which item of an index does one moving shape touch first? Of several at one time the one with the lowest number.
@@ -2632,14 +2821,16 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long indexCastFirstF64(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, double vx, double vy, double tEnd, Object out);
+  static native long indexCastFirstF64(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides,
+      long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase,
+      double vx, double vy, double tEnd, Object out);
 
   /**
    * Does b touch a while it moves, when first, and where?
    *
    * <p>The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
-   * there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of what
-   * they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32 and the point of
+   * there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of
+   * what they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32 and the point of
    * vesica_nearest_f32. So shapes that only touch, with a normal that does not point against the velocity, are moving
    * apart. Exchanging the shapes and turning the velocity round changes neither the answer nor the time, and the normal
    * but for its sign and rounding.
@@ -2648,20 +2839,22 @@ final class Native {
    *
    * <p>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
    *
-   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative or
-   * NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed the finite numbers; or the
-   * digits of a place at some time span more than 2000 bits, which takes exponents that are wildly unlike).
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative
+   * or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed the finite numbers;
+   * or the digits of a place at some time span more than 2000 bits, which takes exponents that are wildly unlike).
    *
-   * <p>Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along that
-   * it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * <p>Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along
+   * that it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u. Bounds on computed
+   * numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their
+   * half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
-   * <p>Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can decide;
-   * at worst 2 ms, where exponents are wildly unlike.
+   * <p>Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can
+   * decide; at worst 2 ms, where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */
-  static native int castF32(int kindA, Object numbersA, int kindB, Object numbersB, float vx, float vy, float tEnd, Object out);
+  static native int castF32(int kindA, Object numbersA, int kindB, Object numbersB, float vx, float vy, float tEnd,
+      Object out);
 
   /**
    * When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of vesica_cast_f32's
@@ -2669,20 +2862,22 @@ final class Native {
    *
    * <p>Velocity i is at vx and vy + i * stride bytes; stride 0 repeats one.
    *
-   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
-   * the larger count. Some, but not all, may be NULL.
+   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
+   * as the larger count. Some, but not all, may be NULL.
    *
    * <p>Returns: how many touch, those that overlap at the start included.
    *
-   * <p>Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of range has NaN
-   * for its numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there is an invalid shape,
-   * else the error.
+   * <p>Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of range has
+   * NaN for its numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there is an invalid
+   * shape, else the error.
    *
    * <p>Accuracy: every result has the bits of vesica_cast_f32.
    *
    * <p>Since: 0.1.
    */
-  static native long castManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount, long bStride, long bStep, Object bBase, Object vx, Object vy, long stride, float tEnd, Object t, Object x, Object y, Object nx, Object ny);
+  static native long castManyF32(int aKind, long aCount, long aStride, long aStep, Object aBase, int bKind, long bCount,
+      long bStride, long bStep, Object bBase, Object vx, Object vy, long stride, float tEnd, Object t, Object x,
+      Object y, Object nx, Object ny);
 
   /**
    * Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
@@ -2696,7 +2891,9 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long castFirstF32(int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, int manyKind, long manyCount, long manyStride, long manyStep, Object manyBase, float vx, float vy, float tEnd, Object out);
+  static native long castFirstF32(int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase,
+      int manyKind, long manyCount, long manyStride, long manyStep, Object manyBase, float vx, float vy, float tEnd,
+      Object out);
 
   /**
    * A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
@@ -2707,8 +2904,8 @@ final class Native {
    *
    * <p>Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.
    *
-   * <p>Accuracy: a side that does not move is that of vesica_bounds_f32; one that does is at most two steps between numbers
-   * too far out.
+   * <p>Accuracy: a side that does not move is that of vesica_bounds_f32; one that does is at most two steps between
+   * numbers too far out.
    *
    * <p>Since: 0.1.
    */
@@ -2722,14 +2919,16 @@ final class Native {
    *
    * <p>Returns: the number of items written; with capacity 0, how many there are.
    *
-   * <p>Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a pointer that is not
-   * aligned, or a state that is not of this call. Invalid items are never touched.
+   * <p>Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a pointer that
+   * is not aligned, or a state that is not of this call. Invalid items are never touched.
    *
    * <p>Accuracy: exact.
    *
    * <p>Since: 0.1.
    */
-  static native long indexCastF32(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, float vx, float vy, float tEnd, Object out, long capacity, Object state);
+  static native long indexCastF32(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides,
+      long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase,
+      float vx, float vy, float tEnd, Object out, long capacity, Object state);
 
   /**
    * Which item of an index does one moving shape touch first? Of several at one time the one with the lowest number.
@@ -2742,17 +2941,19 @@ final class Native {
    *
    * <p>Since: 0.1.
    */
-  static native long indexCastFirstF32(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, float vx, float vy, float tEnd, Object out);
+  static native long indexCastFirstF32(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides,
+      long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase,
+      float vx, float vy, float tEnd, Object out);
 
   /**
    * The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
    *
-   * <p>Every shape has an inside, an outline and an outside. The nine characters say of a's inside with b's inside, outline
-   * and outside, then of a's outline with those three, then of a's outside, what they share: F for nothing, else the
-   * dimension: 0 for single points, 1 for lines, 2 for an area. The outline of a segment is its two end points; a point
-   * has none; that of a shape with area is the curve around it. A segment without length is a point; a shape with one
-   * size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212". Exchanging the
-   * shapes exchanges rows and columns.
+   * <p>Every shape has an inside, an outline and an outside. The nine characters say of a's inside with b's inside,
+   * outline and outside, then of a's outline with those three, then of a's outside, what they share: F for nothing,
+   * else the dimension: 0 for single points, 1 for lines, 2 for an area. The outline of a segment is its two end
+   * points; a point has none; that of a shape with area is the curve around it. A segment without length is a point; a
+   * shape with one size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212".
+   * Exchanging the shapes exchanges rows and columns.
    *
    * <p>Requires: matrix with room for VESICA_DE9IM_SIZE characters.
    *
@@ -2771,8 +2972,8 @@ final class Native {
   /**
    * Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
    *
-   * <p>Each character of the pattern is one of F, 0, 1 and 2, which is meant literally; T, any of 0, 1 and 2; and *, which
-   * fits all.
+   * <p>Each character of the pattern is one of F, 0, 1 and 2, which is meant literally; T, any of 0, 1 and 2; and *,
+   * which fits all.
    *
    * <p>Requires: matrix and pattern, nine such characters and a final NUL each; no T or * in the matrix.
    *
@@ -2789,21 +2990,22 @@ final class Native {
   /**
    * The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
    *
-   * <p>The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle or an ellipse.
-   * The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the one that is
-   * lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two are a segment's
-   * ends. Of the same two shapes in either order they are the same numbers.
-   * Vertices that are not used become 0.
+   * <p>The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle or an
+   * ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the one
+   * that is lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two are a
+   * segment's ends. Of the same two shapes in either order they are the same numbers. Vertices that are not used become
+   * 0.
    *
    * <p>Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is shared.
    *
-   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE (a
-   * vertex, or the length of a side that makes one, exceeds the finite numbers).
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE
+   * (a vertex, or the length of a side that makes one, exceeds the finite numbers).
    *
-   * <p>Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has the
-   * numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f64. Others are right to 4 u times the
-   * largest coordinate or size of either shape.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * <p>Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has
+   * the numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f64. Others are right to 4 u times
+   * the largest coordinate or size of either shape. Bounds on computed numbers use u = 2^-53. The scale of two shapes
+   * is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's
+   * longer size over its shorter one.
    *
    * <p>Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
    * 300 us, where exponents are wildly unlike.
@@ -2815,12 +3017,12 @@ final class Native {
   /**
    * The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
    *
-   * <p>Every shape has an inside, an outline and an outside. The nine characters say of a's inside with b's inside, outline
-   * and outside, then of a's outline with those three, then of a's outside, what they share: F for nothing, else the
-   * dimension: 0 for single points, 1 for lines, 2 for an area. The outline of a segment is its two end points; a point
-   * has none; that of a shape with area is the curve around it. A segment without length is a point; a shape with one
-   * size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212". Exchanging the
-   * shapes exchanges rows and columns.
+   * <p>Every shape has an inside, an outline and an outside. The nine characters say of a's inside with b's inside,
+   * outline and outside, then of a's outline with those three, then of a's outside, what they share: F for nothing,
+   * else the dimension: 0 for single points, 1 for lines, 2 for an area. The outline of a segment is its two end
+   * points; a point has none; that of a shape with area is the curve around it. A segment without length is a point; a
+   * shape with one size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212".
+   * Exchanging the shapes exchanges rows and columns.
    *
    * <p>Requires: matrix with room for VESICA_DE9IM_SIZE characters.
    *
@@ -2839,22 +3041,23 @@ final class Native {
   /**
    * The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
    *
-   * <p>The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle or an ellipse.
-   * The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the one that is
-   * lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two are a segment's
-   * ends. Of the same two shapes in either order they are the same numbers.
-   * Vertices that are not used become 0.
+   * <p>The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle or an
+   * ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the one
+   * that is lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two are a
+   * segment's ends. Of the same two shapes in either order they are the same numbers. Vertices that are not used become
+   * 0.
    *
    * <p>Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f32 says that nothing is shared.
    *
-   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE (a
-   * vertex, or the length of a side that makes one, exceeds the finite numbers).
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE
+   * (a vertex, or the length of a side that makes one, exceeds the finite numbers).
    *
-   * <p>Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has the
-   * numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f32. Others are right to 4 u times the
-   * largest coordinate or size of either shape.
-   * Each number is computed in double, within these bounds, and then rounded to float once.
-   * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+   * <p>Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has
+   * the numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f32. Others are right to 4 u times
+   * the largest coordinate or size of either shape. Each number is computed in double, within these bounds, and then
+   * rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and
+   * |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
+   * one.
    *
    * <p>Cost: that of vesica_overlap_f32 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
    * 300 us, where exponents are wildly unlike.
@@ -2959,13 +3162,15 @@ final class Native {
         : ellipseFromAngleF32((float) cx, (float) cy, (float) angle, (float) a, (float) b, out);
   }
 
-  static int ellipseFromRadiusVector(boolean wide, double cx, double cy, double wx, double wy, double ratio, Object out) {
+  static int ellipseFromRadiusVector(boolean wide, double cx, double cy, double wx, double wy, double ratio,
+      Object out) {
     return wide
         ? ellipseFromRadiusVectorF64(cx, cy, wx, wy, ratio, out)
         : ellipseFromRadiusVectorF32((float) cx, (float) cy, (float) wx, (float) wy, (float) ratio, out);
   }
 
-  static int ellipseFromCovariance(boolean wide, double meanX, double meanY, double cxx, double cxy, double cyy, double k, Object out) {
+  static int ellipseFromCovariance(boolean wide, double meanX, double meanY, double cxx, double cxy, double cyy,
+      double k, Object out) {
     return wide
         ? ellipseFromCovarianceF64(meanX, meanY, cxx, cxy, cyy, k, out)
         : ellipseFromCovarianceF32((float) meanX, (float) meanY, (float) cxx, (float) cxy, (float) cyy, (float) k, out);
@@ -2995,22 +3200,30 @@ final class Native {
         : containsManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out);
   }
 
-  static long nearestMany(boolean wide, Shapes a, Shapes b, Object distance, Object ax, Object ay, Object bx, Object by) {
+  static long nearestMany(boolean wide, Shapes a, Shapes b, Object distance, Object ax, Object ay, Object bx,
+      Object by) {
     return wide
-        ? nearestManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, distance, ax, ay, bx, by)
-        : nearestManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, distance, ax, ay, bx, by);
+        ? nearestManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, distance,
+            ax, ay, bx, by)
+        : nearestManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, distance,
+            ax, ay, bx, by);
   }
 
-  static long boundaryDistanceMany(boolean wide, Shapes a, Shapes b, Object distance, Object ax, Object ay, Object bx, Object by) {
+  static long boundaryDistanceMany(boolean wide, Shapes a, Shapes b, Object distance, Object ax, Object ay, Object bx,
+      Object by) {
     return wide
-        ? boundaryDistanceManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, distance, ax, ay, bx, by)
-        : boundaryDistanceManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, distance, ax, ay, bx, by);
+        ? boundaryDistanceManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base,
+            distance, ax, ay, bx, by)
+        : boundaryDistanceManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base,
+            distance, ax, ay, bx, by);
   }
 
   static long depthMany(boolean wide, Shapes a, Shapes b, Object depth, Object x, Object y) {
     return wide
-        ? depthManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, depth, x, y)
-        : depthManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, depth, x, y);
+        ? depthManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, depth, x,
+            y)
+        : depthManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, depth, x,
+            y);
   }
 
   static long areaMany(boolean wide, Shapes a, Shapes b, Object out) {
@@ -3027,44 +3240,59 @@ final class Native {
 
   static long overlapMatrix(boolean wide, Shapes a, Shapes b, Object out, long rowStride) {
     return wide
-        ? overlapMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride)
-        : overlapMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride);
+        ? overlapMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out,
+            rowStride)
+        : overlapMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out,
+            rowStride);
   }
 
   static long relationMatrix(boolean wide, Shapes a, Shapes b, Object out, long rowStride) {
     return wide
-        ? relationMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride)
-        : relationMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride);
+        ? relationMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out,
+            rowStride)
+        : relationMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out,
+            rowStride);
   }
 
   static long containsMatrix(boolean wide, Shapes a, Shapes b, Object out, long rowStride) {
     return wide
-        ? containsMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride)
-        : containsMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride);
+        ? containsMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out,
+            rowStride)
+        : containsMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out,
+            rowStride);
   }
 
   static long areaMatrix(boolean wide, Shapes a, Shapes b, Object out, long rowStride) {
     return wide
-        ? areaMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride)
-        : areaMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride);
+        ? areaMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out,
+            rowStride)
+        : areaMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out,
+            rowStride);
   }
 
   static long iouMatrix(boolean wide, Shapes a, Shapes b, Object out, long rowStride) {
     return wide
-        ? iouMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride)
-        : iouMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride);
+        ? iouMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out,
+            rowStride)
+        : iouMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out,
+            rowStride);
   }
 
   static long overlapSelect(boolean wide, Shapes one, Shapes many, Object out, long capacity) {
     return wide
-        ? overlapSelectF64(one.kind, one.count, one.stride, one.step, one.base, many.kind, many.count, many.stride, many.step, many.base, out, capacity)
-        : overlapSelectF32(one.kind, one.count, one.stride, one.step, one.base, many.kind, many.count, many.stride, many.step, many.base, out, capacity);
+        ? overlapSelectF64(one.kind, one.count, one.stride, one.step, one.base, many.kind, many.count, many.stride,
+            many.step, many.base, out, capacity)
+        : overlapSelectF32(one.kind, one.count, one.stride, one.step, one.base, many.kind, many.count, many.stride,
+            many.step, many.base, out, capacity);
   }
 
-  static int nms(boolean wide, Shapes shapes, Object scores, double threshold, Object scratch, long scratchSize, Object keep, Object kept) {
+  static int nms(boolean wide, Shapes shapes, Object scores, double threshold, Object scratch, long scratchSize,
+      Object keep, Object kept) {
     return wide
-        ? nmsF64(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, threshold, scratch, scratchSize, keep, kept)
-        : nmsF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, (float) threshold, scratch, scratchSize, keep, kept);
+        ? nmsF64(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, threshold, scratch,
+            scratchSize, keep, kept)
+        : nmsF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, (float) threshold, scratch,
+            scratchSize, keep, kept);
   }
 
   static long rectsFromBoxes(boolean wide, Object boxes, long count, long stride, int angle, Object out) {
@@ -3099,38 +3327,57 @@ final class Native {
 
   static long indexBuild(boolean wide, Sets sets, Object index, long indexSize, Object scratch, long scratchSize) {
     return wide
-        ? indexBuildF64(sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, index, indexSize, scratch, scratchSize)
-        : indexBuildF32(sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, index, indexSize, scratch, scratchSize);
+        ? indexBuildF64(sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, index, indexSize, scratch,
+            scratchSize)
+        : indexBuildF32(sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, index, indexSize, scratch,
+            scratchSize);
   }
 
   static long indexSelect(boolean wide, Object index, Sets sets, Shapes one, Object out, long capacity, Object state) {
     return wide
-        ? indexSelectF64(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count, one.stride, one.step, one.base, out, capacity, state)
-        : indexSelectF32(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count, one.stride, one.step, one.base, out, capacity, state);
+        ? indexSelectF64(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count,
+            one.stride, one.step, one.base, out, capacity, state)
+        : indexSelectF32(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count,
+            one.stride, one.step, one.base, out, capacity, state);
   }
 
-  static long join(boolean wide, int query, Object indexA, Sets setsA, Object indexB, Sets setsB, long part, long parts, Object scratch, long scratchSize, Object outA, Object outB, long capacity, Object state) {
+  static long join(boolean wide, int query, Object indexA, Sets setsA, Object indexB, Sets setsB, long part, long parts,
+      Object scratch, long scratchSize, Object outA, Object outB, long capacity, Object state) {
     return wide
-        ? joinF64(query, indexA, setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds, setsB.counts, setsB.strides, setsB.steps, setsB.bases, part, parts, scratch, scratchSize, outA, outB, capacity, state)
-        : joinF32(query, indexA, setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds, setsB.counts, setsB.strides, setsB.steps, setsB.bases, part, parts, scratch, scratchSize, outA, outB, capacity, state);
+        ? joinF64(query, indexA, setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB,
+            setsB.kinds, setsB.counts, setsB.strides, setsB.steps, setsB.bases, part, parts, scratch, scratchSize, outA,
+            outB, capacity, state)
+        : joinF32(query, indexA, setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB,
+            setsB.kinds, setsB.counts, setsB.strides, setsB.steps, setsB.bases, part, parts, scratch, scratchSize, outA,
+            outB, capacity, state);
   }
 
-  static long joinWithin(boolean wide, Object indexA, Sets setsA, Object indexB, Sets setsB, double distance, long part, long parts, Object outA, Object outB, long capacity, Object state) {
+  static long joinWithin(boolean wide, Object indexA, Sets setsA, Object indexB, Sets setsB, double distance, long part,
+      long parts, Object outA, Object outB, long capacity, Object state) {
     return wide
-        ? joinWithinF64(indexA, setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds, setsB.counts, setsB.strides, setsB.steps, setsB.bases, distance, part, parts, outA, outB, capacity, state)
-        : joinWithinF32(indexA, setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds, setsB.counts, setsB.strides, setsB.steps, setsB.bases, (float) distance, part, parts, outA, outB, capacity, state);
+        ? joinWithinF64(indexA, setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds,
+            setsB.counts, setsB.strides, setsB.steps, setsB.bases, distance, part, parts, outA, outB, capacity, state)
+        : joinWithinF32(indexA, setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds,
+            setsB.counts, setsB.strides, setsB.steps, setsB.bases, (float) distance, part, parts, outA, outB, capacity,
+            state);
   }
 
-  static long indexNearest(boolean wide, Object index, Sets sets, Shapes one, long k, double within, Object out, Object distance) {
+  static long indexNearest(boolean wide, Object index, Sets sets, Shapes one, long k, double within, Object out,
+      Object distance) {
     return wide
-        ? indexNearestF64(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count, one.stride, one.step, one.base, k, within, out, distance)
-        : indexNearestF32(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count, one.stride, one.step, one.base, k, (float) within, out, distance);
+        ? indexNearestF64(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count,
+            one.stride, one.step, one.base, k, within, out, distance)
+        : indexNearestF32(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count,
+            one.stride, one.step, one.base, k, (float) within, out, distance);
   }
 
-  static long joinNearest(boolean wide, Sets setsA, Object indexB, Sets setsB, long k, double within, long part, long parts, Object out, Object distance) {
+  static long joinNearest(boolean wide, Sets setsA, Object indexB, Sets setsB, long k, double within, long part,
+      long parts, Object out, Object distance) {
     return wide
-        ? joinNearestF64(setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds, setsB.counts, setsB.strides, setsB.steps, setsB.bases, k, within, part, parts, out, distance)
-        : joinNearestF32(setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds, setsB.counts, setsB.strides, setsB.steps, setsB.bases, k, (float) within, part, parts, out, distance);
+        ? joinNearestF64(setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds,
+            setsB.counts, setsB.strides, setsB.steps, setsB.bases, k, within, part, parts, out, distance)
+        : joinNearestF32(setsA.kinds, setsA.counts, setsA.strides, setsA.steps, setsA.bases, indexB, setsB.kinds,
+            setsB.counts, setsB.strides, setsB.steps, setsB.bases, k, (float) within, part, parts, out, distance);
   }
 
   static int ratio(boolean wide, int ratio, int kindA, Object numbersA, int kindB, Object numbersB, Object out) {
@@ -3142,31 +3389,40 @@ final class Native {
   static long ratioMany(boolean wide, int ratio, Shapes a, Shapes b, Object out) {
     return wide
         ? ratioManyF64(ratio, a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out)
-        : ratioManyF32(ratio, a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out);
+        : ratioManyF32(ratio, a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base,
+            out);
   }
 
   static long ratioMatrix(boolean wide, int ratio, Shapes a, Shapes b, Object out, long rowStride) {
     return wide
-        ? ratioMatrixF64(ratio, a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride)
-        : ratioMatrixF32(ratio, a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride);
+        ? ratioMatrixF64(ratio, a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base,
+            out, rowStride)
+        : ratioMatrixF32(ratio, a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base,
+            out, rowStride);
   }
 
   static long nearestMatrix(boolean wide, Shapes a, Shapes b, Object out, long rowStride) {
     return wide
-        ? nearestMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride)
-        : nearestMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride);
+        ? nearestMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out,
+            rowStride)
+        : nearestMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out,
+            rowStride);
   }
 
   static long boundaryDistanceMatrix(boolean wide, Shapes a, Shapes b, Object out, long rowStride) {
     return wide
-        ? boundaryDistanceMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride)
-        : boundaryDistanceMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride);
+        ? boundaryDistanceMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step,
+            b.base, out, rowStride)
+        : boundaryDistanceMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step,
+            b.base, out, rowStride);
   }
 
   static long depthMatrix(boolean wide, Shapes a, Shapes b, Object out, long rowStride) {
     return wide
-        ? depthMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride)
-        : depthMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride);
+        ? depthMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out,
+            rowStride)
+        : depthMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out,
+            rowStride);
   }
 
   static int signedDistance(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB, Object out) {
@@ -3177,14 +3433,18 @@ final class Native {
 
   static long signedDistanceMany(boolean wide, Shapes a, Shapes b, Object out) {
     return wide
-        ? signedDistanceManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out)
-        : signedDistanceManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out);
+        ? signedDistanceManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base,
+            out)
+        : signedDistanceManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base,
+            out);
   }
 
   static long signedDistanceMatrix(boolean wide, Shapes a, Shapes b, Object out, long rowStride) {
     return wide
-        ? signedDistanceMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride)
-        : signedDistanceMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, out, rowStride);
+        ? signedDistanceMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base,
+            out, rowStride)
+        : signedDistanceMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base,
+            out, rowStride);
   }
 
   static int within(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB, double distance) {
@@ -3195,44 +3455,61 @@ final class Native {
 
   static long withinMany(boolean wide, Shapes a, Shapes b, double distance, Object out) {
     return wide
-        ? withinManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, distance, out)
-        : withinManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, (float) distance, out);
+        ? withinManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, distance,
+            out)
+        : withinManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base,
+            (float) distance, out);
   }
 
   static long withinMatrix(boolean wide, Shapes a, Shapes b, double distance, Object out, long rowStride) {
     return wide
-        ? withinMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, distance, out, rowStride)
-        : withinMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, (float) distance, out, rowStride);
+        ? withinMatrixF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base,
+            distance, out, rowStride)
+        : withinMatrixF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base,
+            (float) distance, out, rowStride);
   }
 
-  static int suppress(boolean wide, Shapes shapes, Object scores, Object labels, int ratio, double threshold, double leastScore, long most, Object scratch, long scratchSize, Object keep, Object kept) {
+  static int suppress(boolean wide, Shapes shapes, Object scores, Object labels, int ratio, double threshold,
+      double leastScore, long most, Object scratch, long scratchSize, Object keep, Object kept) {
     return wide
-        ? suppressF64(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, labels, ratio, threshold, leastScore, most, scratch, scratchSize, keep, kept)
-        : suppressF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, labels, ratio, (float) threshold, (float) leastScore, most, scratch, scratchSize, keep, kept);
+        ? suppressF64(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, labels, ratio,
+            threshold, leastScore, most, scratch, scratchSize, keep, kept)
+        : suppressF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, labels, ratio,
+            (float) threshold, (float) leastScore, most, scratch, scratchSize, keep, kept);
   }
 
-  static int suppressSoft(boolean wide, Shapes shapes, Object scores, Object labels, int ratio, int decay, double parameter, double leastScore, long most, Object scratch, long scratchSize, Object keep, Object decayed, Object kept) {
+  static int suppressSoft(boolean wide, Shapes shapes, Object scores, Object labels, int ratio, int decay,
+      double parameter, double leastScore, long most, Object scratch, long scratchSize, Object keep, Object decayed,
+      Object kept) {
     return wide
-        ? suppressSoftF64(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, labels, ratio, decay, parameter, leastScore, most, scratch, scratchSize, keep, decayed, kept)
-        : suppressSoftF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, labels, ratio, decay, (float) parameter, (float) leastScore, most, scratch, scratchSize, keep, decayed, kept);
+        ? suppressSoftF64(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, labels, ratio,
+            decay, parameter, leastScore, most, scratch, scratchSize, keep, decayed, kept)
+        : suppressSoftF32(shapes.kind, shapes.count, shapes.stride, shapes.step, shapes.base, scores, labels, ratio,
+            decay, (float) parameter, (float) leastScore, most, scratch, scratchSize, keep, decayed, kept);
   }
 
-  static int cast(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB, double vx, double vy, double tEnd, Object out) {
+  static int cast(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB, double vx, double vy,
+      double tEnd, Object out) {
     return wide
         ? castF64(kindA, numbersA, kindB, numbersB, vx, vy, tEnd, out)
         : castF32(kindA, numbersA, kindB, numbersB, (float) vx, (float) vy, (float) tEnd, out);
   }
 
-  static long castMany(boolean wide, Shapes a, Shapes b, Object vx, Object vy, long stride, double tEnd, Object t, Object x, Object y, Object nx, Object ny) {
+  static long castMany(boolean wide, Shapes a, Shapes b, Object vx, Object vy, long stride, double tEnd, Object t,
+      Object x, Object y, Object nx, Object ny) {
     return wide
-        ? castManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, vx, vy, stride, tEnd, t, x, y, nx, ny)
-        : castManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, vx, vy, stride, (float) tEnd, t, x, y, nx, ny);
+        ? castManyF64(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, vx, vy,
+            stride, tEnd, t, x, y, nx, ny)
+        : castManyF32(a.kind, a.count, a.stride, a.step, a.base, b.kind, b.count, b.stride, b.step, b.base, vx, vy,
+            stride, (float) tEnd, t, x, y, nx, ny);
   }
 
   static long castFirst(boolean wide, Shapes one, Shapes many, double vx, double vy, double tEnd, Object out) {
     return wide
-        ? castFirstF64(one.kind, one.count, one.stride, one.step, one.base, many.kind, many.count, many.stride, many.step, many.base, vx, vy, tEnd, out)
-        : castFirstF32(one.kind, one.count, one.stride, one.step, one.base, many.kind, many.count, many.stride, many.step, many.base, (float) vx, (float) vy, (float) tEnd, out);
+        ? castFirstF64(one.kind, one.count, one.stride, one.step, one.base, many.kind, many.count, many.stride,
+            many.step, many.base, vx, vy, tEnd, out)
+        : castFirstF32(one.kind, one.count, one.stride, one.step, one.base, many.kind, many.count, many.stride,
+            many.step, many.base, (float) vx, (float) vy, (float) tEnd, out);
   }
 
   static int sweepBounds(boolean wide, int kind, Object numbers, double vx, double vy, double tEnd, Object out) {
@@ -3241,16 +3518,22 @@ final class Native {
         : sweepBoundsF32(kind, numbers, (float) vx, (float) vy, (float) tEnd, out);
   }
 
-  static long indexCast(boolean wide, Object index, Sets sets, Shapes one, double vx, double vy, double tEnd, Object out, long capacity, Object state) {
+  static long indexCast(boolean wide, Object index, Sets sets, Shapes one, double vx, double vy, double tEnd,
+      Object out, long capacity, Object state) {
     return wide
-        ? indexCastF64(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count, one.stride, one.step, one.base, vx, vy, tEnd, out, capacity, state)
-        : indexCastF32(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count, one.stride, one.step, one.base, (float) vx, (float) vy, (float) tEnd, out, capacity, state);
+        ? indexCastF64(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count,
+            one.stride, one.step, one.base, vx, vy, tEnd, out, capacity, state)
+        : indexCastF32(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count,
+            one.stride, one.step, one.base, (float) vx, (float) vy, (float) tEnd, out, capacity, state);
   }
 
-  static long indexCastFirst(boolean wide, Object index, Sets sets, Shapes one, double vx, double vy, double tEnd, Object out) {
+  static long indexCastFirst(boolean wide, Object index, Sets sets, Shapes one, double vx, double vy, double tEnd,
+      Object out) {
     return wide
-        ? indexCastFirstF64(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count, one.stride, one.step, one.base, vx, vy, tEnd, out)
-        : indexCastFirstF32(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count, one.stride, one.step, one.base, (float) vx, (float) vy, (float) tEnd, out);
+        ? indexCastFirstF64(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count,
+            one.stride, one.step, one.base, vx, vy, tEnd, out)
+        : indexCastFirstF32(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count,
+            one.stride, one.step, one.base, (float) vx, (float) vy, (float) tEnd, out);
   }
 
   static int de9im(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB, Object matrix) {

@@ -3,7 +3,8 @@
 package vesica;
 
 /**
- * All points C + s u + t perp(u) with |s| &lt;= hx and |t| &lt;= hy, where C is (cx, cy); hx, hy &gt;= 0 and u != (0, 0).
+ * All points C + s u + t perp(u) with |s| &lt;= hx and |t| &lt;= hy, where C is (cx, cy); hx, hy &gt;= 0 and u != (0,
+ * 0).
  *
  * @param cx cx
  * @param cy cy

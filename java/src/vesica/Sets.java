@@ -15,7 +15,8 @@ final class Sets {
 
   Sets(Shapes... sets) {
     if (sets.length == 0 || sets.length > MOST) {
-      throw new IllegalArgumentException(sets.length + " arrays of shapes: 1 to " + MOST + " are needed; one may be empty");
+      throw new IllegalArgumentException(
+          sets.length + " arrays of shapes: 1 to " + MOST + " are needed; one may be empty");
     }
     wide = sets[0].wide;
     kinds = new int[sets.length];

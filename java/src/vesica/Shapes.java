@@ -26,7 +26,7 @@ public final class Shapes {
     this.kind = kind.value;
     this.count = count;
     this.base = base;
-    wide = base instanceof double[] || base instanceof DoubleBuffer;
+    wide = isWide(base);
     int size = wide ? Double.BYTES : Float.BYTES;
     this.stride = stride * size;
     this.step = step * size;
@@ -40,9 +40,10 @@ public final class Shapes {
   /**
    * Shapes whose numbers follow one another.
    *
-   * @param numbers a double[], float[], or direct DoubleBuffer or FloatBuffer of the machine's byte order
+   * @param numbers a double[], float[], or direct DoubleBuffer or FloatBuffer of the machine's byte order; or one shape
    */
   public static Shapes of(Kind kind, Object numbers) {
+    if (numbers instanceof Shape one) return of(kind, new Shape[] {one});
     return records(kind, numbers, fields(kind));
   }
 
@@ -84,6 +85,11 @@ public final class Shapes {
     return count;
   }
 
+  /** Whether numbers are double, not float. */
+  static boolean isWide(Object numbers) {
+    return numbers instanceof double[] || numbers instanceof DoubleBuffer;
+  }
+
   private static native long address(Object buffer);
 
   /** Whether an output of so many numbers lies where these do. */
@@ -99,7 +105,9 @@ public final class Shapes {
     if (numbers instanceof double[] doubles) return doubles.length;
     if (numbers instanceof float[] floats) return floats.length;
     ByteOrder order =
-        numbers instanceof DoubleBuffer doubles ? doubles.order() : numbers instanceof FloatBuffer floats ? floats.order() : null;
+        numbers instanceof DoubleBuffer doubles
+            ? doubles.order()
+            : numbers instanceof FloatBuffer floats ? floats.order() : null;
     if (order == ByteOrder.nativeOrder() && ((Buffer) numbers).isDirect()) {
       Buffer buffer = (Buffer) numbers;
       if (buffer.position() == 0) return buffer.limit();

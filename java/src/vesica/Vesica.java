@@ -4,7 +4,6 @@ package vesica;
 import static vesica.VesicaException.checked;
 
 import java.nio.Buffer;
-import java.nio.DoubleBuffer;
 import java.nio.ReadOnlyBufferException;
 import java.util.Arrays;
 
@@ -145,7 +144,8 @@ public final class Vesica {
   }
 
   /** Ellipse of the points within k standard deviations of a mean. */
-  public static Ellipse ellipseFromCovariance(double meanX, double meanY, double cxx, double cxy, double cyy, double k) {
+  public static Ellipse ellipseFromCovariance(
+      double meanX, double meanY, double cxx, double cxy, double cyy, double k) {
     double[] out = new double[6];
     checked(Native.ellipseFromCovarianceF64(meanX, meanY, cxx, cxy, cyy, k, out));
     return Ellipse.of(out);
@@ -238,6 +238,21 @@ public final class Vesica {
     return checked(Native.iouMatrix(a.wide, a, b, output("out", out, a, b, pairs(a, b)), b.count));
   }
 
+  /** The distance of each of a from each of b. Returns how many pairs overlap. */
+  public static long nearestMatrix(Shapes a, Shapes b, Object out) {
+    return checked(Native.nearestMatrix(a.wide, a, b, output("out", out, a, b, pairs(a, b)), b.count));
+  }
+
+  /** The distance of the outline of each of a from that of each of b. Returns how many pairs of outlines meet. */
+  public static long boundaryDistanceMatrix(Shapes a, Shapes b, Object out) {
+    return checked(Native.boundaryDistanceMatrix(a.wide, a, b, output("out", out, a, b, pairs(a, b)), b.count));
+  }
+
+  /** How deep each of a and each of b overlap. Returns how many depths are above 0. */
+  public static long depthMatrix(Shapes a, Shapes b, Object out) {
+    return checked(Native.depthMatrix(a.wide, a, b, output("out", out, a, b, pairs(a, b)), b.count));
+  }
+
   // ---- Choices among many ----
 
   /**
@@ -251,17 +266,13 @@ public final class Vesica {
   }
 
   /**
-   * Greedy suppression: the indices of the shapes kept, best score first. Each has an intersection over union of at most
-   * {@code threshold} with every better one that was kept.
+   * Greedy suppression: the indices of the shapes kept, best score first. Each has an intersection over union of at
+   * most {@code threshold} with every better one that was kept.
    *
    * @param scores a double[], float[] or direct buffer, as the shapes' numbers
    */
   public static long[] nms(Shapes shapes, Object scores, double threshold) {
-    long count = Shapes.length(scores, "scores");
-    if (count != shapes.count) {
-      throw new IllegalArgumentException(shapes.count + " shapes need as many scores, not " + count);
-    }
-    output("scores", scores, shapes, count);
+    long count = scores(shapes, scores);
     byte[] scratch = new byte[Math.toIntExact(checked(Native.nmsScratch(count)))];
     long[] keep = new long[(int) count], kept = new long[1];
     int code = Native.nms(shapes.wide, shapes, scores, threshold, scratch, scratch.length, keep, kept);
@@ -269,6 +280,16 @@ public final class Vesica {
   }
 
   // ---- What arguments must be ----
+
+  /** How many scores there are: one for each shape, of its type. */
+  static long scores(Shapes shapes, Object scores) {
+    long count = Shapes.length(scores, "scores");
+    if (count != shapes.count) {
+      throw new IllegalArgumentException(shapes.count + " shapes need as many scores, not " + count);
+    }
+    output("scores", scores, shapes, count);
+    return count;
+  }
 
   static void alike(boolean wideA, boolean wideB) {
     if (wideA == wideB) return;
@@ -296,13 +317,13 @@ public final class Vesica {
   /** An array or buffer of so many numbers of the shapes' type. */
   private static Object output(String name, Object out, Shapes shapes, long needed) {
     long given = Shapes.length(out, name);
-    alike(shapes.wide, out instanceof double[] || out instanceof DoubleBuffer);
+    alike(shapes.wide, Shapes.isWide(out));
     room(name, given, needed);
     return out;
   }
 
   /** The same of results about two arrays, which need memory of their own. */
-  private static Object output(String name, Object out, Shapes a, Shapes b, long needed) {
+  static Object output(String name, Object out, Shapes a, Shapes b, long needed) {
     output(name, out, a, needed);
     if (out instanceof Buffer buffer && buffer.isReadOnly()) throw new ReadOnlyBufferException();
     if (a.meets(out, needed) || b.meets(out, needed)) {
@@ -311,12 +332,13 @@ public final class Vesica {
     return out;
   }
 
-  private static Object[] columns(Shapes a, Shapes b, long needed, Object... columns) {
+  static Object[] columns(Shapes a, Shapes b, long needed, Object... columns) {
     for (int i = 0; i < columns.length; i++) {
       if (columns[i] == null) continue;
       output("a column", columns[i], a, b, needed);
       for (int k = 0; k < i; k++) {
-        if (columns[k] == columns[i]) throw new IllegalArgumentException("columns " + k + " and " + i + " are the same");
+        if (columns[k] != columns[i]) continue;
+        throw new IllegalArgumentException("columns " + k + " and " + i + " are the same");
       }
     }
     return columns;

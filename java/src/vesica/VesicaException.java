@@ -21,8 +21,8 @@ public final class VesicaException extends IllegalArgumentException {
   }
 
   /**
-   * After an invalid shape what {@link Vesica#nms} or {@link Index#nearestOfEach} has for all others, else null. What is
-   * written to arrays of the caller's is there.
+   * After an invalid shape what {@link Vesica#nms}, {@link Boxes#rects} and {@link Index#nearestOfEach} have
+   * for all others, else null. What is written to arrays of the caller's is there.
    */
   public Object result() {
     return result;
@@ -35,7 +35,8 @@ public final class VesicaException extends IllegalArgumentException {
 
   /** A result, unless its code is an error. */
   static <T> T finished(long code, T result) {
-    if (code < 0) throw new VesicaException((int) code, code == ErrorCode.SHAPE.value ? result : null);
+    boolean isWritten = code == ErrorCode.SHAPE.value || code == ErrorCode.RANGE.value;
+    if (code < 0) throw new VesicaException((int) code, isWritten ? result : null);
     return result;
   }
 

@@ -25,6 +25,10 @@ final class Arguments {
     if (!holds) throw new AssertionError(what);
   }
 
+  private static void cast(double[] vx, double[] vy, double[] t) {
+    Motion.castMany(THREE, THREE, vx, vy, 1, t, null, null, null, null);
+  }
+
   private static void refusals() {
     Class<? extends Exception> argument = IllegalArgumentException.class;
     refused(VesicaException.class, "a shape is invalid", () -> Vesica.overlap(new Circle(0, 0, -1), new Point(0, 0)));
@@ -34,11 +38,13 @@ final class Arguments {
     refused(argument, "numbers is int[]: a double[], a float[]", () -> Shapes.of(Kind.CIRCLE, new int[3]));
     refused(argument, "numbers is null", () -> Shapes.of(Kind.CIRCLE, (Object) null));
     refused(argument, "numbers is HeapDoubleBuffer", () -> Shapes.of(Kind.POINT, DoubleBuffer.allocate(2)));
-    refused(argument, "shape 1 is a POINT, not a CIRCLE", () -> Shapes.of(Kind.CIRCLE, new Circle(0, 0, 1), new Point(0, 0)));
+    Point origin = new Point(0, 0);
+    refused(argument, "shape 1 is a POINT, not", () -> Shapes.of(Kind.CIRCLE, new Circle(0, 0, 1), origin));
     Shapes two = Shapes.of(Kind.CIRCLE, new double[6]), narrow = Shapes.of(Kind.CIRCLE, new float[9]);
     refused(argument, "a has 3 shapes and b 2", () -> Vesica.overlapMany(THREE, two, new boolean[3]));
     refused(argument, "one array of shapes has double", () -> Vesica.overlapMany(THREE, narrow, new boolean[3]));
-    refused(argument, "out has 8 elements, where 9 are needed", () -> Vesica.overlapMatrix(THREE, THREE, new boolean[8]));
+    boolean[] eight = new boolean[8];
+    refused(argument, "out has 8 elements, where 9 are needed", () -> Vesica.overlapMatrix(THREE, THREE, eight));
     refused(argument, "one array of shapes has double", () -> Vesica.areaMany(THREE, THREE, new float[3]));
     refused(argument, "out is String", () -> Vesica.areaMany(THREE, THREE, "text"));
     double[] numbers = new double[6];
@@ -49,13 +55,103 @@ final class Arguments {
     refused(argument, "3 shapes need as many scores, not 1", () -> Vesica.nms(THREE, new double[1], 0.5));
     refused(argument, "1 to 64 are needed", () -> new Index());
     refused(VesicaException.class, "index", () -> Index.fromBytes(new byte[640], THREE));
-    refused(argument, "an index of 3 shapes cannot be that of 6", () -> Index.fromBytes(new Index(THREE).bytes(), THREE, THREE));
+    byte[] saved = new Index(THREE).bytes();
+    refused(argument, "an index of 3 shapes cannot be that of 6", () -> Index.fromBytes(saved, THREE, THREE));
     refused(VesicaException.class, "", () -> new Index(THREE).join(new Index(THREE), JoinQuery.OVERLAP, 2, 2));
     refused(argument, "k is 0", () -> new Index(THREE).nearestOfEach(0, 1, THREE));
+    double[] one = {1}, all = new double[15], three = new double[3];
+    refused(argument, "1 or 3 velocities", () -> cast(new double[2], one, all));
+    refused(argument, "overlaps the velocities", () -> cast(three, three, three));
+    refused(argument, "one array of shapes has double", () -> new Motion(1, 0, 1).castFirst(THREE, narrow));
+    refused(VesicaException.class, "", () -> new Motion(1, 0, -1).cast(origin, origin));
+    refused(VesicaException.class, "", () -> new Motion(1, 0, 1).castFirst(THREE, THREE));
+    refused(argument, "6 numbers are no rows of 5", () -> Boxes.rects(numbers, Angle.RADIANS));
+    refused(VesicaException.class, "", () -> Boxes.rects(new double[5], 5, Angle.REVERSED, true));
+    refused(VesicaException.class, "", () -> Boxes.corners(THREE, new double[24]));
+    refused(argument, "out has 6 elements, where 15", () -> Boxes.of(THREE, Angle.RADIANS, false, new double[6]));
+    refused(argument, "3 shapes need as many labels, not 1", () ->
+        Measures.suppress(THREE, new double[3], new Measures.Suppression(0.5, Ratio.OVER_UNION, new int[1], 0, 3)));
     refused(NullPointerException.class, "null", () -> Vesica.overlap(null, new Point(0, 0)));
     Shapes none = Shapes.of(Kind.RECT, new double[0]);
     check(Vesica.overlapMany(none, none, new boolean[0]) == 0, "an empty array");
     check(new Index(none).join()[0].length == 0, "an empty index");
+  }
+
+  private static void measuresAndMotion() {
+    Shapes rects = Boxes.rects(new double[] {1, 2, 6, 4, 90, 3, 4, 5, 2, 180}, Angle.DEGREES);
+    double[] boxes = new double[10], corners = new double[16], bounds = new double[8], depths = new double[4];
+    Boxes.of(rects, Angle.QUARTERS, true, boxes);
+    check(Arrays.equals(boxes, new double[] {1, 2, 6, 4, -1, 3, 4, 5, 2, 2}), "boxes");
+    Boxes.corners(rects, corners);
+    check(corners[0] == 3 && corners[1] == -1, "corners");
+    Boxes.bounds(rects, bounds);
+    check(Arrays.equals(bounds, new double[] {-1, -1, 3, 5, 0.5, 3, 5.5, 5}), "bounds");
+    check(Vesica.depthMatrix(rects, rects, depths) == 4 && depths[0] == 4 && depths[3] == 2, "depths");
+    try {
+      Boxes.rects(new double[] {1, 2, 6, 4, 90, 3, 4, -5, 2, 180}, Angle.DEGREES);
+      throw new AssertionError("an invalid box");
+    } catch (VesicaException e) {
+      check(e.errorCode() == ErrorCode.SHAPE && ((Shapes) e.result()).count() == 2, "an invalid box");
+    }
+    Aabb small = new Aabb(0, 0, 2, 2), large = new Aabb(0, 0, 4, 4);
+    check(Measures.ratio(Ratio.OVER_SECOND, small, large) == 0.25, "ratio");
+    Shapes both = Shapes.of(Kind.AABB, small, large);
+    int[] labels = {1, 2};
+    double least = Double.NEGATIVE_INFINITY;
+    for (Object[] each : new Object[][] {{null, 2L, 1}, {labels, 2L, 2}, {labels, 1L, 1}}) {
+      var how = new Measures.Suppression(0.5, Ratio.OVER_SMALLER, (int[]) each[0], least, (long) each[1]);
+      check(Measures.suppress(both, new double[] {1, 2}, how).length == (int) each[2], "suppression");
+    }
+    Circle disc = new Circle(0, 0, 1);
+    Aabb wall = new Aabb(10, -5, 12, 5);
+    Impact met = new Impact(3, 10, 0, -1, 0);
+    Motion east = new Motion(3, 0, 9);
+    check(east.cast(wall, disc).equals(new Motion.Contact(Cast.HIT, met)), "cast");
+    check(new Motion(3, 0, 2.5).cast(wall, disc).cast() == Cast.MISS, "too late");
+    check(east.cast(wall, wall).cast() == Cast.START, "at the start");
+    Shapes walls = Shapes.of(Kind.AABB, new Aabb(20, -5, 22, 5), wall, wall), one = Shapes.of(Kind.CIRCLE, disc);
+    check(east.castFirst(one, walls).get().equals(new Motion.First(1, met)), "the first");
+    check(new Motion(-3, 0, 9).castFirst(one, walls).isEmpty(), "none");
+    Index index = new Index(walls);
+    check(index.cast(one, new Motion(1, 0, 10)).length == 2, "items");
+    check(index.castFirst(one, east).get().equals(new Motion.First(1, met)), "the first of an index");
+    check(Vesica.contains(new Motion(3, 0, 2).bounds(disc), new Aabb(-1, -1, 7, 1)), "bounds of a motion");
+    double[] t = new double[3];
+    try {
+      Motion.castMany(walls, one, new double[] {2, -1, Double.NaN}, new double[3], 99, t, null, null, null, null);
+      throw new AssertionError("a velocity that is none");
+    } catch (VesicaException e) {
+      check(t[0] == 9.5 && t[1] == Double.POSITIVE_INFINITY && Double.isNaN(t[2]), "times");
+    }
+  }
+
+  private static void topology() {
+    Aabb a = new Aabb(0, 0, 2, 2), b = new Aabb(1, 1, 3, 3), far = new Aabb(5, 0, 7, 2);
+    Circle disc = new Circle(6, 1, 1);
+    check(Measures.within(a, disc, 3) == Within.YES, "within");
+    check(Measures.within(a, disc, 2.999) == Within.NO, "not within");
+    check(Measures.within(new Point(0, 0), new Ellipse(5, 0, 1, 0, 2, 1), 3) == Within.NEARLY, "nearly within");
+    Shapes boxes = Shapes.of(Kind.AABB, a, b, far), one = Shapes.of(Kind.AABB, a);
+    byte[] near = new byte[3];
+    check(Measures.withinMany(boxes, one, 2, near) == 2 && near[1] == 1 && near[2] == 0, "within, of many");
+    double[] signed = new double[3];
+    check(Measures.signedDistanceMany(boxes, one, signed) == 2, "signed distances");
+    check(Arrays.equals(signed, new double[] {-2, -1, 3}), "signed distances");
+    check(new Index(boxes).joinWithin(new Index(one), 2)[0].length == 2, "a join within a distance");
+    check(Topology.de9im(a, new Aabb(2, 0, 4, 2)).equals("FF2F11212"), "a matrix");
+    check(Topology.matches("FF2F11212", "FF*FT****"), "a pattern");
+    check(Topology.intersection(a, b).get(0).equals(new Point(1, 1)), "a region");
+    check(Topology.intersection(a, far).isEmpty(), "no region");
+    for (String pattern : new String[] {"T*", "T********\0", "\u00e9********", "X********"}) {
+      refused(VesicaException.class, "", () -> Topology.matches("FF2F11212", pattern));
+    }
+    refused(VesicaException.class, "", () -> Topology.intersection(a, disc));
+    refused(VesicaException.class, "", () -> Measures.within(a, b, -1));
+    Shapes soft = Shapes.of(Kind.AABB, new Aabb(0, 0, 4, 4), new Aabb(0, 0, 4, 3), new Aabb(9, 9, 10, 10));
+    double[] scores = {1, 0.75, 0.5};
+    Measures.Kept kept = Measures.suppressSoft(soft, scores, new Measures.SoftSuppression(Decay.LINEAR, 0.5));
+    check(Arrays.equals(kept.items(), new long[] {0, 2, 1}), "soft suppression");
+    check(Arrays.equals(kept.scores(), new double[] {1, 0.5, 0.1875}), "scores that are left");
   }
 
   private static DoubleBuffer direct(double... numbers) {
@@ -74,7 +170,8 @@ final class Arguments {
     check(out.get(0) == Math.PI && out.get(1) == Math.PI, "a direct buffer");
     DoubleBuffer inside = direct(0, 0, 1, 0, 0, 1);
     Shapes own = Shapes.of(Kind.CIRCLE, inside);
-    refused(IllegalArgumentException.class, "out overlaps an input", () -> Vesica.areaMany(records, own, inside.slice(4, 2)));
+    DoubleBuffer part = inside.slice(4, 2);
+    refused(IllegalArgumentException.class, "out overlaps an input", () -> Vesica.areaMany(records, own, part));
     try {
       Vesica.areaMany(records, columns, out.asReadOnlyBuffer());
       throw new AssertionError("wrote to a read-only buffer");
@@ -107,7 +204,7 @@ final class Arguments {
         Shapes a = draw.nextBoolean() ? Shapes.of(kindA, first) : Shapes.columns(kindA, direct(first));
         Shapes b = Shapes.of(kindB, second);
         double[] out = new double[draw.nextInt(100)];
-        switch (draw.nextInt(9)) {
+        switch (draw.nextInt(16)) {
           case 0 -> Vesica.overlapMany(a, b, new boolean[draw.nextInt(100)]);
           case 1 -> Vesica.containsMatrix(a, b, new boolean[draw.nextInt(100)]);
           case 2 -> Vesica.areaMany(a, b, draw.nextInt(5) == 0 ? second : out);
@@ -116,6 +213,14 @@ final class Arguments {
           case 5 -> Vesica.nms(a, out.length < 50 ? new double[(int) a.count()] : out, special[draw.nextInt(10)]);
           case 6 -> new Index(a, b).join(new Index(b), JoinQuery.of(draw.nextInt(5)));
           case 7 -> new Index(a).nearestOfEach(draw.nextInt(4), special[draw.nextInt(10)], b, a);
+          case 8 -> Measures.ratioMany(Ratio.of(draw.nextInt(8)), a, b, out);
+          case 9 -> Boxes.of(a, Angle.of(draw.nextInt(5)), draw.nextBoolean(), out);
+          case 10 -> Boxes.rects(second, draw.nextInt(9), Angle.of(draw.nextInt(5)), draw.nextBoolean());
+          case 11 -> Motion.castMany(a, b, first, second, special[draw.nextInt(10)], out, null, null, null, null);
+          case 12 -> new Index(a, b).cast(b, new Motion(special[draw.nextInt(10)], 1, special[draw.nextInt(10)]));
+          case 13 -> Measures.withinMatrix(a, b, special[draw.nextInt(10)], new byte[draw.nextInt(100)]);
+          case 14 -> Measures.suppressSoft(
+              a, second, new Measures.SoftSuppression(Decay.of(draw.nextInt(3)), special[draw.nextInt(10)]));
           default -> Index.fromBytes(new byte[draw.nextInt(900)], a);
         }
         answered++;
@@ -135,6 +240,8 @@ final class Arguments {
   public static void main(String[] arguments) {
     refusals();
     layouts();
+    measuresAndMotion();
+    topology();
     nothingIsCopied();
     anyArguments(arguments.length > 0 ? Integer.parseInt(arguments[0]) : 5000);
     System.out.println("arguments: as they should be");

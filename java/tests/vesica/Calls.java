@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.DoubleStream;
 import java.util.stream.LongStream;
@@ -19,6 +20,9 @@ import java.util.stream.LongStream;
  */
 final class Calls {
   private static final List<String> KINDS = List.of("point", "segment", "circle", "aabb", "rect", "ellipse");
+
+  private static final Set<String> TOPOLOGY =
+      Set.of("de9im", "de9im_match", "intersection", "join_within", "suppress_soft");
 
   private final String function;
   private final boolean wide;
@@ -42,7 +46,8 @@ final class Calls {
 
   /** Those of an argument, without its kind. */
   private static double[] numbers(String argument) {
-    return Arrays.stream(argument.trim().split(" ")).filter(word -> !KINDS.contains(word)).mapToDouble(Calls::number).toArray();
+    var words = Arrays.stream(argument.trim().split(" ")).filter(word -> !KINDS.contains(word));
+    return words.mapToDouble(Calls::number).toArray();
   }
 
   private static Kind kind(String argument) {
@@ -115,6 +120,7 @@ final class Calls {
       case "nearest" -> points(Vesica.nearest(a, b));
       case "boundary_distance" -> points(Vesica.boundaryDistance(a, b));
       case "depth" -> depth(Vesica.depth(a, b));
+      case "signed_distance" -> gives(Measures.signedDistance(a, b));
       case "area" -> gives(Vesica.area(a, b));
       case "iou" -> gives(Vesica.iou(a, b));
       case "crossings" -> places(Vesica.crossings(a, b));
@@ -176,6 +182,10 @@ final class Calls {
       case "depth" -> {
         Vesica.depthMany(a, b, columns[0], columns[1], columns[2]);
         yield gives(0, Arrays.copyOf(columns, 3));
+      }
+      case "signed_distance" -> {
+        Measures.signedDistanceMany(a, b, columns[0]);
+        yield gives(0, columns[0]);
       }
       case "area" -> {
         Vesica.areaMany(a, b, columns[0]);
@@ -260,13 +270,19 @@ final class Calls {
         case "overlap_select": return Vesica.overlapSelect(a, b, indices);
         default: break;
       }
-      used = function.equals("depth_many") ? 3 : function.startsWith("area") || function.startsWith("iou") ? 1 : 5;
+      boolean isOne = function.matches("(signed_distance|area|iou)_.*") || function.endsWith("_matrix");
+      used = function.equals("depth_many") ? 3 : isOne ? 1 : 5;
       Object[] c = columns;
       return switch (function) {
         case "area_many" -> Vesica.areaMany(a, b, c[0]);
         case "iou_many" -> Vesica.iouMany(a, b, c[0]);
         case "area_matrix" -> Vesica.areaMatrix(a, b, c[0]);
         case "iou_matrix" -> Vesica.iouMatrix(a, b, c[0]);
+        case "signed_distance_many" -> Measures.signedDistanceMany(a, b, c[0]);
+        case "signed_distance_matrix" -> Measures.signedDistanceMatrix(a, b, c[0]);
+        case "nearest_matrix" -> Vesica.nearestMatrix(a, b, c[0]);
+        case "boundary_distance_matrix" -> Vesica.boundaryDistanceMatrix(a, b, c[0]);
+        case "depth_matrix" -> Vesica.depthMatrix(a, b, c[0]);
         case "depth_many" -> Vesica.depthMany(a, b, c[0], c[1], c[2]);
         case "nearest_many" -> Vesica.nearestMany(a, b, c[0], c[1], c[2], c[3], c[4]);
         case "boundary_distance_many" -> Vesica.boundaryDistanceMany(a, b, c[0], c[1], c[2], c[3], c[4]);
@@ -284,6 +300,195 @@ final class Calls {
     }
   }
 
+  private Object column(int count) {
+    return wide ? new double[count] : new float[count];
+  }
+
+  private long rows(Object out, Runnable call) {
+    try {
+      call.run();
+    } finally {
+      gives(widened(out));
+    }
+    return 0;
+  }
+
+  private long ofBoxes() {
+    if (function.endsWith("from_boxes")) {
+      int unit = (int) number(arguments[1]);
+      Object boxes = scalars(numbers(arguments[0]));
+      Angle angle = Angle.of(unit & 3);
+      return gives(
+          widened(
+              function.startsWith("rects")
+                  ? Boxes.rects(boxes, 5, angle, unit >= 4).base
+                  : Boxes.ellipses(boxes, 5, angle, unit >= 4).base));
+    }
+    Shapes shapes = shapes(arguments[0]);
+    int count = (int) shapes.count();
+    Object boxes = column(5 * count), corners = column(8 * count), bounds = column(4 * count);
+    return switch (function) {
+      case "corners_of_shapes" -> rows(corners, () -> Boxes.corners(shapes, corners));
+      case "bounds_many" -> rows(bounds, () -> Boxes.bounds(shapes, bounds));
+      default -> {
+        int unit = (int) number(arguments[1]);
+        yield rows(boxes, () -> Boxes.of(shapes, Angle.of(unit & 3), unit >= 4, boxes));
+      }
+    };
+  }
+
+  private long impact(Impact i) {
+    return gives(i.t(), i.x(), i.y(), i.nx(), i.ny());
+  }
+
+  private long first(Optional<Motion.First> found, long count) {
+    double nan = Double.NaN;
+    impact(found.map(Motion.First::impact).orElse(new Impact(Double.POSITIVE_INFINITY, nan, nan, nan, nan)));
+    return found.map(Motion.First::item).orElse(count);
+  }
+
+  private long ofMotion() {
+    if (function.equals("cast_many")) {
+      Shapes a = shapes(arguments[0]), b = shapes(arguments[1]);
+      Object[] c = new Object[5];
+      Arrays.setAll(c, i -> column((int) Math.max(a.count(), b.count())));
+      Object vx = scalars(numbers(arguments[2])), vy = scalars(numbers(arguments[3]));
+      try {
+        return Motion.castMany(a, b, vx, vy, numbers(arguments[4])[0], c[0], c[1], c[2], c[3], c[4]);
+      } finally {
+        values = Arrays.stream(c).map(Calls::widened).flatMapToDouble(DoubleStream::of).toArray();
+      }
+    }
+    double[] n = numbers(arguments[function.equals("cast") || function.equals("cast_first") ? 2 : 1]);
+    Motion motion = new Motion(n[0], n[1], n[2]);
+    switch (function) {
+      case "cast_first":
+        Shapes many = shapes(arguments[1]);
+        return first(motion.castFirst(shapes(arguments[0]), many), many.count());
+      case "sweep_bounds": return wide ? gives(motion.bounds(single(0)).numbers()) : motionInFloat(n, new float[4]);
+      case "cast": return wide ? contact(motion.cast(single(0), single(1))) : motionInFloat(n, new float[5]);
+      default: break;
+    }
+    Index index = new Index(sets(Arrays.asList(arguments).subList(2, arguments.length)));
+    Shapes one = shapes(arguments[0]);
+    if (function.equals("index_cast")) return items(index.cast(one, motion));
+    return first(index.castFirst(one, motion), index.count());
+  }
+
+  private long contact(Motion.Contact contact) {
+    impact(contact.impact());
+    return contact.cast().value;
+  }
+
+  private long motionInFloat(double[] n, float[] out) {
+    int kind = kind(arguments[0]).value;
+    float[] a = narrow(numbers(arguments[0])), b = narrow(numbers(arguments[1]));
+    int code =
+        function.equals("sweep_bounds")
+            ? Native.sweepBounds(false, kind, a, n[0], n[1], n[2], out)
+            : Native.cast(false, kind, a, kind(arguments[1]).value, b, n[0], n[1], n[2], out);
+    gives(widened(out));
+    return VesicaException.checked(code);
+  }
+
+  private long ofRatios() {
+    Ratio ratio = Ratio.of((int) number(arguments[0]));
+    if (function.equals("ratio") && wide) return gives(Measures.ratio(ratio, single(1), single(2)));
+    Shapes a = shapes(arguments[1]), b = shapes(arguments[2]);
+    boolean isMatrix = function.endsWith("_matrix");
+    Object out = column((int) (isMatrix ? a.count() * b.count() : Math.max(a.count(), b.count())));
+    try {
+      long above = isMatrix ? Measures.ratioMatrix(ratio, a, b, out) : Measures.ratioMany(ratio, a, b, out);
+      return function.equals("ratio") ? 0 : above;
+    } finally {
+      gives(widened(out));
+    }
+  }
+
+  private long ofTopology() {
+    switch (function) {
+      case "de9im_match": return Topology.matches(arguments[0], arguments[1].trim()) ? 1 : 0;
+      case "join_within": {
+        List<String> rest = Arrays.asList(arguments);
+        int slash = rest.indexOf("/");
+        Index a = new Index(sets(rest.subList(1, slash)));
+        Index b = slash == rest.size() - 1 ? a : new Index(sets(rest.subList(slash + 1, rest.size())));
+        long[][] pairs = a.joinWithin(b, numbers(arguments[0])[0]);
+        values = new double[2 * pairs[0].length];
+        for (int i = 0; i < values.length; i++) values[i] = pairs[i % 2][i / 2];
+        return pairs[0].length;
+      }
+      case "within_many": return nearby(Math.max(shapes(arguments[0]).count(), shapes(arguments[1]).count()));
+      case "within_matrix": return nearby(shapes(arguments[0]).count() * shapes(arguments[1]).count());
+      case "suppress_soft": return softly();
+      default: return wide ? topologyInDouble() : topologyInFloat();
+    }
+  }
+
+  private long nearby(long count) {
+    Shapes a = shapes(arguments[0]), b = shapes(arguments[1]);
+    double distance = numbers(arguments[2])[0];
+    byte[] out = new byte[(int) count];
+    try {
+      boolean isMatrix = function.equals("within_matrix");
+      return isMatrix ? Measures.withinMatrix(a, b, distance, out) : Measures.withinMany(a, b, distance, out);
+    } finally {
+      values = of(out);
+    }
+  }
+
+  private long softly() {
+    double[] how = numbers(arguments[2]);
+    int[] labels = arguments.length < 4 ? null : Arrays.stream(numbers(arguments[3])).mapToInt(x -> (int) x).toArray();
+    Measures.SoftSuppression soft = new Measures.SoftSuppression(
+        Decay.of((int) how[1]), how[2], Ratio.of((int) how[0]), labels, how[3], (long) how[4]);
+    return kept(Measures.suppressSoft(shapes(arguments[0]), scalars(numbers(arguments[1])), soft));
+  }
+
+  private long kept(Measures.Kept kept) {
+    return gives(joined(of(kept.items()), kept.scores()));
+  }
+
+  private static double[] matrix(byte[] letters) {
+    double[] out = new double[9];
+    for (int i = 0; i < 9; i++) out[i] = letters[i] == 'F' ? -1 : letters[i] - '0';
+    return out;
+  }
+
+  private long topologyInDouble() {
+    Shape a = single(0), b = single(1);
+    if (function.equals("within")) return Measures.within(a, b, numbers(arguments[2])[0]).value;
+    if (function.equals("de9im")) return gives(matrix(Topology.de9im(a, b).getBytes()));
+    List<Point> vertices = Topology.intersection(a, b);
+    gives(vertices.stream().flatMapToDouble(p -> DoubleStream.of(p.x(), p.y())).toArray());
+    return vertices.size();
+  }
+
+  /** Single shapes are double in this package: these are native calls. */
+  private long topologyInFloat() {
+    int kindA = kind(arguments[0]).value, kindB = kind(arguments[1]).value;
+    float[] a = narrow(numbers(arguments[0])), b = narrow(numbers(arguments[1])), vertices = new float[16];
+    byte[] letters = new byte[10];
+    if (function.equals("within")) {
+      return VesicaException.checked(Native.within(false, kindA, a, kindB, b, numbers(arguments[2])[0]));
+    }
+    if (function.equals("de9im")) {
+      VesicaException.checked(Native.de9imF32(kindA, a, kindB, b, letters));
+      return gives(matrix(letters));
+    }
+    long count = VesicaException.checked(Native.intersectionF32(kindA, a, kindB, b, vertices));
+    gives(Arrays.copyOf(widened(vertices), 2 * (int) count));
+    return count;
+  }
+
+  private long chosen() {
+    double[] how = numbers(arguments[2]);
+    int[] labels = arguments.length < 4 ? null : Arrays.stream(numbers(arguments[3])).mapToInt(x -> (int) x).toArray();
+    Ratio ratio = Ratio.of((int) how[0]);
+    Measures.Suppression suppression = new Measures.Suppression(how[1], ratio, labels, how[2], (long) how[3]);
+    return gives(of(Measures.suppress(shapes(arguments[0]), scalars(numbers(arguments[1])), suppression)));
+  }
+
   private long suppression() {
     long[] kept = Vesica.nms(shapes(arguments[0]), scalars(numbers(arguments[1])), numbers(arguments[2])[0]);
     return gives(of(kept));
@@ -292,7 +497,8 @@ final class Calls {
   // ---- Indexes ----
 
   private long ofIndexes() {
-    int leading = function.equals("index_nearest") ? 2 : function.equals("index_select") || function.startsWith("join") ? 1 : 0;
+    boolean hasOne = function.equals("index_select") || function.startsWith("join");
+    int leading = function.equals("index_nearest") ? 2 : hasOne ? 1 : 0;
     List<String> rest = Arrays.asList(arguments).subList(leading, arguments.length);
     int slash = rest.indexOf("/");
     Shapes[] setsA = sets(slash < 0 ? rest : rest.subList(0, slash));
@@ -331,6 +537,11 @@ final class Calls {
   }
 
   private long answer() {
+    if (function.contains("boxes") || Set.of("corners_of_shapes", "bounds_many").contains(function)) return ofBoxes();
+    if (function.contains("cast") || function.equals("sweep_bounds")) return ofMotion();
+    if (function.startsWith("ratio")) return ofRatios();
+    if (function.equals("suppress")) return chosen();
+    if (function.startsWith("within") || TOPOLOGY.contains(function)) return ofTopology();
     if (function.contains("_from_")) return constructor();
     if (function.equals("nms")) return suppression();
     if (function.startsWith("index_") || function.startsWith("join")) return ofIndexes();
@@ -354,6 +565,8 @@ final class Calls {
       return String.valueOf(call.answer()).equals(right[0]) && same(call.values, expected);
     } catch (VesicaException e) {
       if (e.result() instanceof long[] kept) call.gives(of(kept));
+      if (e.result() instanceof Measures.Kept kept) call.kept(kept);
+      if (e.result() instanceof Shapes shapes) call.gives(widened(shapes.base));
       if (e.result() instanceof Index.Neighbours found) call.gives(joined(of(found.items()), found.distances()));
       return right[0].equals("E_" + e.errorCode()) && (expected.length == 0 || same(call.values, expected));
     } catch (NumberFormatException e) {
@@ -372,7 +585,7 @@ final class Calls {
       String spoilt = line.substring(0, line.lastIndexOf(' ')) + " 7.5";
       if (functions.add(line.split(" ")[0]) && isRight(spoilt)) throw new AssertionError("taken for right: " + spoilt);
     }
-    if (lines.size() < 400 || functions.size() < 40) throw new AssertionError("too few");
+    if (lines.size() < 670 || functions.size() < 69) throw new AssertionError("too few");
     System.out.println(lines.size() + " calls of " + functions.size() + " functions");
   }
 }

@@ -26,7 +26,7 @@ pub struct PenetrationColumns<'a, T> {
 }
 
 /// How many answers arrays in step have.
-fn in_step<T: Scalar>(a: &Shapes<'_, T>, b: &Shapes<'_, T>) -> Result<usize, Error> {
+pub(crate) fn in_step<T: Scalar>(a: &Shapes<'_, T>, b: &Shapes<'_, T>) -> Result<usize, Error> {
     match (a.len(), b.len()) {
         (a, b) if a == b || b == 1 => Ok(a),
         (1, b) => Ok(b),
@@ -34,7 +34,7 @@ fn in_step<T: Scalar>(a: &Shapes<'_, T>, b: &Shapes<'_, T>) -> Result<usize, Err
     }
 }
 
-fn room<R>(out: &[R], needed: usize) -> Result<(), Error> {
+pub(crate) fn room<R>(out: &[R], needed: usize) -> Result<(), Error> {
     if out.len() < needed {
         return Err(Error::Room { needed, given: out.len() });
     }
@@ -42,7 +42,7 @@ fn room<R>(out: &[R], needed: usize) -> Result<(), Error> {
 }
 
 /// The address of a column, or NULL for one that is not wanted.
-fn column<T>(out: &mut [T], needed: usize) -> Result<*mut T, Error> {
+pub(crate) fn column<T>(out: &mut [T], needed: usize) -> Result<*mut T, Error> {
     if out.is_empty() {
         return Ok(ptr::null_mut());
     }
@@ -78,6 +78,8 @@ many! {
     contains_many: bool as u8;
     /// The area that `a[i]` and `b[i]` share. Returns how many are above 0.
     area_many: T as T;
+    /// The distance of `a[i]` and `b[i]` or, below 0, how deep they overlap. Returns how many overlap.
+    signed_distance_many: T as T;
     /// Intersection over union of `a[i]` and `b[i]`. Returns how many are above 0.
     iou_many: T as T;
 }
@@ -112,6 +114,14 @@ matrix! {
     area_matrix: T as T;
     /// Intersection over union of each of a with each of b. Returns how many are above 0.
     iou_matrix: T as T;
+    /// The distance of each of a from each of b. Returns how many pairs overlap.
+    nearest_matrix: T as T;
+    /// The distance of the outline of each of a from that of each of b. Returns how many pairs of outlines meet.
+    boundary_distance_matrix: T as T;
+    /// How deep each of a and each of b overlap. Returns how many depths are above 0.
+    depth_matrix: T as T;
+    /// The signed distance of each of a and each of b. Returns how many pairs overlap.
+    signed_distance_matrix: T as T;
 }
 
 macro_rules! closest {

@@ -19,7 +19,7 @@ constructors! {
     rect(cx, cy, angle, width, height) -> Rect: rect_from_angle;
     /// Ellipse from centre, angle in radians, and half lengths: a along the angle, b across it.
     ellipse(cx, cy, angle, a, b) -> Ellipse: ellipse_from_angle;
-    /// Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other ratio times its perpendicular.
+    /// Ellipse from a radius vector: one half axis is (wx, wy), the other ratio times its perpendicular.
     ellipse_from_radius_vector(cx, cy, wx, wy, ratio) -> Ellipse: ellipse_from_radius_vector;
     /// Ellipse of the points within k standard deviations of a mean.
     ellipse_from_covariance(mean_x, mean_y, cxx, cxy, cyy, k) -> Ellipse: ellipse_from_covariance;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //! All pairs among millions: an index of shapes, joins, windows and nearest shapes.
 use crate::error::answer;
-use crate::{Aabb, Error, Scalar, Shape, Shapes};
+use crate::motion::first;
+use crate::{Aabb, Error, Impact, Motion, Scalar, Shape, Shapes};
 use alloc::vec;
 use alloc::vec::Vec;
 use core::{ptr, slice};
@@ -50,6 +51,15 @@ fn count_of<T: Scalar>(sets: &[Shapes<'_, T>]) -> usize {
 /// Shapes is a transparent struct around the library's view.
 fn views<T>(sets: &[Shapes<'_, T>]) -> (*const sys::Shapes<T>, i32) {
     (sets.as_ptr().cast(), sets.len() as i32)
+}
+
+/// All items of a question, which is put twice: how many, and which.
+fn all_items(ask: impl Fn(*mut i64, i64, *mut i64) -> Result<usize, Error>) -> Result<Vec<i64>, Error> {
+    let mut out = vec![0; ask(ptr::null_mut(), 0, ptr::null_mut())?];
+    if !out.is_empty() {
+        ask(out.as_mut_ptr(), out.len() as i64, [0; 4].as_mut_ptr())?;
+    }
+    Ok(out)
 }
 
 impl<'a, T: Scalar> Index<'a, T> {
@@ -126,15 +136,31 @@ impl<'a, T: Scalar> Index<'a, T> {
     pub fn select<S: Shape<Scalar = T> + ?Sized>(&self, one: &S) -> Result<Vec<i64>, Error> {
         let one = Shapes::packed(one.kind(), one.numbers())?;
         let (sets, count) = views(&self.sets);
-        let ask = |out: &mut [i64], state: *mut i64| {
-            let (to, room) = (if out.is_empty() { ptr::null_mut() } else { out.as_mut_ptr() }, out.len() as i64);
+        all_items(|to, room, state| {
             answer(|| unsafe { T::index_select(self.address(), sets, count, &one.view, to, room, state) })
-        };
-        let mut out = vec![0; ask(&mut [], ptr::null_mut())?];
-        if !out.is_empty() {
-            ask(&mut out, [0; 4].as_mut_ptr())?;
-        }
-        Ok(out)
+        })
+    }
+
+    /// The items that one moving shape touches, in the index's order.
+    pub fn cast<S: Shape<Scalar = T> + ?Sized>(&self, one: &S, motion: Motion<T>) -> Result<Vec<i64>, Error> {
+        let one = Shapes::packed(one.kind(), one.numbers())?;
+        let ((sets, count), Motion { vx, vy, t_end }) = (views(&self.sets), motion);
+        all_items(|to, room, state| {
+            answer(|| unsafe { T::index_cast(self.address(), sets, count, &one.view, vx, vy, t_end, to, room, state) })
+        })
+    }
+
+    /// The item that one moving shape touches first, the lowest of several. The normal points to `one`.
+    pub fn cast_first<S>(&self, one: &S, motion: Motion<T>) -> Result<Option<(usize, Impact<T>)>, Error>
+    where
+        S: Shape<Scalar = T> + ?Sized,
+    {
+        let one = Shapes::packed(one.kind(), one.numbers())?;
+        let ((sets, count), Motion { vx, vy, t_end }) = (views(&self.sets), motion);
+        let mut out = Impact::default();
+        let (index, to) = (self.address(), &mut out);
+        let item = answer(|| unsafe { T::index_cast_first(index, sets, count, &one.view, vx, vy, t_end, to) })?;
+        Ok(first(item, self.len(), out))
     }
 
     /// The k items nearest to one shape, at most `within` away, each with its distance; infinity asks for any.
@@ -171,6 +197,24 @@ impl<'a, T: Scalar> Index<'a, T> {
         while state[0] != -1 {
             let out = (a.as_mut_ptr(), b.as_mut_ptr(), ROOM as i64, state.as_mut_ptr());
             let found = self.ask_join(other, query, part, parts, out)?;
+            pairs.extend(a[..found].iter().copied().zip(b[..found].iter().copied()));
+        }
+        Ok(pairs)
+    }
+
+    /// All pairs of an item of this index and one of another that are at most `distance` apart, as
+    /// [`join`](Index::join) gives them. Of ellipses also those too near to it to tell.
+    pub fn join_within(&self, other: &Index<'_, T>, distance: T) -> Result<Vec<(i64, i64)>, Error> {
+        const ROOM: usize = 1 << 14;
+        let (mut a, mut b, mut state) = (vec![0; ROOM], vec![0; ROOM], [0; 4]);
+        let ((sets_a, count_a), (sets_b, count_b)) = (views(&self.sets), views(&other.sets));
+        let (index_a, index_b, room) = (self.address(), other.address(), ROOM as i64);
+        let mut pairs = Vec::new();
+        while state[0] != -1 {
+            let (to_a, to_b, at) = (a.as_mut_ptr(), b.as_mut_ptr(), state.as_mut_ptr());
+            let found = answer(|| unsafe {
+                T::join_within(index_a, sets_a, count_a, index_b, sets_b, count_b, distance, 0, 1, to_a, to_b, room, at)
+            })?;
             pairs.extend(a[..found].iter().copied().zip(b[..found].iter().copied()));
         }
         Ok(pairs)

@@ -32,15 +32,27 @@ mod construct;
 mod error;
 #[cfg(feature = "alloc")]
 mod index;
+mod measures;
+mod motion;
 mod query;
 mod shape;
+mod topology;
 
 pub use batch::*;
 pub use construct::*;
 pub use error::Error;
 #[cfg(feature = "alloc")]
 pub use index::{nearest_of_each, Index, JoinQuery};
+pub use measures::*;
+pub use motion::*;
 pub use query::*;
 pub use shape::{AnyShape, Kind, Shape, Shapes};
+pub use topology::*;
 pub use vesica_sys as sys;
-pub use vesica_sys::{Aabb, Circle, ClosestPoints, CrossingPoints, Ellipse, Penetration, Point, Rect, Scalar, Segment};
+pub use vesica_sys::Segment;
+pub use vesica_sys::{Aabb, Circle, ClosestPoints, CrossingPoints, Ellipse, Impact, Penetration, Point, Rect, Scalar};
+
+/// The README's example.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

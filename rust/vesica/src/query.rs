@@ -97,6 +97,8 @@ of_two! {
     boundary_distance -> ClosestPoints<A::Scalar>: |a, b| measure(A::Scalar::boundary_distance, a, b);
     /// How far and in which direction must b move until it only touches a?
     depth -> Penetration<A::Scalar>: |a, b| measure(A::Scalar::depth, a, b);
+    /// The distance of two shapes or, below 0, how deep they overlap.
+    signed_distance -> A::Scalar: |a, b| measure(A::Scalar::signed_distance, a, b);
     /// The area that a and b share.
     area -> A::Scalar: |a, b| measure(A::Scalar::area, a, b);
     /// Intersection over union, from 0 to 1.

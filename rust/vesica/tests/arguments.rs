@@ -104,7 +104,8 @@ fn any_arguments() {
             _ => continue,
         };
         let (mut bools, mut out, mut items) = (vec![false; room], vec![0.0; room], vec![0; room]);
-        let code = match draw(10) {
+        let motion = Motion { vx: special[draw(10)], vy: draw(5) as f64 - 2.0, t_end: special[draw(10)] };
+        let code = match draw(19) {
             0 => overlap_many(a, b, &mut bools),
             1 => contains_matrix(a, b, &mut bools),
             2 => area_many(a, b, &mut out),
@@ -114,6 +115,24 @@ fn any_arguments() {
             6 => nms(a, &second, special[draw(10)], &mut vec![0; draw(500_000)], &mut items),
             7 => Index::new(&[a, b]).and_then(|index| index.join_count(&index, JoinQuery::Contains)),
             8 => Index::new(&[a]).and_then(|index| nearest_of_each(&[b], &index, step, 1e300, &mut items, &mut out)),
+            9 => ratio_many(Ratio::Complete, a, b, &mut out),
+            10 => depth_matrix(a, b, &mut out),
+            11 => boxes_from_shapes(a, Angle::QUARTERS.reversed(), &mut vec![[0.0; 5]; room]).map(|()| 0),
+            12 => cast_many(a, b, (&second, &first), motion.t_end, ImpactColumns { y: &mut out, ..Default::default() }),
+            13 => AnyShape::new(kind_a, &first).and_then(|one| cast_first(&one, b, motion)).map(|_| 0),
+            15 => within_matrix(a, b, special[draw(10)], &mut vec![Within::No; room]),
+            16 => AnyShape::new(kind_a, &first)
+                .and_then(|one| intersection(&one, &AnyShape::new(kind_b, &second)?))
+                .map(|region| region.vertices().len()),
+            17 => {
+                let (decay, ratio) = (Decay::Gaussian(special[draw(10)]), Ratio::Generalized);
+                let how = SoftSuppression { decay, ratio, labels: &[], least_score: 0.0, most: draw(9) };
+                suppress_soft(a, &second, how, &mut vec![0; draw(500)], &mut items, &mut out)
+            }
+            14 => {
+                let how = Suppression { labels: &[1; 3], most: room, ..Suppression::by_iou(0.5) };
+                suppress(a, &second, how, &mut vec![0; draw(500_000)], &mut items)
+            }
             _ => Index::from_bytes(&vec![draw(255) as u8; draw(900)], &[a])
                 .and_then(|index| index.join_count(&index, JoinQuery::Bounds)),
         };

@@ -144,5 +144,8 @@ begin
    exception
       when E : Error => Put_Line ("NaN: " & Ada.Exceptions.Exception_Message (E));
    end;
+   if Nearest (AABB_Kind, (0.0, 0.0, 2.0, 2.0), Circle_Kind, (6.0, 1.0, 1.0)) = (3.0, 2.0, 1.0, 5.0, 1.0) then
+      Put_Line ("nearest: as in C");
+   end if;
    Put_Line (Trimmed (Calls) & " calls, " & Trimmed (Batch) & " in a batch");
 end Vectors;

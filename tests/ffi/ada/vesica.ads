@@ -1,23 +1,23 @@
 --  SPDX-License-Identifier: Apache-2.0
---  Exact overlap queries between plain 2D shapes. Touching counts.
+--  Exact overlap queries between plain 2D shapes. Touching counts. Vesica_C has every function and constant.
 with Interfaces; use Interfaces;
-private with System;
+with Vesica_C;
 
 package Vesica is
 
    --  Of these declarations. Elaboration raises Program_Error where the library is older.
-   Version : constant := 100;
+   Version : constant := Vesica_C.Vesica_Declared_Version;
 
    --  An error of the library. The exception's message begins with its code, and says what it means.
    Error : exception;
 
    subtype Kind is Integer_32;
-   Point_Kind   : constant Kind := 0;
-   Segment_Kind : constant Kind := 1;
-   Circle_Kind  : constant Kind := 2;
-   AABB_Kind    : constant Kind := 3;
-   Rect_Kind    : constant Kind := 4;
-   Ellipse_Kind : constant Kind := 5;
+   Point_Kind   : constant Kind := Vesica_C.Vesica_Point;
+   Segment_Kind : constant Kind := Vesica_C.Vesica_Segment;
+   Circle_Kind  : constant Kind := Vesica_C.Vesica_Circle;
+   AABB_Kind    : constant Kind := Vesica_C.Vesica_Aabb;
+   Rect_Kind    : constant Kind := Vesica_C.Vesica_Rect;
+   Ellipse_Kind : constant Kind := Vesica_C.Vesica_Ellipse;
 
    subtype Double is IEEE_Float_64;
    type Doubles is array (Positive range <>) of aliased Double with Convention => C;
@@ -26,6 +26,11 @@ package Vesica is
    --  Do two shapes, given by their numbers, share a point?
    function Overlap (Kind_A : Kind; A : Doubles; Kind_B : Kind; B : Doubles) return Boolean;
    function Overlap (Kind_A : Kind; A : Floats; Kind_B : Kind; B : Floats) return Boolean;
+
+   --  How far apart are two shapes, and which of their points are closest? A distance, (Ax, Ay) of A and (Bx, By) of B.
+   subtype Closest_Points is Vesica_C.Vesica_Closest_Points_F64;
+   function "=" (A, B : Closest_Points) return Boolean renames Vesica_C."=";
+   function Nearest (Kind_A : Kind; A : Doubles; Kind_B : Kind; B : Doubles) return Closest_Points;
 
    --  The shapes, laid out as the library's structs. Axes are the cosine and sine of the angle.
    type Point is record
@@ -65,13 +70,8 @@ package Vesica is
 
 private
 
-   type Addresses is array (1 .. 6) of System.Address with Convention => C;
-
    type View is record
-      Of_Kind, Reserved : Integer_32 := 0;
-      Count             : Integer_64 := 0;
-      Stride            : Integer_64 := 0;
-      Field             : Addresses  := (others => System.Null_Address);
-   end record with Convention => C;
+      Of_C : Vesica_C.Vesica_Shapes_F64;
+   end record;
 
 end Vesica;

@@ -85,6 +85,16 @@ static void answer_batch(const struct batch* batch) {
   for (int i = 0; i < batch->count; ++i) check(batch->line[i], out[i], batch->expected[i] > 0);
 }
 
+/* Numbers are written to a struct. */
+static void show_nearest(void) {
+  const vesica_aabb_f64 box = {0.0, 0.0, 2.0, 2.0};
+  const vesica_circle_f64 disc = {6.0, 1.0, 1.0};
+  vesica_closest_points_f64 p;
+  const int32_t answer = vesica_nearest_f64(VESICA_AABB, &box.min_x, VESICA_CIRCLE, &disc.cx, &p);
+  const int right = p.distance == 3 && p.ax == 2 && p.ay == 1 && p.bx == 5 && p.by == 1;
+  if (answer == 0 && right) printf("nearest: as in C\n");
+}
+
 static void show_nan(void) {
   const vesica_circle_f64 disc = {0.0, 0.0, 1.0};
   const vesica_point_f64 point = {NAN, 0.0};
@@ -104,6 +114,7 @@ int main(int argc, char** argv) {
   fclose(file);
   answer_batch(&batch);
   show_nan();
+  show_nearest();
   printf("%d calls, %d in a batch\n", calls, batch.count);
   return wrong;
 }

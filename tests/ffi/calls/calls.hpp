@@ -58,6 +58,34 @@ VESICA_BOTH_SCALARS(index_select)
 VESICA_BOTH_SCALARS(index_nearest)
 VESICA_BOTH_SCALARS(join)
 VESICA_BOTH_SCALARS(join_nearest)
+VESICA_BOTH_SCALARS(ratio)
+VESICA_BOTH_SCALARS(ratio_many)
+VESICA_BOTH_SCALARS(ratio_matrix)
+VESICA_BOTH_SCALARS(nearest_matrix)
+VESICA_BOTH_SCALARS(boundary_distance_matrix)
+VESICA_BOTH_SCALARS(depth_matrix)
+VESICA_BOTH_SCALARS(suppress)
+VESICA_BOTH_SCALARS(rects_from_boxes)
+VESICA_BOTH_SCALARS(ellipses_from_boxes)
+VESICA_BOTH_SCALARS(boxes_from_shapes)
+VESICA_BOTH_SCALARS(corners_of_shapes)
+VESICA_BOTH_SCALARS(bounds_many)
+VESICA_BOTH_SCALARS(cast)
+VESICA_BOTH_SCALARS(cast_many)
+VESICA_BOTH_SCALARS(cast_first)
+VESICA_BOTH_SCALARS(sweep_bounds)
+VESICA_BOTH_SCALARS(index_cast)
+VESICA_BOTH_SCALARS(index_cast_first)
+VESICA_BOTH_SCALARS(within)
+VESICA_BOTH_SCALARS(within_many)
+VESICA_BOTH_SCALARS(within_matrix)
+VESICA_BOTH_SCALARS(join_within)
+VESICA_BOTH_SCALARS(signed_distance)
+VESICA_BOTH_SCALARS(signed_distance_many)
+VESICA_BOTH_SCALARS(signed_distance_matrix)
+VESICA_BOTH_SCALARS(de9im)
+VESICA_BOTH_SCALARS(intersection)
+VESICA_BOTH_SCALARS(suppress_soft)
 #undef VESICA_BOTH_SCALARS
 }  // namespace call
 
@@ -72,6 +100,7 @@ struct Structs;
     using ClosestPoints = vesica_closest_points_##suffix;   \
     using CrossingPoints = vesica_crossing_points_##suffix; \
     using Penetration = vesica_penetration_##suffix;        \
+    using Impact = vesica_impact_##suffix;                  \
     using Shapes = vesica_shapes_##suffix;                  \
   };
 VESICA_STRUCTS(double, f64)

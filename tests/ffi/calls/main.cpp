@@ -3,15 +3,16 @@
 // containment are the exact oracle's, and the library must agree. Other results are the library's: their tests are
 // elsewhere, and here it is seen that a host hands on every argument and every result.
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <limits>
-#include <type_traits>
 #include <vector>
 
 #include "calls.hpp"
+#include "lines.hpp"
+#include "measures.hpp"
+#include "motion.hpp"
 #include "oracle/oracle.hpp"
+#include "topology.hpp"
 
 namespace {
 
@@ -26,64 +27,8 @@ constexpr const char* head =
     "# are C's hexadecimal floats, or whole. A result is what the C function returns, or the name of an error; values\n"
     "# are what it wrote: columns one after the other, a matrix row by row.\n"
     "# What takes an index has its sets of shapes in place of it; / parts those of two, and an index whose sets are\n"
-    "# left out is the same as the other.\n";
-
-template <class T>
-constexpr const char* scalar_name = std::is_same_v<T, double> ? "f64" : "f32";
-
-const char* error_name(long long code) {
-  static constexpr const char* names[] = {"E_NULL",          "E_SHAPE",     "E_KIND",     "E_ARGUMENT", "E_NOT_FINITE",
-                                          "E_NEGATIVE_SIZE", "E_ZERO_AXIS", "E_INVERTED", "E_RANGE",    "E_INDEX"};
-  return names[-code - 1];
-}
-
-void print_number(double number) {
-  if (number == std::floor(number) && std::fabs(number) < 1e6 && !(number == 0 && std::signbit(number))) {
-    std::printf(" %.0f", number);
-  } else {
-    std::printf(" %a", number);
-  }
-}
-
-// ---- Lines ----
-
-template <class T>
-void begin(const char* function) {
-  std::printf("%s %s", function, scalar_name<T>);
-}
-
-template <class T>
-void argument(const Array<T>& shapes) {
-  std::printf(" | %s", vesica_kind_name(shapes.kind));
-  for (const T number : shapes.numbers) print_number(static_cast<double>(number));
-}
-
-template <class Number>
-void numbers_argument(const std::vector<Number>& numbers) {
-  std::printf(" |");
-  for (const Number number : numbers) print_number(static_cast<double>(number));
-}
-
-void result(long long code) {
-  if (code < 0) {
-    std::printf(" = %s", error_name(code));
-  } else {
-    std::printf(" = %lld", code);
-  }
-}
-
-template <class Number>
-void values(const std::vector<Number>& numbers) {
-  for (const Number number : numbers) print_number(static_cast<double>(number));
-}
-
-void end() { std::printf("\n"); }
-
-void must(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "%s: the oracle is wrong, or the library is\n", what);
-  std::exit(1);
-}
+    "# left out is the same as the other. suppress has its labels last, if there are any. In a\n"
+    "# nine-intersection matrix F is -1.\n";
 
 // ---- One shape, or two ----
 
@@ -420,6 +365,9 @@ void all(int step) {
   constructors<T>();
   arrays<T>();
   indexes<T>();
+  measures<T>();
+  motion<T>();
+  topology<T>();
 }
 
 }  // namespace
@@ -428,5 +376,6 @@ int main() {
   std::printf("%s", head);
   all<double>(2);
   all<float>(5);
+  matches();
   return 0;
 }

@@ -65,6 +65,16 @@ inline bool overlap(std::int32_t kind_a, std::span<const float, 6> a, std::int32
   return checked(vesica_overlap_f32(kind_a, a.data(), kind_b, b.data())) == 1;
 }
 
+/// How far apart are two shapes, and which of their points are closest?
+template <class A, class B>
+vesica_closest_points_f64 nearest(const A& a, const B& b) {
+  static_assert(kind<A> >= 0 && kind<B> >= 0, "not a shape");
+  vesica_closest_points_f64 out;
+  checked(vesica_nearest_f64(kind<A>, reinterpret_cast<const double*>(&a), kind<B>, reinterpret_cast<const double*>(&b),
+                             &out));
+  return out;
+}
+
 template <class Shape>
 vesica_shapes_f64 array(std::span<const Shape> shapes) {
   static_assert(kind<Shape> >= 0, "not a shape");

@@ -109,6 +109,8 @@ int run(const char* path) {
   } catch (const shapes::Error& error) {
     std::cout << "NaN: " << error.what() << '\n';
   }
+  const auto [distance, ax, ay, bx, by] = shapes::nearest(vesica_aabb_f64{0, 0, 2, 2}, vesica_circle_f64{6, 1, 1});
+  if (distance == 3 && ax == 2 && ay == 1 && bx == 5 && by == 1) std::cout << "nearest: as in C\n";
   std::cout << calls << " calls, " << batch.line.size() << " in a batch\n";
   return all_right ? 0 : 1;
 }

@@ -89,6 +89,9 @@ internal static class Vectors
         {
             Console.WriteLine("NaN: " + e.Message);
         }
+        var p = Shapes.Nearest(Shapes.Aabb, new[] { 0.0, 0, 2, 2 }, Shapes.Circle, new[] { 6.0, 1, 1 });
+        if (p.Distance == 3 && p.AX == 2 && p.AY == 1 && p.BX == 5 && p.BY == 1)
+            Console.WriteLine("nearest: as in C");
         Console.WriteLine(calls + " calls, " + lines.Count + " in a batch");
         return status;
     }

@@ -12,6 +12,9 @@ namespace Vesica
     public struct Rect { public double CX, CY, UX, UY, HX, HY; }
     public struct Ellipse { public double CX, CY, UX, UY, A, B; }
 
+    /// <summary>A distance, and two points that are that far apart: (AX, AY) of a and (BX, BY) of b.</summary>
+    public struct ClosestPoints { public double Distance, AX, AY, BX, BY; }
+
     /// <summary>An error of the library.</summary>
     public sealed class VesicaException : ArgumentException
     {
@@ -23,8 +26,9 @@ namespace Vesica
         }
     }
 
-    /// <summary>Exact overlap queries between plain 2D shapes. Touching counts.</summary>
-    public static class Shapes
+    /// <summary>Exact overlap queries between plain 2D shapes. Touching counts. Copy csharp/src/Native.cs, which
+    /// declares every function, beside this file.</summary>
+    public static unsafe class Shapes
     {
         public const int Point = 0, Segment = 1, Circle = 2, Aabb = 3, Rect = 4, Ellipse = 5;
 
@@ -36,7 +40,7 @@ namespace Vesica
         {
             Need(kindA, a.Length);
             Need(kindB, b.Length);
-            return Checked(Native.vesica_overlap_f64(kindA, a, kindB, b)) == 1;
+            fixed (double* p = a, q = b) return Checked(Native.vesica_overlap_f64(kindA, p, kindB, q)) == 1;
         }
 
         /// <summary>The same in float.</summary>
@@ -44,7 +48,18 @@ namespace Vesica
         {
             Need(kindA, a.Length);
             Need(kindB, b.Length);
-            return Checked(Native.vesica_overlap_f32(kindA, a, kindB, b)) == 1;
+            fixed (float* p = a, q = b) return Checked(Native.vesica_overlap_f32(kindA, p, kindB, q)) == 1;
+        }
+
+        /// <summary>How far apart are two shapes, given by their numbers, and which of their points are
+        /// closest?</summary>
+        public static ClosestPoints Nearest(int kindA, double[] a, int kindB, double[] b)
+        {
+            Need(kindA, a.Length);
+            Need(kindB, b.Length);
+            ClosestPoints points;
+            fixed (double* p = a, q = b) Checked(Native.vesica_nearest_f64(kindA, p, kindB, q, &points));
+            return points;
         }
 
         /// <summary>Two arrays of the structs above in step; one of a single shape is repeated. Nothing is copied.
@@ -58,7 +73,8 @@ namespace Vesica
             try
             {
                 View viewA = ViewOf<A>(a.Length, pinnedA), viewB = ViewOf<B>(b.Length, pinnedB);
-                return Checked(Native.vesica_overlap_many_f64(ref viewA, ref viewB, hits));
+                fixed (byte* output = hits)
+                    return Checked(Native.vesica_overlap_many_f64(&viewA, &viewB, output));
             }
             finally
             {
@@ -69,10 +85,12 @@ namespace Vesica
 
         private static View ViewOf<S>(int count, GCHandle pinned)
         {
-            View view;
-            IntPtr first = pinned.AddrOfPinnedObject(), size = (IntPtr)Marshal.SizeOf(typeof(S));
-            Checked(Native.vesica_shapes_from_records_f64(Kind<S>(), count, first, size, out view));
-            return view;
+            IntPtr first = pinned.AddrOfPinnedObject();
+            return new View
+            {
+                Kind = Kind<S>(), Count = count, Stride = (IntPtr)Marshal.SizeOf(typeof(S)), Field0 = first,
+                Field1 = first + 8, Field2 = first + 16, Field3 = first + 24, Field4 = first + 32, Field5 = first + 40
+            };
         }
 
         private static int Kind<S>()
@@ -101,10 +119,9 @@ namespace Vesica
         public IntPtr Stride, Field0, Field1, Field2, Field3, Field4, Field5;
     }
 
-    internal static class Native
+    // The rest, with every function, is csharp/src/Native.cs.
+    internal static unsafe partial class Native
     {
-        /// <summary>Of these declarations.</summary>
-        private const int Version = 100;
         private const string Library = "libvesica.so.0";
 
         static Native()
@@ -112,16 +129,5 @@ namespace Vesica
             if (vesica_version() < Version)
                 throw new DllNotFoundException("vesica " + vesica_version() + " is older than " + Version);
         }
-
-        [DllImport(Library)] private static extern int vesica_version();
-        [DllImport(Library)] internal static extern IntPtr vesica_strerror(int code);
-        [DllImport(Library)] internal static extern int vesica_field_count(int kind);
-        [DllImport(Library)] internal static extern int vesica_overlap_f64(
-            int kindA, double[] a, int kindB, double[] b);
-        [DllImport(Library)] internal static extern int vesica_overlap_f32(
-            int kindA, float[] a, int kindB, float[] b);
-        [DllImport(Library)] internal static extern int vesica_shapes_from_records_f64(
-            int kind, long count, IntPtr first, IntPtr stride, out View view);
-        [DllImport(Library)] internal static extern long vesica_overlap_many_f64(ref View a, ref View b, byte[] hits);
     }
 }

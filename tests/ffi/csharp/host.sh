@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash disable=SC2154
 # C#, by DllImport (Debian: mono-mcs).
-build() { mcs -warnaserror "-out:$work/vectors.exe" "$host/Vesica.cs" "$host/Vectors.cs"; }
+build() {
+  mcs -unsafe -warnaserror "-out:$work/vectors.exe" "$host"/*.cs "$here/../../csharp/src/Native.cs"
+}
 run() { mono "$work/vectors.exe" "$1"; }

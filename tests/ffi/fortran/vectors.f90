@@ -17,6 +17,7 @@ program vectors
   integer :: lines(batch_limit), codes(batch_limit)
   logical(c_bool) :: out(batch_limit)
   logical :: all_right = .true.
+  type(vesica_closest_points_f64) :: closest
 
   call vesica_require_version()
   call get_command_argument(1, text)
@@ -55,6 +56,11 @@ program vectors
 
   status = overlap(vesica_point, [ieee_value(0d0, ieee_quiet_nan), 0d0], vesica_circle, [0d0, 0d0, 1d0])
   if (status < 0) print '(2a)', 'NaN: ', vesica_message(status)
+  status = closest_points(vesica_aabb, [0d0, 0d0, 2d0, 2d0], vesica_circle, [6d0, 1d0, 1d0], closest)
+  numbers(:5) = [closest%distance, closest%ax, closest%ay, closest%bx, closest%by] - [3, 2, 1, 5, 1]
+  if (status == 0 .and. maxval(abs(numbers(:5))) <= 0) then
+    print '(a)', 'nearest: as in C'
+  end if
   print '(i0, a, i0, a)', calls, ' calls, ', batch, ' in a batch'
   if (.not. all_right) stop 1, quiet=.true.
 

@@ -1,56 +1,18 @@
 ! SPDX-License-Identifier: Apache-2.0
 !> Exact overlap queries between plain 2D shapes. Touching counts. Fortran has no exceptions: a negative result is an
 !> error, and vesica_message says what it means.
+!> vesica_c has every function and constant.
 module vesica
   use, intrinsic :: iso_c_binding
+  use vesica_c
   implicit none
   private
-  public :: overlap, overlap_many, vesica_message, vesica_require_version
-
-  !> Of the declarations below.
-  integer, parameter, public :: vesica_needed_version = 100
-
-  integer(c_int32_t), parameter, public :: vesica_point = 0, vesica_segment = 1, vesica_circle = 2, vesica_aabb = 3, &
-    vesica_rect = 4, vesica_ellipse = 5, vesica_e_shape = -2, vesica_e_kind = -3, vesica_e_argument = -4
+  public :: overlap, overlap_many, closest_points, vesica_message, vesica_require_version, vesica_closest_points_f64
+  public :: vesica_point, vesica_segment, vesica_circle, vesica_aabb, vesica_rect, vesica_ellipse
+  public :: vesica_e_shape, vesica_e_kind, vesica_e_argument
 
   !> How many numbers a shape of each kind has.
   integer, parameter, public :: vesica_numbers(0:5) = [2, 4, 3, 4, 6, 6]
-
-  type, bind(c) :: shapes_f64
-    integer(c_int32_t) :: kind, reserved
-    integer(c_int64_t) :: count
-    integer(c_ptrdiff_t) :: stride
-    type(c_ptr) :: field(6)
-  end type
-
-  interface
-    integer(c_int32_t) function vesica_version() bind(c)
-      import
-    end function
-
-    type(c_ptr) function vesica_strerror(code) bind(c)
-      import
-      integer(c_int32_t), value :: code
-    end function
-
-    integer(c_int32_t) function vesica_overlap_f64(kind_a, a, kind_b, b) bind(c)
-      import
-      integer(c_int32_t), value :: kind_a, kind_b
-      real(c_double), intent(in) :: a(*), b(*)
-    end function
-
-    integer(c_int32_t) function vesica_overlap_f32(kind_a, a, kind_b, b) bind(c)
-      import
-      integer(c_int32_t), value :: kind_a, kind_b
-      real(c_float), intent(in) :: a(*), b(*)
-    end function
-
-    integer(c_int64_t) function vesica_overlap_many_f64(a, b, out) bind(c)
-      import
-      type(shapes_f64), intent(in) :: a, b
-      logical(c_bool), intent(out) :: out(*)
-    end function
-  end interface
 
   !> overlap(kind_a, a, kind_b, b): 1 where two shapes, arrays of their numbers, share a point, else 0; or an error.
   interface overlap
@@ -62,8 +24,8 @@ contains
   !> Once, before the first call: stops the program where the library that was loaded will not do.
   subroutine vesica_require_version()
     character(80) :: message
-    if (vesica_version() >= vesica_needed_version) return
-    write (message, '(a, i0, a, i0)') 'vesica ', vesica_version(), ' is older than ', vesica_needed_version
+    if (vesica_version() >= vesica_declared_version) return
+    write (message, '(a, i0, a, i0)') 'vesica ', vesica_version(), ' is older than ', vesica_declared_version
     error stop message
   end subroutine
 
@@ -94,18 +56,27 @@ contains
     if (overlap_float == 0) overlap_float = vesica_overlap_f32(kind_a, a, kind_b, b)
   end function
 
+  !> How far apart are two shapes, and which of their points are closest? 0, or an error.
+  integer function closest_points(kind_a, a, kind_b, b, points)
+    integer(c_int32_t), intent(in) :: kind_a, kind_b
+    real(c_double), intent(in) :: a(:), b(:)
+    type(vesica_closest_points_f64), intent(out) :: points
+    closest_points = argument_error(kind_a, size(a), kind_b, size(b))
+    if (closest_points == 0) closest_points = vesica_nearest_f64(kind_a, a, kind_b, b, points)
+  end function
+
   !> Two arrays of shapes in step, a(:, i) being shape i; an array of one shape is repeated. Sections of arrays are read
   !> where they are. out(i) says whether they overlap; the result is how many do. Where a shape is invalid, out is false
   !> for it and right for every other, and the result is vesica_e_shape.
   integer(c_int64_t) function overlap_many(kind_a, a, kind_b, b, out)
     integer(c_int32_t), intent(in) :: kind_a, kind_b
     real(c_double), intent(in), target :: a(:, :), b(:, :)
-    logical(c_bool), intent(out), contiguous :: out(:)
+    logical(c_bool), intent(out), contiguous, target :: out(:)
     overlap_many = argument_error(kind_a, size(a, 1), kind_b, size(b, 1))
     if (size(a, 2) > 0 .and. size(b, 2) > 0 .and. size(out) < max(size(a, 2), size(b, 2))) then
       overlap_many = vesica_e_argument
     end if
-    if (overlap_many == 0) overlap_many = vesica_overlap_many_f64(view(kind_a, a), view(kind_b, b), out)
+    if (overlap_many == 0) overlap_many = vesica_overlap_many_f64(view(kind_a, a), view(kind_b, b), c_loc(out))
   end function
 
   integer function argument_error(kind_a, size_a, kind_b, size_b) result(error)
@@ -118,11 +89,11 @@ contains
     error = 0
   end function
 
-  type(shapes_f64) function view(kind, shapes)
+  type(vesica_shapes_f64) function view(kind, shapes)
     integer(c_int32_t), intent(in) :: kind
     real(c_double), intent(in), target :: shapes(:, :)
     integer :: i
-    view = shapes_f64(kind, 0, size(shapes, 2), 0, c_null_ptr)
+    view = vesica_shapes_f64(kind, 0, size(shapes, 2), 0, c_null_ptr)
     if (view%count == 0) return
     do i = 1, vesica_numbers(kind)
       view%field(i) = c_loc(shapes(i, 1))

@@ -82,6 +82,19 @@ func truth(answer C.int32_t) (bool, error) {
 	return answer == 1, nil
 }
 
+// ClosestPoints is a distance, and two points that are that far apart: (AX, AY) of a and (BX, BY) of b.
+type ClosestPoints struct{ Distance, AX, AY, BX, BY float64 }
+
+// Nearest tells how far two shapes are apart, and which of their points are closest.
+func Nearest[A, B Shape](a A, b B) (points ClosestPoints, err error) {
+	pa, pb := (*C.double)(unsafe.Pointer(&a)), (*C.double)(unsafe.Pointer(&b))
+	out := (*C.vesica_closest_points_f64)(unsafe.Pointer(&points))
+	if answer := C.vesica_nearest_f64(a.kind(), pa, b.kind(), pb, out); answer < 0 {
+		err = Error(answer)
+	}
+	return points, err
+}
+
 // OverlapMany sets out[i] for two slices in step, or for one shape against a slice, and returns how many overlap.
 // Where a shape is invalid, out has false for it and every other answer, and the error is returned.
 func OverlapMany[A, B Shape](a []A, b []B, out []bool) (int, error) {

@@ -63,5 +63,8 @@
 (catch 'vesica-error
   (lambda () (overlap point (f64vector +nan.0 0) circle (f64vector 0 0 1)))
   (lambda (key who message . rest) (format #t "NaN: ~a\n" message)))
+(call-with-values
+  (lambda () (nearest aabb (f64vector 0 0 2 2) circle (f64vector 6 1 1)))
+  (lambda found (when (equal? found '(3.0 2.0 1.0 5.0 1.0)) (format #t "nearest: as in C\n"))))
 (format #t "~a calls, ~a in a batch\n" (length calls) (length batch))
 (exit all-right)

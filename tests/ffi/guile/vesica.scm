@@ -6,60 +6,56 @@
   #:use-module (srfi srfi-4)
   #:use-module (srfi srfi-11)
   #:use-module (system foreign)
-  #:use-module (system foreign-library)
-  #:export (point segment circle aabb rect ellipse overlap overlap-float overlap-many))
+  #:use-module (vesica-c)
+  #:export (point segment circle aabb rect ellipse overlap overlap-float nearest overlap-many))
 
-(define version 100) ; of the declarations below
-(define-values (point segment circle aabb rect ellipse) (values 0 1 2 3 4 5))
-
-(define library (load-foreign-library "libvesica.so.0"))
-
-(define (c name result . arguments)
-  (foreign-library-function library (string-append "vesica_" name) #:return-type result #:arg-types arguments))
-
-(let ((found ((c "version" int32))))
-  (when (< found version)
-    (error (format #f "vesica ~a is older than ~a" found version))))
-
-(define strerror (c "strerror" '* int32))
-(define field-count (c "field_count" int32 int32))
-(define overlap-f64 (c "overlap_f64" int32 int32 '* int32 '*))
-(define overlap-f32 (c "overlap_f32" int32 int32 '* int32 '*))
-(define shapes-from-records-f64 (c "shapes_from_records_f64" int32 int32 int64 '* ptrdiff_t '*))
-(define overlap-many-f64 (c "overlap_many_f64" int64 '* '* '*))
+(define-values (point segment circle aabb rect ellipse)
+  (values VESICA_POINT VESICA_SEGMENT VESICA_CIRCLE VESICA_AABB VESICA_RECT VESICA_ELLIPSE))
 
 (define (checked who answer)
   (when (negative? answer)
-    (throw 'vesica-error who (pointer->string (strerror answer)) '() (list answer)))
+    (throw 'vesica-error who (pointer->string (vesica_strerror answer)) '() (list answer)))
   answer)
 
 (define (need who kind numbers size)
-  (when (< (quotient (bytevector-length numbers) size) (checked who (field-count kind)))
+  (when (< (quotient (bytevector-length numbers) size) (checked who (vesica_field_count kind)))
     (scm-error 'wrong-type-arg who "too few numbers for a shape: ~s" (list numbers) #f)))
 
 ;; Do two shapes, f64vectors of their numbers, share a point?
 (define (overlap kind-a a kind-b b)
   (need 'overlap kind-a a 8)
   (need 'overlap kind-b b 8)
-  (= 1 (checked 'overlap (overlap-f64 kind-a (bytevector->pointer a) kind-b (bytevector->pointer b)))))
+  (= 1 (checked 'overlap (vesica_overlap_f64 kind-a (bytevector->pointer a) kind-b (bytevector->pointer b)))))
 
 ;; The same of f32vectors.
 (define (overlap-float kind-a a kind-b b)
   (need 'overlap-float kind-a a 4)
   (need 'overlap-float kind-b b 4)
-  (= 1 (checked 'overlap-float (overlap-f32 kind-a (bytevector->pointer a) kind-b (bytevector->pointer b)))))
+  (= 1 (checked 'overlap-float (vesica_overlap_f32 kind-a (bytevector->pointer a) kind-b (bytevector->pointer b)))))
+
+;; How far apart are two shapes, and which of their points are closest? Five values: the distance, x and y of a's point,
+;; x and y of b's.
+(define (nearest kind-a a kind-b b)
+  (need 'nearest kind-a a 8)
+  (need 'nearest kind-b b 8)
+  (let ((out (make-f64vector 5)))
+    (checked 'nearest
+             (vesica_nearest_f64 kind-a (bytevector->pointer a) kind-b (bytevector->pointer b)
+                                 (bytevector->pointer out)))
+    (apply values (f64vector->list out))))
 
 ;; A view only points to its numbers: so they live as long.
 (define numbers-of (make-weak-key-hash-table))
 
 ;; The count of shapes in an f64vector, and a vesica_shapes_f64 of them, which the library alone fills in and reads.
 (define (view kind numbers)
-  (let* ((size (* 8 (checked 'overlap-many (field-count kind))))
+  (let* ((size (* 8 (checked 'overlap-many (vesica_field_count kind))))
          (count (quotient (bytevector-length numbers) size))
          (bytes (make-bytevector 72)))
     (hashq-set! numbers-of bytes numbers)
     (checked 'overlap-many
-             (shapes-from-records-f64 kind count (bytevector->pointer numbers) size (bytevector->pointer bytes)))
+             (vesica_shapes_from_records_f64 kind count (bytevector->pointer numbers) size
+                                             (bytevector->pointer bytes)))
     (values count bytes)))
 
 ;; Two arrays of shapes in step, f64vectors of their numbers one after the other, which are not copied; an array of one
@@ -71,4 +67,5 @@
     (when (< (u8vector-length out) (if (zero? (min count-a count-b)) 0 (max count-a count-b)))
       (scm-error 'wrong-type-arg 'overlap-many "out is too short" '() #f))
     (checked 'overlap-many
-             (overlap-many-f64 (bytevector->pointer view-a) (bytevector->pointer view-b) (bytevector->pointer out)))))
+             (vesica_overlap_many_f64 (bytevector->pointer view-a) (bytevector->pointer view-b)
+                                      (bytevector->pointer out)))))

@@ -90,6 +90,8 @@ public final class Vectors {
     } catch (Vesica.VesicaException e) {
       System.out.println("NaN: " + e.getMessage());
     }
+    double[] closest = Vesica.nearest(Vesica.AABB, new double[] {0, 0, 2, 2}, Vesica.CIRCLE, new double[] {6, 1, 1});
+    if (Arrays.equals(closest, new double[] {3, 2, 1, 5, 1})) System.out.println("nearest: as in C");
     System.out.println(vectors.calls + " calls, " + vectors.lines.size() + " in a batch");
     if (!vectors.allRight) System.exit(1);
   }

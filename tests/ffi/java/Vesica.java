@@ -35,6 +35,13 @@ public final class Vesica {
     return checked(overlap32(kindA, a, kindB, b)) == 1;
   }
 
+  /** How far apart are two shapes, and which of their points are closest? The distance, x and y of a's, of b's. */
+  public static double[] nearest(int kindA, double[] a, int kindB, double[] b) {
+    double[] out = new double[5];
+    checked(nearest64(kindA, a, kindB, b, out));
+    return out;
+  }
+
   /**
    * Two arrays of shapes in step, their numbers one after the other; an array of one shape is repeated. Nothing is
    * copied. {@code out[i]} says whether they overlap; the result is how many do.
@@ -54,6 +61,7 @@ public final class Vesica {
   private static native int version();
   private static native String message(int code);
   private static native int overlap64(int kindA, double[] a, int kindB, double[] b);
+  private static native int nearest64(int kindA, double[] a, int kindB, double[] b, double[] out);
   private static native int overlap32(int kindA, float[] a, int kindB, float[] b);
   private static native long overlapMany64(int kindA, double[] a, int kindB, double[] b, boolean[] out);
 }

@@ -14,18 +14,34 @@ JNIEXPORT jstring JNICALL Java_Vesica_message(JNIEnv* env, jclass type, jint cod
 }
 
 /* One shape is copied: six numbers at most. An array that is too short throws in Java, and the result is ignored. */
-JNIEXPORT jint JNICALL Java_Vesica_overlap64(JNIEnv* env, jclass type, jint kind_a, jdoubleArray a, jint kind_b,
-                                             jdoubleArray b) {
-  double numbers_a[6], numbers_b[6];
+static int32_t two_shapes(JNIEnv* env, jint kind_a, jdoubleArray a, jint kind_b, jdoubleArray b, double* numbers_a,
+                          double* numbers_b) {
   const jint count_a = vesica_field_count(kind_a), count_b = vesica_field_count(kind_b);
-  (void)type;
   if (a == NULL || b == NULL) return VESICA_E_NULL;
   if (count_a < 0 || count_b < 0) return VESICA_E_KIND;
   (*env)->GetDoubleArrayRegion(env, a, 0, count_a, numbers_a);
-  if ((*env)->ExceptionCheck(env)) return 0;
+  if ((*env)->ExceptionCheck(env)) return VESICA_E_ARGUMENT;
   (*env)->GetDoubleArrayRegion(env, b, 0, count_b, numbers_b);
-  if ((*env)->ExceptionCheck(env)) return 0;
-  return vesica_overlap_f64(kind_a, numbers_a, kind_b, numbers_b);
+  return (*env)->ExceptionCheck(env) ? VESICA_E_ARGUMENT : 0;
+}
+
+JNIEXPORT jint JNICALL Java_Vesica_overlap64(JNIEnv* env, jclass type, jint kind_a, jdoubleArray a, jint kind_b,
+                                             jdoubleArray b) {
+  double numbers_a[6], numbers_b[6];
+  const int32_t error = two_shapes(env, kind_a, a, kind_b, b, numbers_a, numbers_b);
+  (void)type;
+  return error != 0 ? error : vesica_overlap_f64(kind_a, numbers_a, kind_b, numbers_b);
+}
+
+JNIEXPORT jint JNICALL Java_Vesica_nearest64(JNIEnv* env, jclass type, jint kind_a, jdoubleArray a, jint kind_b,
+                                             jdoubleArray b, jdoubleArray out) {
+  double numbers_a[6], numbers_b[6];
+  vesica_closest_points_f64 points;
+  int32_t answer = two_shapes(env, kind_a, a, kind_b, b, numbers_a, numbers_b);
+  (void)type;
+  if (answer == 0) answer = vesica_nearest_f64(kind_a, numbers_a, kind_b, numbers_b, &points);
+  if (answer == 0) (*env)->SetDoubleArrayRegion(env, out, 0, 5, &points.distance);
+  return answer;
 }
 
 JNIEXPORT jint JNICALL Java_Vesica_overlap32(JNIEnv* env, jclass type, jint kind_a, jfloatArray a, jint kind_b,

@@ -73,5 +73,8 @@ end
 check_batch(batch)
 local _, err = pcall(vesica.overlap, ffi.new("vesica_point_f64", 0 / 0, 0), ffi.new("vesica_circle_f64", 0, 0, 1))
 print("NaN: " .. tostring(err))
+local box, disc = ffi.new("vesica_aabb_f64", 0, 0, 2, 2), ffi.new("vesica_circle_f64", 6, 1, 1)
+local p = vesica.nearest(box, disc)
+if p.distance == 3 and p.ax == 2 and p.ay == 1 and p.bx == 5 and p.by == 1 then print("nearest: as in C") end
 print(("%d calls, %d in a batch"):format(calls, #batch))
 os.exit(all_right and 0 or 1)

@@ -41,6 +41,16 @@ function vesica.overlap(a, b)
   return vesica.checked(call(of_a.kind, ffi.cast(pointer, a), of_b.kind, ffi.cast(pointer, b))) == 1
 end
 
+-- How far apart are two shapes, and which of their points are closest? A vesica_closest_points of their scalar type.
+function vesica.nearest(a, b)
+  local of_a, of_b = kinds[tonumber(ffi.typeof(a))], kinds[tonumber(ffi.typeof(b))]
+  assert(of_a and of_b and of_a.scalar == of_b.scalar, "two shapes of one scalar type are needed")
+  local pointer, out = number[of_a.scalar], ffi.new("vesica_closest_points_" .. of_a.scalar)
+  local call = c["vesica_nearest_" .. of_a.scalar]
+  vesica.checked(call(of_a.kind, ffi.cast(pointer, a), of_b.kind, ffi.cast(pointer, b), out))
+  return out
+end
+
 local arrays = setmetatable({}, {__mode = "k"}) -- A view only points to its array: so that lives as long.
 
 -- The library's view of `count` structs in an array such as ffi.new("vesica_rect_f64[?]", n).

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // vectors.mjs FILE: the shared vectors (../vectors.txt) by vesica.mjs. Exit status 0 when all answers are right.
 import { readFileSync } from 'node:fs';
-import { kinds, overlap, overlapMany, VesicaError } from './vesica.mjs';
+import { constants, kinds, nearest, overlap, overlapMany, VesicaError } from './vesica.mjs';
 
 let calls = 0;
 const batch = [];
@@ -61,4 +61,7 @@ try {
 } catch (error) {
   console.log(`NaN: ${error}`);
 }
+const { distance, ax, ay, bx, by } = nearest(
+  constants.AABB, new Float64Array([0, 0, 2, 2]), constants.CIRCLE, new Float64Array([6, 1, 1]));
+if (`${[distance, ax, ay, bx, by]}` === '3,2,1,5,1') console.log('nearest: as in C');
 console.log(`${calls} calls, ${batch.length} in a batch`);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vesica for Node, by koffi. Shapes are their numbers in a Float64Array (or Float32Array), which is never copied.
+// Vesica for Node, by koffi: copy this file and capi/vesica.cdef beside it. `c` has every function, `constants` every
+// constant. Shapes are their numbers in a Float64Array (or Float32Array), which is never copied.
+import { readFileSync } from 'node:fs';
 import koffi from 'koffi';
 
 /** What this file was written to. */
@@ -10,16 +12,25 @@ const library = koffi.load('libvesica.so.0');
 const loaded = library.func('int32_t vesica_version()')();
 if (loaded < version) throw new Error(`vesica ${loaded} is older than ${version}`);
 
-const strerror = library.func('const char *vesica_strerror(int32_t)');
-const fieldCount = library.func('int32_t vesica_field_count(int32_t)');
-const functions = (suffix, scalar) => ({
-  overlap: library.func(`int32_t vesica_overlap_${suffix}(int32_t, const ${scalar} *, int32_t, const ${scalar} *)`),
+const cdef = readFileSync(new URL('vesica.cdef', import.meta.url), 'utf8').replace(/\/\*[^]*?\*\//g, '');
+export const constants = Object.fromEntries(
+  [...cdef.matchAll(/\bVESICA_(\w+) = (-?\d+)/g)].map(([, name, value]) => [name, Number(value)]));
+/** The functions as in vesica.h. What a pointer points to is a typed array or a Buffer. */
+export const c = Object.fromEntries(
+  [...cdef.matchAll(/^[^\n;{}]*?\b(vesica_\w+)\([^;]*\);/gm)].map(([prototype, name]) => {
+    // Of structs koffi need not know, of an array as a parameter it wants the pointer that it is.
+    const known = prototype.slice(0, -1).replace(/\bvesica_\w+ \*/g, 'void *').replace(/ptrdiff_t/g, 'intptr_t');
+    return [name, library.func(known.replace(/\b(double|float) (\w+)\[\d+\]/g, '$1 *$2'))];
+  }));
+const { vesica_strerror: strerror, vesica_field_count: fieldCount } = c;
+const functions = (suffix) => ({
+  overlap: c[`vesica_overlap_${suffix}`],
+  nearest: c[`vesica_nearest_${suffix}`],
   // A vesica_shapes is filled in and read by the library alone: here, 72 bytes.
-  shapes: library.func(
-    `int32_t vesica_shapes_from_records_${suffix}(int32_t, int64_t, const void *, intptr_t, void *)`),
-  overlapMany: library.func(`int64_t vesica_overlap_many_${suffix}(const void *, const void *, uint8_t *)`),
+  shapes: c[`vesica_shapes_from_records_${suffix}`],
+  overlapMany: c[`vesica_overlap_many_${suffix}`],
 });
-const byArray = new Map([[Float64Array, functions('f64', 'double')], [Float32Array, functions('f32', 'float')]]);
+const byArray = new Map([[Float64Array, functions('f64')], [Float32Array, functions('f32')]]);
 
 /** An error of the library: its meaning is the message. */
 export class VesicaError extends Error {
@@ -46,6 +57,16 @@ export function overlap(kindA, a, kindB, b) {
   const { overlap } = functionsFor(a, b);
   if (a.length < fieldCount(kindA) || b.length < fieldCount(kindB)) throw new RangeError('too few numbers for a shape');
   return checked(overlap(kindA, a, kindB, b)) === 1;
+}
+
+/** How far apart are two shapes, and which of their points are closest? */
+export function nearest(kindA, a, kindB, b) {
+  const { nearest } = functionsFor(a, b);
+  if (a.length < fieldCount(kindA) || b.length < fieldCount(kindB)) throw new RangeError('too few numbers for a shape');
+  const out = new a.constructor(5);
+  checked(nearest(kindA, a, kindB, b, out));
+  const [distance, ax, ay, bx, by] = out;
+  return { distance, ax, ay, bx, by };
 }
 
 /**

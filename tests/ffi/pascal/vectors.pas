@@ -116,6 +116,7 @@ var
   vector: TVector;
   line: Integer = 0;
   calls: Integer = 0;
+  closest: TClosestPoints;
 
 begin
   AssignFile(source, ParamStr(1));
@@ -141,5 +142,8 @@ begin
   except
     on e: EVesica do WriteLn('NaN: ', e.Message);
   end;
+  closest := Nearest(KindAabb, [0, 0, 2, 2], KindCircle, [6, 1, 1]);
+  with closest do
+    if (distance = 3) and (ax = 2) and (ay = 1) and (bx = 5) and (by = 1) then WriteLn('nearest: as in C');
   WriteLn(calls, ' calls, ', Length(batch), ' in a batch');
 end.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact overlap queries between plain 2D shapes. Touching counts.
+// Exact overlap queries between plain 2D shapes. Touching counts. vesica_c has every function and constant. An older
+// library raises an exception at start.
 unit vesica;
 
 {$mode objfpc}{$H+}
@@ -7,33 +8,30 @@ unit vesica;
 interface
 
 uses
-  SysUtils;
+  SysUtils, vesica_c;
 
 const
-  VesicaVersion = 100;  // of these declarations; an older library raises an exception at start
-  KindPoint = 0;
-  KindSegment = 1;
-  KindCircle = 2;
-  KindAabb = 3;
-  KindRect = 4;
-  KindEllipse = 5;
+  KindPoint = vesica_point;
+  KindSegment = vesica_segment;
+  KindCircle = vesica_circle;
+  KindAabb = vesica_aabb;
+  KindRect = vesica_rect;
+  KindEllipse = vesica_ellipse;
 
 type
-  // Laid out as the library's structs. Axes are the cosine and sine of the angle.
-  TPoint = record x, y: Double; end;
-  TSegment = record x0, y0, x1, y1: Double; end;
-  TCircle = record cx, cy, r: Double; end;
-  TAabb = record minX, minY, maxX, maxY: Double; end;
-  TRect = record cx, cy, ux, uy, hx, hy: Double; end;
-  TEllipse = record cx, cy, ux, uy, a, b: Double; end;
+  // Axes are the cosine and sine of the angle.
+  TPoint = TVesicaPointF64;
+  TSegment = TVesicaSegmentF64;
+  TCircle = TVesicaCircleF64;
+  TAabb = TVesicaAabbF64;
+  TRect = TVesicaRectF64;
+  TEllipse = TVesicaEllipseF64;
 
-  // What the library sees of an array (vesica_shapes_f64): nothing is copied, and the array must live as long.
-  TShapes = record
-    kind, reserved: Int32;
-    count: Int64;
-    stride: PtrInt;
-    field: array[0..5] of PDouble;
-  end;
+  // A distance, and two points that are that far apart: (ax, ay) of a and (bx, by) of b.
+  TClosestPoints = TVesicaClosestPointsF64;
+
+  // What the library sees of an array: nothing is copied, and the array must live as long.
+  TShapes = TVesicaShapesF64;
 
   EVesica = class(Exception)
     Code: Integer;
@@ -43,6 +41,9 @@ type
 // Do two shapes, given by their numbers, share a point?
 function Overlap(kindA: Integer; const a: array of Double; kindB: Integer; const b: array of Double): Boolean;
 function Overlap(kindA: Integer; const a: array of Single; kindB: Integer; const b: array of Single): Boolean;
+
+// How far apart are two shapes, and which of their points are closest?
+function Nearest(kindA: Integer; const a: array of Double; kindB: Integer; const b: array of Double): TClosestPoints;
 
 // `count` shapes, the first at `first`, the next `size` bytes on: records that begin with a shape are as good.
 function Shapes(kind: Integer; count: Int64; first: Pointer; size: PtrInt): TShapes;
@@ -61,18 +62,6 @@ implementation
 
 uses
   Math;
-
-const
-  library_name = 'vesica';
-
-function vesica_version: Int32; cdecl; external library_name;
-function vesica_strerror(code: Int32): PChar; cdecl; external library_name;
-function vesica_field_count(kind: Int32): Int32; cdecl; external library_name;
-function vesica_overlap_f64(kindA: Int32; a: PDouble; kindB: Int32; b: PDouble): Int32; cdecl; external library_name;
-function vesica_overlap_f32(kindA: Int32; a: PSingle; kindB: Int32; b: PSingle): Int32; cdecl; external library_name;
-function vesica_shapes_from_records_f64(kind: Int32; count: Int64; base: Pointer; stride: PtrInt;
-  out shapes: TShapes): Int32; cdecl; external library_name;
-function vesica_overlap_many_f64(constref a, b: TShapes; hits: PBoolean): Int64; cdecl; external library_name;
 
 constructor EVesica.Create(aCode: Integer);
 begin
@@ -123,9 +112,22 @@ begin
   Result := Checked(answer) = 1;
 end;
 
+function Nearest(kindA: Integer; const a: array of Double; kindB: Integer; const b: array of Double): TClosestPoints;
+var
+  answer: Int32;
+  traps: TFPUExceptionMask;
+begin
+  Need(kindA, Length(a));
+  Need(kindB, Length(b));
+  traps := Untrapped;
+  answer := vesica_nearest_f64(kindA, @a[0], kindB, @b[0], @Result);
+  SetExceptionMask(traps);
+  Checked(answer);
+end;
+
 function Shapes(kind: Integer; count: Int64; first: Pointer; size: PtrInt): TShapes;
 begin
-  Checked(vesica_shapes_from_records_f64(kind, count, first, size, Result));
+  Checked(vesica_shapes_from_records_f64(kind, count, first, size, @Result));
 end;
 
 function Shapes(const a: array of TPoint): TShapes;
@@ -166,12 +168,12 @@ begin
   if (a.count > 0) and (b.count > 0) and (Length(hits) < Max(a.count, b.count)) then
     raise EArgumentException.Create('hits is too short');
   traps := Untrapped;
-  answer := vesica_overlap_many_f64(a, b, @hits[0]);
+  answer := vesica_overlap_many_f64(@a, @b, @hits[0]);
   SetExceptionMask(traps);
   Result := Checked(answer);
 end;
 
 initialization
-  if vesica_version < VesicaVersion then
-    raise Exception.CreateFmt('vesica %d is older than %d', [vesica_version, VesicaVersion]);
+  if vesica_version < vesica_declared_version then
+    raise Exception.CreateFmt('vesica %d is older than %d', [vesica_version, vesica_declared_version]);
 end.

@@ -8,19 +8,14 @@ use Carp qw(croak);
 use FFI::Platypus 1.00;
 use FFI::Platypus::Buffer qw(grow scalar_to_pointer set_used_length);
 
-use constant VERSION => 100;    # of the declarations below
-use constant { POINT => 0, SEGMENT => 1, CIRCLE => 2, AABB => 3, RECT => 4, ELLIPSE => 5 };
+use VesicaDeclarations;
+use constant \%VesicaDeclarations::CONSTANTS;
 
 my $ffi = FFI::Platypus->new(api => 1, lib => 'libvesica.so.0');
 my $version = $ffi->function(vesica_version => [] => 'sint32')->call;
 die "vesica $version is older than ${\VERSION}\n" if $version < VERSION;
 
-$ffi->attach(vesica_strerror    => ['sint32'] => 'string');
-$ffi->attach(vesica_field_count => ['sint32'] => 'sint32');
-$ffi->attach(vesica_overlap_f64 => ['sint32', 'double[]', 'sint32', 'double[]'] => 'sint32');
-$ffi->attach(vesica_overlap_f32 => ['sint32', 'float[]', 'sint32', 'float[]'] => 'sint32');
-$ffi->attach(vesica_shapes_from_records_f64 => ['sint32', 'sint64', 'opaque', 'sint64', 'opaque'] => 'sint32');
-$ffi->attach(vesica_overlap_many_f64 => ['opaque', 'opaque', 'opaque'] => 'sint64');
+$ffi->attach(@$_) for @VesicaDeclarations::FUNCTIONS;
 
 # Do two shapes, references to lists of their numbers, share a point?
 sub overlap {
@@ -36,6 +31,19 @@ sub overlap_float {
     _need_numbers($kind_a, $numbers_a);
     _need_numbers($kind_b, $numbers_b);
     return _checked(vesica_overlap_f32($kind_a, $numbers_a, $kind_b, $numbers_b)) == 1;
+}
+
+# How far apart are two shapes, and which of their points are closest? A reference to a hash of distance, ax, ay (of a),
+# bx and by (of b).
+sub nearest {
+    my ($kind_a, $numbers_a, $kind_b, $numbers_b) = @_;
+    _need_numbers($kind_a, $numbers_a);
+    _need_numbers($kind_b, $numbers_b);
+    my $out = _buffer(40);
+    _checked(vesica_nearest_f64($kind_a, $numbers_a, $kind_b, $numbers_b, scalar_to_pointer $out));
+    my %closest;
+    @closest{qw(distance ax ay bx by)} = unpack 'd5', $out;
+    return \%closest;
 }
 
 # overlap_many(KIND_A, $a, KIND_B, $b, $out): two arrays of shapes in step, each a string of their numbers as pack('d*')

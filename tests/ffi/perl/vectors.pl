@@ -61,5 +61,7 @@ check($batch[$_]{line}, $hit[$_], $batch[$_]{expected} > 0 ? 1 : 0) for 0 .. $#b
 
 eval { Vesica::overlap(Vesica::POINT, ['nan', 0], Vesica::CIRCLE, [0, 0, 1]) };
 print "NaN: $@\n";
+my $closest = Vesica::nearest(Vesica::AABB, [0, 0, 2, 2], Vesica::CIRCLE, [6, 1, 1]);
+print "nearest: as in C\n" if "@$closest{qw(distance ax ay bx by)}" eq '3 2 1 5 1';
 print "$calls calls, ${\scalar @batch} in a batch\n";
 exit !$all_right;

@@ -7,7 +7,7 @@ final class VesicaException extends InvalidArgumentException
 {
 }
 
-/** Exact overlap queries between plain 2D shapes. Touching counts. */
+/** Exact overlap queries between plain 2D shapes. Touching counts. Copy this file and capi/vesica.cdef beside it. */
 final class Vesica
 {
     /** Of the declarations below. */
@@ -15,21 +15,8 @@ final class Vesica
 
     const POINT = 0, SEGMENT = 1, CIRCLE = 2, AABB = 3, RECT = 4, ELLIPSE = 5;
 
-    /** Numbers are declared as void: then a packed string can be passed for them, as well as FFI's arrays. */
-    private const DECLARATIONS = <<<'C'
-        typedef struct {
-            int32_t kind, reserved; int64_t count; ptrdiff_t stride; const double *field[6];
-        } vesica_shapes_f64;
-        const char *vesica_strerror(int32_t code);
-        int32_t vesica_field_count(int32_t kind);
-        int32_t vesica_overlap_f64(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
-        int32_t vesica_overlap_f32(int32_t kind_a, const void *a, int32_t kind_b, const void *b);
-        int32_t vesica_shapes_from_records_f64(int32_t kind, int64_t count, const void *base, ptrdiff_t stride,
-                                               vesica_shapes_f64 *out);
-        int64_t vesica_overlap_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, void *out);
-        C;
-
-    private FFI $c;
+    /** Every function, constant and struct, as in vesica.h: $vesica->c->vesica_version(). */
+    public readonly FFI $c;
 
     public function __construct(string $library = 'libvesica.so.0')
     {
@@ -37,7 +24,10 @@ final class Vesica
         if ($version < self::VERSION) {
             throw new RuntimeException("vesica $version is older than " . self::VERSION);
         }
-        $this->c = FFI::cdef(self::DECLARATIONS, $library);
+        // Numbers that are read are declared as void: then a packed string can be passed, as well as FFI's arrays.
+        $declarations = file_get_contents(__DIR__ . '/vesica.cdef');
+        $declarations = preg_replace('/const (double|float|uint8_t) \*/', 'const void *', $declarations);
+        $this->c = FFI::cdef($declarations, $library);
     }
 
     /** Do two shapes, lists of their numbers, share a point? */
@@ -52,6 +42,16 @@ final class Vesica
     {
         [$a, $b] = [$this->packed('f*', $kindA, $a), $this->packed('f*', $kindB, $b)];
         return $this->checked($this->c->vesica_overlap_f32($kindA, $a, $kindB, $b)) === 1;
+    }
+
+    /** How far apart are two shapes, and where? ['distance' => ..., 'ax' => ..., 'ay', 'bx', 'by']. */
+    public function nearest(int $kindA, array $a, int $kindB, array $b): array
+    {
+        [$a, $b] = [$this->packed('d*', $kindA, $a), $this->packed('d*', $kindB, $b)];
+        $out = $this->c->new('vesica_closest_points_f64');
+        $this->checked($this->c->vesica_nearest_f64($kindA, $a, $kindB, $b, FFI::addr($out)));
+        $numbers = [$out->distance, $out->ax, $out->ay, $out->bx, $out->by];
+        return array_combine(['distance', 'ax', 'ay', 'bx', 'by'], $numbers);
     }
 
     /**

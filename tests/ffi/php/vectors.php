@@ -68,5 +68,8 @@ try {
 } catch (VesicaException $e) {
     echo "NaN: {$e->getMessage()}\n";
 }
+if (array_values($vesica->nearest(Vesica::AABB, [0, 0, 2, 2], Vesica::CIRCLE, [6, 1, 1])) == [3, 2, 1, 5, 1]) {
+    echo "nearest: as in C\n";
+}
 echo "$calls calls, ", count($batch), " in a batch\n";
 exit($allRight ? 0 : 1);

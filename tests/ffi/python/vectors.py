@@ -5,7 +5,7 @@ import sys
 
 import numpy
 import vesica
-from vesica import CIRCLE, ELLIPSE, POINT, RECT
+from vesica import AABB, CIRCLE, ELLIPSE, POINT, RECT
 
 all_right = True
 
@@ -78,6 +78,8 @@ def main(path):
         vesica.overlap(POINT, [float("nan"), 0], CIRCLE, [0, 0, 1])
     except vesica.VesicaError as error:
         print("NaN:", error)
+    if vesica.nearest(AABB, [0, 0, 2, 2], CIRCLE, [6, 1, 1]) == (3, 2, 1, 5, 1):
+        print("nearest: as in C")
     print(f"{calls} calls, {len(batch)} in a batch")
     return 0 if all_right else 1
 

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Vesica by ctypes, for numpy: copy this file. No array of float64 or float32 is copied, however its memory lies."""
+"""Vesica by ctypes, for numpy: copy this file, and python/vesica/_declarations.py beside it. `c` has every function.
+
+No array of float64 or float32 is copied, however its memory lies.
+"""
+import collections
 import ctypes
 
+import _declarations
 import numpy
-
-VERSION = 100  # of the declarations below
-POINT, SEGMENT, CIRCLE, AABB, RECT, ELLIPSE = range(6)
-E_SHAPE, E_KIND = -2, -3
+from _declarations import AABB, CIRCLE, E_KIND, E_SHAPE, ELLIPSE, POINT, RECT, SEGMENT, VERSION
 FIELDS = (
     ("x", "y"),
     ("x0", "y0", "x1", "y1"),
@@ -23,32 +25,18 @@ class VesicaError(ValueError):
         self.code = code
 
 
-class _Shapes(ctypes.Structure):
-    _fields_ = [
-        ("kind", ctypes.c_int32),
-        ("reserved", ctypes.c_int32),
-        ("count", ctypes.c_int64),
-        ("stride", ctypes.c_ssize_t),
-        ("field", ctypes.c_void_p * 6),
-    ]
-
-
 _library = ctypes.CDLL("libvesica.so.0")
 _library.vesica_version.restype = ctypes.c_int32
 if _library.vesica_version() < VERSION:
     raise ImportError(f"vesica {_library.vesica_version()} is older than {VERSION}")
-_library.vesica_strerror.restype = ctypes.c_char_p
-_overlap, _many, _matrix = {}, {}, {}
-for _type, _suffix in ((numpy.dtype("f8"), "f64"), (numpy.dtype("f4"), "f32")):
-    _shape, _shapes = (ctypes.c_int32, ctypes.c_void_p), ctypes.POINTER(_Shapes)
-    _overlap[_type] = _library[f"vesica_overlap_{_suffix}"]
-    _overlap[_type].argtypes = (*_shape, *_shape)
-    _many[_type] = _library[f"vesica_overlap_many_{_suffix}"]
-    _many[_type].argtypes = (_shapes, _shapes, ctypes.c_void_p)
-    _many[_type].restype = ctypes.c_int64
-    _matrix[_type] = _library[f"vesica_overlap_matrix_{_suffix}"]
-    _matrix[_type].argtypes = (_shapes, _shapes, ctypes.c_void_p, ctypes.c_ssize_t)
-    _matrix[_type].restype = ctypes.c_int64
+_declarations.declare(_library)
+c = _library
+_DOUBLE, _FLOAT = numpy.dtype("f8"), numpy.dtype("f4")
+_overlap = {_DOUBLE: c.vesica_overlap_f64, _FLOAT: c.vesica_overlap_f32}
+_many = {_DOUBLE: c.vesica_overlap_many_f64, _FLOAT: c.vesica_overlap_many_f32}
+_matrix = {_DOUBLE: c.vesica_overlap_matrix_f64, _FLOAT: c.vesica_overlap_matrix_f32}
+_Shapes = _declarations.shapes_f64  # that of floats is laid out alike
+ClosestPoints = collections.namedtuple("ClosestPoints", "distance ax ay bx by")
 
 
 def _checked(answer):
@@ -57,14 +45,27 @@ def _checked(answer):
     return answer
 
 
-def overlap(kind_a, a, kind_b, b, dtype="f8"):
-    """Do two shapes, each a sequence of its numbers, share a point? Touching counts."""
-    dtype = numpy.dtype(dtype)
+def _two(kind_a, a, kind_b, b, dtype):
     a, b = numpy.ascontiguousarray(a, dtype), numpy.ascontiguousarray(b, dtype)
     for kind, numbers in ((kind_a, a), (kind_b, b)):
         if 0 <= kind < len(FIELDS) and numbers.size < len(FIELDS[kind]):
             raise ValueError(f"a shape of kind {kind} has {len(FIELDS[kind])} numbers")
+    return a, b
+
+
+def overlap(kind_a, a, kind_b, b, dtype="f8"):
+    """Do two shapes, each a sequence of its numbers, share a point? Touching counts."""
+    dtype = numpy.dtype(dtype)
+    a, b = _two(kind_a, a, kind_b, b, dtype)
     return _checked(_overlap[dtype](kind_a, a.ctypes.data, kind_b, b.ctypes.data)) == 1
+
+
+def nearest(kind_a, a, kind_b, b):
+    """How far apart are two shapes, and which of their points are closest? ClosestPoints."""
+    a, b = _two(kind_a, a, kind_b, b, _DOUBLE)
+    out = numpy.empty(5)
+    _checked(c.vesica_nearest_f64(kind_a, a.ctypes.data, kind_b, b.ctypes.data, out.ctypes.data))
+    return ClosestPoints(*out)
 
 
 def _shapes(kind, array):
@@ -88,7 +89,8 @@ def _call(functions, kind_a, a, kind_b, b, out, *more):
         raise TypeError("one array is of float64, the other of float32")
     if out.dtype not in ("u1", "?") or not out.flags.c_contiguous or not out.flags.writeable:
         raise TypeError("out must be contiguous, of uint8 or bool")
-    return _checked(functions[dtype](shapes_a, shapes_b, out.ctypes.data, *more))
+    addresses = ctypes.byref(shapes_a), ctypes.byref(shapes_b), out.ctypes.data
+    return _checked(functions[dtype](*addresses, *more))
 
 
 def overlap_many(kind_a, a, kind_b, b, out):

@@ -64,6 +64,8 @@ def main(path):
         vesica.overlap(lib.VESICA_POINT, [float("nan"), 0], lib.VESICA_CIRCLE, [0, 0, 1])
     except vesica.VesicaError as error:
         print("NaN:", error)
+    if vesica.nearest(lib.VESICA_AABB, [0, 0, 2, 2], lib.VESICA_CIRCLE, [6, 1, 1]) == (3, (2, 1), (5, 1)):
+        print("nearest: as in C")
     print(f"{calls} calls, {len(batch)} in a batch")
     return 0 if all_right else 1
 

@@ -37,6 +37,16 @@ def overlap(kind_a, a, kind_b, b):
     return checked(lib.vesica_overlap_f64(kind_a, ffi.new("double[]", a), kind_b, ffi.new("double[]", b))) == 1
 
 
+def nearest(kind_a, a, kind_b, b):
+    """How far apart are two shapes, and where? (distance, (x, y) of a, (x, y) of b)."""
+    for kind, numbers in ((kind_a, a), (kind_b, b)):
+        if len(numbers) < checked(lib.vesica_field_count(kind)):
+            raise ValueError("too few numbers for a shape")
+    out = ffi.new("vesica_closest_points_f64 *")
+    checked(lib.vesica_nearest_f64(kind_a, ffi.new("double[]", a), kind_b, ffi.new("double[]", b), out))
+    return out.distance, (out.ax, out.ay), (out.bx, out.by)
+
+
 def shapes(kind, buffer):
     """The library's view of contiguous shapes in whatever has a buffer of doubles: array.array, memoryview, ndarray."""
     size = checked(lib.vesica_field_count(kind)) * ffi.sizeof("double")

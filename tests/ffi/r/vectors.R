@@ -48,5 +48,7 @@ tryCatch(
   overlap(vesica_kinds["point"], c(NaN, 0), vesica_kinds["circle"], c(0, 0, 1)),
   vesica_error = function(e) cat("NaN: ", conditionMessage(e), "\n", sep = "")
 )
+closest <- nearest(vesica_kinds["aabb"], c(0, 0, 2, 2), vesica_kinds["circle"], c(6, 1, 1))
+if (all(closest == c(3, 2, 1, 5, 1))) cat("nearest: as in C\n")
 cat(sum(!many), " calls, ", sum(many), " in a batch\n", sep = "")
 quit(status = if (all_right) 0 else 1)

@@ -26,6 +26,13 @@ overlap <- function(kind_a, a, kind_b, b) {
   answer == 1L
 }
 
+# How far apart are two shapes, and which of their points are closest? c(distance, ax, ay, bx, by).
+nearest <- function(kind_a, a, kind_b, b) {
+  answer <- .Call("vesica_r_nearest", as.integer(kind_a), as.double(a), as.integer(kind_b), as.double(b))
+  if (is.integer(answer)) stop(vesica_error(answer))
+  setNames(answer, c("distance", "ax", "ay", "bx", "by"))
+}
+
 # Whether two arrays of shapes in step overlap, or one shape and each of an array. An array is a data frame of double
 # columns, or a double matrix with a shape a row; neither is copied.
 overlap_many <- function(kind_a, a, kind_b, b) {

@@ -14,6 +14,20 @@ SEXP vesica_r_overlap(SEXP kind_a, SEXP a, SEXP kind_b, SEXP b) {
   return Rf_ScalarInteger(vesica_overlap_f64(of_a, REAL(a), of_b, REAL(b)));
 }
 
+/* Five numbers, or the code of an error, which is an integer. */
+SEXP vesica_r_nearest(SEXP kind_a, SEXP a, SEXP kind_b, SEXP b) {
+  const int32_t of_a = Rf_asInteger(kind_a), of_b = Rf_asInteger(kind_b);
+  const int32_t need_a = vesica_field_count(of_a), need_b = vesica_field_count(of_b);
+  if (Rf_xlength(a) < need_a || Rf_xlength(b) < need_b) return Rf_ScalarInteger(VESICA_E_ARGUMENT);
+  vesica_closest_points_f64 points;
+  const int32_t code = vesica_nearest_f64(of_a, REAL(a), of_b, REAL(b), &points);
+  if (code < 0) return Rf_ScalarInteger(code);
+  const SEXP numbers = Rf_allocVector(REALSXP, 5);
+  const double all[] = {points.distance, points.ax, points.ay, points.bx, points.by};
+  for (int i = 0; i < 5; ++i) REAL(numbers)[i] = all[i];
+  return numbers;
+}
+
 /* A data frame, or a matrix with a shape a row: both are columns of numbers. */
 static int32_t view(SEXP kind, SEXP shapes, vesica_shapes_f64* out) {
   const int32_t of = Rf_asInteger(kind), fields = vesica_field_count(of);

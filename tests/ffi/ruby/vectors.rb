@@ -60,5 +60,7 @@ begin
 rescue Vesica::Error => e
   puts "NaN: #{e.message}"
 end
+closest = Vesica.nearest(Vesica::AABB, [0, 0, 2, 2], Vesica::CIRCLE, [6, 1, 1])
+puts 'nearest: as in C' if closest.to_a == [3, 2, 1, 5, 1]
 puts "#{calls} calls, #{batch.size} in a batch"
 exit !$wrong

@@ -2,25 +2,20 @@
 
 # SPDX-License-Identifier: Apache-2.0
 require 'fiddle/import'
+require_relative 'vesica_declarations'
 
 # Exact overlap queries between plain 2D shapes. Touching counts.
 module Vesica
   extend Fiddle::Importer
   dlload 'libvesica.so.0'
 
-  # Of the declarations below.
-  VERSION = 100
-  POINT, SEGMENT, CIRCLE, AABB, RECT, ELLIPSE = *0..5
-
   extern 'int vesica_version()'
   raise LoadError, "vesica #{vesica_version} is older than #{VERSION}" if vesica_version < VERSION
 
-  extern 'const char *vesica_strerror(int)'
-  extern 'int vesica_field_count(int)'
-  extern 'int vesica_overlap_f64(int, void *, int, void *)'
-  extern 'int vesica_overlap_f32(int, void *, int, void *)'
-  extern 'int vesica_shapes_from_records_f64(int, int64_t, void *, ptrdiff_t, void *)'
-  extern 'int64_t vesica_overlap_many_f64(void *, void *, void *)'
+  DECLARATIONS.each { |declaration| extern declaration }
+
+  # A distance, the point (ax, ay) of a, and the point (bx, by) of b.
+  ClosestPoints = Struct.new(:distance, :ax, :ay, :bx, :by)
 
   # A vesica_shapes_f64 is filled in and read by the library alone.
   SHAPES_SIZE = 72
@@ -44,6 +39,13 @@ module Vesica
     # The same of floats.
     def overlap_float(kind_a, a, kind_b, b)
       checked(vesica_overlap_f32(kind_a, packed('f*', kind_a, a), kind_b, packed('f*', kind_b, b))) == 1
+    end
+
+    # How far apart are two shapes, and which of their points are closest?
+    def nearest(kind_a, a, kind_b, b)
+      out = "\0" * 40
+      checked(vesica_nearest_f64(kind_a, packed('d*', kind_a, a), kind_b, packed('d*', kind_b, b), out))
+      ClosestPoints.new(*out.unpack('d5'))
     end
 
     # Two arrays of shapes in step, each a string of their numbers as [...].pack('d*') makes it, which is not copied; an

@@ -62,5 +62,8 @@ foreach line $lines hit $hits code $expected {
 
 catch {vesica::overlap 0 {NaN 0} 2 {0 0 1}} message
 puts "NaN: $message"
+if {[vesica::nearest 3 {0 0 2 2} 2 {6 1 1}] eq {3.0 2.0 1.0 5.0 1.0}} {
+    puts "nearest: as in C"
+}
 puts "$calls calls, [llength $lines] in a batch"
 exit [expr {!$all_right}]

@@ -5,6 +5,8 @@
  *
  *   vesica::overlap KIND LIST KIND LIST            1 where two shapes, lists of their numbers, share a point, else 0
  *   vesica::overlap_float KIND LIST KIND LIST      the same of floats
+ *   vesica::nearest KIND LIST KIND LIST            the distance of two shapes, x and y of the first's closest point, x
+ *                                                  and y of the second's
  *   vesica::overlap_many KIND BYTES KIND BYTES OUT two arrays of shapes in step, doubles as by `binary format d*`, not
  *                                                  copied; an array of one shape is repeated. The variable OUT gets a
  *                                                  byte for each, 1 or 0; the result is how many overlap
@@ -69,6 +71,27 @@ static int overlap(ClientData in_float, Tcl_Interp* interp, int objc, Tcl_Obj* c
   return result(interp, vesica_overlap_f32(kind_a, float_a, kind_b, float_b));
 }
 
+static int nearest(ClientData unused, Tcl_Interp* interp, int objc, Tcl_Obj* const objv[]) {
+  double a[6] = {0}, b[6] = {0};
+  int kind_a, kind_b;
+  vesica_closest_points_f64 points;
+  (void)unused;
+  if (objc != 5) {
+    Tcl_WrongNumArgs(interp, 1, objv, "kindA numbersA kindB numbersB");
+    return TCL_ERROR;
+  }
+  if (read_shape(interp, objv + 1, &kind_a, a) != TCL_OK || read_shape(interp, objv + 3, &kind_b, b) != TCL_OK) {
+    return TCL_ERROR;
+  }
+  const int32_t code = vesica_nearest_f64(kind_a, a, kind_b, b, &points);
+  if (code < 0) return fail(interp, code);
+  const double numbers[] = {points.distance, points.ax, points.ay, points.bx, points.by};
+  Tcl_Obj* words[5];
+  for (int i = 0; i < 5; ++i) words[i] = Tcl_NewDoubleObj(numbers[i]);
+  Tcl_SetObjResult(interp, Tcl_NewListObj(5, words));
+  return TCL_OK;
+}
+
 static int read_array(Tcl_Interp* interp, Tcl_Obj* const words[2], vesica_shapes_f64* out) {
   int kind, length;
   if (Tcl_GetIntFromObj(interp, words[0], &kind) != TCL_OK) return TCL_ERROR;
@@ -104,6 +127,7 @@ int Vesica_Init(Tcl_Interp* interp) {
   }
   Tcl_CreateObjCommand(interp, "vesica::overlap", overlap, NULL, NULL);
   Tcl_CreateObjCommand(interp, "vesica::overlap_float", overlap, (ClientData) "float", NULL);
+  Tcl_CreateObjCommand(interp, "vesica::nearest", nearest, NULL, NULL);
   Tcl_CreateObjCommand(interp, "vesica::overlap_many", overlap_many, NULL, NULL);
   return Tcl_PkgProvide(interp, "vesica", "0.1");
 }

@@ -121,6 +121,10 @@ func main() {
 	if _, err := vesica.Overlap(vesica.Point{X: math.NaN()}, vesica.Circle{R: 1}); err != nil {
 		fmt.Println("NaN:", err)
 	}
+	closest, err := vesica.Nearest(vesica.AABB{MaxX: 2, MaxY: 2}, vesica.Circle{CX: 6, CY: 1, R: 1})
+	if want := (vesica.ClosestPoints{3, 2, 1, 5, 1}); err == nil && closest == want {
+		fmt.Println("nearest: as in C")
+	}
 	fmt.Printf("%d calls, %d in a batch\n", calls, len(lines))
 	if !allRight {
 		os.Exit(1)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //! vectors FILE: the shared vectors (../vectors.txt) by this crate. Exit status 0 when all answers are right.
 use std::error::Error;
-use vesica::{overlap, overlap_many, overlap_numbers, Circle, Ellipse, Point, Rect};
+use vesica::{nearest, overlap, overlap_many, overlap_numbers, Aabb, Circle, ClosestPoints, Ellipse, Point, Rect};
 
 type Numbers = [f64; 6];
 
@@ -90,6 +90,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     all_right &= check_batch(&batch);
     if let Err(error) = overlap(&Point { x: f64::NAN, y: 0.0 }, &Circle { cx: 0.0, cy: 0.0, r: 1.0 }) {
         println!("NaN: {error}");
+    }
+    let (square, disc) = (Aabb { min_x: 0.0, min_y: 0.0, max_x: 2.0, max_y: 2.0 }, Circle { cx: 6.0, cy: 1.0, r: 1.0 });
+    if nearest(&square, &disc)? == (ClosestPoints { distance: 3.0, ax: 2.0, ay: 1.0, bx: 5.0, by: 1.0 }) {
+        println!("nearest: as in C");
     }
     println!("{calls} calls, {} in a batch", batch.lines.len());
     if all_right {

@@ -1,149 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 //! Index and join: all pairs that overlap among millions of shapes, of one kind or several.
+use crate::c::{
+    self, vesica_index_bytes, vesica_index_check, vesica_index_scratch, vesica_index_size, vesica_join_scratch,
+};
 use crate::{checked, view, Error, Scalar, Shape, View};
 use std::marker::PhantomData;
 use std::ptr;
 
-const E_SHAPE: i64 = -2;
-
-extern "C" {
-    fn vesica_index_size(count: i64) -> i64;
-    fn vesica_index_scratch(count: i64) -> i64;
-    fn vesica_join_scratch() -> i64;
-    fn vesica_index_check(index: *const Line, size: i64) -> i32;
-    fn vesica_index_bytes(index: *const Line) -> i64;
-    fn vesica_index_build_f64(s: *const View<f64>, n: i32, to: *mut Line, size: i64, with: *mut Line, room: i64)
-        -> i64;
-    fn vesica_index_build_f32(s: *const View<f32>, n: i32, to: *mut Line, size: i64, with: *mut Line, room: i64)
-        -> i64;
-    fn vesica_index_select_f64(
-        index: *const Line,
-        sets: *const View<f64>,
-        set_count: i32,
-        one: *const View<f64>,
-        out: *mut i64,
-        capacity: i64,
-        state: *mut i64,
-    ) -> i64;
-    fn vesica_index_select_f32(
-        index: *const Line,
-        sets: *const View<f32>,
-        set_count: i32,
-        one: *const View<f32>,
-        out: *mut i64,
-        capacity: i64,
-        state: *mut i64,
-    ) -> i64;
-    fn vesica_index_nearest_f64(
-        index: *const Line,
-        sets: *const View<f64>,
-        set_count: i32,
-        one: *const View<f64>,
-        k: i64,
-        within: f64,
-        out: *mut i64,
-        distance: *mut f64,
-    ) -> i64;
-    fn vesica_index_nearest_f32(
-        index: *const Line,
-        sets: *const View<f32>,
-        set_count: i32,
-        one: *const View<f32>,
-        k: i64,
-        within: f32,
-        out: *mut i64,
-        distance: *mut f32,
-    ) -> i64;
-    fn vesica_join_f64(
-        query: i32,
-        index_a: *const Line,
-        sets_a: *const View<f64>,
-        set_count_a: i32,
-        index_b: *const Line,
-        sets_b: *const View<f64>,
-        set_count_b: i32,
-        part: i64,
-        parts: i64,
-        scratch: *mut Line,
-        scratch_size: i64,
-        out_a: *mut i64,
-        out_b: *mut i64,
-        capacity: i64,
-        state: *mut i64,
-    ) -> i64;
-    fn vesica_join_f32(
-        query: i32,
-        index_a: *const Line,
-        sets_a: *const View<f32>,
-        set_count_a: i32,
-        index_b: *const Line,
-        sets_b: *const View<f32>,
-        set_count_b: i32,
-        part: i64,
-        parts: i64,
-        scratch: *mut Line,
-        scratch_size: i64,
-        out_a: *mut i64,
-        out_b: *mut i64,
-        capacity: i64,
-        state: *mut i64,
-    ) -> i64;
-}
+const E_SHAPE: i64 = c::VESICA_E_SHAPE as i64;
 
 /// What an index and its scratch are aligned to.
 #[doc(hidden)]
 #[repr(C, align(64))]
 #[derive(Clone, Copy)]
 pub struct Line([u8; 64]);
-
-type Build<T> = unsafe extern "C" fn(*const View<T>, i32, *mut Line, i64, *mut Line, i64) -> i64;
-type Select<T> = unsafe extern "C" fn(*const Line, *const View<T>, i32, *const View<T>, *mut i64, i64, *mut i64) -> i64;
-type Nearest<T> =
-    unsafe extern "C" fn(*const Line, *const View<T>, i32, *const View<T>, i64, T, *mut i64, *mut T) -> i64;
-type Join<T> = unsafe extern "C" fn(
-    i32,
-    *const Line,
-    *const View<T>,
-    i32,
-    *const Line,
-    *const View<T>,
-    i32,
-    i64,
-    i64,
-    *mut Line,
-    i64,
-    *mut i64,
-    *mut i64,
-    i64,
-    *mut i64,
-) -> i64;
-
-/// `f64` and `f32`, each with its functions of an index.
-///
-/// # Safety
-/// Nothing else can be one.
-pub unsafe trait IndexScalar: Scalar + Default {
-    #[doc(hidden)]
-    const BUILD: Build<Self>;
-    #[doc(hidden)]
-    const SELECT: Select<Self>;
-    #[doc(hidden)]
-    const NEAREST: Nearest<Self>;
-    #[doc(hidden)]
-    const JOIN: Join<Self>;
-}
-unsafe impl IndexScalar for f64 {
-    const BUILD: Build<f64> = vesica_index_build_f64;
-    const SELECT: Select<f64> = vesica_index_select_f64;
-    const NEAREST: Nearest<f64> = vesica_index_nearest_f64;
-    const JOIN: Join<f64> = vesica_join_f64;
-}
-unsafe impl IndexScalar for f32 {
-    const BUILD: Build<f32> = vesica_index_build_f32;
-    const SELECT: Select<f32> = vesica_index_select_f32;
-    const NEAREST: Nearest<f32> = vesica_index_nearest_f32;
-    const JOIN: Join<f32> = vesica_join_f32;
-}
 
 /// A slice of shapes of one kind, as part of an index. It borrows the slice.
 pub struct Set<'a, T> {
@@ -183,7 +53,7 @@ fn bytes_of(lines: &[Line]) -> i64 {
     (lines.len() * 64) as i64
 }
 
-impl<'a, T: IndexScalar> Index<'a, T> {
+impl<'a, T: Scalar> Index<'a, T> {
     /// Invalid shapes are left out, and `has_invalid` tells.
     pub fn new(sets: Vec<Set<'a, T>>) -> Result<Self, Error> {
         let views: Vec<_> = sets.into_iter().map(|set| set.view).collect();
@@ -192,7 +62,14 @@ impl<'a, T: IndexScalar> Index<'a, T> {
         let mut scratch = memory(unsafe { vesica_index_scratch(count) })?;
         let (size, room) = (bytes_of(&lines), bytes_of(&scratch));
         let built = unsafe {
-            T::BUILD(views.as_ptr(), views.len() as i32, lines.as_mut_ptr(), size, scratch.as_mut_ptr(), room)
+            T::index_build(
+                views.as_ptr(),
+                views.len() as i32,
+                lines.as_mut_ptr().cast(),
+                size,
+                scratch.as_mut_ptr().cast(),
+                room,
+            )
         };
         let has_invalid = built == E_SHAPE;
         if !has_invalid {
@@ -205,14 +82,14 @@ impl<'a, T: IndexScalar> Index<'a, T> {
     pub fn from_bytes(sets: Vec<Set<'a, T>>, bytes: &[u8]) -> Result<Self, Error> {
         let mut lines = memory(bytes.len() as i64)?;
         unsafe { ptr::copy_nonoverlapping(bytes.as_ptr(), lines.as_mut_ptr().cast(), bytes.len()) };
-        checked(unsafe { vesica_index_check(lines.as_ptr(), bytes.len() as i64) }.into())?;
+        checked(unsafe { vesica_index_check(lines.as_ptr().cast(), bytes.len() as i64) }.into())?;
         let views = sets.into_iter().map(|set| set.view).collect();
         Ok(Index { lines, views, has_invalid: false, shapes: PhantomData })
     }
 
     /// The bytes to save.
     pub fn as_bytes(&self) -> &[u8] {
-        let size = unsafe { vesica_index_bytes(self.lines.as_ptr()) };
+        let size = unsafe { vesica_index_bytes(self.lines.as_ptr().cast()) };
         unsafe { std::slice::from_raw_parts(self.lines.as_ptr().cast(), size as usize) }
     }
 
@@ -226,12 +103,12 @@ impl<'a, T: IndexScalar> Index<'a, T> {
 
     /// The items that one shape overlaps.
     pub fn select<S: Shape<Scalar = T>>(&self, one: &S) -> Result<Vec<i64>, Error> {
-        let (index, (sets, count), one) = (self.lines.as_ptr(), self.sets(), view(std::slice::from_ref(one)));
-        let found = checked(unsafe { T::SELECT(index, sets, count, &one, ptr::null_mut(), 0, ptr::null_mut()) })?;
+        let (index, (sets, count), one) = (self.lines.as_ptr().cast(), self.sets(), view(std::slice::from_ref(one)));
+        let found = checked(unsafe { T::index_select(index, sets, count, &one, ptr::null_mut(), 0, ptr::null_mut()) })?;
         let (mut out, mut state) = (vec![0; found], [0; 4]);
         if found > 0 {
             let room = found as i64;
-            checked(unsafe { T::SELECT(index, sets, count, &one, out.as_mut_ptr(), room, state.as_mut_ptr()) })?;
+            checked(unsafe { T::index_select(index, sets, count, &one, out.as_mut_ptr(), room, state.as_mut_ptr()) })?;
         }
         Ok(out)
     }
@@ -241,13 +118,15 @@ impl<'a, T: IndexScalar> Index<'a, T> {
         let (mut items, mut distance) = (vec![0; k], vec![T::default(); k]);
         let ((sets, count), one, room) = (self.sets(), view(std::slice::from_ref(one)), k as i64);
         let (out, far) = (items.as_mut_ptr(), distance.as_mut_ptr());
-        let found = checked(unsafe { T::NEAREST(self.lines.as_ptr(), sets, count, &one, room, within, out, far) })?;
+        let found = checked(unsafe {
+            T::index_nearest(self.lines.as_ptr().cast(), sets, count, &one, room, within, out, far)
+        })?;
         Ok(items.into_iter().zip(distance).take(found.min(k)).collect())
     }
 }
 
 /// All pairs of an item of a and one of b. Of an index with itself: of two items of it, the lower one first.
-pub fn join<T: IndexScalar>(query: Query, a: &Index<T>, b: &Index<T>) -> Result<Vec<(i64, i64)>, Error> {
+pub fn join<T: Scalar>(query: Query, a: &Index<T>, b: &Index<T>) -> Result<Vec<(i64, i64)>, Error> {
     const ROOM: usize = 4096;
     let (mut first, mut second, mut state) = (vec![0; ROOM], vec![0; ROOM], [0; 4]);
     let mut scratch = memory(unsafe { vesica_join_scratch() })?;
@@ -255,17 +134,17 @@ pub fn join<T: IndexScalar>(query: Query, a: &Index<T>, b: &Index<T>) -> Result<
     let mut pairs = Vec::new();
     while state[0] != -1 {
         let found = checked(unsafe {
-            T::JOIN(
+            T::join(
                 query as i32,
-                a.lines.as_ptr(),
+                a.lines.as_ptr().cast(),
                 sets_a,
                 count_a,
-                b.lines.as_ptr(),
+                b.lines.as_ptr().cast(),
                 sets_b,
                 count_b,
                 0,
                 1,
-                scratch.as_mut_ptr(),
+                scratch.as_mut_ptr().cast(),
                 bytes_of(&scratch),
                 first.as_mut_ptr(),
                 second.as_mut_ptr(),

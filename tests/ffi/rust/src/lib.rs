@@ -2,55 +2,25 @@
 //! Vesica: exact overlap queries between plain 2D shapes. Touching counts.
 use std::ffi::CStr;
 use std::fmt;
-use std::os::raw::c_char;
 
+/// Every function and constant: rust/vesica-sys/src/declarations.rs, to be copied beside this file.
+#[allow(non_camel_case_types, clippy::all)]
+#[path = "declarations.rs"]
+pub mod c;
 pub mod index;
 mod shapes;
 pub use shapes::{Aabb, Circle, Ellipse, Point, Rect, Segment, Shape};
 
 /// Of the declarations below.
-pub const VERSION: i32 = 100;
+pub const VERSION: i32 = c::VESICA_VERSION;
 
-/// An array of shapes as the library sees it (`vesica_shapes_f64`, `vesica_shapes_f32`).
+/// An array of shapes as the library sees it.
 #[doc(hidden)]
-#[repr(C)]
-pub struct View<T> {
-    kind: i32,
-    reserved: i32,
-    count: i64,
-    stride: isize,
-    field: [*const T; 6],
-}
+pub type View<T> = c::Shapes<T>;
+pub use c::ClosestPoints;
+use c::{vesica_strerror, vesica_version};
 
-extern "C" {
-    fn vesica_version() -> i32;
-    fn vesica_strerror(code: i32) -> *const c_char;
-    fn vesica_overlap_f64(kind_a: i32, a: *const f64, kind_b: i32, b: *const f64) -> i32;
-    fn vesica_overlap_f32(kind_a: i32, a: *const f32, kind_b: i32, b: *const f32) -> i32;
-    fn vesica_overlap_many_f64(a: *const View<f64>, b: *const View<f64>, out: *mut bool) -> i64;
-    fn vesica_overlap_many_f32(a: *const View<f32>, b: *const View<f32>, out: *mut bool) -> i64;
-}
-
-/// `f64` and `f32`, each with its functions.
-///
-/// # Safety
-/// Nothing else can be one.
-pub unsafe trait Scalar: Copy {
-    #[doc(hidden)]
-    const OVERLAP: unsafe extern "C" fn(i32, *const Self, i32, *const Self) -> i32;
-    #[doc(hidden)]
-    const OVERLAP_MANY: unsafe extern "C" fn(*const View<Self>, *const View<Self>, *mut bool) -> i64;
-}
-unsafe impl Scalar for f64 {
-    const OVERLAP: unsafe extern "C" fn(i32, *const f64, i32, *const f64) -> i32 = vesica_overlap_f64;
-    const OVERLAP_MANY: unsafe extern "C" fn(*const View<f64>, *const View<f64>, *mut bool) -> i64 =
-        vesica_overlap_many_f64;
-}
-unsafe impl Scalar for f32 {
-    const OVERLAP: unsafe extern "C" fn(i32, *const f32, i32, *const f32) -> i32 = vesica_overlap_f32;
-    const OVERLAP_MANY: unsafe extern "C" fn(*const View<f32>, *const View<f32>, *mut bool) -> i64 =
-        vesica_overlap_many_f32;
-}
+pub use c::Scalar;
 
 /// An error of the library, by its code; displayed as what it means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,7 +28,7 @@ pub struct Error(pub i32);
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let text = unsafe { CStr::from_ptr(vesica_strerror(self.0)) };
+        let text = unsafe { CStr::from_ptr(vesica_strerror(self.0).cast()) };
         f.write_str(&text.to_string_lossy())
     }
 }
@@ -79,14 +49,21 @@ pub fn require_version() -> Result<(), String> {
 /// Do two shapes share a point?
 pub fn overlap<A: Shape, B: Shape<Scalar = A::Scalar>>(a: &A, b: &B) -> Result<bool, Error> {
     let (a, b): (*const A, *const B) = (a, b);
-    let answer = unsafe { A::Scalar::OVERLAP(A::KIND, a.cast(), B::KIND, b.cast()) };
+    let answer = unsafe { A::Scalar::overlap(A::KIND, a.cast(), B::KIND, b.cast()) };
     Ok(checked(answer.into())? == 1)
 }
 
 /// The same of flat numbers, whose kinds are known at run time only.
 pub fn overlap_numbers<T: Scalar>(kind_a: i32, a: &[T; 6], kind_b: i32, b: &[T; 6]) -> Result<bool, Error> {
-    let answer = unsafe { T::OVERLAP(kind_a, a.as_ptr(), kind_b, b.as_ptr()) };
+    let answer = unsafe { T::overlap(kind_a, a.as_ptr(), kind_b, b.as_ptr()) };
     Ok(checked(answer.into())? == 1)
+}
+
+/// How far apart are two shapes, and which of their points are closest?
+pub fn nearest<A: Shape, B: Shape<Scalar = A::Scalar>>(a: &A, b: &B) -> Result<ClosestPoints<A::Scalar>, Error> {
+    let ((a, b), mut out): ((*const A, *const B), _) = ((a, b), ClosestPoints::default());
+    checked(unsafe { A::Scalar::nearest(A::KIND, a.cast(), B::KIND, b.cast(), &mut out) }.into())?;
+    Ok(out)
 }
 
 /// Two slices in step, or one shape against a slice: `out[i]` says whether they overlap. Returns how many do.
@@ -98,7 +75,7 @@ where
 {
     let count = if a.is_empty() || b.is_empty() { 0 } else { a.len().max(b.len()) };
     assert!(out.len() >= count, "out has {} elements, {count} are needed", out.len());
-    checked(unsafe { A::Scalar::OVERLAP_MANY(&view(a), &view(b), out.as_mut_ptr()) })
+    checked(unsafe { A::Scalar::overlap_many(&view(a), &view(b), out.as_mut_ptr().cast()) })
 }
 
 fn view<S: Shape>(shapes: &[S]) -> View<S::Scalar> {

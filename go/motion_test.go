@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+
+package vesica
+
+import (
+	"math"
+	"testing"
+)
+
+func TestCasts(t *testing.T) {
+	disc, wall := Circle[float64]{R: 1}, AABB[float64]{10, -5, 12, 5}
+	met := Impact[float64]{3, 10, 0, -1, 0}
+	forever := math.Inf(1)
+	if found, impact, err := Cast(wall, disc, Motion{3, 0, forever}); found != CastHit || impact != met || err != nil {
+		t.Error(found, impact, err)
+	}
+	if found, impact, err := Cast(wall, disc, Motion{3, 0, 2.5}); found != CastMiss || impact.T != forever || err != nil {
+		t.Error(found, impact, err)
+	}
+	if found, _, err := Cast(wall, wall, Motion{3, 0, 2.5}); found != CastStart || err != nil {
+		t.Error(found, err)
+	}
+	walls := AABBs([]AABB[float64]{{20, -5, 22, 5}, wall, wall})
+	if item, impact, err := CastFirst(disc, walls, Motion{3, 0, 9}); item != 1 || impact != met || err != nil {
+		t.Error(item, impact, err)
+	}
+	if item, _, err := CastFirst(disc, walls, Motion{-3, 0, 9}); item != -1 || err != nil {
+		t.Error(item, err)
+	}
+	index := must(NewIndex(walls))
+	if items, err := index.Cast(disc, Motion{1, 0, 10}); len(items) != 2 || err != nil {
+		t.Error(items, err)
+	}
+	if item, impact, err := index.CastFirst(disc, Motion{3, 0, 9}); item != 1 || impact != met || err != nil {
+		t.Error(item, impact, err)
+	}
+	times := make([]float64, 3)
+	_, err := CastMany(walls, Circles([]Circle[float64]{disc}), []float64{2, -1, math.NaN()}, make([]float64, 3), 99,
+		ImpactColumns[float64]{T: times})
+	if err != ErrArgument || times[0] != 9.5 || times[1] != forever || !math.IsNaN(times[2]) {
+		t.Error(times, err)
+	}
+	box := must(SweepBounds(disc, Motion{3, 0, 2}))
+	if !must(Contains(box, AABB[float64]{-1, -1, 7, 1})) {
+		t.Error(box)
+	}
+}
+
+func TestBoxes(t *testing.T) {
+	rects := make([]Rect[float64], 2)
+	rows := []float64{1, 2, 6, 4, 90, 77, 1, 2, -6, 4, 90, 77}
+	err := RectsFromBoxes(rows, 6, AngleDegrees, rects)
+	if want := (Rect[float64]{1, 2, 0, 1, 3, 2}); err != ErrShape || rects[0] != want || !math.IsNaN(rects[1].CX) {
+		t.Error(rects, err)
+	}
+	back := make([][5]float64, 1)
+	err = BoxesFromShapes(Rects(rects[:1]), AngleQuarters|AngleReversed, back)
+	if back[0] != [5]float64{1, 2, 6, 4, -1} || err != nil {
+		t.Error(back, err)
+	}
+	for _, err := range []error{
+		BoxesFromShapes(Rects(rects), AngleQuarters, back),
+		BoxesFromShapes(Rects(rects[:1]), Angle(3), back),
+		RectsFromBoxes(rows, 5, AngleDegrees, rects),
+		RectsFromBoxes(rows, 4, AngleDegrees, rects),
+	} {
+		if Code(err) != ErrArgument {
+			t.Error(err)
+		}
+	}
+}
+
+func TestRatiosAndSuppression(t *testing.T) {
+	small, large := AABB[float64]{0, 0, 2, 2}, AABB[float64]{0, 0, 4, 4}
+	if ratio, err := RatioOf(RatioOverSecond, small, large); ratio != 0.25 || err != nil {
+		t.Error(ratio, err)
+	}
+	if _, err := RatioOf(RatioOverFirst, Point[float64]{}, large); err != ErrArgument {
+		t.Error(err)
+	}
+	both, score := AABBs([]AABB[float64]{small, large}), 1.5
+	bySmaller := Suppression[float64]{Threshold: 0.5, Ratio: RatioOverSmaller}
+	byLabels := bySmaller
+	byLabels.Labels = []int32{1, 2}
+	for i, how := range []Suppression[float64]{{Threshold: 0.5}, bySmaller, byLabels, {Most: 1}, {LeastScore: &score}} {
+		if kept, err := Suppress(both, []float64{1, 2}, how); len(kept) != []int{2, 1, 2, 1, 1}[i] || err != nil {
+			t.Error(i, kept, err)
+		}
+	}
+	byLabels.Labels = []int32{1}
+	if _, err := Suppress(both, []float64{1, 2}, byLabels); Code(err) != ErrArgument {
+		t.Error(err)
+	}
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+package vesica;
+
+import static vesica.VesicaException.checked;
+
+import java.util.Optional;
+
+/**
+ * How a shape moves: by t times a velocity, t from 0 to an end. A ray is a point that moves. Whether there is contact
+ * is exact, and times are rounded down.
+ *
+ * @param vx the velocity's x
+ * @param vy the velocity's y
+ * @param end 0 or more; infinity has no end
+ */
+public record Motion(double vx, double vy, double end) {
+  /**
+   * What a cast finds.
+   *
+   * @param cast whether there is contact
+   * @param impact when and where; after a miss its time is infinity and the rest NaN
+   */
+  public record Contact(Cast cast, Impact impact) {}
+
+  /**
+   * The shape that is met first.
+   *
+   * @param item its number
+   * @param impact when and where, the normal pointing to the shape that moves
+   */
+  public record First(long item, Impact impact) {}
+
+  /** Does b touch a while it moves, when first, and where? The normal is from a to b. */
+  public Contact cast(Shape a, Shape b) {
+    double[] out = new double[5];
+    int kindA = a.kind().value, kindB = b.kind().value;
+    long code = checked(Native.castF64(kindA, a.numbers(), kindB, b.numbers(), vx, vy, end, out));
+    return new Contact(Cast.of((int) code), Impact.of(out));
+  }
+
+  /** Which of many shapes at rest does a single moving one touch first? The lowest of several. */
+  public Optional<First> castFirst(Shapes one, Shapes many) {
+    Vesica.alike(one.wide, many.wide);
+    Object out = one.wide ? new double[5] : new float[5];
+    long item = checked(Native.castFirst(one.wide, one, many, vx, vy, end, out));
+    return first(item, many.count, out);
+  }
+
+  /** What a cast at many found: an item and the numbers of an impact, unless the item is their count. */
+  static Optional<First> first(long item, long count, Object impact) {
+    return item == count ? Optional.empty() : Optional.of(new First(item, Impact.of(Index.doubles(impact))));
+  }
+
+  /** A box that holds a shape throughout its motion. */
+  public Aabb bounds(Shape shape) {
+    double[] out = new double[4];
+    checked(Native.sweepBoundsF64(shape.kind().value, shape.numbers(), vx, vy, end, out));
+    return Aabb.of(out);
+  }
+
+  /**
+   * When, and where, does b[i] touch a[i]? There are as many velocities as shapes in step, or one. Columns may be null,
+   * but not all. Of an invalid shape or velocity the numbers are NaN, all others are written, and there is an
+   * exception.
+   *
+   * @return how many touch
+   */
+  public static long castMany(
+      Shapes a, Shapes b, Object vx, Object vy, double end, Object t, Object x, Object y, Object nx, Object ny) {
+    long needed = Vesica.inStep(a, b), given = Shapes.length(vx, "vx");
+    if (given != Shapes.length(vy, "vy") || (given != needed && given != 1)) {
+      throw new IllegalArgumentException("1 or " + needed + " velocities are needed, not " + given);
+    }
+    Vesica.alike(a.wide, Shapes.isWide(vx));
+    Vesica.alike(a.wide, Shapes.isWide(vy));
+    Object[] out = Vesica.columns(a, b, needed, t, x, y, nx, ny);
+    for (Object column : out) {
+      if (column != null && (column == vx || column == vy)) {
+        throw new IllegalArgumentException("a column overlaps the velocities: results need memory of their own");
+      }
+    }
+    long stride = given == 1 ? 0 : a.wide ? Double.BYTES : Float.BYTES;
+    return checked(Native.castMany(a.wide, a, b, vx, vy, stride, end, out[0], out[1], out[2], out[3], out[4]));
+  }
+}

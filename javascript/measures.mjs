@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// Boxes by centre, size and angle, corners and bounds of arrays, and suppression. For Vesica, whose methods these are.
+import * as constants from './constants.mjs';
+import { fields, scalars, ShapeArray } from './shapes.mjs';
+
+/** Names of ratios, by their numbers. */
+export const ratios = Object.freeze([
+  'over_union', 'over_first', 'over_second', 'over_smaller', 'generalized', 'distance', 'complete',
+]);
+
+export function ratioNumber(ratio) {
+  const number = ratios.indexOf(ratio);
+  if (number < 0) throw new TypeError(`a ratio is one of ${ratios.join(', ')}, not ${String(ratio)}`);
+  return number;
+}
+
+function angleUnit({ degrees = false, quarters = false, reverse = false } = {}) {
+  if (degrees && quarters) throw new TypeError('angles are in degrees or in quarter turns, not both');
+  const unit = degrees ? constants.ANGLE_DEGREES : quarters ? constants.ANGLE_QUARTERS : constants.ANGLE_RADIANS;
+  return reverse ? unit + constants.ANGLE_REVERSED : unit;
+}
+
+/** Five numbers a box, one after the other. */
+function boxRows(source) {
+  const rows = ArrayBuffer.isView(source) || !Array.isArray(source?.[0]) ? source : source.flat();
+  if (typeof rows?.length !== 'number' || rows.length % 5 !== 0) {
+    throw new RangeError('boxes have five numbers each: centre x, centre y, width, height, angle');
+  }
+  return rows;
+}
+
+export function shapesFromBoxes(vesica, kind, source, options = {}) {
+  if (kind !== 'rect' && kind !== 'ellipse') throw new TypeError(`boxes give 'rect' or 'ellipse', not ${String(kind)}`);
+  const rows = boxRows(source), scalar = options.scalar ?? 'f64', count = rows.length / 5, angle = angleUnit(options);
+  const shapes = vesica.shapes(kind, count, { scalar });
+  const Numbers = scalars[scalar], width = Numbers.BYTES_PER_ELEMENT;
+  const code = vesica.inRoom((room) => {
+    const address = room.take(rows.length * width);
+    new Numbers(vesica.memory.buffer, address, rows.length).set(rows);
+    const call = vesica.c[`vesica_${kind}s_from_boxes_${scalar}`];
+    return Number(call(address, BigInt(count), 5 * width, angle, shapes.base));
+  });
+  return vesica.finish(code, shapes, code === constants.E_SHAPE || code === constants.E_RANGE);
+}
+
+/** `width` numbers of each shape, by a function of arrays. */
+function rowsOf(vesica, name, width, shapes, ...options) {
+  return vesica.inRoom((room) => {
+    const { scalar, a } = vesica.operands(shapes, shapes, room);
+    const Numbers = scalars[scalar], count = width * (shapes instanceof ShapeArray ? shapes.length : 1);
+    const out = room.take(count * Numbers.BYTES_PER_ELEMENT);
+    const code = Number(vesica.c[`vesica_${name}_${scalar}`](a, ...options, out));
+    const written = code >= 0 || code === constants.E_SHAPE || code === constants.E_RANGE;
+    return vesica.finish(code, written ? new Numbers(vesica.memory.buffer, out, count).slice() : undefined, written);
+  });
+}
+
+export const boxes = (vesica, shapes, options) => rowsOf(vesica, 'boxes_from_shapes', 5, shapes, angleUnit(options));
+export const corners = (vesica, shapes) => rowsOf(vesica, 'corners_of_shapes', 8, shapes);
+export const boundsMany = (vesica, shapes) => rowsOf(vesica, 'bounds_many', fields.aabb.length, shapes);
+
+export function oneEach(name, values, boxes) {
+  if (values?.length === boxes.length) return;
+  throw new RangeError(`${boxes.length} boxes need as many ${name}, not ${values?.length}`);
+}
+
+export function nms(vesica, boxes, scores, threshold = 0.5, options = {}) {
+  const { labels, ratio = 'over_union', leastScore = -Infinity, most = boxes?.length } = options;
+  if (!(boxes instanceof ShapeArray)) throw new TypeError('boxes are an array of shapes, as shapes() makes it');
+  const n = boxes.length, Scores = scalars[boxes.scalar], which = ratioNumber(ratio);
+  oneEach('scores', scores, boxes);
+  if (labels !== undefined) oneEach('labels', labels, boxes);
+  if (!(Number.isInteger(most) && most >= 0)) throw new RangeError(`most is a whole number, not ${String(most)}`);
+  return vesica.inRoom((room) => {
+    const size = vesica.check(vesica.c.vesica_nms_scratch(BigInt(n))), { memory } = vesica;
+    const [at, labelsAt, scratch, keep, kept] = [n * Scores.BYTES_PER_ELEMENT, 4 * n, size, 8 * n, 8].map((bytes) =>
+      room.take(bytes));
+    new Scores(memory.buffer, at, n).set(scores);
+    if (labels !== undefined) new Int32Array(memory.buffer, labelsAt, n).set(labels);
+    new BigInt64Array(memory.buffer, kept, 1)[0] = 0n;
+    const code = vesica.c[`vesica_suppress_${boxes.scalar}`](
+      ...[boxes.address, at, labels === undefined ? 0 : labelsAt, which, threshold, leastScore],
+      ...[BigInt(Math.min(most, n)), scratch, BigInt(size), keep, kept],
+    );
+    const count = Number(new BigInt64Array(memory.buffer, kept, 1)[0]);
+    return vesica.finish(code, Array.from(new BigInt64Array(memory.buffer, keep, count), Number));
+  });
+}
+

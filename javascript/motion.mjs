@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes that move, for Vesica and Index, whose methods these are.
+import * as constants from './constants.mjs';
+import { aabb, scalars, ShapeArray } from './shapes.mjs';
+
+/** Names of what a cast finds, by its numbers. */
+export const casts = Object.freeze(['miss', 'hit', 'start']);
+
+const impactFields = ['t', 'x', 'y', 'nx', 'ny'];
+const impactOf = (numbers) => Object.fromEntries(impactFields.map((field, i) => [field, numbers[i]]));
+
+/** [vx, vy] of one motion. */
+function pair(velocity) {
+  if (velocity?.length === 2 && typeof velocity[0] === 'number' && typeof velocity[1] === 'number') return velocity;
+  throw new TypeError('a velocity is an array of two numbers, [vx, vy]');
+}
+
+function time(tEnd) {
+  if (typeof tEnd === 'number') return tEnd;
+  throw new TypeError('tEnd is a number, which may be Infinity');
+}
+
+/** call(place of an impact) gives a code; [code, numbers of the impact], or the error. */
+function withImpact(vesica, room, scalar, call) {
+  const Numbers = scalars[scalar], out = room.take(5 * Numbers.BYTES_PER_ELEMENT);
+  return [vesica.check(call(out)), Array.from(new Numbers(vesica.memory.buffer, out, 5))];
+}
+
+export function cast(vesica, a, b, velocity, { tEnd = Infinity } = {}) {
+  if (a instanceof ShapeArray || b instanceof ShapeArray) return castMany(vesica, a, b, velocity, time(tEnd));
+  const [vx, vy] = pair(velocity);
+  return vesica.inRoom((room) => {
+    const shapes = [...vesica.record(a, room), ...vesica.record(b, room)];
+    const call = (out) => vesica.c.vesica_cast_f64(...shapes, vx, vy, time(tEnd), out);
+    const [code, numbers] = withImpact(vesica, room, 'f64', call);
+    return { outcome: casts[code], ...impactOf(numbers) };
+  });
+}
+
+/** The addresses of vx and vy, and the bytes from one velocity to the next. */
+function velocities(vesica, velocity, Numbers, count, room) {
+  const [vx, vy] = velocity ?? [], width = Numbers.BYTES_PER_ELEMENT;
+  const single = typeof vx === 'number' && typeof vy === 'number', length = single ? 1 : count;
+  if (!single && !(vx?.length === count && vy?.length === count)) {
+    throw new TypeError(`a velocity is two numbers, or two arrays of ${count} numbers`);
+  }
+  const addresses = [vx, vy].map((numbers) => {
+    const address = room.take(length * width);
+    new Numbers(vesica.memory.buffer, address, length).set(single ? [numbers] : numbers);
+    return address;
+  });
+  return [...addresses, single ? 0 : width];
+}
+
+function castMany(vesica, a, b, velocity, tEnd) {
+  if (!(tEnd >= 0)) throw new RangeError(`tEnd is ${tEnd}, not 0 or more`);
+  return vesica.inRoom((room) => {
+    const { scalar, a: first, b: second, counts } = vesica.operands(a, b, room);
+    const Numbers = scalars[scalar], count = vesica.inStep(counts);
+    const moving = velocities(vesica, velocity, Numbers, count, room);
+    const columns = impactFields.map(() => room.take(count * Numbers.BYTES_PER_ELEMENT));
+    const code = Number(vesica.c[`vesica_cast_many_${scalar}`](first, second, ...moving, tEnd, ...columns));
+    const arrays = columns.map((address) => new Numbers(vesica.memory.buffer, address, count).slice());
+    const written = [constants.E_SHAPE, constants.E_ARGUMENT, constants.E_RANGE].includes(code);
+    return vesica.finish(code, impactOf(arrays), written);
+  });
+}
+
+/** What a cast at many found: an item and its impact, or null. */
+const firstOf = ([item, numbers], none) => (item === none ? null : { item, ...impactOf(numbers) });
+
+export function castFirst(vesica, one, many, velocity, { tEnd = Infinity } = {}) {
+  if (!(many instanceof ShapeArray)) throw new TypeError('many is an array of shapes, as shapes() makes it');
+  const [vx, vy] = pair(velocity);
+  return vesica.inRoom((room) => {
+    const { scalar, a, b } = vesica.operands(one, many, room);
+    const call = (out) => vesica.c[`vesica_cast_first_${scalar}`](a, b, vx, vy, time(tEnd), out);
+    return firstOf(withImpact(vesica, room, scalar, call), many.length);
+  });
+}
+
+export function sweepBounds(vesica, shape, velocity, tEnd) {
+  const [vx, vy] = pair(velocity);
+  return vesica.inRoom((room) => {
+    const operand = vesica.record(shape, room), out = room.take(32);
+    vesica.check(vesica.c.vesica_sweep_bounds_f64(...operand, vx, vy, time(tEnd), out));
+    return aabb(...new Float64Array(vesica.memory.buffer, out, 4));
+  });
+}
+
+/** The arguments of a cast after the moving shape. */
+export const motionOf = (velocity, { tEnd = Infinity } = {}) => [...pair(velocity), time(tEnd)];
+
+export function indexCastFirst(vesica, scalar, room, length, call) {
+  return firstOf(withImpact(vesica, room, scalar, call), length);
+}

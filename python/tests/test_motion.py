@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Casts by numbers that are known, and what is refused."""
+import math
+import unittest
+
+import numpy
+import vesica
+from vesica import Cast
+
+WALL = vesica.aabbs([10, -5, 12, 5])
+DISC = vesica.circles([0, 0, 1])
+WALLS = vesica.aabbs([[20, -5, 22, 5], [10, -5, 12, 5], [10, -1, 11, 1]])
+
+
+class Motion(unittest.TestCase):
+    def test_one(self):
+        found, impact = vesica.cast(WALL, DISC, (3, 0))
+        self.assertIs(found, Cast.HIT)
+        self.assertEqual(impact, (3, 10, 0, -1, 0))
+        found, impact = vesica.cast(WALL, DISC, (3, 0), 2.5)
+        self.assertIs(found, Cast.MISS)
+        self.assertEqual(impact.t, math.inf)
+        self.assertTrue(math.isnan(impact.x))
+        self.assertIs(vesica.cast(WALL, vesica.points([11, 0]), (1, 0))[0], Cast.START)
+
+    def test_arrays(self):
+        self.assertEqual(vesica.cast(WALLS, DISC, (2, 0)).t.tolist(), [9.5, 4.5, 4.5])
+        velocities = numpy.array([[1, 0, 9], [-1, 0, 9], [2, 0, 9]], "f8")[:, :2]
+        self.assertEqual(vesica.cast(WALLS, DISC, velocities).t.tolist(), [19, math.inf, 4.5])
+        out = [numpy.empty(3) for _ in range(5)]
+        self.assertEqual(vesica.cast(WALLS, DISC, (2, 0), 5, out).t.tolist(), [math.inf, 4.5, 4.5])
+        self.assertEqual(out[0].tolist(), [math.inf, 4.5, 4.5])
+        self.assertEqual(vesica.cast(WALLS.astype("f4"), DISC.astype("f4"), (2, 0)).t.dtype, numpy.float32)
+        with self.assertRaises(vesica.VesicaError) as caught:
+            vesica.cast(WALLS, DISC, [[1, 0], [math.nan, 0], [1, 0]])
+        self.assertEqual(caught.exception.result.t[[0, 2]].tolist(), [19, 9])
+        self.assertTrue(math.isnan(caught.exception.result.t[1]))
+
+    def test_many(self):
+        self.assertEqual(vesica.cast_first(DISC, WALLS, (2, 0)), (1, (4.5, 10, 0, -1, 0)))
+        self.assertIsNone(vesica.cast_first(DISC, WALLS, (-2, 0)))
+        index = vesica.Index(WALLS, vesica.circles([[5, 0, 1]]))
+        self.assertEqual(sorted(index.cast(DISC, (1, 0), 9)), [1, 2, 3])
+        self.assertEqual(index.cast(DISC, (0, 1)).tolist(), [])
+        self.assertEqual(index.cast_first(DISC, (1, 0)), (3, (3, 4, 0, -1, 0)))
+        self.assertIsNone(index.cast_first(DISC, (0, 1)))
+
+    def test_bounds(self):
+        box = vesica.sweep_bounds(DISC, (0, 3), 2)
+        self.assertTrue(vesica.contains(box, vesica.aabbs([-1, -1, 1, 7])))
+        self.assertFalse(vesica.overlap(box, vesica.points([0, 7.001])))
+
+    def test_refused(self):
+        for error, words, call in (
+            (ValueError, r"\(vx, vy\)", lambda: vesica.cast(WALL, DISC, 3)),
+            (ValueError, r"\(2,\) or \(3, 2\)", lambda: vesica.cast(WALLS, DISC, [[1, 2]] * 2)),
+            (vesica.VesicaError, "t_end is -1", lambda: vesica.cast(WALLS, DISC, (1, 0), -1)),
+            (vesica.VesicaError, "", lambda: vesica.cast(WALL, DISC, (math.inf, 0))),
+            (TypeError, "a single shape", lambda: vesica.sweep_bounds(WALLS, (1, 0), 1)),
+            (vesica.VesicaError, "", lambda: vesica.cast_first(WALLS, DISC, (1, 0))),
+            (TypeError, "float64", lambda: vesica.cast(WALL, DISC.astype("f4"), (1, 0))),
+        ):
+            with self.assertRaisesRegex(error, words):
+                call()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How the parts of two single shapes meet: nine-intersection matrices, and the region that they share."""
+import ctypes
+
+import numpy
+
+from ._library import by_scalar, checked, library
+from .shapes import same_scalar
+
+_DE9IM, _INTERSECTION = by_scalar("de9im"), by_scalar("intersection")
+
+
+def _two(a, b, what):
+    if not (a.single and b.single):
+        raise TypeError(f"{what} is of two single shapes: take a[i] and b[i]")
+
+
+def de9im(a, b):
+    """The nine-intersection matrix of two single shapes, as geographic systems have it, such as "FF2F11212". Exact."""
+    letter = same_scalar(a, b)
+    _two(a, b, "a nine-intersection matrix")
+    out = ctypes.create_string_buffer(10)
+    checked(_DE9IM[letter](a.kind, a.record, b.kind, b.record, out))
+    return out.value.decode()
+
+
+def de9im_match(matrix, pattern):
+    """Does a nine-intersection matrix fit a pattern of F, 0, 1, 2, T (any of 0, 1 and 2) and * (anything)?"""
+    for name, text in (("matrix", matrix), ("pattern", pattern)):
+        if not isinstance(text, str):
+            raise TypeError(f"{name} is a text of nine characters, not {type(text).__name__}")
+        if not text.isascii() or "\0" in text:
+            raise ValueError(f"{name} has nine characters of F, 0, 1, 2, T and *, not {text!r}")
+    return bool(checked(library.vesica_de9im_match(matrix.encode(), pattern.encode())))
+
+
+def intersection(a, b):
+    """The vertices (n, 2) of the region that two shapes share, counter-clockwise; n is 0 where they do not overlap.
+
+    Of points, segments, aabbs and rects; also of a point or a segment and a circle or an ellipse.
+    """
+    letter = same_scalar(a, b)
+    _two(a, b, "a shared region")
+    out = numpy.empty((8, 2), a.dtype)
+    return out[: checked(_INTERSECTION[letter](a.kind, a.record, b.kind, b.record, out.ctypes.data))]

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+//! Shapes that move: b by t times a velocity, t from 0 to an end that may be infinite. A ray is a point that moves.
+use crate::batch::{column, in_step};
+use crate::error::{answer, filled};
+use crate::{Aabb, Error, Impact, Scalar, Shape, Shapes};
+use vesica_sys as sys;
+
+/// What a cast finds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(i32)]
+pub enum Cast {
+    /// No contact.
+    Miss = sys::VESICA_CAST_MISS,
+    /// Contact, the first after the start.
+    Hit = sys::VESICA_CAST_HIT,
+    /// The shapes overlap at the start.
+    Start = sys::VESICA_CAST_START,
+}
+
+/// How a shape moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(missing_docs)]
+pub struct Motion<T> {
+    pub vx: T,
+    pub vy: T,
+    /// 0 or more; infinity has no end.
+    pub t_end: T,
+}
+
+/// Columns for [`cast_many`]; those of length 0 are not written, but one must be.
+#[derive(Debug, Default)]
+#[allow(missing_docs)]
+pub struct ImpactColumns<'a, T> {
+    pub t: &'a mut [T],
+    pub x: &'a mut [T],
+    pub y: &'a mut [T],
+    pub nx: &'a mut [T],
+    pub ny: &'a mut [T],
+}
+
+/// Does b touch a while it moves, when first, and where? Whether it does is exact, and the time is rounded down.
+///
+/// The normal is from a to b. After a miss the time is infinity and the rest NaN.
+pub fn cast<A, B>(a: &A, b: &B, motion: Motion<A::Scalar>) -> Result<(Cast, Impact<A::Scalar>), Error>
+where
+    A: Shape + ?Sized,
+    B: Shape<Scalar = A::Scalar> + ?Sized,
+{
+    let (kind_a, kind_b) = (a.kind() as i32, b.kind() as i32);
+    let (a, b) = (a.numbers().as_ptr(), b.numbers().as_ptr());
+    let (mut out, Motion { vx, vy, t_end }) = (Impact::default(), motion);
+    let code = answer(|| unsafe { A::Scalar::cast(kind_a, a, kind_b, b, vx, vy, t_end, &mut out) })?;
+    Ok(([Cast::Miss, Cast::Hit, Cast::Start][code], out))
+}
+
+/// When, and where, does `b[i]` touch `a[i]`? Returns how many touch.
+///
+/// There are as many velocities as shapes in step, or one. Of an invalid shape or velocity the numbers are NaN, all
+/// others are written, and the call is an error.
+pub fn cast_many<'a, 'b, T: Scalar>(
+    a: impl Into<Shapes<'a, T>>,
+    b: impl Into<Shapes<'b, T>>,
+    (vx, vy): (&[T], &[T]),
+    t_end: T,
+    out: ImpactColumns<'_, T>,
+) -> Result<usize, Error> {
+    let (a, b) = (a.into(), b.into());
+    let n = in_step(&a, &b)?;
+    if vx.len() != vy.len() || (vx.len() != n && vx.len() != 1) {
+        return Err(Error::Counts(n, if vx.len() == n { vy.len() } else { vx.len() }));
+    }
+    let stride = if vx.len() == 1 { 0 } else { core::mem::size_of::<T>() as isize };
+    let (vx, vy) = (vx.as_ptr(), vy.as_ptr());
+    let t = column(out.t, n)?;
+    let ((x, y), (nx, ny)) = ((column(out.x, n)?, column(out.y, n)?), (column(out.nx, n)?, column(out.ny, n)?));
+    answer(|| unsafe { T::cast_many(&a.view, &b.view, vx, vy, stride, t_end, t, x, y, nx, ny) })
+}
+
+/// An item that was met first, if there is one.
+pub(crate) fn first<T>(item: usize, count: usize, impact: Impact<T>) -> Option<(usize, Impact<T>)> {
+    (item < count).then_some((item, impact))
+}
+
+/// Which of many shapes at rest does one moving shape touch first? The lowest of several. The normal points to `one`.
+pub fn cast_first<'b, S: Shape + ?Sized>(
+    one: &S,
+    many: impl Into<Shapes<'b, S::Scalar>>,
+    motion: Motion<S::Scalar>,
+) -> Result<Option<(usize, Impact<S::Scalar>)>, Error> {
+    let (one, many) = (Shapes::packed(one.kind(), one.numbers())?, many.into());
+    let (mut out, Motion { vx, vy, t_end }) = (Impact::default(), motion);
+    let item = answer(|| unsafe { S::Scalar::cast_first(&one.view, &many.view, vx, vy, t_end, &mut out) })?;
+    Ok(first(item, many.len(), out))
+}
+
+/// A box that holds a shape throughout its motion.
+pub fn sweep_bounds<S: Shape + ?Sized>(shape: &S, motion: Motion<S::Scalar>) -> Result<Aabb<S::Scalar>, Error> {
+    let (kind, numbers, Motion { vx, vy, t_end }) = (shape.kind() as i32, shape.numbers().as_ptr(), motion);
+    filled(Aabb::default(), |out| unsafe { S::Scalar::sweep_bounds(kind, numbers, vx, vy, t_end, out) })
+}

@@ -1,0 +1,1223 @@
+--  SPDX-License-Identifier: Apache-2.0
+--  Written by capi/declare from capi/vesica.json: not to be edited.
+--  The constants, records and functions of libvesica. A pointer is an address: Null_Address where
+--  the header allows NULL.
+with Interfaces; use Interfaces;
+with Interfaces.C; use Interfaces.C;
+with Interfaces.C.Strings; use Interfaces.C.Strings;
+with System;
+
+package Vesica_C is
+
+   Vesica_Declared_Version_Major : constant := 0;
+   Vesica_Declared_Version_Minor : constant := 1;
+   Vesica_Declared_Version_Patch : constant := 0;
+   Vesica_Declared_Version : constant := 100;
+   Vesica_Point : constant := 0;
+   Vesica_Segment : constant := 1;
+   Vesica_Circle : constant := 2;
+   Vesica_Aabb : constant := 3;
+   Vesica_Rect : constant := 4;
+   Vesica_Ellipse : constant := 5;
+   Vesica_Disjoint : constant := 0;
+   Vesica_Touch : constant := 1;
+   Vesica_Cross : constant := 2;
+   Vesica_Inside : constant := 3;
+   Vesica_Inside_Touch : constant := 4;
+   Vesica_Contains : constant := 5;
+   Vesica_Contains_Touch : constant := 6;
+   Vesica_Equal : constant := 7;
+   Vesica_E_Null : constant := -1;
+   Vesica_E_Shape : constant := -2;
+   Vesica_E_Kind : constant := -3;
+   Vesica_E_Argument : constant := -4;
+   Vesica_E_Not_Finite : constant := -5;
+   Vesica_E_Negative_Size : constant := -6;
+   Vesica_E_Zero_Axis : constant := -7;
+   Vesica_E_Inverted : constant := -8;
+   Vesica_E_Range : constant := -9;
+   Vesica_E_Index : constant := -10;
+   Vesica_Angle_Radians : constant := 0;
+   Vesica_Angle_Degrees : constant := 1;
+   Vesica_Angle_Quarters : constant := 2;
+   Vesica_Angle_Reversed : constant := 4;
+   Vesica_Join_Overlap : constant := 0;
+   Vesica_Join_Bounds : constant := 1;
+   Vesica_Join_Contains : constant := 2;
+   Vesica_Join_Inside : constant := 3;
+   Vesica_Ratio_Over_Union : constant := 0;
+   Vesica_Ratio_Over_First : constant := 1;
+   Vesica_Ratio_Over_Second : constant := 2;
+   Vesica_Ratio_Over_Smaller : constant := 3;
+   Vesica_Ratio_Generalized : constant := 4;
+   Vesica_Ratio_Distance : constant := 5;
+   Vesica_Ratio_Complete : constant := 6;
+   Vesica_Within_No : constant := 0;
+   Vesica_Within_Yes : constant := 1;
+   Vesica_Within_Nearly : constant := 2;
+   Vesica_Decay_Linear : constant := 0;
+   Vesica_Decay_Gaussian : constant := 1;
+   Vesica_Cast_Miss : constant := 0;
+   Vesica_Cast_Hit : constant := 1;
+   Vesica_Cast_Start : constant := 2;
+   Vesica_De9im_Size : constant := 10;
+   Vesica_Most_Vertices : constant := 8;
+
+   type Doubles_8 is array (1 .. 8) of IEEE_Float_64 with Convention => C;
+   type Floats_8 is array (1 .. 8) of IEEE_Float_32 with Convention => C;
+   type Addresses_6 is array (1 .. 6) of System.Address with Convention => C;
+
+   --  A location.
+   type Vesica_Point_F64 is record
+      X : IEEE_Float_64;
+      Y : IEEE_Float_64;
+   end record with Convention => C;
+
+   --  All points between two end points.
+   type Vesica_Segment_F64 is record
+      X0 : IEEE_Float_64;
+      Y0 : IEEE_Float_64;
+      X1 : IEEE_Float_64;
+      Y1 : IEEE_Float_64;
+   end record with Convention => C;
+
+   --  A disc: centre and radius, r >= 0.
+   type Vesica_Circle_F64 is record
+      Cx : IEEE_Float_64;
+      Cy : IEEE_Float_64;
+      R : IEEE_Float_64;
+   end record with Convention => C;
+
+   --  A box along the coordinate axes, min_x <= max_x and min_y <= max_y.
+   type Vesica_Aabb_F64 is record
+      Min_X : IEEE_Float_64;
+      Min_Y : IEEE_Float_64;
+      Max_X : IEEE_Float_64;
+      Max_Y : IEEE_Float_64;
+   end record with Convention => C;
+
+   --  All points C + s u + t perp(u) with |s| <= hx and |t| <= hy, where C is (cx, cy); hx, hy >= 0 and u != (0, 0).
+   type Vesica_Rect_F64 is record
+      Cx : IEEE_Float_64;
+      Cy : IEEE_Float_64;
+      Ux : IEEE_Float_64;
+      Uy : IEEE_Float_64;
+      Hx : IEEE_Float_64;
+      Hy : IEEE_Float_64;
+   end record with Convention => C;
+
+   --  All points C + s u + t perp(u) with (s/a)^2 + (t/b)^2 <= 1, where C is (cx, cy); a, b >= 0 and u != (0, 0).
+   type Vesica_Ellipse_F64 is record
+      Cx : IEEE_Float_64;
+      Cy : IEEE_Float_64;
+      Ux : IEEE_Float_64;
+      Uy : IEEE_Float_64;
+      A : IEEE_Float_64;
+      B : IEEE_Float_64;
+   end record with Convention => C;
+
+   --  A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
+   type Vesica_Closest_Points_F64 is record
+      Distance : IEEE_Float_64;
+      Ax : IEEE_Float_64;
+      Ay : IEEE_Float_64;
+      Bx : IEEE_Float_64;
+      By : IEEE_Float_64;
+   end record with Convention => C;
+
+   --  Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if they have a stretch in
+   --  common.
+   type Vesica_Crossing_Points_F64 is record
+      Count : Integer_32;
+      Shared : Integer_32;
+      X : Doubles_8;
+      Y : Doubles_8;
+   end record with Convention => C;
+
+   --  The shortest move of b that ends its overlap with a: its length, and its unit direction (x, y).
+   type Vesica_Penetration_F64 is record
+      Depth : IEEE_Float_64;
+      X : IEEE_Float_64;
+      Y : IEEE_Float_64;
+   end record with Convention => C;
+
+   --  An array of shapes of one kind, however it lies in memory: as records, packed or padded, or as one column per
+   --  number.
+   type Vesica_Shapes_F64 is record
+      Kind : Integer_32;
+      Reserved : Integer_32;
+      Count : Integer_64;
+      Stride : ptrdiff_t;
+      Field : Addresses_6;
+   end record with Convention => C;
+
+   --  A location.
+   type Vesica_Point_F32 is record
+      X : IEEE_Float_32;
+      Y : IEEE_Float_32;
+   end record with Convention => C;
+
+   --  All points between two end points.
+   type Vesica_Segment_F32 is record
+      X0 : IEEE_Float_32;
+      Y0 : IEEE_Float_32;
+      X1 : IEEE_Float_32;
+      Y1 : IEEE_Float_32;
+   end record with Convention => C;
+
+   --  A disc: centre and radius, r >= 0.
+   type Vesica_Circle_F32 is record
+      Cx : IEEE_Float_32;
+      Cy : IEEE_Float_32;
+      R : IEEE_Float_32;
+   end record with Convention => C;
+
+   --  A box along the coordinate axes, min_x <= max_x and min_y <= max_y.
+   type Vesica_Aabb_F32 is record
+      Min_X : IEEE_Float_32;
+      Min_Y : IEEE_Float_32;
+      Max_X : IEEE_Float_32;
+      Max_Y : IEEE_Float_32;
+   end record with Convention => C;
+
+   --  All points C + s u + t perp(u) with |s| <= hx and |t| <= hy, where C is (cx, cy); hx, hy >= 0 and u != (0, 0).
+   type Vesica_Rect_F32 is record
+      Cx : IEEE_Float_32;
+      Cy : IEEE_Float_32;
+      Ux : IEEE_Float_32;
+      Uy : IEEE_Float_32;
+      Hx : IEEE_Float_32;
+      Hy : IEEE_Float_32;
+   end record with Convention => C;
+
+   --  All points C + s u + t perp(u) with (s/a)^2 + (t/b)^2 <= 1, where C is (cx, cy); a, b >= 0 and u != (0, 0).
+   type Vesica_Ellipse_F32 is record
+      Cx : IEEE_Float_32;
+      Cy : IEEE_Float_32;
+      Ux : IEEE_Float_32;
+      Uy : IEEE_Float_32;
+      A : IEEE_Float_32;
+      B : IEEE_Float_32;
+   end record with Convention => C;
+
+   --  A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
+   type Vesica_Closest_Points_F32 is record
+      Distance : IEEE_Float_32;
+      Ax : IEEE_Float_32;
+      Ay : IEEE_Float_32;
+      Bx : IEEE_Float_32;
+      By : IEEE_Float_32;
+   end record with Convention => C;
+
+   --  Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if they have a stretch in
+   --  common.
+   type Vesica_Crossing_Points_F32 is record
+      Count : Integer_32;
+      Shared : Integer_32;
+      X : Floats_8;
+      Y : Floats_8;
+   end record with Convention => C;
+
+   --  The shortest move of b that ends its overlap with a: its length, and its unit direction (x, y).
+   type Vesica_Penetration_F32 is record
+      Depth : IEEE_Float_32;
+      X : IEEE_Float_32;
+      Y : IEEE_Float_32;
+   end record with Convention => C;
+
+   --  An array of shapes of one kind, however it lies in memory: as records, packed or padded, or as one column per
+   --  number.
+   type Vesica_Shapes_F32 is record
+      Kind : Integer_32;
+      Reserved : Integer_32;
+      Count : Integer_64;
+      Stride : ptrdiff_t;
+      Field : Addresses_6;
+   end record with Convention => C;
+
+   --  A first contact: when, where and along which normal.
+   type Vesica_Impact_F64 is record
+      T : IEEE_Float_64;
+      X : IEEE_Float_64;
+      Y : IEEE_Float_64;
+      Nx : IEEE_Float_64;
+      Ny : IEEE_Float_64;
+   end record with Convention => C;
+
+   --  A first contact: when, where and along which normal.
+   type Vesica_Impact_F32 is record
+      T : IEEE_Float_32;
+      X : IEEE_Float_32;
+      Y : IEEE_Float_32;
+      Nx : IEEE_Float_32;
+      Ny : IEEE_Float_32;
+   end record with Convention => C;
+
+   --  Version of the loaded library, to be compared with VESICA_VERSION: a smaller one is older than the header.
+   function Vesica_Version return Integer_32
+     with Import, Convention => C, External_Name => "vesica_version";
+
+   --  VESICA_VERSION_MAJOR of the loaded library.
+   function Vesica_Version_Major return Integer_32
+     with Import, Convention => C, External_Name => "vesica_version_major";
+
+   --  VESICA_VERSION_MINOR of the loaded library.
+   function Vesica_Version_Minor return Integer_32
+     with Import, Convention => C, External_Name => "vesica_version_minor";
+
+   --  VESICA_VERSION_PATCH of the loaded library.
+   function Vesica_Version_Patch return Integer_32
+     with Import, Convention => C, External_Name => "vesica_version_patch";
+
+   --  What an error code means, as one English phrase without a final stop.
+   function Vesica_Strerror (Code : Integer_32) return chars_ptr
+     with Import, Convention => C, External_Name => "vesica_strerror";
+
+   --  How many numbers does a shape of this kind have?
+   function Vesica_Field_Count (Kind : Integer_32) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_field_count";
+
+   --  Name of a kind.
+   function Vesica_Kind_Name (Kind : Integer_32) return chars_ptr
+     with Import, Convention => C, External_Name => "vesica_kind_name";
+
+   --  Name of the instruction set that batches run on: the best that this processor has.
+   function Vesica_Isa_Name return chars_ptr
+     with Import, Convention => C, External_Name => "vesica_isa_name";
+
+   --  Is a shape valid, and if not, which rule does it break?
+   function Vesica_Check_F64 (Kind : Integer_32; Numbers : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_check_f64";
+
+   --  Do two shapes share a point?
+   function Vesica_Overlap_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
+      System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_f64";
+
+   --  How does a relate to b?
+   function Vesica_Relation_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B
+      : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_relation_f64";
+
+   --  Does a contain all of b?
+   function Vesica_Contains_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B
+      : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_contains_f64";
+
+   --  Where do the outlines of two shapes meet?
+   function Vesica_Crossings_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B
+      : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_crossings_f64";
+
+   --  How far apart are two solid shapes, and which of their points are closest?
+   function Vesica_Nearest_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
+      System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_nearest_f64";
+
+   --  How far apart are the outlines of two shapes, and where do they come closest?
+   function Vesica_Boundary_Distance_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32;
+      Numbers_B : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_boundary_distance_f64";
+
+   --  Penetration depth: how far and which way must b be moved until the two shapes only touch?
+   function Vesica_Depth_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
+      System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_depth_f64";
+
+   --  Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+   function Vesica_Shape_Area_F64 (Kind : Integer_32; Numbers : System.Address; Output : System.Address) return
+      Integer_32
+     with Import, Convention => C, External_Name => "vesica_shape_area_f64";
+
+   --  Area of the intersection of two shapes.
+   function Vesica_Area_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
+      System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_area_f64";
+
+   --  Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
+   function Vesica_Iou_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
+      System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_iou_f64";
+
+   --  Smallest box of representable numbers that contains a shape.
+   function Vesica_Bounds_F64 (Kind : Integer_32; Numbers : System.Address; Output : System.Address) return
+      Integer_32
+     with Import, Convention => C, External_Name => "vesica_bounds_f64";
+
+   --  Are the two points the same?
+   function Vesica_Overlap_Point_Point_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_point_point_f64";
+
+   --  Does the point lie on the segment?
+   function Vesica_Overlap_Point_Segment_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_point_segment_f64";
+
+   --  Does the point lie in the disc or on its rim?
+   function Vesica_Overlap_Point_Circle_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_point_circle_f64";
+
+   --  Does the point lie in the box or on its outline?
+   function Vesica_Overlap_Point_Aabb_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_point_aabb_f64";
+
+   --  Does the point lie in the rectangle or on its outline?
+   function Vesica_Overlap_Point_Rect_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_point_rect_f64";
+
+   --  Does the point lie in the ellipse or on its outline?
+   function Vesica_Overlap_Point_Ellipse_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_point_ellipse_f64";
+
+   --  Do the segments share a point?
+   function Vesica_Overlap_Segment_Segment_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_segment_segment_f64";
+
+   --  Does the segment meet the disc?
+   function Vesica_Overlap_Segment_Circle_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_segment_circle_f64";
+
+   --  Does the segment meet the box?
+   function Vesica_Overlap_Segment_Aabb_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_segment_aabb_f64";
+
+   --  Does the segment meet the rectangle?
+   function Vesica_Overlap_Segment_Rect_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_segment_rect_f64";
+
+   --  Does the segment meet the ellipse?
+   function Vesica_Overlap_Segment_Ellipse_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_segment_ellipse_f64";
+
+   --  Do the discs share a point?
+   function Vesica_Overlap_Circle_Circle_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_circle_circle_f64";
+
+   --  Do the disc and the box share a point?
+   function Vesica_Overlap_Circle_Aabb_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_circle_aabb_f64";
+
+   --  Do the disc and the rectangle share a point?
+   function Vesica_Overlap_Circle_Rect_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_circle_rect_f64";
+
+   --  Do the disc and the ellipse share a point?
+   function Vesica_Overlap_Circle_Ellipse_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_circle_ellipse_f64";
+
+   --  Do the boxes share a point?
+   function Vesica_Overlap_Aabb_Aabb_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_aabb_aabb_f64";
+
+   --  Do the box and the rectangle share a point?
+   function Vesica_Overlap_Aabb_Rect_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_aabb_rect_f64";
+
+   --  Do the box and the ellipse share a point?
+   function Vesica_Overlap_Aabb_Ellipse_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_aabb_ellipse_f64";
+
+   --  Do the rectangles share a point?
+   function Vesica_Overlap_Rect_Rect_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_rect_rect_f64";
+
+   --  Do the rectangle and the ellipse share a point?
+   function Vesica_Overlap_Rect_Ellipse_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_rect_ellipse_f64";
+
+   --  Do the ellipses share a point?
+   function Vesica_Overlap_Ellipse_Ellipse_F64 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_ellipse_ellipse_f64";
+
+   --  Box with two opposite corners, in any order.
+   function Vesica_Aabb_From_Corners_F64 (X0 : IEEE_Float_64; Y0 : IEEE_Float_64; X1 : IEEE_Float_64; Y1 :
+      IEEE_Float_64; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_aabb_from_corners_f64";
+
+   --  Rectangle from centre, angle and full size: width along the angle, height across it.
+   function Vesica_Rect_From_Angle_F64 (Cx : IEEE_Float_64; Cy : IEEE_Float_64; Angle : IEEE_Float_64; Width :
+      IEEE_Float_64; Height : IEEE_Float_64; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_rect_from_angle_f64";
+
+   --  Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
+   function Vesica_Rect_From_Corners_F64 (Corners : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_rect_from_corners_f64";
+
+   --  Ellipse from centre, angle and half lengths: a along the angle, b across it.
+   function Vesica_Ellipse_From_Angle_F64 (Cx : IEEE_Float_64; Cy : IEEE_Float_64; Angle : IEEE_Float_64; A :
+      IEEE_Float_64; B : IEEE_Float_64; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_ellipse_from_angle_f64";
+
+   --  Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx,
+   --  wy).
+   function Vesica_Ellipse_From_Radius_Vector_F64 (Cx : IEEE_Float_64; Cy : IEEE_Float_64; Wx : IEEE_Float_64; Wy
+      : IEEE_Float_64; Ratio : IEEE_Float_64; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_ellipse_from_radius_vector_f64";
+
+   --  Ellipse of the points within k standard deviations of a mean (Mahalanobis distance at most k).
+   function Vesica_Ellipse_From_Covariance_F64 (Mean_X : IEEE_Float_64; Mean_Y : IEEE_Float_64; Cxx :
+      IEEE_Float_64; Cxy : IEEE_Float_64; Cyy : IEEE_Float_64; K : IEEE_Float_64; Output : System.Address) return
+      Integer_32
+     with Import, Convention => C, External_Name => "vesica_ellipse_from_covariance_f64";
+
+   --  Ellipse of the points X with (X - C) .
+   function Vesica_Ellipse_From_Matrix_F64 (Cx : IEEE_Float_64; Cy : IEEE_Float_64; Mxx : IEEE_Float_64; Mxy :
+      IEEE_Float_64; Myy : IEEE_Float_64; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_ellipse_from_matrix_f64";
+
+   --  Describes an array of `count` records, each of which starts with a shape's struct.
+   function Vesica_Shapes_From_Records_F64 (Kind : Integer_32; Count : Integer_64; Base : System.Address; Stride
+      : ptrdiff_t; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_shapes_from_records_f64";
+
+   --  Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f64.
+   function Vesica_Overlap_Many_F64 (A : System.Address; B : System.Address; Output : System.Address) return
+      Integer_64
+     with Import, Convention => C, External_Name => "vesica_overlap_many_f64";
+
+   --  How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f64.
+   function Vesica_Relation_Many_F64 (A : System.Address; B : System.Address; Output : System.Address) return
+      Integer_64
+     with Import, Convention => C, External_Name => "vesica_relation_many_f64";
+
+   --  Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f64.
+   function Vesica_Contains_Many_F64 (A : System.Address; B : System.Address; Output : System.Address) return
+      Integer_64
+     with Import, Convention => C, External_Name => "vesica_contains_many_f64";
+
+   --  How far apart are a[i] and b[i], and where?
+   function Vesica_Nearest_Many_F64 (A : System.Address; B : System.Address; Distance : System.Address; Ax :
+      System.Address; Ay : System.Address; Bx : System.Address; By : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_nearest_many_f64";
+
+   --  How far apart are the outlines of a[i] and b[i]?
+   function Vesica_Boundary_Distance_Many_F64 (A : System.Address; B : System.Address; Distance : System.Address;
+      Ax : System.Address; Ay : System.Address; Bx : System.Address; By : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_boundary_distance_many_f64";
+
+   --  How deep do a[i] and b[i] overlap?
+   function Vesica_Depth_Many_F64 (A : System.Address; B : System.Address; Depth : System.Address; X :
+      System.Address; Y : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_depth_many_f64";
+
+   --  What area do a[i] and b[i] share? out[i] is the result of vesica_area_f64.
+   function Vesica_Area_Many_F64 (A : System.Address; B : System.Address; Output : System.Address) return
+      Integer_64
+     with Import, Convention => C, External_Name => "vesica_area_many_f64";
+
+   --  Intersection over union of a[i] and b[i]: out[i] is the result of vesica_iou_f64.
+   function Vesica_Iou_Many_F64 (A : System.Address; B : System.Address; Output : System.Address) return
+      Integer_64
+     with Import, Convention => C, External_Name => "vesica_iou_many_f64";
+
+   --  Do a[i] and b[j] share a point?
+   function Vesica_Overlap_Matrix_F64 (A : System.Address; B : System.Address; Output : System.Address;
+      Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_overlap_matrix_f64";
+
+   --  How does a[i] relate to b[j]?
+   function Vesica_Relation_Matrix_F64 (A : System.Address; B : System.Address; Output : System.Address;
+      Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_relation_matrix_f64";
+
+   --  Does a[i] contain all of b[j]?
+   function Vesica_Contains_Matrix_F64 (A : System.Address; B : System.Address; Output : System.Address;
+      Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_contains_matrix_f64";
+
+   --  What area do a[i] and b[j] share?
+   function Vesica_Area_Matrix_F64 (A : System.Address; B : System.Address; Output : System.Address; Row_Stride :
+      ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_area_matrix_f64";
+
+   --  Intersection over union of a[i] and b[j].
+   function Vesica_Iou_Matrix_F64 (A : System.Address; B : System.Address; Output : System.Address; Row_Stride :
+      ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_iou_matrix_f64";
+
+   --  Which of many shapes overlap one?
+   function Vesica_Overlap_Select_F64 (One : System.Address; Many : System.Address; Output : System.Address;
+      Capacity : Integer_64) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_overlap_select_f64";
+
+   --  Bytes of scratch memory that vesica_nms_f64 and vesica_nms_f32 need for that many shapes.
+   function Vesica_Nms_Scratch (Count : Integer_64) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_nms_scratch";
+
+   --  Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one
+   --  whose vesica_iou_f64 with every shape kept before is at most the threshold.
+   function Vesica_Nms_F64 (Shapes : System.Address; Scores : System.Address; Threshold : IEEE_Float_64; Scratch
+      : System.Address; Scratch_Size : Integer_64; Keep : System.Address; Kept : System.Address) return
+      Integer_32
+     with Import, Convention => C, External_Name => "vesica_nms_f64";
+
+   --  Is a shape valid, and if not, which rule does it break?
+   function Vesica_Check_F32 (Kind : Integer_32; Numbers : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_check_f32";
+
+   --  Do two shapes share a point?
+   function Vesica_Overlap_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
+      System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_f32";
+
+   --  How does a relate to b?
+   function Vesica_Relation_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B
+      : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_relation_f32";
+
+   --  Does a contain all of b?
+   function Vesica_Contains_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B
+      : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_contains_f32";
+
+   --  Where do the outlines of two shapes meet?
+   function Vesica_Crossings_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B
+      : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_crossings_f32";
+
+   --  How far apart are two solid shapes, and which of their points are closest?
+   function Vesica_Nearest_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
+      System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_nearest_f32";
+
+   --  How far apart are the outlines of two shapes, and where do they come closest?
+   function Vesica_Boundary_Distance_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32;
+      Numbers_B : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_boundary_distance_f32";
+
+   --  Penetration depth: how far and which way must b be moved until the two shapes only touch?
+   function Vesica_Depth_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
+      System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_depth_f32";
+
+   --  Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+   function Vesica_Shape_Area_F32 (Kind : Integer_32; Numbers : System.Address; Output : System.Address) return
+      Integer_32
+     with Import, Convention => C, External_Name => "vesica_shape_area_f32";
+
+   --  Area of the intersection of two shapes.
+   function Vesica_Area_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
+      System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_area_f32";
+
+   --  Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
+   function Vesica_Iou_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
+      System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_iou_f32";
+
+   --  Smallest box of representable numbers that contains a shape.
+   function Vesica_Bounds_F32 (Kind : Integer_32; Numbers : System.Address; Output : System.Address) return
+      Integer_32
+     with Import, Convention => C, External_Name => "vesica_bounds_f32";
+
+   --  Are the two points the same?
+   function Vesica_Overlap_Point_Point_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_point_point_f32";
+
+   --  Does the point lie on the segment?
+   function Vesica_Overlap_Point_Segment_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_point_segment_f32";
+
+   --  Does the point lie in the disc or on its rim?
+   function Vesica_Overlap_Point_Circle_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_point_circle_f32";
+
+   --  Does the point lie in the box or on its outline?
+   function Vesica_Overlap_Point_Aabb_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_point_aabb_f32";
+
+   --  Does the point lie in the rectangle or on its outline?
+   function Vesica_Overlap_Point_Rect_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_point_rect_f32";
+
+   --  Does the point lie in the ellipse or on its outline?
+   function Vesica_Overlap_Point_Ellipse_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_point_ellipse_f32";
+
+   --  Do the segments share a point?
+   function Vesica_Overlap_Segment_Segment_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_segment_segment_f32";
+
+   --  Does the segment meet the disc?
+   function Vesica_Overlap_Segment_Circle_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_segment_circle_f32";
+
+   --  Does the segment meet the box?
+   function Vesica_Overlap_Segment_Aabb_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_segment_aabb_f32";
+
+   --  Does the segment meet the rectangle?
+   function Vesica_Overlap_Segment_Rect_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_segment_rect_f32";
+
+   --  Does the segment meet the ellipse?
+   function Vesica_Overlap_Segment_Ellipse_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_segment_ellipse_f32";
+
+   --  Do the discs share a point?
+   function Vesica_Overlap_Circle_Circle_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_circle_circle_f32";
+
+   --  Do the disc and the box share a point?
+   function Vesica_Overlap_Circle_Aabb_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_circle_aabb_f32";
+
+   --  Do the disc and the rectangle share a point?
+   function Vesica_Overlap_Circle_Rect_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_circle_rect_f32";
+
+   --  Do the disc and the ellipse share a point?
+   function Vesica_Overlap_Circle_Ellipse_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_circle_ellipse_f32";
+
+   --  Do the boxes share a point?
+   function Vesica_Overlap_Aabb_Aabb_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_aabb_aabb_f32";
+
+   --  Do the box and the rectangle share a point?
+   function Vesica_Overlap_Aabb_Rect_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_aabb_rect_f32";
+
+   --  Do the box and the ellipse share a point?
+   function Vesica_Overlap_Aabb_Ellipse_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_aabb_ellipse_f32";
+
+   --  Do the rectangles share a point?
+   function Vesica_Overlap_Rect_Rect_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_rect_rect_f32";
+
+   --  Do the rectangle and the ellipse share a point?
+   function Vesica_Overlap_Rect_Ellipse_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_rect_ellipse_f32";
+
+   --  Do the ellipses share a point?
+   function Vesica_Overlap_Ellipse_Ellipse_F32 (A : System.Address; B : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_overlap_ellipse_ellipse_f32";
+
+   --  Box with two opposite corners, in any order.
+   function Vesica_Aabb_From_Corners_F32 (X0 : IEEE_Float_32; Y0 : IEEE_Float_32; X1 : IEEE_Float_32; Y1 :
+      IEEE_Float_32; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_aabb_from_corners_f32";
+
+   --  Rectangle from centre, angle and full size: width along the angle, height across it.
+   function Vesica_Rect_From_Angle_F32 (Cx : IEEE_Float_32; Cy : IEEE_Float_32; Angle : IEEE_Float_32; Width :
+      IEEE_Float_32; Height : IEEE_Float_32; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_rect_from_angle_f32";
+
+   --  Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
+   function Vesica_Rect_From_Corners_F32 (Corners : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_rect_from_corners_f32";
+
+   --  Ellipse from centre, angle and half lengths: a along the angle, b across it.
+   function Vesica_Ellipse_From_Angle_F32 (Cx : IEEE_Float_32; Cy : IEEE_Float_32; Angle : IEEE_Float_32; A :
+      IEEE_Float_32; B : IEEE_Float_32; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_ellipse_from_angle_f32";
+
+   --  Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx,
+   --  wy).
+   function Vesica_Ellipse_From_Radius_Vector_F32 (Cx : IEEE_Float_32; Cy : IEEE_Float_32; Wx : IEEE_Float_32; Wy
+      : IEEE_Float_32; Ratio : IEEE_Float_32; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_ellipse_from_radius_vector_f32";
+
+   --  Ellipse of the points within k standard deviations of a mean (Mahalanobis distance at most k).
+   function Vesica_Ellipse_From_Covariance_F32 (Mean_X : IEEE_Float_32; Mean_Y : IEEE_Float_32; Cxx :
+      IEEE_Float_32; Cxy : IEEE_Float_32; Cyy : IEEE_Float_32; K : IEEE_Float_32; Output : System.Address) return
+      Integer_32
+     with Import, Convention => C, External_Name => "vesica_ellipse_from_covariance_f32";
+
+   --  Ellipse of the points X with (X - C) .
+   function Vesica_Ellipse_From_Matrix_F32 (Cx : IEEE_Float_32; Cy : IEEE_Float_32; Mxx : IEEE_Float_32; Mxy :
+      IEEE_Float_32; Myy : IEEE_Float_32; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_ellipse_from_matrix_f32";
+
+   --  Describes an array of `count` records, each of which starts with a shape's struct.
+   function Vesica_Shapes_From_Records_F32 (Kind : Integer_32; Count : Integer_64; Base : System.Address; Stride
+      : ptrdiff_t; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_shapes_from_records_f32";
+
+   --  Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f32.
+   function Vesica_Overlap_Many_F32 (A : System.Address; B : System.Address; Output : System.Address) return
+      Integer_64
+     with Import, Convention => C, External_Name => "vesica_overlap_many_f32";
+
+   --  How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f32.
+   function Vesica_Relation_Many_F32 (A : System.Address; B : System.Address; Output : System.Address) return
+      Integer_64
+     with Import, Convention => C, External_Name => "vesica_relation_many_f32";
+
+   --  Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f32.
+   function Vesica_Contains_Many_F32 (A : System.Address; B : System.Address; Output : System.Address) return
+      Integer_64
+     with Import, Convention => C, External_Name => "vesica_contains_many_f32";
+
+   --  How far apart are a[i] and b[i], and where?
+   function Vesica_Nearest_Many_F32 (A : System.Address; B : System.Address; Distance : System.Address; Ax :
+      System.Address; Ay : System.Address; Bx : System.Address; By : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_nearest_many_f32";
+
+   --  How far apart are the outlines of a[i] and b[i]?
+   function Vesica_Boundary_Distance_Many_F32 (A : System.Address; B : System.Address; Distance : System.Address;
+      Ax : System.Address; Ay : System.Address; Bx : System.Address; By : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_boundary_distance_many_f32";
+
+   --  How deep do a[i] and b[i] overlap?
+   function Vesica_Depth_Many_F32 (A : System.Address; B : System.Address; Depth : System.Address; X :
+      System.Address; Y : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_depth_many_f32";
+
+   --  What area do a[i] and b[i] share? out[i] is the result of vesica_area_f32.
+   function Vesica_Area_Many_F32 (A : System.Address; B : System.Address; Output : System.Address) return
+      Integer_64
+     with Import, Convention => C, External_Name => "vesica_area_many_f32";
+
+   --  Intersection over union of a[i] and b[i]: out[i] is the result of vesica_iou_f32.
+   function Vesica_Iou_Many_F32 (A : System.Address; B : System.Address; Output : System.Address) return
+      Integer_64
+     with Import, Convention => C, External_Name => "vesica_iou_many_f32";
+
+   --  Do a[i] and b[j] share a point?
+   function Vesica_Overlap_Matrix_F32 (A : System.Address; B : System.Address; Output : System.Address;
+      Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_overlap_matrix_f32";
+
+   --  How does a[i] relate to b[j]?
+   function Vesica_Relation_Matrix_F32 (A : System.Address; B : System.Address; Output : System.Address;
+      Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_relation_matrix_f32";
+
+   --  Does a[i] contain all of b[j]?
+   function Vesica_Contains_Matrix_F32 (A : System.Address; B : System.Address; Output : System.Address;
+      Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_contains_matrix_f32";
+
+   --  What area do a[i] and b[j] share?
+   function Vesica_Area_Matrix_F32 (A : System.Address; B : System.Address; Output : System.Address; Row_Stride :
+      ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_area_matrix_f32";
+
+   --  Intersection over union of a[i] and b[j].
+   function Vesica_Iou_Matrix_F32 (A : System.Address; B : System.Address; Output : System.Address; Row_Stride :
+      ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_iou_matrix_f32";
+
+   --  Which of many shapes overlap one?
+   function Vesica_Overlap_Select_F32 (One : System.Address; Many : System.Address; Output : System.Address;
+      Capacity : Integer_64) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_overlap_select_f32";
+
+   --  Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one
+   --  whose vesica_iou_f32 with every shape kept before is at most the threshold.
+   function Vesica_Nms_F32 (Shapes : System.Address; Scores : System.Address; Threshold : IEEE_Float_32; Scratch
+      : System.Address; Scratch_Size : Integer_64; Keep : System.Address; Kept : System.Address) return
+      Integer_32
+     with Import, Convention => C, External_Name => "vesica_nms_f32";
+
+   --  Rectangles from boxes.
+   function Vesica_Rects_From_Boxes_F64 (Boxes : System.Address; Count : Integer_64; Stride : ptrdiff_t; Angle :
+      Integer_32; Output : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_rects_from_boxes_f64";
+
+   --  Ellipses from the boxes about them, whose sides they touch in the middle.
+   function Vesica_Ellipses_From_Boxes_F64 (Boxes : System.Address; Count : Integer_64; Stride : ptrdiff_t; Angle
+      : Integer_32; Output : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_ellipses_from_boxes_f64";
+
+   --  Boxes from rectangles, or about ellipses: the way back.
+   function Vesica_Boxes_From_Shapes_F64 (Shapes : System.Address; Angle : Integer_32; Boxes : System.Address)
+      return Integer_64
+     with Import, Convention => C, External_Name => "vesica_boxes_from_shapes_f64";
+
+   --  The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+   function Vesica_Corners_Of_Shapes_F64 (Shapes : System.Address; Corners : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_corners_of_shapes_f64";
+
+   --  The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.
+   function Vesica_Bounds_Many_F64 (Shapes : System.Address; Output : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_bounds_many_f64";
+
+   --  Rectangles from boxes.
+   function Vesica_Rects_From_Boxes_F32 (Boxes : System.Address; Count : Integer_64; Stride : ptrdiff_t; Angle :
+      Integer_32; Output : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_rects_from_boxes_f32";
+
+   --  Ellipses from the boxes about them, whose sides they touch in the middle.
+   function Vesica_Ellipses_From_Boxes_F32 (Boxes : System.Address; Count : Integer_64; Stride : ptrdiff_t; Angle
+      : Integer_32; Output : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_ellipses_from_boxes_f32";
+
+   --  Boxes from rectangles, or about ellipses: the way back.
+   function Vesica_Boxes_From_Shapes_F32 (Shapes : System.Address; Angle : Integer_32; Boxes : System.Address)
+      return Integer_64
+     with Import, Convention => C, External_Name => "vesica_boxes_from_shapes_f32";
+
+   --  The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+   function Vesica_Corners_Of_Shapes_F32 (Shapes : System.Address; Corners : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_corners_of_shapes_f32";
+
+   --  The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.
+   function Vesica_Bounds_Many_F32 (Shapes : System.Address; Output : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_bounds_many_f32";
+
+   --  How many bytes suffice for an index of `count` shapes, of any kinds?
+   function Vesica_Index_Size (Count : Integer_64) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_index_size";
+
+   --  How many bytes of scratch does building an index of `count` shapes need?
+   function Vesica_Index_Scratch (Count : Integer_64) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_index_scratch";
+
+   --  How many bytes of scratch does a join need, whatever its indexes?
+   function Vesica_Join_Scratch return Integer_64
+     with Import, Convention => C, External_Name => "vesica_join_scratch";
+
+   --  Are these bytes an index that queries can read?
+   function Vesica_Index_Check (Index : System.Address; Size : Integer_64) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_index_check";
+
+   --  How many bytes does a built index take?
+   function Vesica_Index_Bytes (Index : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_index_bytes";
+
+   --  How many shapes was an index built from?
+   function Vesica_Index_Count (Index : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_index_count";
+
+   --  A box around all valid shapes of an index.
+   function Vesica_Index_Bounds (Index : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_index_bounds";
+
+   --  The items of an index in spatial order: shapes that are near to each other stand near to each other.
+   function Vesica_Index_Order (Index : System.Address; Output : System.Address; Capacity : Integer_64) return
+      Integer_64
+     with Import, Convention => C, External_Name => "vesica_index_order";
+
+   --  Builds the index of some sets of shapes.
+   function Vesica_Index_Build_F64 (Sets : System.Address; Set_Count : Integer_32; Index : System.Address;
+      Index_Size : Integer_64; Scratch : System.Address; Scratch_Size : Integer_64) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_index_build_f64";
+
+   --  One part of a build in five steps, for several threads.
+   function Vesica_Index_Step_F64 (Step : Integer_32; Part : Integer_64; Parts : Integer_64; Sets :
+      System.Address; Set_Count : Integer_32; Index : System.Address; Index_Size : Integer_64; Scratch :
+      System.Address; Scratch_Size : Integer_64) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_index_step_f64";
+
+   --  Which items of an index does one shape overlap?
+   function Vesica_Index_Select_F64 (Index : System.Address; Sets : System.Address; Set_Count : Integer_32; One :
+      System.Address; Output : System.Address; Capacity : Integer_64; State : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_index_select_f64";
+
+   --  All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+   function Vesica_Join_F64 (Query : Integer_32; Index_A : System.Address; Sets_A : System.Address; Set_Count_A :
+      Integer_32; Index_B : System.Address; Sets_B : System.Address; Set_Count_B : Integer_32; Part : Integer_64;
+      Parts : Integer_64; Scratch : System.Address; Scratch_Size : Integer_64; Out_A : System.Address; Out_B :
+      System.Address; Capacity : Integer_64; State : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_join_f64";
+
+   --  All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once:
+   --  those whose answer from vesica_within_f64 is > 0.
+   function Vesica_Join_Within_F64 (Index_A : System.Address; Sets_A : System.Address; Set_Count_A : Integer_32;
+      Index_B : System.Address; Sets_B : System.Address; Set_Count_B : Integer_32; Distance : IEEE_Float_64; Part
+      : Integer_64; Parts : Integer_64; Out_A : System.Address; Out_B : System.Address; Capacity : Integer_64;
+      State : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_join_within_f64";
+
+   --  Which items of an index are nearest to one shape?
+   function Vesica_Index_Nearest_F64 (Index : System.Address; Sets : System.Address; Set_Count : Integer_32; One
+      : System.Address; K : Integer_64; Within : IEEE_Float_64; Output : System.Address; Distance :
+      System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_index_nearest_f64";
+
+   --  Which items of index_b are nearest to each item of sets_a?
+   function Vesica_Join_Nearest_F64 (Sets_A : System.Address; Set_Count_A : Integer_32; Index_B : System.Address;
+      Sets_B : System.Address; Set_Count_B : Integer_32; K : Integer_64; Within : IEEE_Float_64; Part :
+      Integer_64; Parts : Integer_64; Output : System.Address; Distance : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_join_nearest_f64";
+
+   --  Builds the index of some sets of shapes.
+   function Vesica_Index_Build_F32 (Sets : System.Address; Set_Count : Integer_32; Index : System.Address;
+      Index_Size : Integer_64; Scratch : System.Address; Scratch_Size : Integer_64) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_index_build_f32";
+
+   --  One part of a build in five steps, for several threads.
+   function Vesica_Index_Step_F32 (Step : Integer_32; Part : Integer_64; Parts : Integer_64; Sets :
+      System.Address; Set_Count : Integer_32; Index : System.Address; Index_Size : Integer_64; Scratch :
+      System.Address; Scratch_Size : Integer_64) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_index_step_f32";
+
+   --  Which items of an index does one shape overlap?
+   function Vesica_Index_Select_F32 (Index : System.Address; Sets : System.Address; Set_Count : Integer_32; One :
+      System.Address; Output : System.Address; Capacity : Integer_64; State : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_index_select_f32";
+
+   --  All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+   function Vesica_Join_F32 (Query : Integer_32; Index_A : System.Address; Sets_A : System.Address; Set_Count_A :
+      Integer_32; Index_B : System.Address; Sets_B : System.Address; Set_Count_B : Integer_32; Part : Integer_64;
+      Parts : Integer_64; Scratch : System.Address; Scratch_Size : Integer_64; Out_A : System.Address; Out_B :
+      System.Address; Capacity : Integer_64; State : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_join_f32";
+
+   --  All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once:
+   --  those whose answer from vesica_within_f32 is > 0.
+   function Vesica_Join_Within_F32 (Index_A : System.Address; Sets_A : System.Address; Set_Count_A : Integer_32;
+      Index_B : System.Address; Sets_B : System.Address; Set_Count_B : Integer_32; Distance : IEEE_Float_32; Part
+      : Integer_64; Parts : Integer_64; Out_A : System.Address; Out_B : System.Address; Capacity : Integer_64;
+      State : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_join_within_f32";
+
+   --  Which items of an index are nearest to one shape?
+   function Vesica_Index_Nearest_F32 (Index : System.Address; Sets : System.Address; Set_Count : Integer_32; One
+      : System.Address; K : Integer_64; Within : IEEE_Float_32; Output : System.Address; Distance :
+      System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_index_nearest_f32";
+
+   --  Which items of index_b are nearest to each item of sets_a?
+   function Vesica_Join_Nearest_F32 (Sets_A : System.Address; Set_Count_A : Integer_32; Index_B : System.Address;
+      Sets_B : System.Address; Set_Count_B : Integer_32; K : Integer_64; Within : IEEE_Float_32; Part :
+      Integer_64; Parts : Integer_64; Output : System.Address; Distance : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_join_nearest_f32";
+
+   --  What share of a's area does b cover, or of b's area a?
+   function Vesica_Ratio_F64 (Ratio : Integer_32; Kind_A : Integer_32; Numbers_A : System.Address; Kind_B :
+      Integer_32; Numbers_B : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_ratio_f64";
+
+   --  A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
+   function Vesica_Ratio_Many_F64 (Ratio : Integer_32; A : System.Address; B : System.Address; Output :
+      System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_ratio_many_f64";
+
+   --  A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f64.
+   function Vesica_Ratio_Matrix_F64 (Ratio : Integer_32; A : System.Address; B : System.Address; Output :
+      System.Address; Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_ratio_matrix_f64";
+
+   --  How far apart are a[i] and b[j]?
+   function Vesica_Nearest_Matrix_F64 (A : System.Address; B : System.Address; Output : System.Address;
+      Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_nearest_matrix_f64";
+
+   --  How far apart are the outlines of a[i] and b[j]?
+   function Vesica_Boundary_Distance_Matrix_F64 (A : System.Address; B : System.Address; Output : System.Address;
+      Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_boundary_distance_matrix_f64";
+
+   --  How deep do a[i] and b[j] overlap?
+   function Vesica_Depth_Matrix_F64 (A : System.Address; B : System.Address; Output : System.Address; Row_Stride
+      : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_depth_matrix_f64";
+
+   --  How far apart are two shapes or, as a number below 0, how deep do they overlap?
+   function Vesica_Signed_Distance_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32;
+      Numbers_B : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_signed_distance_f64";
+
+   --  Signed distances of a[i] and b[i].
+   function Vesica_Signed_Distance_Many_F64 (A : System.Address; B : System.Address; Output : System.Address)
+      return Integer_64
+     with Import, Convention => C, External_Name => "vesica_signed_distance_many_f64";
+
+   --  Signed distances of a[i] and b[j].
+   function Vesica_Signed_Distance_Matrix_F64 (A : System.Address; B : System.Address; Output : System.Address;
+      Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_signed_distance_matrix_f64";
+
+   --  Are two shapes at most `distance` apart?
+   function Vesica_Within_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
+      System.Address; Distance : IEEE_Float_64) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_within_f64";
+
+   --  Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f64.
+   function Vesica_Within_Many_F64 (A : System.Address; B : System.Address; Distance : IEEE_Float_64; Output :
+      System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_within_many_f64";
+
+   --  Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f64.
+   function Vesica_Within_Matrix_F64 (A : System.Address; B : System.Address; Distance : IEEE_Float_64; Output :
+      System.Address; Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_within_matrix_f64";
+
+   --  Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
+   function Vesica_Suppress_F64 (Shapes : System.Address; Scores : System.Address; Labels : System.Address; Ratio
+      : Integer_32; Threshold : IEEE_Float_64; Least_Score : IEEE_Float_64; Most : Integer_64; Scratch :
+      System.Address; Scratch_Size : Integer_64; Keep : System.Address; Kept : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_suppress_f64";
+
+   --  How many bytes of scratch does soft suppression of `count` shapes need?
+   function Vesica_Suppress_Soft_Scratch (Count : Integer_64) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_suppress_soft_scratch";
+
+   --  Soft suppression: what a better shape covers keeps a lower score.
+   function Vesica_Suppress_Soft_F64 (Shapes : System.Address; Scores : System.Address; Labels : System.Address;
+      Ratio : Integer_32; Decay : Integer_32; Parameter : IEEE_Float_64; Least_Score : IEEE_Float_64; Most :
+      Integer_64; Scratch : System.Address; Scratch_Size : Integer_64; Keep : System.Address; Decayed :
+      System.Address; Kept : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_suppress_soft_f64";
+
+   --  What share of a's area does b cover, or of b's area a?
+   function Vesica_Ratio_F32 (Ratio : Integer_32; Kind_A : Integer_32; Numbers_A : System.Address; Kind_B :
+      Integer_32; Numbers_B : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_ratio_f32";
+
+   --  A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
+   function Vesica_Ratio_Many_F32 (Ratio : Integer_32; A : System.Address; B : System.Address; Output :
+      System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_ratio_many_f32";
+
+   --  A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f32.
+   function Vesica_Ratio_Matrix_F32 (Ratio : Integer_32; A : System.Address; B : System.Address; Output :
+      System.Address; Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_ratio_matrix_f32";
+
+   --  How far apart are a[i] and b[j]?
+   function Vesica_Nearest_Matrix_F32 (A : System.Address; B : System.Address; Output : System.Address;
+      Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_nearest_matrix_f32";
+
+   --  How far apart are the outlines of a[i] and b[j]?
+   function Vesica_Boundary_Distance_Matrix_F32 (A : System.Address; B : System.Address; Output : System.Address;
+      Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_boundary_distance_matrix_f32";
+
+   --  How deep do a[i] and b[j] overlap?
+   function Vesica_Depth_Matrix_F32 (A : System.Address; B : System.Address; Output : System.Address; Row_Stride
+      : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_depth_matrix_f32";
+
+   --  Greedy non-maximum suppression as vesica_nms_f32, by any ratio and among like labels.
+   function Vesica_Suppress_F32 (Shapes : System.Address; Scores : System.Address; Labels : System.Address; Ratio
+      : Integer_32; Threshold : IEEE_Float_32; Least_Score : IEEE_Float_32; Most : Integer_64; Scratch :
+      System.Address; Scratch_Size : Integer_64; Keep : System.Address; Kept : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_suppress_f32";
+
+   --  How far apart are two shapes or, as a number below 0, how deep do they overlap?
+   function Vesica_Signed_Distance_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32;
+      Numbers_B : System.Address; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_signed_distance_f32";
+
+   --  Signed distances of a[i] and b[i].
+   function Vesica_Signed_Distance_Many_F32 (A : System.Address; B : System.Address; Output : System.Address)
+      return Integer_64
+     with Import, Convention => C, External_Name => "vesica_signed_distance_many_f32";
+
+   --  Signed distances of a[i] and b[j].
+   function Vesica_Signed_Distance_Matrix_F32 (A : System.Address; B : System.Address; Output : System.Address;
+      Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_signed_distance_matrix_f32";
+
+   --  Are two shapes at most `distance` apart?
+   function Vesica_Within_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
+      System.Address; Distance : IEEE_Float_32) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_within_f32";
+
+   --  Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f32.
+   function Vesica_Within_Many_F32 (A : System.Address; B : System.Address; Distance : IEEE_Float_32; Output :
+      System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_within_many_f32";
+
+   --  Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f32.
+   function Vesica_Within_Matrix_F32 (A : System.Address; B : System.Address; Distance : IEEE_Float_32; Output :
+      System.Address; Row_Stride : ptrdiff_t) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_within_matrix_f32";
+
+   --  Soft suppression: what a better shape covers keeps a lower score.
+   function Vesica_Suppress_Soft_F32 (Shapes : System.Address; Scores : System.Address; Labels : System.Address;
+      Ratio : Integer_32; Decay : Integer_32; Parameter : IEEE_Float_32; Least_Score : IEEE_Float_32; Most :
+      Integer_64; Scratch : System.Address; Scratch_Size : Integer_64; Keep : System.Address; Decayed :
+      System.Address; Kept : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_suppress_soft_f32";
+
+   --  Does b touch a while it moves, when first, and where?
+   function Vesica_Cast_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
+      System.Address; Vx : IEEE_Float_64; Vy : IEEE_Float_64; T_End : IEEE_Float_64; Output : System.Address)
+      return Integer_32
+     with Import, Convention => C, External_Name => "vesica_cast_f64";
+
+   --  When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
+   function Vesica_Cast_Many_F64 (A : System.Address; B : System.Address; Vx : System.Address; Vy :
+      System.Address; Stride : ptrdiff_t; T_End : IEEE_Float_64; T : System.Address; X : System.Address; Y :
+      System.Address; Nx : System.Address; Ny : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_cast_many_f64";
+
+   --  Which of many shapes at rest does one moving shape touch first?
+   function Vesica_Cast_First_F64 (One : System.Address; Many : System.Address; Vx : IEEE_Float_64; Vy :
+      IEEE_Float_64; T_End : IEEE_Float_64; Output : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_cast_first_f64";
+
+   --  A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+   function Vesica_Sweep_Bounds_F64 (Kind : Integer_32; Numbers : System.Address; Vx : IEEE_Float_64; Vy :
+      IEEE_Float_64; T_End : IEEE_Float_64; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_sweep_bounds_f64";
+
+   --  Which items of an index does one moving shape touch?
+   function Vesica_Index_Cast_F64 (Index : System.Address; Sets : System.Address; Set_Count : Integer_32; One :
+      System.Address; Vx : IEEE_Float_64; Vy : IEEE_Float_64; T_End : IEEE_Float_64; Output : System.Address;
+      Capacity : Integer_64; State : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_index_cast_f64";
+
+   --  Which item of an index does one moving shape touch first?
+   function Vesica_Index_Cast_First_F64 (Index : System.Address; Sets : System.Address; Set_Count : Integer_32;
+      One : System.Address; Vx : IEEE_Float_64; Vy : IEEE_Float_64; T_End : IEEE_Float_64; Output :
+      System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_index_cast_first_f64";
+
+   --  Does b touch a while it moves, when first, and where?
+   function Vesica_Cast_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
+      System.Address; Vx : IEEE_Float_32; Vy : IEEE_Float_32; T_End : IEEE_Float_32; Output : System.Address)
+      return Integer_32
+     with Import, Convention => C, External_Name => "vesica_cast_f32";
+
+   --  When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
+   function Vesica_Cast_Many_F32 (A : System.Address; B : System.Address; Vx : System.Address; Vy :
+      System.Address; Stride : ptrdiff_t; T_End : IEEE_Float_32; T : System.Address; X : System.Address; Y :
+      System.Address; Nx : System.Address; Ny : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_cast_many_f32";
+
+   --  Which of many shapes at rest does one moving shape touch first?
+   function Vesica_Cast_First_F32 (One : System.Address; Many : System.Address; Vx : IEEE_Float_32; Vy :
+      IEEE_Float_32; T_End : IEEE_Float_32; Output : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_cast_first_f32";
+
+   --  A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+   function Vesica_Sweep_Bounds_F32 (Kind : Integer_32; Numbers : System.Address; Vx : IEEE_Float_32; Vy :
+      IEEE_Float_32; T_End : IEEE_Float_32; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_sweep_bounds_f32";
+
+   --  Which items of an index does one moving shape touch?
+   function Vesica_Index_Cast_F32 (Index : System.Address; Sets : System.Address; Set_Count : Integer_32; One :
+      System.Address; Vx : IEEE_Float_32; Vy : IEEE_Float_32; T_End : IEEE_Float_32; Output : System.Address;
+      Capacity : Integer_64; State : System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_index_cast_f32";
+
+   --  Which item of an index does one moving shape touch first?
+   function Vesica_Index_Cast_First_F32 (Index : System.Address; Sets : System.Address; Set_Count : Integer_32;
+      One : System.Address; Vx : IEEE_Float_32; Vy : IEEE_Float_32; T_End : IEEE_Float_32; Output :
+      System.Address) return Integer_64
+     with Import, Convention => C, External_Name => "vesica_index_cast_first_f32";
+
+   --  The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+   function Vesica_De9im_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
+      System.Address; Matrix : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_de9im_f64";
+
+   --  Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
+   function Vesica_De9im_Match (Matrix : chars_ptr; Pattern : chars_ptr) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_de9im_match";
+
+   --  The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
+   --  shape.
+   function Vesica_Intersection_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32;
+      Numbers_B : System.Address; Vertices : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_intersection_f64";
+
+   --  The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+   function Vesica_De9im_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
+      System.Address; Matrix : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_de9im_f32";
+
+   --  The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
+   --  shape.
+   function Vesica_Intersection_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32;
+      Numbers_B : System.Address; Vertices : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_intersection_f32";
+
+end Vesica_C;

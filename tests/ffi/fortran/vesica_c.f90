@@ -1,0 +1,2133 @@
+! SPDX-License-Identifier: Apache-2.0
+! Written by capi/declare from capi/vesica.json: not to be edited.
+!> The constants, types and functions of libvesica. Arrays that are written, and what may be NULL,
+!> are c_ptr: c_loc of an array that is a target, or c_null_ptr. The constants of the version are called
+!> vesica_declared_version, as names differ by more than case.
+module vesica_c
+  use, intrinsic :: iso_c_binding
+  implicit none
+  public
+
+  integer(c_int32_t), parameter :: vesica_declared_version_major = 0
+  integer(c_int32_t), parameter :: vesica_declared_version_minor = 1
+  integer(c_int32_t), parameter :: vesica_declared_version_patch = 0
+  integer(c_int32_t), parameter :: vesica_declared_version = 100
+  integer(c_int32_t), parameter :: vesica_point = 0
+  integer(c_int32_t), parameter :: vesica_segment = 1
+  integer(c_int32_t), parameter :: vesica_circle = 2
+  integer(c_int32_t), parameter :: vesica_aabb = 3
+  integer(c_int32_t), parameter :: vesica_rect = 4
+  integer(c_int32_t), parameter :: vesica_ellipse = 5
+  integer(c_int32_t), parameter :: vesica_disjoint = 0
+  integer(c_int32_t), parameter :: vesica_touch = 1
+  integer(c_int32_t), parameter :: vesica_cross = 2
+  integer(c_int32_t), parameter :: vesica_inside = 3
+  integer(c_int32_t), parameter :: vesica_inside_touch = 4
+  integer(c_int32_t), parameter :: vesica_contains = 5
+  integer(c_int32_t), parameter :: vesica_contains_touch = 6
+  integer(c_int32_t), parameter :: vesica_equal = 7
+  integer(c_int32_t), parameter :: vesica_e_null = -1
+  integer(c_int32_t), parameter :: vesica_e_shape = -2
+  integer(c_int32_t), parameter :: vesica_e_kind = -3
+  integer(c_int32_t), parameter :: vesica_e_argument = -4
+  integer(c_int32_t), parameter :: vesica_e_not_finite = -5
+  integer(c_int32_t), parameter :: vesica_e_negative_size = -6
+  integer(c_int32_t), parameter :: vesica_e_zero_axis = -7
+  integer(c_int32_t), parameter :: vesica_e_inverted = -8
+  integer(c_int32_t), parameter :: vesica_e_range = -9
+  integer(c_int32_t), parameter :: vesica_e_index = -10
+  integer(c_int32_t), parameter :: vesica_angle_radians = 0
+  integer(c_int32_t), parameter :: vesica_angle_degrees = 1
+  integer(c_int32_t), parameter :: vesica_angle_quarters = 2
+  integer(c_int32_t), parameter :: vesica_angle_reversed = 4
+  integer(c_int32_t), parameter :: vesica_join_overlap = 0
+  integer(c_int32_t), parameter :: vesica_join_bounds = 1
+  integer(c_int32_t), parameter :: vesica_join_contains = 2
+  integer(c_int32_t), parameter :: vesica_join_inside = 3
+  integer(c_int32_t), parameter :: vesica_ratio_over_union = 0
+  integer(c_int32_t), parameter :: vesica_ratio_over_first = 1
+  integer(c_int32_t), parameter :: vesica_ratio_over_second = 2
+  integer(c_int32_t), parameter :: vesica_ratio_over_smaller = 3
+  integer(c_int32_t), parameter :: vesica_ratio_generalized = 4
+  integer(c_int32_t), parameter :: vesica_ratio_distance = 5
+  integer(c_int32_t), parameter :: vesica_ratio_complete = 6
+  integer(c_int32_t), parameter :: vesica_within_no = 0
+  integer(c_int32_t), parameter :: vesica_within_yes = 1
+  integer(c_int32_t), parameter :: vesica_within_nearly = 2
+  integer(c_int32_t), parameter :: vesica_decay_linear = 0
+  integer(c_int32_t), parameter :: vesica_decay_gaussian = 1
+  integer(c_int32_t), parameter :: vesica_cast_miss = 0
+  integer(c_int32_t), parameter :: vesica_cast_hit = 1
+  integer(c_int32_t), parameter :: vesica_cast_start = 2
+  integer(c_int32_t), parameter :: vesica_de9im_size = 10
+  integer(c_int32_t), parameter :: vesica_most_vertices = 8
+
+  !> A location.
+  type, bind(c) :: vesica_point_f64
+    real(c_double) :: x
+    real(c_double) :: y
+  end type
+
+  !> All points between two end points.
+  type, bind(c) :: vesica_segment_f64
+    real(c_double) :: x0
+    real(c_double) :: y0
+    real(c_double) :: x1
+    real(c_double) :: y1
+  end type
+
+  !> A disc: centre and radius, r >= 0.
+  type, bind(c) :: vesica_circle_f64
+    real(c_double) :: cx
+    real(c_double) :: cy
+    real(c_double) :: r
+  end type
+
+  !> A box along the coordinate axes, min_x <= max_x and min_y <= max_y.
+  type, bind(c) :: vesica_aabb_f64
+    real(c_double) :: min_x
+    real(c_double) :: min_y
+    real(c_double) :: max_x
+    real(c_double) :: max_y
+  end type
+
+  !> All points C + s u + t perp(u) with |s| <= hx and |t| <= hy, where C is (cx, cy); hx, hy >= 0 and u != (0, 0).
+  type, bind(c) :: vesica_rect_f64
+    real(c_double) :: cx
+    real(c_double) :: cy
+    real(c_double) :: ux
+    real(c_double) :: uy
+    real(c_double) :: hx
+    real(c_double) :: hy
+  end type
+
+  !> All points C + s u + t perp(u) with (s/a)^2 + (t/b)^2 <= 1, where C is (cx, cy); a, b >= 0 and u != (0, 0).
+  type, bind(c) :: vesica_ellipse_f64
+    real(c_double) :: cx
+    real(c_double) :: cy
+    real(c_double) :: ux
+    real(c_double) :: uy
+    real(c_double) :: a
+    real(c_double) :: b
+  end type
+
+  !> A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
+  type, bind(c) :: vesica_closest_points_f64
+    real(c_double) :: distance
+    real(c_double) :: ax
+    real(c_double) :: ay
+    real(c_double) :: bx
+    real(c_double) :: by
+  end type
+
+  !> Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if they have a stretch in common.
+  type, bind(c) :: vesica_crossing_points_f64
+    integer(c_int32_t) :: count
+    integer(c_int32_t) :: shared
+    real(c_double) :: x(8)
+    real(c_double) :: y(8)
+  end type
+
+  !> The shortest move of b that ends its overlap with a: its length, and its unit direction (x, y).
+  type, bind(c) :: vesica_penetration_f64
+    real(c_double) :: depth
+    real(c_double) :: x
+    real(c_double) :: y
+  end type
+
+  !> An array of shapes of one kind, however it lies in memory: as records, packed or padded, or as one column per
+  !> number.
+  type, bind(c) :: vesica_shapes_f64
+    integer(c_int32_t) :: kind
+    integer(c_int32_t) :: reserved
+    integer(c_int64_t) :: count
+    integer(c_ptrdiff_t) :: stride
+    type(c_ptr) :: field(6)
+  end type
+
+  !> A location.
+  type, bind(c) :: vesica_point_f32
+    real(c_float) :: x
+    real(c_float) :: y
+  end type
+
+  !> All points between two end points.
+  type, bind(c) :: vesica_segment_f32
+    real(c_float) :: x0
+    real(c_float) :: y0
+    real(c_float) :: x1
+    real(c_float) :: y1
+  end type
+
+  !> A disc: centre and radius, r >= 0.
+  type, bind(c) :: vesica_circle_f32
+    real(c_float) :: cx
+    real(c_float) :: cy
+    real(c_float) :: r
+  end type
+
+  !> A box along the coordinate axes, min_x <= max_x and min_y <= max_y.
+  type, bind(c) :: vesica_aabb_f32
+    real(c_float) :: min_x
+    real(c_float) :: min_y
+    real(c_float) :: max_x
+    real(c_float) :: max_y
+  end type
+
+  !> All points C + s u + t perp(u) with |s| <= hx and |t| <= hy, where C is (cx, cy); hx, hy >= 0 and u != (0, 0).
+  type, bind(c) :: vesica_rect_f32
+    real(c_float) :: cx
+    real(c_float) :: cy
+    real(c_float) :: ux
+    real(c_float) :: uy
+    real(c_float) :: hx
+    real(c_float) :: hy
+  end type
+
+  !> All points C + s u + t perp(u) with (s/a)^2 + (t/b)^2 <= 1, where C is (cx, cy); a, b >= 0 and u != (0, 0).
+  type, bind(c) :: vesica_ellipse_f32
+    real(c_float) :: cx
+    real(c_float) :: cy
+    real(c_float) :: ux
+    real(c_float) :: uy
+    real(c_float) :: a
+    real(c_float) :: b
+  end type
+
+  !> A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
+  type, bind(c) :: vesica_closest_points_f32
+    real(c_float) :: distance
+    real(c_float) :: ax
+    real(c_float) :: ay
+    real(c_float) :: bx
+    real(c_float) :: by
+  end type
+
+  !> Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if they have a stretch in common.
+  type, bind(c) :: vesica_crossing_points_f32
+    integer(c_int32_t) :: count
+    integer(c_int32_t) :: shared
+    real(c_float) :: x(8)
+    real(c_float) :: y(8)
+  end type
+
+  !> The shortest move of b that ends its overlap with a: its length, and its unit direction (x, y).
+  type, bind(c) :: vesica_penetration_f32
+    real(c_float) :: depth
+    real(c_float) :: x
+    real(c_float) :: y
+  end type
+
+  !> An array of shapes of one kind, however it lies in memory: as records, packed or padded, or as one column per
+  !> number.
+  type, bind(c) :: vesica_shapes_f32
+    integer(c_int32_t) :: kind
+    integer(c_int32_t) :: reserved
+    integer(c_int64_t) :: count
+    integer(c_ptrdiff_t) :: stride
+    type(c_ptr) :: field(6)
+  end type
+
+  !> A first contact: when, where and along which normal.
+  type, bind(c) :: vesica_impact_f64
+    real(c_double) :: t
+    real(c_double) :: x
+    real(c_double) :: y
+    real(c_double) :: nx
+    real(c_double) :: ny
+  end type
+
+  !> A first contact: when, where and along which normal.
+  type, bind(c) :: vesica_impact_f32
+    real(c_float) :: t
+    real(c_float) :: x
+    real(c_float) :: y
+    real(c_float) :: nx
+    real(c_float) :: ny
+  end type
+
+  interface
+    !> Version of the loaded library, to be compared with VESICA_VERSION: a smaller one is older than the header.
+    integer(c_int32_t) function vesica_version() bind(c)
+      import
+    end function
+
+    !> VESICA_VERSION_MAJOR of the loaded library.
+    integer(c_int32_t) function vesica_version_major() bind(c)
+      import
+    end function
+
+    !> VESICA_VERSION_MINOR of the loaded library.
+    integer(c_int32_t) function vesica_version_minor() bind(c)
+      import
+    end function
+
+    !> VESICA_VERSION_PATCH of the loaded library.
+    integer(c_int32_t) function vesica_version_patch() bind(c)
+      import
+    end function
+
+    !> What an error code means, as one English phrase without a final stop.
+    type(c_ptr) function vesica_strerror(code) bind(c)
+      import
+      integer(c_int32_t), value :: code
+    end function
+
+    !> How many numbers does a shape of this kind have?
+    integer(c_int32_t) function vesica_field_count(kind) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+    end function
+
+    !> Name of a kind.
+    type(c_ptr) function vesica_kind_name(kind) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+    end function
+
+    !> Name of the instruction set that batches run on: the best that this processor has.
+    type(c_ptr) function vesica_isa_name() bind(c)
+      import
+    end function
+
+    !> Is a shape valid, and if not, which rule does it break?
+    integer(c_int32_t) function vesica_check_f64(kind, numbers) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      real(c_double), intent(in) :: numbers(*)
+    end function
+
+    !> Do two shapes share a point?
+    integer(c_int32_t) function vesica_overlap_f64(kind_a, numbers_a, kind_b, numbers_b) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: numbers_b(*)
+    end function
+
+    !> How does a relate to b?
+    integer(c_int32_t) function vesica_relation_f64(kind_a, numbers_a, kind_b, numbers_b) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: numbers_b(*)
+    end function
+
+    !> Does a contain all of b?
+    integer(c_int32_t) function vesica_contains_f64(kind_a, numbers_a, kind_b, numbers_b) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: numbers_b(*)
+    end function
+
+    !> Where do the outlines of two shapes meet?
+    integer(c_int32_t) function vesica_crossings_f64(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: numbers_b(*)
+      type(vesica_crossing_points_f64), intent(out) :: out
+    end function
+
+    !> How far apart are two solid shapes, and which of their points are closest?
+    integer(c_int32_t) function vesica_nearest_f64(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: numbers_b(*)
+      type(vesica_closest_points_f64), intent(out) :: out
+    end function
+
+    !> How far apart are the outlines of two shapes, and where do they come closest?
+    integer(c_int32_t) function vesica_boundary_distance_f64(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: numbers_b(*)
+      type(vesica_closest_points_f64), intent(out) :: out
+    end function
+
+    !> Penetration depth: how far and which way must b be moved until the two shapes only touch?
+    integer(c_int32_t) function vesica_depth_f64(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: numbers_b(*)
+      type(vesica_penetration_f64), intent(out) :: out
+    end function
+
+    !> Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+    integer(c_int32_t) function vesica_shape_area_f64(kind, numbers, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      real(c_double), intent(in) :: numbers(*)
+      type(c_ptr), value :: out
+    end function
+
+    !> Area of the intersection of two shapes.
+    integer(c_int32_t) function vesica_area_f64(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: numbers_b(*)
+      type(c_ptr), value :: out
+    end function
+
+    !> Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
+    integer(c_int32_t) function vesica_iou_f64(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: numbers_b(*)
+      type(c_ptr), value :: out
+    end function
+
+    !> Smallest box of representable numbers that contains a shape.
+    integer(c_int32_t) function vesica_bounds_f64(kind, numbers, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      real(c_double), intent(in) :: numbers(*)
+      type(vesica_aabb_f64), intent(out) :: out
+    end function
+
+    !> Are the two points the same?
+    integer(c_int32_t) function vesica_overlap_point_point_f64(a, b) bind(c)
+      import
+      type(vesica_point_f64), intent(in) :: a
+      type(vesica_point_f64), intent(in) :: b
+    end function
+
+    !> Does the point lie on the segment?
+    integer(c_int32_t) function vesica_overlap_point_segment_f64(a, b) bind(c)
+      import
+      type(vesica_point_f64), intent(in) :: a
+      type(vesica_segment_f64), intent(in) :: b
+    end function
+
+    !> Does the point lie in the disc or on its rim?
+    integer(c_int32_t) function vesica_overlap_point_circle_f64(a, b) bind(c)
+      import
+      type(vesica_point_f64), intent(in) :: a
+      type(vesica_circle_f64), intent(in) :: b
+    end function
+
+    !> Does the point lie in the box or on its outline?
+    integer(c_int32_t) function vesica_overlap_point_aabb_f64(a, b) bind(c)
+      import
+      type(vesica_point_f64), intent(in) :: a
+      type(vesica_aabb_f64), intent(in) :: b
+    end function
+
+    !> Does the point lie in the rectangle or on its outline?
+    integer(c_int32_t) function vesica_overlap_point_rect_f64(a, b) bind(c)
+      import
+      type(vesica_point_f64), intent(in) :: a
+      type(vesica_rect_f64), intent(in) :: b
+    end function
+
+    !> Does the point lie in the ellipse or on its outline?
+    integer(c_int32_t) function vesica_overlap_point_ellipse_f64(a, b) bind(c)
+      import
+      type(vesica_point_f64), intent(in) :: a
+      type(vesica_ellipse_f64), intent(in) :: b
+    end function
+
+    !> Do the segments share a point?
+    integer(c_int32_t) function vesica_overlap_segment_segment_f64(a, b) bind(c)
+      import
+      type(vesica_segment_f64), intent(in) :: a
+      type(vesica_segment_f64), intent(in) :: b
+    end function
+
+    !> Does the segment meet the disc?
+    integer(c_int32_t) function vesica_overlap_segment_circle_f64(a, b) bind(c)
+      import
+      type(vesica_segment_f64), intent(in) :: a
+      type(vesica_circle_f64), intent(in) :: b
+    end function
+
+    !> Does the segment meet the box?
+    integer(c_int32_t) function vesica_overlap_segment_aabb_f64(a, b) bind(c)
+      import
+      type(vesica_segment_f64), intent(in) :: a
+      type(vesica_aabb_f64), intent(in) :: b
+    end function
+
+    !> Does the segment meet the rectangle?
+    integer(c_int32_t) function vesica_overlap_segment_rect_f64(a, b) bind(c)
+      import
+      type(vesica_segment_f64), intent(in) :: a
+      type(vesica_rect_f64), intent(in) :: b
+    end function
+
+    !> Does the segment meet the ellipse?
+    integer(c_int32_t) function vesica_overlap_segment_ellipse_f64(a, b) bind(c)
+      import
+      type(vesica_segment_f64), intent(in) :: a
+      type(vesica_ellipse_f64), intent(in) :: b
+    end function
+
+    !> Do the discs share a point?
+    integer(c_int32_t) function vesica_overlap_circle_circle_f64(a, b) bind(c)
+      import
+      type(vesica_circle_f64), intent(in) :: a
+      type(vesica_circle_f64), intent(in) :: b
+    end function
+
+    !> Do the disc and the box share a point?
+    integer(c_int32_t) function vesica_overlap_circle_aabb_f64(a, b) bind(c)
+      import
+      type(vesica_circle_f64), intent(in) :: a
+      type(vesica_aabb_f64), intent(in) :: b
+    end function
+
+    !> Do the disc and the rectangle share a point?
+    integer(c_int32_t) function vesica_overlap_circle_rect_f64(a, b) bind(c)
+      import
+      type(vesica_circle_f64), intent(in) :: a
+      type(vesica_rect_f64), intent(in) :: b
+    end function
+
+    !> Do the disc and the ellipse share a point?
+    integer(c_int32_t) function vesica_overlap_circle_ellipse_f64(a, b) bind(c)
+      import
+      type(vesica_circle_f64), intent(in) :: a
+      type(vesica_ellipse_f64), intent(in) :: b
+    end function
+
+    !> Do the boxes share a point?
+    integer(c_int32_t) function vesica_overlap_aabb_aabb_f64(a, b) bind(c)
+      import
+      type(vesica_aabb_f64), intent(in) :: a
+      type(vesica_aabb_f64), intent(in) :: b
+    end function
+
+    !> Do the box and the rectangle share a point?
+    integer(c_int32_t) function vesica_overlap_aabb_rect_f64(a, b) bind(c)
+      import
+      type(vesica_aabb_f64), intent(in) :: a
+      type(vesica_rect_f64), intent(in) :: b
+    end function
+
+    !> Do the box and the ellipse share a point?
+    integer(c_int32_t) function vesica_overlap_aabb_ellipse_f64(a, b) bind(c)
+      import
+      type(vesica_aabb_f64), intent(in) :: a
+      type(vesica_ellipse_f64), intent(in) :: b
+    end function
+
+    !> Do the rectangles share a point?
+    integer(c_int32_t) function vesica_overlap_rect_rect_f64(a, b) bind(c)
+      import
+      type(vesica_rect_f64), intent(in) :: a
+      type(vesica_rect_f64), intent(in) :: b
+    end function
+
+    !> Do the rectangle and the ellipse share a point?
+    integer(c_int32_t) function vesica_overlap_rect_ellipse_f64(a, b) bind(c)
+      import
+      type(vesica_rect_f64), intent(in) :: a
+      type(vesica_ellipse_f64), intent(in) :: b
+    end function
+
+    !> Do the ellipses share a point?
+    integer(c_int32_t) function vesica_overlap_ellipse_ellipse_f64(a, b) bind(c)
+      import
+      type(vesica_ellipse_f64), intent(in) :: a
+      type(vesica_ellipse_f64), intent(in) :: b
+    end function
+
+    !> Box with two opposite corners, in any order.
+    integer(c_int32_t) function vesica_aabb_from_corners_f64(x0, y0, x1, y1, out) bind(c)
+      import
+      real(c_double), value :: x0
+      real(c_double), value :: y0
+      real(c_double), value :: x1
+      real(c_double), value :: y1
+      type(vesica_aabb_f64), intent(out) :: out
+    end function
+
+    !> Rectangle from centre, angle and full size: width along the angle, height across it.
+    integer(c_int32_t) function vesica_rect_from_angle_f64(cx, cy, angle, width, height, out) bind(c)
+      import
+      real(c_double), value :: cx
+      real(c_double), value :: cy
+      real(c_double), value :: angle
+      real(c_double), value :: width
+      real(c_double), value :: height
+      type(vesica_rect_f64), intent(out) :: out
+    end function
+
+    !> Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
+    integer(c_int32_t) function vesica_rect_from_corners_f64(corners, out) bind(c)
+      import
+      real(c_double), intent(in) :: corners(*)
+      type(vesica_rect_f64), intent(out) :: out
+    end function
+
+    !> Ellipse from centre, angle and half lengths: a along the angle, b across it.
+    integer(c_int32_t) function vesica_ellipse_from_angle_f64(cx, cy, angle, a, b, out) bind(c)
+      import
+      real(c_double), value :: cx
+      real(c_double), value :: cy
+      real(c_double), value :: angle
+      real(c_double), value :: a
+      real(c_double), value :: b
+      type(vesica_ellipse_f64), intent(out) :: out
+    end function
+
+    !> Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx,
+    !> wy).
+    integer(c_int32_t) function vesica_ellipse_from_radius_vector_f64(cx, cy, wx, wy, ratio, out) bind(c)
+      import
+      real(c_double), value :: cx
+      real(c_double), value :: cy
+      real(c_double), value :: wx
+      real(c_double), value :: wy
+      real(c_double), value :: ratio
+      type(vesica_ellipse_f64), intent(out) :: out
+    end function
+
+    !> Ellipse of the points within k standard deviations of a mean (Mahalanobis distance at most k).
+    integer(c_int32_t) function vesica_ellipse_from_covariance_f64(mean_x, mean_y, cxx, cxy, cyy, k, out) bind(c)
+      import
+      real(c_double), value :: mean_x
+      real(c_double), value :: mean_y
+      real(c_double), value :: cxx
+      real(c_double), value :: cxy
+      real(c_double), value :: cyy
+      real(c_double), value :: k
+      type(vesica_ellipse_f64), intent(out) :: out
+    end function
+
+    !> Ellipse of the points X with (X - C) .
+    integer(c_int32_t) function vesica_ellipse_from_matrix_f64(cx, cy, mxx, mxy, myy, out) bind(c)
+      import
+      real(c_double), value :: cx
+      real(c_double), value :: cy
+      real(c_double), value :: mxx
+      real(c_double), value :: mxy
+      real(c_double), value :: myy
+      type(vesica_ellipse_f64), intent(out) :: out
+    end function
+
+    !> Describes an array of `count` records, each of which starts with a shape's struct.
+    integer(c_int32_t) function vesica_shapes_from_records_f64(kind, count, base, stride, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      integer(c_int64_t), value :: count
+      type(c_ptr), value :: base
+      integer(c_ptrdiff_t), value :: stride
+      type(vesica_shapes_f64), intent(out) :: out
+    end function
+
+    !> Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f64.
+    integer(c_int64_t) function vesica_overlap_many_f64(a, b, out) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+    end function
+
+    !> How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f64.
+    integer(c_int64_t) function vesica_relation_many_f64(a, b, out) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+    end function
+
+    !> Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f64.
+    integer(c_int64_t) function vesica_contains_many_f64(a, b, out) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+    end function
+
+    !> How far apart are a[i] and b[i], and where?
+    integer(c_int64_t) function vesica_nearest_many_f64(a, b, distance, ax, ay, bx, by) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: distance
+      type(c_ptr), value :: ax
+      type(c_ptr), value :: ay
+      type(c_ptr), value :: bx
+      type(c_ptr), value :: by
+    end function
+
+    !> How far apart are the outlines of a[i] and b[i]?
+    integer(c_int64_t) function vesica_boundary_distance_many_f64(a, b, distance, ax, ay, bx, by) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: distance
+      type(c_ptr), value :: ax
+      type(c_ptr), value :: ay
+      type(c_ptr), value :: bx
+      type(c_ptr), value :: by
+    end function
+
+    !> How deep do a[i] and b[i] overlap?
+    integer(c_int64_t) function vesica_depth_many_f64(a, b, depth, x, y) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: depth
+      type(c_ptr), value :: x
+      type(c_ptr), value :: y
+    end function
+
+    !> What area do a[i] and b[i] share? out[i] is the result of vesica_area_f64.
+    integer(c_int64_t) function vesica_area_many_f64(a, b, out) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+    end function
+
+    !> Intersection over union of a[i] and b[i]: out[i] is the result of vesica_iou_f64.
+    integer(c_int64_t) function vesica_iou_many_f64(a, b, out) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+    end function
+
+    !> Do a[i] and b[j] share a point?
+    integer(c_int64_t) function vesica_overlap_matrix_f64(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> How does a[i] relate to b[j]?
+    integer(c_int64_t) function vesica_relation_matrix_f64(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> Does a[i] contain all of b[j]?
+    integer(c_int64_t) function vesica_contains_matrix_f64(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> What area do a[i] and b[j] share?
+    integer(c_int64_t) function vesica_area_matrix_f64(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> Intersection over union of a[i] and b[j].
+    integer(c_int64_t) function vesica_iou_matrix_f64(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> Which of many shapes overlap one?
+    integer(c_int64_t) function vesica_overlap_select_f64(one, many, out, capacity) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: one
+      type(vesica_shapes_f64), intent(in) :: many
+      type(c_ptr), value :: out
+      integer(c_int64_t), value :: capacity
+    end function
+
+    !> Bytes of scratch memory that vesica_nms_f64 and vesica_nms_f32 need for that many shapes.
+    integer(c_int64_t) function vesica_nms_scratch(count) bind(c)
+      import
+      integer(c_int64_t), value :: count
+    end function
+
+    !> Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one
+    !> whose vesica_iou_f64 with every shape kept before is at most the threshold.
+    integer(c_int32_t) function vesica_nms_f64(shapes, scores, threshold, scratch, scratch_size, keep, kept) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: shapes
+      type(c_ptr), value :: scores
+      real(c_double), value :: threshold
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: keep
+      type(c_ptr), value :: kept
+    end function
+
+    !> Is a shape valid, and if not, which rule does it break?
+    integer(c_int32_t) function vesica_check_f32(kind, numbers) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      real(c_float), intent(in) :: numbers(*)
+    end function
+
+    !> Do two shapes share a point?
+    integer(c_int32_t) function vesica_overlap_f32(kind_a, numbers_a, kind_b, numbers_b) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: numbers_b(*)
+    end function
+
+    !> How does a relate to b?
+    integer(c_int32_t) function vesica_relation_f32(kind_a, numbers_a, kind_b, numbers_b) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: numbers_b(*)
+    end function
+
+    !> Does a contain all of b?
+    integer(c_int32_t) function vesica_contains_f32(kind_a, numbers_a, kind_b, numbers_b) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: numbers_b(*)
+    end function
+
+    !> Where do the outlines of two shapes meet?
+    integer(c_int32_t) function vesica_crossings_f32(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: numbers_b(*)
+      type(vesica_crossing_points_f32), intent(out) :: out
+    end function
+
+    !> How far apart are two solid shapes, and which of their points are closest?
+    integer(c_int32_t) function vesica_nearest_f32(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: numbers_b(*)
+      type(vesica_closest_points_f32), intent(out) :: out
+    end function
+
+    !> How far apart are the outlines of two shapes, and where do they come closest?
+    integer(c_int32_t) function vesica_boundary_distance_f32(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: numbers_b(*)
+      type(vesica_closest_points_f32), intent(out) :: out
+    end function
+
+    !> Penetration depth: how far and which way must b be moved until the two shapes only touch?
+    integer(c_int32_t) function vesica_depth_f32(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: numbers_b(*)
+      type(vesica_penetration_f32), intent(out) :: out
+    end function
+
+    !> Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+    integer(c_int32_t) function vesica_shape_area_f32(kind, numbers, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      real(c_float), intent(in) :: numbers(*)
+      type(c_ptr), value :: out
+    end function
+
+    !> Area of the intersection of two shapes.
+    integer(c_int32_t) function vesica_area_f32(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: numbers_b(*)
+      type(c_ptr), value :: out
+    end function
+
+    !> Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
+    integer(c_int32_t) function vesica_iou_f32(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: numbers_b(*)
+      type(c_ptr), value :: out
+    end function
+
+    !> Smallest box of representable numbers that contains a shape.
+    integer(c_int32_t) function vesica_bounds_f32(kind, numbers, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      real(c_float), intent(in) :: numbers(*)
+      type(vesica_aabb_f32), intent(out) :: out
+    end function
+
+    !> Are the two points the same?
+    integer(c_int32_t) function vesica_overlap_point_point_f32(a, b) bind(c)
+      import
+      type(vesica_point_f32), intent(in) :: a
+      type(vesica_point_f32), intent(in) :: b
+    end function
+
+    !> Does the point lie on the segment?
+    integer(c_int32_t) function vesica_overlap_point_segment_f32(a, b) bind(c)
+      import
+      type(vesica_point_f32), intent(in) :: a
+      type(vesica_segment_f32), intent(in) :: b
+    end function
+
+    !> Does the point lie in the disc or on its rim?
+    integer(c_int32_t) function vesica_overlap_point_circle_f32(a, b) bind(c)
+      import
+      type(vesica_point_f32), intent(in) :: a
+      type(vesica_circle_f32), intent(in) :: b
+    end function
+
+    !> Does the point lie in the box or on its outline?
+    integer(c_int32_t) function vesica_overlap_point_aabb_f32(a, b) bind(c)
+      import
+      type(vesica_point_f32), intent(in) :: a
+      type(vesica_aabb_f32), intent(in) :: b
+    end function
+
+    !> Does the point lie in the rectangle or on its outline?
+    integer(c_int32_t) function vesica_overlap_point_rect_f32(a, b) bind(c)
+      import
+      type(vesica_point_f32), intent(in) :: a
+      type(vesica_rect_f32), intent(in) :: b
+    end function
+
+    !> Does the point lie in the ellipse or on its outline?
+    integer(c_int32_t) function vesica_overlap_point_ellipse_f32(a, b) bind(c)
+      import
+      type(vesica_point_f32), intent(in) :: a
+      type(vesica_ellipse_f32), intent(in) :: b
+    end function
+
+    !> Do the segments share a point?
+    integer(c_int32_t) function vesica_overlap_segment_segment_f32(a, b) bind(c)
+      import
+      type(vesica_segment_f32), intent(in) :: a
+      type(vesica_segment_f32), intent(in) :: b
+    end function
+
+    !> Does the segment meet the disc?
+    integer(c_int32_t) function vesica_overlap_segment_circle_f32(a, b) bind(c)
+      import
+      type(vesica_segment_f32), intent(in) :: a
+      type(vesica_circle_f32), intent(in) :: b
+    end function
+
+    !> Does the segment meet the box?
+    integer(c_int32_t) function vesica_overlap_segment_aabb_f32(a, b) bind(c)
+      import
+      type(vesica_segment_f32), intent(in) :: a
+      type(vesica_aabb_f32), intent(in) :: b
+    end function
+
+    !> Does the segment meet the rectangle?
+    integer(c_int32_t) function vesica_overlap_segment_rect_f32(a, b) bind(c)
+      import
+      type(vesica_segment_f32), intent(in) :: a
+      type(vesica_rect_f32), intent(in) :: b
+    end function
+
+    !> Does the segment meet the ellipse?
+    integer(c_int32_t) function vesica_overlap_segment_ellipse_f32(a, b) bind(c)
+      import
+      type(vesica_segment_f32), intent(in) :: a
+      type(vesica_ellipse_f32), intent(in) :: b
+    end function
+
+    !> Do the discs share a point?
+    integer(c_int32_t) function vesica_overlap_circle_circle_f32(a, b) bind(c)
+      import
+      type(vesica_circle_f32), intent(in) :: a
+      type(vesica_circle_f32), intent(in) :: b
+    end function
+
+    !> Do the disc and the box share a point?
+    integer(c_int32_t) function vesica_overlap_circle_aabb_f32(a, b) bind(c)
+      import
+      type(vesica_circle_f32), intent(in) :: a
+      type(vesica_aabb_f32), intent(in) :: b
+    end function
+
+    !> Do the disc and the rectangle share a point?
+    integer(c_int32_t) function vesica_overlap_circle_rect_f32(a, b) bind(c)
+      import
+      type(vesica_circle_f32), intent(in) :: a
+      type(vesica_rect_f32), intent(in) :: b
+    end function
+
+    !> Do the disc and the ellipse share a point?
+    integer(c_int32_t) function vesica_overlap_circle_ellipse_f32(a, b) bind(c)
+      import
+      type(vesica_circle_f32), intent(in) :: a
+      type(vesica_ellipse_f32), intent(in) :: b
+    end function
+
+    !> Do the boxes share a point?
+    integer(c_int32_t) function vesica_overlap_aabb_aabb_f32(a, b) bind(c)
+      import
+      type(vesica_aabb_f32), intent(in) :: a
+      type(vesica_aabb_f32), intent(in) :: b
+    end function
+
+    !> Do the box and the rectangle share a point?
+    integer(c_int32_t) function vesica_overlap_aabb_rect_f32(a, b) bind(c)
+      import
+      type(vesica_aabb_f32), intent(in) :: a
+      type(vesica_rect_f32), intent(in) :: b
+    end function
+
+    !> Do the box and the ellipse share a point?
+    integer(c_int32_t) function vesica_overlap_aabb_ellipse_f32(a, b) bind(c)
+      import
+      type(vesica_aabb_f32), intent(in) :: a
+      type(vesica_ellipse_f32), intent(in) :: b
+    end function
+
+    !> Do the rectangles share a point?
+    integer(c_int32_t) function vesica_overlap_rect_rect_f32(a, b) bind(c)
+      import
+      type(vesica_rect_f32), intent(in) :: a
+      type(vesica_rect_f32), intent(in) :: b
+    end function
+
+    !> Do the rectangle and the ellipse share a point?
+    integer(c_int32_t) function vesica_overlap_rect_ellipse_f32(a, b) bind(c)
+      import
+      type(vesica_rect_f32), intent(in) :: a
+      type(vesica_ellipse_f32), intent(in) :: b
+    end function
+
+    !> Do the ellipses share a point?
+    integer(c_int32_t) function vesica_overlap_ellipse_ellipse_f32(a, b) bind(c)
+      import
+      type(vesica_ellipse_f32), intent(in) :: a
+      type(vesica_ellipse_f32), intent(in) :: b
+    end function
+
+    !> Box with two opposite corners, in any order.
+    integer(c_int32_t) function vesica_aabb_from_corners_f32(x0, y0, x1, y1, out) bind(c)
+      import
+      real(c_float), value :: x0
+      real(c_float), value :: y0
+      real(c_float), value :: x1
+      real(c_float), value :: y1
+      type(vesica_aabb_f32), intent(out) :: out
+    end function
+
+    !> Rectangle from centre, angle and full size: width along the angle, height across it.
+    integer(c_int32_t) function vesica_rect_from_angle_f32(cx, cy, angle, width, height, out) bind(c)
+      import
+      real(c_float), value :: cx
+      real(c_float), value :: cy
+      real(c_float), value :: angle
+      real(c_float), value :: width
+      real(c_float), value :: height
+      type(vesica_rect_f32), intent(out) :: out
+    end function
+
+    !> Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
+    integer(c_int32_t) function vesica_rect_from_corners_f32(corners, out) bind(c)
+      import
+      real(c_float), intent(in) :: corners(*)
+      type(vesica_rect_f32), intent(out) :: out
+    end function
+
+    !> Ellipse from centre, angle and half lengths: a along the angle, b across it.
+    integer(c_int32_t) function vesica_ellipse_from_angle_f32(cx, cy, angle, a, b, out) bind(c)
+      import
+      real(c_float), value :: cx
+      real(c_float), value :: cy
+      real(c_float), value :: angle
+      real(c_float), value :: a
+      real(c_float), value :: b
+      type(vesica_ellipse_f32), intent(out) :: out
+    end function
+
+    !> Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx,
+    !> wy).
+    integer(c_int32_t) function vesica_ellipse_from_radius_vector_f32(cx, cy, wx, wy, ratio, out) bind(c)
+      import
+      real(c_float), value :: cx
+      real(c_float), value :: cy
+      real(c_float), value :: wx
+      real(c_float), value :: wy
+      real(c_float), value :: ratio
+      type(vesica_ellipse_f32), intent(out) :: out
+    end function
+
+    !> Ellipse of the points within k standard deviations of a mean (Mahalanobis distance at most k).
+    integer(c_int32_t) function vesica_ellipse_from_covariance_f32(mean_x, mean_y, cxx, cxy, cyy, k, out) bind(c)
+      import
+      real(c_float), value :: mean_x
+      real(c_float), value :: mean_y
+      real(c_float), value :: cxx
+      real(c_float), value :: cxy
+      real(c_float), value :: cyy
+      real(c_float), value :: k
+      type(vesica_ellipse_f32), intent(out) :: out
+    end function
+
+    !> Ellipse of the points X with (X - C) .
+    integer(c_int32_t) function vesica_ellipse_from_matrix_f32(cx, cy, mxx, mxy, myy, out) bind(c)
+      import
+      real(c_float), value :: cx
+      real(c_float), value :: cy
+      real(c_float), value :: mxx
+      real(c_float), value :: mxy
+      real(c_float), value :: myy
+      type(vesica_ellipse_f32), intent(out) :: out
+    end function
+
+    !> Describes an array of `count` records, each of which starts with a shape's struct.
+    integer(c_int32_t) function vesica_shapes_from_records_f32(kind, count, base, stride, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      integer(c_int64_t), value :: count
+      type(c_ptr), value :: base
+      integer(c_ptrdiff_t), value :: stride
+      type(vesica_shapes_f32), intent(out) :: out
+    end function
+
+    !> Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f32.
+    integer(c_int64_t) function vesica_overlap_many_f32(a, b, out) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+    end function
+
+    !> How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f32.
+    integer(c_int64_t) function vesica_relation_many_f32(a, b, out) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+    end function
+
+    !> Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f32.
+    integer(c_int64_t) function vesica_contains_many_f32(a, b, out) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+    end function
+
+    !> How far apart are a[i] and b[i], and where?
+    integer(c_int64_t) function vesica_nearest_many_f32(a, b, distance, ax, ay, bx, by) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: distance
+      type(c_ptr), value :: ax
+      type(c_ptr), value :: ay
+      type(c_ptr), value :: bx
+      type(c_ptr), value :: by
+    end function
+
+    !> How far apart are the outlines of a[i] and b[i]?
+    integer(c_int64_t) function vesica_boundary_distance_many_f32(a, b, distance, ax, ay, bx, by) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: distance
+      type(c_ptr), value :: ax
+      type(c_ptr), value :: ay
+      type(c_ptr), value :: bx
+      type(c_ptr), value :: by
+    end function
+
+    !> How deep do a[i] and b[i] overlap?
+    integer(c_int64_t) function vesica_depth_many_f32(a, b, depth, x, y) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: depth
+      type(c_ptr), value :: x
+      type(c_ptr), value :: y
+    end function
+
+    !> What area do a[i] and b[i] share? out[i] is the result of vesica_area_f32.
+    integer(c_int64_t) function vesica_area_many_f32(a, b, out) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+    end function
+
+    !> Intersection over union of a[i] and b[i]: out[i] is the result of vesica_iou_f32.
+    integer(c_int64_t) function vesica_iou_many_f32(a, b, out) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+    end function
+
+    !> Do a[i] and b[j] share a point?
+    integer(c_int64_t) function vesica_overlap_matrix_f32(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> How does a[i] relate to b[j]?
+    integer(c_int64_t) function vesica_relation_matrix_f32(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> Does a[i] contain all of b[j]?
+    integer(c_int64_t) function vesica_contains_matrix_f32(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> What area do a[i] and b[j] share?
+    integer(c_int64_t) function vesica_area_matrix_f32(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> Intersection over union of a[i] and b[j].
+    integer(c_int64_t) function vesica_iou_matrix_f32(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> Which of many shapes overlap one?
+    integer(c_int64_t) function vesica_overlap_select_f32(one, many, out, capacity) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: one
+      type(vesica_shapes_f32), intent(in) :: many
+      type(c_ptr), value :: out
+      integer(c_int64_t), value :: capacity
+    end function
+
+    !> Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one
+    !> whose vesica_iou_f32 with every shape kept before is at most the threshold.
+    integer(c_int32_t) function vesica_nms_f32(shapes, scores, threshold, scratch, scratch_size, keep, kept) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: shapes
+      type(c_ptr), value :: scores
+      real(c_float), value :: threshold
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: keep
+      type(c_ptr), value :: kept
+    end function
+
+    !> Rectangles from boxes.
+    integer(c_int64_t) function vesica_rects_from_boxes_f64(boxes, count, stride, angle, out) bind(c)
+      import
+      type(c_ptr), value :: boxes
+      integer(c_int64_t), value :: count
+      integer(c_ptrdiff_t), value :: stride
+      integer(c_int32_t), value :: angle
+      type(c_ptr), value :: out
+    end function
+
+    !> Ellipses from the boxes about them, whose sides they touch in the middle.
+    integer(c_int64_t) function vesica_ellipses_from_boxes_f64(boxes, count, stride, angle, out) bind(c)
+      import
+      type(c_ptr), value :: boxes
+      integer(c_int64_t), value :: count
+      integer(c_ptrdiff_t), value :: stride
+      integer(c_int32_t), value :: angle
+      type(c_ptr), value :: out
+    end function
+
+    !> Boxes from rectangles, or about ellipses: the way back.
+    integer(c_int64_t) function vesica_boxes_from_shapes_f64(shapes, angle, boxes) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: shapes
+      integer(c_int32_t), value :: angle
+      type(c_ptr), value :: boxes
+    end function
+
+    !> The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+    integer(c_int64_t) function vesica_corners_of_shapes_f64(shapes, corners) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: shapes
+      type(c_ptr), value :: corners
+    end function
+
+    !> The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.
+    integer(c_int64_t) function vesica_bounds_many_f64(shapes, out) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: shapes
+      type(c_ptr), value :: out
+    end function
+
+    !> Rectangles from boxes.
+    integer(c_int64_t) function vesica_rects_from_boxes_f32(boxes, count, stride, angle, out) bind(c)
+      import
+      type(c_ptr), value :: boxes
+      integer(c_int64_t), value :: count
+      integer(c_ptrdiff_t), value :: stride
+      integer(c_int32_t), value :: angle
+      type(c_ptr), value :: out
+    end function
+
+    !> Ellipses from the boxes about them, whose sides they touch in the middle.
+    integer(c_int64_t) function vesica_ellipses_from_boxes_f32(boxes, count, stride, angle, out) bind(c)
+      import
+      type(c_ptr), value :: boxes
+      integer(c_int64_t), value :: count
+      integer(c_ptrdiff_t), value :: stride
+      integer(c_int32_t), value :: angle
+      type(c_ptr), value :: out
+    end function
+
+    !> Boxes from rectangles, or about ellipses: the way back.
+    integer(c_int64_t) function vesica_boxes_from_shapes_f32(shapes, angle, boxes) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: shapes
+      integer(c_int32_t), value :: angle
+      type(c_ptr), value :: boxes
+    end function
+
+    !> The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+    integer(c_int64_t) function vesica_corners_of_shapes_f32(shapes, corners) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: shapes
+      type(c_ptr), value :: corners
+    end function
+
+    !> The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.
+    integer(c_int64_t) function vesica_bounds_many_f32(shapes, out) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: shapes
+      type(c_ptr), value :: out
+    end function
+
+    !> How many bytes suffice for an index of `count` shapes, of any kinds?
+    integer(c_int64_t) function vesica_index_size(count) bind(c)
+      import
+      integer(c_int64_t), value :: count
+    end function
+
+    !> How many bytes of scratch does building an index of `count` shapes need?
+    integer(c_int64_t) function vesica_index_scratch(count) bind(c)
+      import
+      integer(c_int64_t), value :: count
+    end function
+
+    !> How many bytes of scratch does a join need, whatever its indexes?
+    integer(c_int64_t) function vesica_join_scratch() bind(c)
+      import
+    end function
+
+    !> Are these bytes an index that queries can read?
+    integer(c_int32_t) function vesica_index_check(index, size) bind(c)
+      import
+      type(c_ptr), value :: index
+      integer(c_int64_t), value :: size
+    end function
+
+    !> How many bytes does a built index take?
+    integer(c_int64_t) function vesica_index_bytes(index) bind(c)
+      import
+      type(c_ptr), value :: index
+    end function
+
+    !> How many shapes was an index built from?
+    integer(c_int64_t) function vesica_index_count(index) bind(c)
+      import
+      type(c_ptr), value :: index
+    end function
+
+    !> A box around all valid shapes of an index.
+    integer(c_int32_t) function vesica_index_bounds(index, out) bind(c)
+      import
+      type(c_ptr), value :: index
+      type(vesica_aabb_f64), intent(out) :: out
+    end function
+
+    !> The items of an index in spatial order: shapes that are near to each other stand near to each other.
+    integer(c_int64_t) function vesica_index_order(index, out, capacity) bind(c)
+      import
+      type(c_ptr), value :: index
+      type(c_ptr), value :: out
+      integer(c_int64_t), value :: capacity
+    end function
+
+    !> Builds the index of some sets of shapes.
+    integer(c_int64_t) function vesica_index_build_f64(sets, set_count, index, index_size, scratch, scratch_size) &
+      bind(c)
+      import
+      type(c_ptr), value :: sets
+      integer(c_int32_t), value :: set_count
+      type(c_ptr), value :: index
+      integer(c_int64_t), value :: index_size
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+    end function
+
+    !> One part of a build in five steps, for several threads.
+    integer(c_int64_t) function vesica_index_step_f64(step, part, parts, sets, set_count, index, index_size, &
+      scratch, scratch_size) bind(c)
+      import
+      integer(c_int32_t), value :: step
+      integer(c_int64_t), value :: part
+      integer(c_int64_t), value :: parts
+      type(c_ptr), value :: sets
+      integer(c_int32_t), value :: set_count
+      type(c_ptr), value :: index
+      integer(c_int64_t), value :: index_size
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+    end function
+
+    !> Which items of an index does one shape overlap?
+    integer(c_int64_t) function vesica_index_select_f64(index, sets, set_count, one, out, capacity, state) bind(c)
+      import
+      type(c_ptr), value :: index
+      type(c_ptr), value :: sets
+      integer(c_int32_t), value :: set_count
+      type(vesica_shapes_f64), intent(in) :: one
+      type(c_ptr), value :: out
+      integer(c_int64_t), value :: capacity
+      type(c_ptr), value :: state
+    end function
+
+    !> All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+    integer(c_int64_t) function vesica_join_f64(query, index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, &
+      part, parts, scratch, scratch_size, out_a, out_b, capacity, state) bind(c)
+      import
+      integer(c_int32_t), value :: query
+      type(c_ptr), value :: index_a
+      type(c_ptr), value :: sets_a
+      integer(c_int32_t), value :: set_count_a
+      type(c_ptr), value :: index_b
+      type(c_ptr), value :: sets_b
+      integer(c_int32_t), value :: set_count_b
+      integer(c_int64_t), value :: part
+      integer(c_int64_t), value :: parts
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: out_a
+      type(c_ptr), value :: out_b
+      integer(c_int64_t), value :: capacity
+      type(c_ptr), value :: state
+    end function
+
+    !> All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once:
+    !> those whose answer from vesica_within_f64 is > 0.
+    integer(c_int64_t) function vesica_join_within_f64(index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, &
+      distance, part, parts, out_a, out_b, capacity, state) bind(c)
+      import
+      type(c_ptr), value :: index_a
+      type(c_ptr), value :: sets_a
+      integer(c_int32_t), value :: set_count_a
+      type(c_ptr), value :: index_b
+      type(c_ptr), value :: sets_b
+      integer(c_int32_t), value :: set_count_b
+      real(c_double), value :: distance
+      integer(c_int64_t), value :: part
+      integer(c_int64_t), value :: parts
+      type(c_ptr), value :: out_a
+      type(c_ptr), value :: out_b
+      integer(c_int64_t), value :: capacity
+      type(c_ptr), value :: state
+    end function
+
+    !> Which items of an index are nearest to one shape?
+    integer(c_int64_t) function vesica_index_nearest_f64(index, sets, set_count, one, k, within, out, distance) &
+      bind(c)
+      import
+      type(c_ptr), value :: index
+      type(c_ptr), value :: sets
+      integer(c_int32_t), value :: set_count
+      type(vesica_shapes_f64), intent(in) :: one
+      integer(c_int64_t), value :: k
+      real(c_double), value :: within
+      type(c_ptr), value :: out
+      type(c_ptr), value :: distance
+    end function
+
+    !> Which items of index_b are nearest to each item of sets_a?
+    integer(c_int64_t) function vesica_join_nearest_f64(sets_a, set_count_a, index_b, sets_b, set_count_b, k, &
+      within, part, parts, out, distance) bind(c)
+      import
+      type(c_ptr), value :: sets_a
+      integer(c_int32_t), value :: set_count_a
+      type(c_ptr), value :: index_b
+      type(c_ptr), value :: sets_b
+      integer(c_int32_t), value :: set_count_b
+      integer(c_int64_t), value :: k
+      real(c_double), value :: within
+      integer(c_int64_t), value :: part
+      integer(c_int64_t), value :: parts
+      type(c_ptr), value :: out
+      type(c_ptr), value :: distance
+    end function
+
+    !> Builds the index of some sets of shapes.
+    integer(c_int64_t) function vesica_index_build_f32(sets, set_count, index, index_size, scratch, scratch_size) &
+      bind(c)
+      import
+      type(c_ptr), value :: sets
+      integer(c_int32_t), value :: set_count
+      type(c_ptr), value :: index
+      integer(c_int64_t), value :: index_size
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+    end function
+
+    !> One part of a build in five steps, for several threads.
+    integer(c_int64_t) function vesica_index_step_f32(step, part, parts, sets, set_count, index, index_size, &
+      scratch, scratch_size) bind(c)
+      import
+      integer(c_int32_t), value :: step
+      integer(c_int64_t), value :: part
+      integer(c_int64_t), value :: parts
+      type(c_ptr), value :: sets
+      integer(c_int32_t), value :: set_count
+      type(c_ptr), value :: index
+      integer(c_int64_t), value :: index_size
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+    end function
+
+    !> Which items of an index does one shape overlap?
+    integer(c_int64_t) function vesica_index_select_f32(index, sets, set_count, one, out, capacity, state) bind(c)
+      import
+      type(c_ptr), value :: index
+      type(c_ptr), value :: sets
+      integer(c_int32_t), value :: set_count
+      type(vesica_shapes_f32), intent(in) :: one
+      type(c_ptr), value :: out
+      integer(c_int64_t), value :: capacity
+      type(c_ptr), value :: state
+    end function
+
+    !> All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+    integer(c_int64_t) function vesica_join_f32(query, index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, &
+      part, parts, scratch, scratch_size, out_a, out_b, capacity, state) bind(c)
+      import
+      integer(c_int32_t), value :: query
+      type(c_ptr), value :: index_a
+      type(c_ptr), value :: sets_a
+      integer(c_int32_t), value :: set_count_a
+      type(c_ptr), value :: index_b
+      type(c_ptr), value :: sets_b
+      integer(c_int32_t), value :: set_count_b
+      integer(c_int64_t), value :: part
+      integer(c_int64_t), value :: parts
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: out_a
+      type(c_ptr), value :: out_b
+      integer(c_int64_t), value :: capacity
+      type(c_ptr), value :: state
+    end function
+
+    !> All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once:
+    !> those whose answer from vesica_within_f32 is > 0.
+    integer(c_int64_t) function vesica_join_within_f32(index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, &
+      distance, part, parts, out_a, out_b, capacity, state) bind(c)
+      import
+      type(c_ptr), value :: index_a
+      type(c_ptr), value :: sets_a
+      integer(c_int32_t), value :: set_count_a
+      type(c_ptr), value :: index_b
+      type(c_ptr), value :: sets_b
+      integer(c_int32_t), value :: set_count_b
+      real(c_float), value :: distance
+      integer(c_int64_t), value :: part
+      integer(c_int64_t), value :: parts
+      type(c_ptr), value :: out_a
+      type(c_ptr), value :: out_b
+      integer(c_int64_t), value :: capacity
+      type(c_ptr), value :: state
+    end function
+
+    !> Which items of an index are nearest to one shape?
+    integer(c_int64_t) function vesica_index_nearest_f32(index, sets, set_count, one, k, within, out, distance) &
+      bind(c)
+      import
+      type(c_ptr), value :: index
+      type(c_ptr), value :: sets
+      integer(c_int32_t), value :: set_count
+      type(vesica_shapes_f32), intent(in) :: one
+      integer(c_int64_t), value :: k
+      real(c_float), value :: within
+      type(c_ptr), value :: out
+      type(c_ptr), value :: distance
+    end function
+
+    !> Which items of index_b are nearest to each item of sets_a?
+    integer(c_int64_t) function vesica_join_nearest_f32(sets_a, set_count_a, index_b, sets_b, set_count_b, k, &
+      within, part, parts, out, distance) bind(c)
+      import
+      type(c_ptr), value :: sets_a
+      integer(c_int32_t), value :: set_count_a
+      type(c_ptr), value :: index_b
+      type(c_ptr), value :: sets_b
+      integer(c_int32_t), value :: set_count_b
+      integer(c_int64_t), value :: k
+      real(c_float), value :: within
+      integer(c_int64_t), value :: part
+      integer(c_int64_t), value :: parts
+      type(c_ptr), value :: out
+      type(c_ptr), value :: distance
+    end function
+
+    !> What share of a's area does b cover, or of b's area a?
+    integer(c_int32_t) function vesica_ratio_f64(ratio, kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: ratio
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: numbers_b(*)
+      type(c_ptr), value :: out
+    end function
+
+    !> A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
+    integer(c_int64_t) function vesica_ratio_many_f64(ratio, a, b, out) bind(c)
+      import
+      integer(c_int32_t), value :: ratio
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+    end function
+
+    !> A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f64.
+    integer(c_int64_t) function vesica_ratio_matrix_f64(ratio, a, b, out, row_stride) bind(c)
+      import
+      integer(c_int32_t), value :: ratio
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> How far apart are a[i] and b[j]?
+    integer(c_int64_t) function vesica_nearest_matrix_f64(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> How far apart are the outlines of a[i] and b[j]?
+    integer(c_int64_t) function vesica_boundary_distance_matrix_f64(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> How deep do a[i] and b[j] overlap?
+    integer(c_int64_t) function vesica_depth_matrix_f64(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> How far apart are two shapes or, as a number below 0, how deep do they overlap?
+    integer(c_int32_t) function vesica_signed_distance_f64(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: numbers_b(*)
+      type(c_ptr), value :: out
+    end function
+
+    !> Signed distances of a[i] and b[i].
+    integer(c_int64_t) function vesica_signed_distance_many_f64(a, b, out) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+    end function
+
+    !> Signed distances of a[i] and b[j].
+    integer(c_int64_t) function vesica_signed_distance_matrix_f64(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> Are two shapes at most `distance` apart?
+    integer(c_int32_t) function vesica_within_f64(kind_a, numbers_a, kind_b, numbers_b, distance) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: numbers_b(*)
+      real(c_double), value :: distance
+    end function
+
+    !> Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f64.
+    integer(c_int64_t) function vesica_within_many_f64(a, b, distance, out) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      real(c_double), value :: distance
+      type(c_ptr), value :: out
+    end function
+
+    !> Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f64.
+    integer(c_int64_t) function vesica_within_matrix_f64(a, b, distance, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      real(c_double), value :: distance
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
+    integer(c_int32_t) function vesica_suppress_f64(shapes, scores, labels, ratio, threshold, least_score, most, &
+      scratch, scratch_size, keep, kept) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: shapes
+      type(c_ptr), value :: scores
+      type(c_ptr), value :: labels
+      integer(c_int32_t), value :: ratio
+      real(c_double), value :: threshold
+      real(c_double), value :: least_score
+      integer(c_int64_t), value :: most
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: keep
+      type(c_ptr), value :: kept
+    end function
+
+    !> How many bytes of scratch does soft suppression of `count` shapes need?
+    integer(c_int64_t) function vesica_suppress_soft_scratch(count) bind(c)
+      import
+      integer(c_int64_t), value :: count
+    end function
+
+    !> Soft suppression: what a better shape covers keeps a lower score.
+    integer(c_int32_t) function vesica_suppress_soft_f64(shapes, scores, labels, ratio, decay, parameter, &
+      least_score, most, scratch, scratch_size, keep, decayed, kept) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: shapes
+      type(c_ptr), value :: scores
+      type(c_ptr), value :: labels
+      integer(c_int32_t), value :: ratio
+      integer(c_int32_t), value :: decay
+      real(c_double), value :: parameter
+      real(c_double), value :: least_score
+      integer(c_int64_t), value :: most
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: keep
+      type(c_ptr), value :: decayed
+      type(c_ptr), value :: kept
+    end function
+
+    !> What share of a's area does b cover, or of b's area a?
+    integer(c_int32_t) function vesica_ratio_f32(ratio, kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: ratio
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: numbers_b(*)
+      type(c_ptr), value :: out
+    end function
+
+    !> A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
+    integer(c_int64_t) function vesica_ratio_many_f32(ratio, a, b, out) bind(c)
+      import
+      integer(c_int32_t), value :: ratio
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+    end function
+
+    !> A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f32.
+    integer(c_int64_t) function vesica_ratio_matrix_f32(ratio, a, b, out, row_stride) bind(c)
+      import
+      integer(c_int32_t), value :: ratio
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> How far apart are a[i] and b[j]?
+    integer(c_int64_t) function vesica_nearest_matrix_f32(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> How far apart are the outlines of a[i] and b[j]?
+    integer(c_int64_t) function vesica_boundary_distance_matrix_f32(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> How deep do a[i] and b[j] overlap?
+    integer(c_int64_t) function vesica_depth_matrix_f32(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> Greedy non-maximum suppression as vesica_nms_f32, by any ratio and among like labels.
+    integer(c_int32_t) function vesica_suppress_f32(shapes, scores, labels, ratio, threshold, least_score, most, &
+      scratch, scratch_size, keep, kept) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: shapes
+      type(c_ptr), value :: scores
+      type(c_ptr), value :: labels
+      integer(c_int32_t), value :: ratio
+      real(c_float), value :: threshold
+      real(c_float), value :: least_score
+      integer(c_int64_t), value :: most
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: keep
+      type(c_ptr), value :: kept
+    end function
+
+    !> How far apart are two shapes or, as a number below 0, how deep do they overlap?
+    integer(c_int32_t) function vesica_signed_distance_f32(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: numbers_b(*)
+      type(c_ptr), value :: out
+    end function
+
+    !> Signed distances of a[i] and b[i].
+    integer(c_int64_t) function vesica_signed_distance_many_f32(a, b, out) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+    end function
+
+    !> Signed distances of a[i] and b[j].
+    integer(c_int64_t) function vesica_signed_distance_matrix_f32(a, b, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> Are two shapes at most `distance` apart?
+    integer(c_int32_t) function vesica_within_f32(kind_a, numbers_a, kind_b, numbers_b, distance) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: numbers_b(*)
+      real(c_float), value :: distance
+    end function
+
+    !> Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f32.
+    integer(c_int64_t) function vesica_within_many_f32(a, b, distance, out) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      real(c_float), value :: distance
+      type(c_ptr), value :: out
+    end function
+
+    !> Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f32.
+    integer(c_int64_t) function vesica_within_matrix_f32(a, b, distance, out, row_stride) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      real(c_float), value :: distance
+      type(c_ptr), value :: out
+      integer(c_ptrdiff_t), value :: row_stride
+    end function
+
+    !> Soft suppression: what a better shape covers keeps a lower score.
+    integer(c_int32_t) function vesica_suppress_soft_f32(shapes, scores, labels, ratio, decay, parameter, &
+      least_score, most, scratch, scratch_size, keep, decayed, kept) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: shapes
+      type(c_ptr), value :: scores
+      type(c_ptr), value :: labels
+      integer(c_int32_t), value :: ratio
+      integer(c_int32_t), value :: decay
+      real(c_float), value :: parameter
+      real(c_float), value :: least_score
+      integer(c_int64_t), value :: most
+      type(c_ptr), value :: scratch
+      integer(c_int64_t), value :: scratch_size
+      type(c_ptr), value :: keep
+      type(c_ptr), value :: decayed
+      type(c_ptr), value :: kept
+    end function
+
+    !> Does b touch a while it moves, when first, and where?
+    integer(c_int32_t) function vesica_cast_f64(kind_a, numbers_a, kind_b, numbers_b, vx, vy, t_end, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: numbers_b(*)
+      real(c_double), value :: vx
+      real(c_double), value :: vy
+      real(c_double), value :: t_end
+      type(vesica_impact_f64), intent(out) :: out
+    end function
+
+    !> When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
+    integer(c_int64_t) function vesica_cast_many_f64(a, b, vx, vy, stride, t_end, t, x, y, nx, ny) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: a
+      type(vesica_shapes_f64), intent(in) :: b
+      type(c_ptr), value :: vx
+      type(c_ptr), value :: vy
+      integer(c_ptrdiff_t), value :: stride
+      real(c_double), value :: t_end
+      type(c_ptr), value :: t
+      type(c_ptr), value :: x
+      type(c_ptr), value :: y
+      type(c_ptr), value :: nx
+      type(c_ptr), value :: ny
+    end function
+
+    !> Which of many shapes at rest does one moving shape touch first?
+    integer(c_int64_t) function vesica_cast_first_f64(one, many, vx, vy, t_end, out) bind(c)
+      import
+      type(vesica_shapes_f64), intent(in) :: one
+      type(vesica_shapes_f64), intent(in) :: many
+      real(c_double), value :: vx
+      real(c_double), value :: vy
+      real(c_double), value :: t_end
+      type(vesica_impact_f64), intent(out) :: out
+    end function
+
+    !> A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+    integer(c_int32_t) function vesica_sweep_bounds_f64(kind, numbers, vx, vy, t_end, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      real(c_double), intent(in) :: numbers(*)
+      real(c_double), value :: vx
+      real(c_double), value :: vy
+      real(c_double), value :: t_end
+      type(vesica_aabb_f64), intent(out) :: out
+    end function
+
+    !> Which items of an index does one moving shape touch?
+    integer(c_int64_t) function vesica_index_cast_f64(index, sets, set_count, one, vx, vy, t_end, out, capacity, &
+      state) bind(c)
+      import
+      type(c_ptr), value :: index
+      type(c_ptr), value :: sets
+      integer(c_int32_t), value :: set_count
+      type(vesica_shapes_f64), intent(in) :: one
+      real(c_double), value :: vx
+      real(c_double), value :: vy
+      real(c_double), value :: t_end
+      type(c_ptr), value :: out
+      integer(c_int64_t), value :: capacity
+      type(c_ptr), value :: state
+    end function
+
+    !> Which item of an index does one moving shape touch first?
+    integer(c_int64_t) function vesica_index_cast_first_f64(index, sets, set_count, one, vx, vy, t_end, out) bind(c)
+      import
+      type(c_ptr), value :: index
+      type(c_ptr), value :: sets
+      integer(c_int32_t), value :: set_count
+      type(vesica_shapes_f64), intent(in) :: one
+      real(c_double), value :: vx
+      real(c_double), value :: vy
+      real(c_double), value :: t_end
+      type(vesica_impact_f64), intent(out) :: out
+    end function
+
+    !> Does b touch a while it moves, when first, and where?
+    integer(c_int32_t) function vesica_cast_f32(kind_a, numbers_a, kind_b, numbers_b, vx, vy, t_end, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: numbers_b(*)
+      real(c_float), value :: vx
+      real(c_float), value :: vy
+      real(c_float), value :: t_end
+      type(vesica_impact_f32), intent(out) :: out
+    end function
+
+    !> When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
+    integer(c_int64_t) function vesica_cast_many_f32(a, b, vx, vy, stride, t_end, t, x, y, nx, ny) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: a
+      type(vesica_shapes_f32), intent(in) :: b
+      type(c_ptr), value :: vx
+      type(c_ptr), value :: vy
+      integer(c_ptrdiff_t), value :: stride
+      real(c_float), value :: t_end
+      type(c_ptr), value :: t
+      type(c_ptr), value :: x
+      type(c_ptr), value :: y
+      type(c_ptr), value :: nx
+      type(c_ptr), value :: ny
+    end function
+
+    !> Which of many shapes at rest does one moving shape touch first?
+    integer(c_int64_t) function vesica_cast_first_f32(one, many, vx, vy, t_end, out) bind(c)
+      import
+      type(vesica_shapes_f32), intent(in) :: one
+      type(vesica_shapes_f32), intent(in) :: many
+      real(c_float), value :: vx
+      real(c_float), value :: vy
+      real(c_float), value :: t_end
+      type(vesica_impact_f32), intent(out) :: out
+    end function
+
+    !> A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+    integer(c_int32_t) function vesica_sweep_bounds_f32(kind, numbers, vx, vy, t_end, out) bind(c)
+      import
+      integer(c_int32_t), value :: kind
+      real(c_float), intent(in) :: numbers(*)
+      real(c_float), value :: vx
+      real(c_float), value :: vy
+      real(c_float), value :: t_end
+      type(vesica_aabb_f32), intent(out) :: out
+    end function
+
+    !> Which items of an index does one moving shape touch?
+    integer(c_int64_t) function vesica_index_cast_f32(index, sets, set_count, one, vx, vy, t_end, out, capacity, &
+      state) bind(c)
+      import
+      type(c_ptr), value :: index
+      type(c_ptr), value :: sets
+      integer(c_int32_t), value :: set_count
+      type(vesica_shapes_f32), intent(in) :: one
+      real(c_float), value :: vx
+      real(c_float), value :: vy
+      real(c_float), value :: t_end
+      type(c_ptr), value :: out
+      integer(c_int64_t), value :: capacity
+      type(c_ptr), value :: state
+    end function
+
+    !> Which item of an index does one moving shape touch first?
+    integer(c_int64_t) function vesica_index_cast_first_f32(index, sets, set_count, one, vx, vy, t_end, out) bind(c)
+      import
+      type(c_ptr), value :: index
+      type(c_ptr), value :: sets
+      integer(c_int32_t), value :: set_count
+      type(vesica_shapes_f32), intent(in) :: one
+      real(c_float), value :: vx
+      real(c_float), value :: vy
+      real(c_float), value :: t_end
+      type(vesica_impact_f32), intent(out) :: out
+    end function
+
+    !> The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+    integer(c_int32_t) function vesica_de9im_f64(kind_a, numbers_a, kind_b, numbers_b, matrix) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: numbers_b(*)
+      type(c_ptr), value :: matrix
+    end function
+
+    !> Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
+    integer(c_int32_t) function vesica_de9im_match(matrix, pattern) bind(c)
+      import
+      type(c_ptr), value :: matrix
+      type(c_ptr), value :: pattern
+    end function
+
+    !> The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
+    !> shape.
+    integer(c_int32_t) function vesica_intersection_f64(kind_a, numbers_a, kind_b, numbers_b, vertices) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: numbers_b(*)
+      type(c_ptr), value :: vertices
+    end function
+
+    !> The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+    integer(c_int32_t) function vesica_de9im_f32(kind_a, numbers_a, kind_b, numbers_b, matrix) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: numbers_b(*)
+      type(c_ptr), value :: matrix
+    end function
+
+    !> The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
+    !> shape.
+    integer(c_int32_t) function vesica_intersection_f32(kind_a, numbers_a, kind_b, numbers_b, vertices) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: numbers_a(*)
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: numbers_b(*)
+      type(c_ptr), value :: vertices
+    end function
+  end interface
+end module

@@ -1,0 +1,845 @@
+// SPDX-License-Identifier: Apache-2.0
+// Written by capi/declare from capi/vesica.json: not to be edited.
+// The constants, records and functions of libvesica. Arrays may be nil where the header says so.
+unit vesica_c;
+
+{$mode objfpc}{$H+}{$packrecords c}
+
+interface
+
+const
+  vesica_library = 'vesica';
+  vesica_declared_version_major = 0;
+  vesica_declared_version_minor = 1;
+  vesica_declared_version_patch = 0;
+  vesica_declared_version = 100;
+  vesica_point = 0;
+  vesica_segment = 1;
+  vesica_circle = 2;
+  vesica_aabb = 3;
+  vesica_rect = 4;
+  vesica_ellipse = 5;
+  vesica_disjoint = 0;
+  vesica_touch = 1;
+  vesica_cross = 2;
+  vesica_inside = 3;
+  vesica_inside_touch = 4;
+  vesica_contains = 5;
+  vesica_contains_touch = 6;
+  vesica_equal = 7;
+  vesica_e_null = -1;
+  vesica_e_shape = -2;
+  vesica_e_kind = -3;
+  vesica_e_argument = -4;
+  vesica_e_not_finite = -5;
+  vesica_e_negative_size = -6;
+  vesica_e_zero_axis = -7;
+  vesica_e_inverted = -8;
+  vesica_e_range = -9;
+  vesica_e_index = -10;
+  vesica_angle_radians = 0;
+  vesica_angle_degrees = 1;
+  vesica_angle_quarters = 2;
+  vesica_angle_reversed = 4;
+  vesica_join_overlap = 0;
+  vesica_join_bounds = 1;
+  vesica_join_contains = 2;
+  vesica_join_inside = 3;
+  vesica_ratio_over_union = 0;
+  vesica_ratio_over_first = 1;
+  vesica_ratio_over_second = 2;
+  vesica_ratio_over_smaller = 3;
+  vesica_ratio_generalized = 4;
+  vesica_ratio_distance = 5;
+  vesica_ratio_complete = 6;
+  vesica_within_no = 0;
+  vesica_within_yes = 1;
+  vesica_within_nearly = 2;
+  vesica_decay_linear = 0;
+  vesica_decay_gaussian = 1;
+  vesica_cast_miss = 0;
+  vesica_cast_hit = 1;
+  vesica_cast_start = 2;
+  vesica_de9im_size = 10;
+  vesica_most_vertices = 8;
+
+type
+  // A location.
+  TVesicaPointF64 = record
+    x: Double;
+    y: Double;
+  end;
+  PVesicaPointF64 = ^TVesicaPointF64;
+  // All points between two end points.
+  TVesicaSegmentF64 = record
+    x0: Double;
+    y0: Double;
+    x1: Double;
+    y1: Double;
+  end;
+  PVesicaSegmentF64 = ^TVesicaSegmentF64;
+  // A disc: centre and radius, r >= 0.
+  TVesicaCircleF64 = record
+    cx: Double;
+    cy: Double;
+    r: Double;
+  end;
+  PVesicaCircleF64 = ^TVesicaCircleF64;
+  // A box along the coordinate axes, min_x <= max_x and min_y <= max_y.
+  TVesicaAabbF64 = record
+    min_x: Double;
+    min_y: Double;
+    max_x: Double;
+    max_y: Double;
+  end;
+  PVesicaAabbF64 = ^TVesicaAabbF64;
+  // All points C + s u + t perp(u) with |s| <= hx and |t| <= hy, where C is (cx, cy); hx, hy >= 0 and u != (0, 0).
+  TVesicaRectF64 = record
+    cx: Double;
+    cy: Double;
+    ux: Double;
+    uy: Double;
+    hx: Double;
+    hy: Double;
+  end;
+  PVesicaRectF64 = ^TVesicaRectF64;
+  // All points C + s u + t perp(u) with (s/a)^2 + (t/b)^2 <= 1, where C is (cx, cy); a, b >= 0 and u != (0, 0).
+  TVesicaEllipseF64 = record
+    cx: Double;
+    cy: Double;
+    ux: Double;
+    uy: Double;
+    a: Double;
+    b: Double;
+  end;
+  PVesicaEllipseF64 = ^TVesicaEllipseF64;
+  // A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
+  TVesicaClosestPointsF64 = record
+    distance: Double;
+    ax: Double;
+    ay: Double;
+    bx: Double;
+    by: Double;
+  end;
+  PVesicaClosestPointsF64 = ^TVesicaClosestPointsF64;
+  // Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if they have a stretch in common.
+  TVesicaCrossingPointsF64 = record
+    count: Int32;
+    shared: Int32;
+    x: array[0..7] of Double;
+    y: array[0..7] of Double;
+  end;
+  PVesicaCrossingPointsF64 = ^TVesicaCrossingPointsF64;
+  // The shortest move of b that ends its overlap with a: its length, and its unit direction (x, y).
+  TVesicaPenetrationF64 = record
+    depth: Double;
+    x: Double;
+    y: Double;
+  end;
+  PVesicaPenetrationF64 = ^TVesicaPenetrationF64;
+  // An array of shapes of one kind, however it lies in memory: as records, packed or padded, or as one column per
+  // number.
+  TVesicaShapesF64 = record
+    kind: Int32;
+    reserved: Int32;
+    count: Int64;
+    stride: PtrInt;
+    field: array[0..5] of PDouble;
+  end;
+  PVesicaShapesF64 = ^TVesicaShapesF64;
+  // A location.
+  TVesicaPointF32 = record
+    x: Single;
+    y: Single;
+  end;
+  PVesicaPointF32 = ^TVesicaPointF32;
+  // All points between two end points.
+  TVesicaSegmentF32 = record
+    x0: Single;
+    y0: Single;
+    x1: Single;
+    y1: Single;
+  end;
+  PVesicaSegmentF32 = ^TVesicaSegmentF32;
+  // A disc: centre and radius, r >= 0.
+  TVesicaCircleF32 = record
+    cx: Single;
+    cy: Single;
+    r: Single;
+  end;
+  PVesicaCircleF32 = ^TVesicaCircleF32;
+  // A box along the coordinate axes, min_x <= max_x and min_y <= max_y.
+  TVesicaAabbF32 = record
+    min_x: Single;
+    min_y: Single;
+    max_x: Single;
+    max_y: Single;
+  end;
+  PVesicaAabbF32 = ^TVesicaAabbF32;
+  // All points C + s u + t perp(u) with |s| <= hx and |t| <= hy, where C is (cx, cy); hx, hy >= 0 and u != (0, 0).
+  TVesicaRectF32 = record
+    cx: Single;
+    cy: Single;
+    ux: Single;
+    uy: Single;
+    hx: Single;
+    hy: Single;
+  end;
+  PVesicaRectF32 = ^TVesicaRectF32;
+  // All points C + s u + t perp(u) with (s/a)^2 + (t/b)^2 <= 1, where C is (cx, cy); a, b >= 0 and u != (0, 0).
+  TVesicaEllipseF32 = record
+    cx: Single;
+    cy: Single;
+    ux: Single;
+    uy: Single;
+    a: Single;
+    b: Single;
+  end;
+  PVesicaEllipseF32 = ^TVesicaEllipseF32;
+  // A distance, and two points that are that far apart: (ax, ay) of shape a and (bx, by) of shape b.
+  TVesicaClosestPointsF32 = record
+    distance: Single;
+    ax: Single;
+    ay: Single;
+    bx: Single;
+    by: Single;
+  end;
+  PVesicaClosestPointsF32 = ^TVesicaClosestPointsF32;
+  // Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if they have a stretch in common.
+  TVesicaCrossingPointsF32 = record
+    count: Int32;
+    shared: Int32;
+    x: array[0..7] of Single;
+    y: array[0..7] of Single;
+  end;
+  PVesicaCrossingPointsF32 = ^TVesicaCrossingPointsF32;
+  // The shortest move of b that ends its overlap with a: its length, and its unit direction (x, y).
+  TVesicaPenetrationF32 = record
+    depth: Single;
+    x: Single;
+    y: Single;
+  end;
+  PVesicaPenetrationF32 = ^TVesicaPenetrationF32;
+  // An array of shapes of one kind, however it lies in memory: as records, packed or padded, or as one column per
+  // number.
+  TVesicaShapesF32 = record
+    kind: Int32;
+    reserved: Int32;
+    count: Int64;
+    stride: PtrInt;
+    field: array[0..5] of PSingle;
+  end;
+  PVesicaShapesF32 = ^TVesicaShapesF32;
+  // A first contact: when, where and along which normal.
+  TVesicaImpactF64 = record
+    t: Double;
+    x: Double;
+    y: Double;
+    nx: Double;
+    ny: Double;
+  end;
+  PVesicaImpactF64 = ^TVesicaImpactF64;
+  // A first contact: when, where and along which normal.
+  TVesicaImpactF32 = record
+    t: Single;
+    x: Single;
+    y: Single;
+    nx: Single;
+    ny: Single;
+  end;
+  PVesicaImpactF32 = ^TVesicaImpactF32;
+
+// Version of the loaded library, to be compared with VESICA_VERSION: a smaller one is older than the header.
+function vesica_version: Int32; cdecl; external vesica_library;
+// VESICA_VERSION_MAJOR of the loaded library.
+function vesica_version_major: Int32; cdecl; external vesica_library;
+// VESICA_VERSION_MINOR of the loaded library.
+function vesica_version_minor: Int32; cdecl; external vesica_library;
+// VESICA_VERSION_PATCH of the loaded library.
+function vesica_version_patch: Int32; cdecl; external vesica_library;
+// What an error code means, as one English phrase without a final stop.
+function vesica_strerror(code: Int32): PChar; cdecl; external vesica_library;
+// How many numbers does a shape of this kind have?
+function vesica_field_count(kind: Int32): Int32; cdecl; external vesica_library;
+// Name of a kind.
+function vesica_kind_name(kind: Int32): PChar; cdecl; external vesica_library;
+// Name of the instruction set that batches run on: the best that this processor has.
+function vesica_isa_name: PChar; cdecl; external vesica_library;
+// Is a shape valid, and if not, which rule does it break?
+function vesica_check_f64(kind: Int32; numbers: PDouble): Int32; cdecl; external vesica_library;
+// Do two shapes share a point?
+function vesica_overlap_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble): Int32; cdecl;
+  external vesica_library;
+// How does a relate to b?
+function vesica_relation_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble): Int32; cdecl;
+  external vesica_library;
+// Does a contain all of b?
+function vesica_contains_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble): Int32; cdecl;
+  external vesica_library;
+// Where do the outlines of two shapes meet?
+function vesica_crossings_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; output:
+  PVesicaCrossingPointsF64): Int32; cdecl; external vesica_library;
+// How far apart are two solid shapes, and which of their points are closest?
+function vesica_nearest_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; output:
+  PVesicaClosestPointsF64): Int32; cdecl; external vesica_library;
+// How far apart are the outlines of two shapes, and where do they come closest?
+function vesica_boundary_distance_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; output:
+  PVesicaClosestPointsF64): Int32; cdecl; external vesica_library;
+// Penetration depth: how far and which way must b be moved until the two shapes only touch?
+function vesica_depth_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; output:
+  PVesicaPenetrationF64): Int32; cdecl; external vesica_library;
+// Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+function vesica_shape_area_f64(kind: Int32; numbers: PDouble; output: PDouble): Int32; cdecl; external
+  vesica_library;
+// Area of the intersection of two shapes.
+function vesica_area_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; output: PDouble):
+  Int32; cdecl; external vesica_library;
+// Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
+function vesica_iou_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; output: PDouble):
+  Int32; cdecl; external vesica_library;
+// Smallest box of representable numbers that contains a shape.
+function vesica_bounds_f64(kind: Int32; numbers: PDouble; output: PVesicaAabbF64): Int32; cdecl; external
+  vesica_library;
+// Are the two points the same?
+function vesica_overlap_point_point_f64(a: PVesicaPointF64; b: PVesicaPointF64): Int32; cdecl; external
+  vesica_library;
+// Does the point lie on the segment?
+function vesica_overlap_point_segment_f64(a: PVesicaPointF64; b: PVesicaSegmentF64): Int32; cdecl; external
+  vesica_library;
+// Does the point lie in the disc or on its rim?
+function vesica_overlap_point_circle_f64(a: PVesicaPointF64; b: PVesicaCircleF64): Int32; cdecl; external
+  vesica_library;
+// Does the point lie in the box or on its outline?
+function vesica_overlap_point_aabb_f64(a: PVesicaPointF64; b: PVesicaAabbF64): Int32; cdecl; external
+  vesica_library;
+// Does the point lie in the rectangle or on its outline?
+function vesica_overlap_point_rect_f64(a: PVesicaPointF64; b: PVesicaRectF64): Int32; cdecl; external
+  vesica_library;
+// Does the point lie in the ellipse or on its outline?
+function vesica_overlap_point_ellipse_f64(a: PVesicaPointF64; b: PVesicaEllipseF64): Int32; cdecl; external
+  vesica_library;
+// Do the segments share a point?
+function vesica_overlap_segment_segment_f64(a: PVesicaSegmentF64; b: PVesicaSegmentF64): Int32; cdecl; external
+  vesica_library;
+// Does the segment meet the disc?
+function vesica_overlap_segment_circle_f64(a: PVesicaSegmentF64; b: PVesicaCircleF64): Int32; cdecl; external
+  vesica_library;
+// Does the segment meet the box?
+function vesica_overlap_segment_aabb_f64(a: PVesicaSegmentF64; b: PVesicaAabbF64): Int32; cdecl; external
+  vesica_library;
+// Does the segment meet the rectangle?
+function vesica_overlap_segment_rect_f64(a: PVesicaSegmentF64; b: PVesicaRectF64): Int32; cdecl; external
+  vesica_library;
+// Does the segment meet the ellipse?
+function vesica_overlap_segment_ellipse_f64(a: PVesicaSegmentF64; b: PVesicaEllipseF64): Int32; cdecl; external
+  vesica_library;
+// Do the discs share a point?
+function vesica_overlap_circle_circle_f64(a: PVesicaCircleF64; b: PVesicaCircleF64): Int32; cdecl; external
+  vesica_library;
+// Do the disc and the box share a point?
+function vesica_overlap_circle_aabb_f64(a: PVesicaCircleF64; b: PVesicaAabbF64): Int32; cdecl; external
+  vesica_library;
+// Do the disc and the rectangle share a point?
+function vesica_overlap_circle_rect_f64(a: PVesicaCircleF64; b: PVesicaRectF64): Int32; cdecl; external
+  vesica_library;
+// Do the disc and the ellipse share a point?
+function vesica_overlap_circle_ellipse_f64(a: PVesicaCircleF64; b: PVesicaEllipseF64): Int32; cdecl; external
+  vesica_library;
+// Do the boxes share a point?
+function vesica_overlap_aabb_aabb_f64(a: PVesicaAabbF64; b: PVesicaAabbF64): Int32; cdecl; external vesica_library;
+// Do the box and the rectangle share a point?
+function vesica_overlap_aabb_rect_f64(a: PVesicaAabbF64; b: PVesicaRectF64): Int32; cdecl; external vesica_library;
+// Do the box and the ellipse share a point?
+function vesica_overlap_aabb_ellipse_f64(a: PVesicaAabbF64; b: PVesicaEllipseF64): Int32; cdecl; external
+  vesica_library;
+// Do the rectangles share a point?
+function vesica_overlap_rect_rect_f64(a: PVesicaRectF64; b: PVesicaRectF64): Int32; cdecl; external vesica_library;
+// Do the rectangle and the ellipse share a point?
+function vesica_overlap_rect_ellipse_f64(a: PVesicaRectF64; b: PVesicaEllipseF64): Int32; cdecl; external
+  vesica_library;
+// Do the ellipses share a point?
+function vesica_overlap_ellipse_ellipse_f64(a: PVesicaEllipseF64; b: PVesicaEllipseF64): Int32; cdecl; external
+  vesica_library;
+// Box with two opposite corners, in any order.
+function vesica_aabb_from_corners_f64(x0: Double; y0: Double; x1: Double; y1: Double; output: PVesicaAabbF64):
+  Int32; cdecl; external vesica_library;
+// Rectangle from centre, angle and full size: width along the angle, height across it.
+function vesica_rect_from_angle_f64(cx: Double; cy: Double; angle: Double; width: Double; height: Double; output:
+  PVesicaRectF64): Int32; cdecl; external vesica_library;
+// Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
+function vesica_rect_from_corners_f64(corners: PDouble; output: PVesicaRectF64): Int32; cdecl; external
+  vesica_library;
+// Ellipse from centre, angle and half lengths: a along the angle, b across it.
+function vesica_ellipse_from_angle_f64(cx: Double; cy: Double; angle: Double; a: Double; b: Double; output:
+  PVesicaEllipseF64): Int32; cdecl; external vesica_library;
+// Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx, wy).
+function vesica_ellipse_from_radius_vector_f64(cx: Double; cy: Double; wx: Double; wy: Double; ratio: Double;
+  output: PVesicaEllipseF64): Int32; cdecl; external vesica_library;
+// Ellipse of the points within k standard deviations of a mean (Mahalanobis distance at most k).
+function vesica_ellipse_from_covariance_f64(mean_x: Double; mean_y: Double; cxx: Double; cxy: Double; cyy: Double;
+  k: Double; output: PVesicaEllipseF64): Int32; cdecl; external vesica_library;
+// Ellipse of the points X with (X - C) .
+function vesica_ellipse_from_matrix_f64(cx: Double; cy: Double; mxx: Double; mxy: Double; myy: Double; output:
+  PVesicaEllipseF64): Int32; cdecl; external vesica_library;
+// Describes an array of `count` records, each of which starts with a shape's struct.
+function vesica_shapes_from_records_f64(kind: Int32; count: Int64; base: Pointer; stride: PtrInt; output:
+  PVesicaShapesF64): Int32; cdecl; external vesica_library;
+// Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f64.
+function vesica_overlap_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PByte): Int64; cdecl; external
+  vesica_library;
+// How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f64.
+function vesica_relation_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PByte): Int64; cdecl; external
+  vesica_library;
+// Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f64.
+function vesica_contains_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PByte): Int64; cdecl; external
+  vesica_library;
+// How far apart are a[i] and b[i], and where?
+function vesica_nearest_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; distance: PDouble; ax: PDouble; ay:
+  PDouble; bx: PDouble; by: PDouble): Int64; cdecl; external vesica_library;
+// How far apart are the outlines of a[i] and b[i]?
+function vesica_boundary_distance_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; distance: PDouble; ax: PDouble;
+  ay: PDouble; bx: PDouble; by: PDouble): Int64; cdecl; external vesica_library;
+// How deep do a[i] and b[i] overlap?
+function vesica_depth_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; depth: PDouble; x: PDouble; y: PDouble):
+  Int64; cdecl; external vesica_library;
+// What area do a[i] and b[i] share? out[i] is the result of vesica_area_f64.
+function vesica_area_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble): Int64; cdecl; external
+  vesica_library;
+// Intersection over union of a[i] and b[i]: out[i] is the result of vesica_iou_f64.
+function vesica_iou_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble): Int64; cdecl; external
+  vesica_library;
+// Do a[i] and b[j] share a point?
+function vesica_overlap_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PByte; row_stride: PtrInt):
+  Int64; cdecl; external vesica_library;
+// How does a[i] relate to b[j]?
+function vesica_relation_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PByte; row_stride: PtrInt):
+  Int64; cdecl; external vesica_library;
+// Does a[i] contain all of b[j]?
+function vesica_contains_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PByte; row_stride: PtrInt):
+  Int64; cdecl; external vesica_library;
+// What area do a[i] and b[j] share?
+function vesica_area_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble; row_stride: PtrInt):
+  Int64; cdecl; external vesica_library;
+// Intersection over union of a[i] and b[j].
+function vesica_iou_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble; row_stride: PtrInt):
+  Int64; cdecl; external vesica_library;
+// Which of many shapes overlap one?
+function vesica_overlap_select_f64(one: PVesicaShapesF64; many: PVesicaShapesF64; output: PInt64; capacity: Int64):
+  Int64; cdecl; external vesica_library;
+// Bytes of scratch memory that vesica_nms_f64 and vesica_nms_f32 need for that many shapes.
+function vesica_nms_scratch(count: Int64): Int64; cdecl; external vesica_library;
+// Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one whose
+// vesica_iou_f64 with every shape kept before is at most the threshold.
+function vesica_nms_f64(shapes: PVesicaShapesF64; scores: PDouble; threshold: Double; scratch: Pointer;
+  scratch_size: Int64; keep: PInt64; kept: PInt64): Int32; cdecl; external vesica_library;
+// Is a shape valid, and if not, which rule does it break?
+function vesica_check_f32(kind: Int32; numbers: PSingle): Int32; cdecl; external vesica_library;
+// Do two shapes share a point?
+function vesica_overlap_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle): Int32; cdecl;
+  external vesica_library;
+// How does a relate to b?
+function vesica_relation_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle): Int32; cdecl;
+  external vesica_library;
+// Does a contain all of b?
+function vesica_contains_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle): Int32; cdecl;
+  external vesica_library;
+// Where do the outlines of two shapes meet?
+function vesica_crossings_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; output:
+  PVesicaCrossingPointsF32): Int32; cdecl; external vesica_library;
+// How far apart are two solid shapes, and which of their points are closest?
+function vesica_nearest_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; output:
+  PVesicaClosestPointsF32): Int32; cdecl; external vesica_library;
+// How far apart are the outlines of two shapes, and where do they come closest?
+function vesica_boundary_distance_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; output:
+  PVesicaClosestPointsF32): Int32; cdecl; external vesica_library;
+// Penetration depth: how far and which way must b be moved until the two shapes only touch?
+function vesica_depth_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; output:
+  PVesicaPenetrationF32): Int32; cdecl; external vesica_library;
+// Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+function vesica_shape_area_f32(kind: Int32; numbers: PSingle; output: PSingle): Int32; cdecl; external
+  vesica_library;
+// Area of the intersection of two shapes.
+function vesica_area_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; output: PSingle):
+  Int32; cdecl; external vesica_library;
+// Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
+function vesica_iou_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; output: PSingle):
+  Int32; cdecl; external vesica_library;
+// Smallest box of representable numbers that contains a shape.
+function vesica_bounds_f32(kind: Int32; numbers: PSingle; output: PVesicaAabbF32): Int32; cdecl; external
+  vesica_library;
+// Are the two points the same?
+function vesica_overlap_point_point_f32(a: PVesicaPointF32; b: PVesicaPointF32): Int32; cdecl; external
+  vesica_library;
+// Does the point lie on the segment?
+function vesica_overlap_point_segment_f32(a: PVesicaPointF32; b: PVesicaSegmentF32): Int32; cdecl; external
+  vesica_library;
+// Does the point lie in the disc or on its rim?
+function vesica_overlap_point_circle_f32(a: PVesicaPointF32; b: PVesicaCircleF32): Int32; cdecl; external
+  vesica_library;
+// Does the point lie in the box or on its outline?
+function vesica_overlap_point_aabb_f32(a: PVesicaPointF32; b: PVesicaAabbF32): Int32; cdecl; external
+  vesica_library;
+// Does the point lie in the rectangle or on its outline?
+function vesica_overlap_point_rect_f32(a: PVesicaPointF32; b: PVesicaRectF32): Int32; cdecl; external
+  vesica_library;
+// Does the point lie in the ellipse or on its outline?
+function vesica_overlap_point_ellipse_f32(a: PVesicaPointF32; b: PVesicaEllipseF32): Int32; cdecl; external
+  vesica_library;
+// Do the segments share a point?
+function vesica_overlap_segment_segment_f32(a: PVesicaSegmentF32; b: PVesicaSegmentF32): Int32; cdecl; external
+  vesica_library;
+// Does the segment meet the disc?
+function vesica_overlap_segment_circle_f32(a: PVesicaSegmentF32; b: PVesicaCircleF32): Int32; cdecl; external
+  vesica_library;
+// Does the segment meet the box?
+function vesica_overlap_segment_aabb_f32(a: PVesicaSegmentF32; b: PVesicaAabbF32): Int32; cdecl; external
+  vesica_library;
+// Does the segment meet the rectangle?
+function vesica_overlap_segment_rect_f32(a: PVesicaSegmentF32; b: PVesicaRectF32): Int32; cdecl; external
+  vesica_library;
+// Does the segment meet the ellipse?
+function vesica_overlap_segment_ellipse_f32(a: PVesicaSegmentF32; b: PVesicaEllipseF32): Int32; cdecl; external
+  vesica_library;
+// Do the discs share a point?
+function vesica_overlap_circle_circle_f32(a: PVesicaCircleF32; b: PVesicaCircleF32): Int32; cdecl; external
+  vesica_library;
+// Do the disc and the box share a point?
+function vesica_overlap_circle_aabb_f32(a: PVesicaCircleF32; b: PVesicaAabbF32): Int32; cdecl; external
+  vesica_library;
+// Do the disc and the rectangle share a point?
+function vesica_overlap_circle_rect_f32(a: PVesicaCircleF32; b: PVesicaRectF32): Int32; cdecl; external
+  vesica_library;
+// Do the disc and the ellipse share a point?
+function vesica_overlap_circle_ellipse_f32(a: PVesicaCircleF32; b: PVesicaEllipseF32): Int32; cdecl; external
+  vesica_library;
+// Do the boxes share a point?
+function vesica_overlap_aabb_aabb_f32(a: PVesicaAabbF32; b: PVesicaAabbF32): Int32; cdecl; external vesica_library;
+// Do the box and the rectangle share a point?
+function vesica_overlap_aabb_rect_f32(a: PVesicaAabbF32; b: PVesicaRectF32): Int32; cdecl; external vesica_library;
+// Do the box and the ellipse share a point?
+function vesica_overlap_aabb_ellipse_f32(a: PVesicaAabbF32; b: PVesicaEllipseF32): Int32; cdecl; external
+  vesica_library;
+// Do the rectangles share a point?
+function vesica_overlap_rect_rect_f32(a: PVesicaRectF32; b: PVesicaRectF32): Int32; cdecl; external vesica_library;
+// Do the rectangle and the ellipse share a point?
+function vesica_overlap_rect_ellipse_f32(a: PVesicaRectF32; b: PVesicaEllipseF32): Int32; cdecl; external
+  vesica_library;
+// Do the ellipses share a point?
+function vesica_overlap_ellipse_ellipse_f32(a: PVesicaEllipseF32; b: PVesicaEllipseF32): Int32; cdecl; external
+  vesica_library;
+// Box with two opposite corners, in any order.
+function vesica_aabb_from_corners_f32(x0: Single; y0: Single; x1: Single; y1: Single; output: PVesicaAabbF32):
+  Int32; cdecl; external vesica_library;
+// Rectangle from centre, angle and full size: width along the angle, height across it.
+function vesica_rect_from_angle_f32(cx: Single; cy: Single; angle: Single; width: Single; height: Single; output:
+  PVesicaRectF32): Int32; cdecl; external vesica_library;
+// Rectangle from its four corners x0 y0 ... x3 y3, in order round the outline in either sense.
+function vesica_rect_from_corners_f32(corners: PSingle; output: PVesicaRectF32): Int32; cdecl; external
+  vesica_library;
+// Ellipse from centre, angle and half lengths: a along the angle, b across it.
+function vesica_ellipse_from_angle_f32(cx: Single; cy: Single; angle: Single; a: Single; b: Single; output:
+  PVesicaEllipseF32): Int32; cdecl; external vesica_library;
+// Ellipse from centre, radius vector and ratio: one half axis is (wx, wy), the other is ratio times perp(wx, wy).
+function vesica_ellipse_from_radius_vector_f32(cx: Single; cy: Single; wx: Single; wy: Single; ratio: Single;
+  output: PVesicaEllipseF32): Int32; cdecl; external vesica_library;
+// Ellipse of the points within k standard deviations of a mean (Mahalanobis distance at most k).
+function vesica_ellipse_from_covariance_f32(mean_x: Single; mean_y: Single; cxx: Single; cxy: Single; cyy: Single;
+  k: Single; output: PVesicaEllipseF32): Int32; cdecl; external vesica_library;
+// Ellipse of the points X with (X - C) .
+function vesica_ellipse_from_matrix_f32(cx: Single; cy: Single; mxx: Single; mxy: Single; myy: Single; output:
+  PVesicaEllipseF32): Int32; cdecl; external vesica_library;
+// Describes an array of `count` records, each of which starts with a shape's struct.
+function vesica_shapes_from_records_f32(kind: Int32; count: Int64; base: Pointer; stride: PtrInt; output:
+  PVesicaShapesF32): Int32; cdecl; external vesica_library;
+// Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f32.
+function vesica_overlap_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PByte): Int64; cdecl; external
+  vesica_library;
+// How does a[i] relate to b[i]? out[i] is the answer of vesica_relation_f32.
+function vesica_relation_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PByte): Int64; cdecl; external
+  vesica_library;
+// Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f32.
+function vesica_contains_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PByte): Int64; cdecl; external
+  vesica_library;
+// How far apart are a[i] and b[i], and where?
+function vesica_nearest_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; distance: PSingle; ax: PSingle; ay:
+  PSingle; bx: PSingle; by: PSingle): Int64; cdecl; external vesica_library;
+// How far apart are the outlines of a[i] and b[i]?
+function vesica_boundary_distance_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; distance: PSingle; ax: PSingle;
+  ay: PSingle; bx: PSingle; by: PSingle): Int64; cdecl; external vesica_library;
+// How deep do a[i] and b[i] overlap?
+function vesica_depth_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; depth: PSingle; x: PSingle; y: PSingle):
+  Int64; cdecl; external vesica_library;
+// What area do a[i] and b[i] share? out[i] is the result of vesica_area_f32.
+function vesica_area_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PSingle): Int64; cdecl; external
+  vesica_library;
+// Intersection over union of a[i] and b[i]: out[i] is the result of vesica_iou_f32.
+function vesica_iou_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PSingle): Int64; cdecl; external
+  vesica_library;
+// Do a[i] and b[j] share a point?
+function vesica_overlap_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PByte; row_stride: PtrInt):
+  Int64; cdecl; external vesica_library;
+// How does a[i] relate to b[j]?
+function vesica_relation_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PByte; row_stride: PtrInt):
+  Int64; cdecl; external vesica_library;
+// Does a[i] contain all of b[j]?
+function vesica_contains_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PByte; row_stride: PtrInt):
+  Int64; cdecl; external vesica_library;
+// What area do a[i] and b[j] share?
+function vesica_area_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PSingle; row_stride: PtrInt):
+  Int64; cdecl; external vesica_library;
+// Intersection over union of a[i] and b[j].
+function vesica_iou_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PSingle; row_stride: PtrInt):
+  Int64; cdecl; external vesica_library;
+// Which of many shapes overlap one?
+function vesica_overlap_select_f32(one: PVesicaShapesF32; many: PVesicaShapesF32; output: PInt64; capacity: Int64):
+  Int64; cdecl; external vesica_library;
+// Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one whose
+// vesica_iou_f32 with every shape kept before is at most the threshold.
+function vesica_nms_f32(shapes: PVesicaShapesF32; scores: PSingle; threshold: Single; scratch: Pointer;
+  scratch_size: Int64; keep: PInt64; kept: PInt64): Int32; cdecl; external vesica_library;
+// Rectangles from boxes.
+function vesica_rects_from_boxes_f64(boxes: PDouble; count: Int64; stride: PtrInt; angle: Int32; output:
+  PVesicaRectF64): Int64; cdecl; external vesica_library;
+// Ellipses from the boxes about them, whose sides they touch in the middle.
+function vesica_ellipses_from_boxes_f64(boxes: PDouble; count: Int64; stride: PtrInt; angle: Int32; output:
+  PVesicaEllipseF64): Int64; cdecl; external vesica_library;
+// Boxes from rectangles, or about ellipses: the way back.
+function vesica_boxes_from_shapes_f64(shapes: PVesicaShapesF64; angle: Int32; boxes: PDouble): Int64; cdecl;
+  external vesica_library;
+// The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+function vesica_corners_of_shapes_f64(shapes: PVesicaShapesF64; corners: PDouble): Int64; cdecl; external
+  vesica_library;
+// The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.
+function vesica_bounds_many_f64(shapes: PVesicaShapesF64; output: PVesicaAabbF64): Int64; cdecl; external
+  vesica_library;
+// Rectangles from boxes.
+function vesica_rects_from_boxes_f32(boxes: PSingle; count: Int64; stride: PtrInt; angle: Int32; output:
+  PVesicaRectF32): Int64; cdecl; external vesica_library;
+// Ellipses from the boxes about them, whose sides they touch in the middle.
+function vesica_ellipses_from_boxes_f32(boxes: PSingle; count: Int64; stride: PtrInt; angle: Int32; output:
+  PVesicaEllipseF32): Int64; cdecl; external vesica_library;
+// Boxes from rectangles, or about ellipses: the way back.
+function vesica_boxes_from_shapes_f32(shapes: PVesicaShapesF32; angle: Int32; boxes: PSingle): Int64; cdecl;
+  external vesica_library;
+// The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+function vesica_corners_of_shapes_f32(shapes: PVesicaShapesF32; corners: PSingle): Int64; cdecl; external
+  vesica_library;
+// The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.
+function vesica_bounds_many_f32(shapes: PVesicaShapesF32; output: PVesicaAabbF32): Int64; cdecl; external
+  vesica_library;
+// How many bytes suffice for an index of `count` shapes, of any kinds?
+function vesica_index_size(count: Int64): Int64; cdecl; external vesica_library;
+// How many bytes of scratch does building an index of `count` shapes need?
+function vesica_index_scratch(count: Int64): Int64; cdecl; external vesica_library;
+// How many bytes of scratch does a join need, whatever its indexes?
+function vesica_join_scratch: Int64; cdecl; external vesica_library;
+// Are these bytes an index that queries can read?
+function vesica_index_check(index: Pointer; size: Int64): Int32; cdecl; external vesica_library;
+// How many bytes does a built index take?
+function vesica_index_bytes(index: Pointer): Int64; cdecl; external vesica_library;
+// How many shapes was an index built from?
+function vesica_index_count(index: Pointer): Int64; cdecl; external vesica_library;
+// A box around all valid shapes of an index.
+function vesica_index_bounds(index: Pointer; output: PVesicaAabbF64): Int32; cdecl; external vesica_library;
+// The items of an index in spatial order: shapes that are near to each other stand near to each other.
+function vesica_index_order(index: Pointer; output: PInt64; capacity: Int64): Int64; cdecl; external vesica_library;
+// Builds the index of some sets of shapes.
+function vesica_index_build_f64(sets: PVesicaShapesF64; set_count: Int32; index: Pointer; index_size: Int64;
+  scratch: Pointer; scratch_size: Int64): Int64; cdecl; external vesica_library;
+// One part of a build in five steps, for several threads.
+function vesica_index_step_f64(step: Int32; part: Int64; parts: Int64; sets: PVesicaShapesF64; set_count: Int32;
+  index: Pointer; index_size: Int64; scratch: Pointer; scratch_size: Int64): Int64; cdecl; external vesica_library;
+// Which items of an index does one shape overlap?
+function vesica_index_select_f64(index: Pointer; sets: PVesicaShapesF64; set_count: Int32; one: PVesicaShapesF64;
+  output: PInt64; capacity: Int64; state: PInt64): Int64; cdecl; external vesica_library;
+// All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+function vesica_join_f64(query: Int32; index_a: Pointer; sets_a: PVesicaShapesF64; set_count_a: Int32; index_b:
+  Pointer; sets_b: PVesicaShapesF64; set_count_b: Int32; part: Int64; parts: Int64; scratch: Pointer; scratch_size:
+  Int64; out_a: PInt64; out_b: PInt64; capacity: Int64; state: PInt64): Int64; cdecl; external vesica_library;
+// All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
+// whose answer from vesica_within_f64 is > 0.
+function vesica_join_within_f64(index_a: Pointer; sets_a: PVesicaShapesF64; set_count_a: Int32; index_b: Pointer;
+  sets_b: PVesicaShapesF64; set_count_b: Int32; distance: Double; part: Int64; parts: Int64; out_a: PInt64; out_b:
+  PInt64; capacity: Int64; state: PInt64): Int64; cdecl; external vesica_library;
+// Which items of an index are nearest to one shape?
+function vesica_index_nearest_f64(index: Pointer; sets: PVesicaShapesF64; set_count: Int32; one: PVesicaShapesF64;
+  k: Int64; within: Double; output: PInt64; distance: PDouble): Int64; cdecl; external vesica_library;
+// Which items of index_b are nearest to each item of sets_a?
+function vesica_join_nearest_f64(sets_a: PVesicaShapesF64; set_count_a: Int32; index_b: Pointer; sets_b:
+  PVesicaShapesF64; set_count_b: Int32; k: Int64; within: Double; part: Int64; parts: Int64; output: PInt64;
+  distance: PDouble): Int64; cdecl; external vesica_library;
+// Builds the index of some sets of shapes.
+function vesica_index_build_f32(sets: PVesicaShapesF32; set_count: Int32; index: Pointer; index_size: Int64;
+  scratch: Pointer; scratch_size: Int64): Int64; cdecl; external vesica_library;
+// One part of a build in five steps, for several threads.
+function vesica_index_step_f32(step: Int32; part: Int64; parts: Int64; sets: PVesicaShapesF32; set_count: Int32;
+  index: Pointer; index_size: Int64; scratch: Pointer; scratch_size: Int64): Int64; cdecl; external vesica_library;
+// Which items of an index does one shape overlap?
+function vesica_index_select_f32(index: Pointer; sets: PVesicaShapesF32; set_count: Int32; one: PVesicaShapesF32;
+  output: PInt64; capacity: Int64; state: PInt64): Int64; cdecl; external vesica_library;
+// All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+function vesica_join_f32(query: Int32; index_a: Pointer; sets_a: PVesicaShapesF32; set_count_a: Int32; index_b:
+  Pointer; sets_b: PVesicaShapesF32; set_count_b: Int32; part: Int64; parts: Int64; scratch: Pointer; scratch_size:
+  Int64; out_a: PInt64; out_b: PInt64; capacity: Int64; state: PInt64): Int64; cdecl; external vesica_library;
+// All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
+// whose answer from vesica_within_f32 is > 0.
+function vesica_join_within_f32(index_a: Pointer; sets_a: PVesicaShapesF32; set_count_a: Int32; index_b: Pointer;
+  sets_b: PVesicaShapesF32; set_count_b: Int32; distance: Single; part: Int64; parts: Int64; out_a: PInt64; out_b:
+  PInt64; capacity: Int64; state: PInt64): Int64; cdecl; external vesica_library;
+// Which items of an index are nearest to one shape?
+function vesica_index_nearest_f32(index: Pointer; sets: PVesicaShapesF32; set_count: Int32; one: PVesicaShapesF32;
+  k: Int64; within: Single; output: PInt64; distance: PSingle): Int64; cdecl; external vesica_library;
+// Which items of index_b are nearest to each item of sets_a?
+function vesica_join_nearest_f32(sets_a: PVesicaShapesF32; set_count_a: Int32; index_b: Pointer; sets_b:
+  PVesicaShapesF32; set_count_b: Int32; k: Int64; within: Single; part: Int64; parts: Int64; output: PInt64;
+  distance: PSingle): Int64; cdecl; external vesica_library;
+// What share of a's area does b cover, or of b's area a?
+function vesica_ratio_f64(ratio: Int32; kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble;
+  output: PDouble): Int32; cdecl; external vesica_library;
+// A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
+function vesica_ratio_many_f64(ratio: Int32; a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble): Int64;
+  cdecl; external vesica_library;
+// A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f64.
+function vesica_ratio_matrix_f64(ratio: Int32; a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble;
+  row_stride: PtrInt): Int64; cdecl; external vesica_library;
+// How far apart are a[i] and b[j]?
+function vesica_nearest_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble; row_stride: PtrInt):
+  Int64; cdecl; external vesica_library;
+// How far apart are the outlines of a[i] and b[j]?
+function vesica_boundary_distance_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble; row_stride:
+  PtrInt): Int64; cdecl; external vesica_library;
+// How deep do a[i] and b[j] overlap?
+function vesica_depth_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble; row_stride: PtrInt):
+  Int64; cdecl; external vesica_library;
+// How far apart are two shapes or, as a number below 0, how deep do they overlap?
+function vesica_signed_distance_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; output:
+  PDouble): Int32; cdecl; external vesica_library;
+// Signed distances of a[i] and b[i].
+function vesica_signed_distance_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble): Int64; cdecl;
+  external vesica_library;
+// Signed distances of a[i] and b[j].
+function vesica_signed_distance_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble; row_stride:
+  PtrInt): Int64; cdecl; external vesica_library;
+// Are two shapes at most `distance` apart?
+function vesica_within_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; distance: Double):
+  Int32; cdecl; external vesica_library;
+// Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f64.
+function vesica_within_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; distance: Double; output: PByte): Int64;
+  cdecl; external vesica_library;
+// Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f64.
+function vesica_within_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; distance: Double; output: PByte;
+  row_stride: PtrInt): Int64; cdecl; external vesica_library;
+// Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
+function vesica_suppress_f64(shapes: PVesicaShapesF64; scores: PDouble; labels: PInt32; ratio: Int32; threshold:
+  Double; least_score: Double; most: Int64; scratch: Pointer; scratch_size: Int64; keep: PInt64; kept: PInt64):
+  Int32; cdecl; external vesica_library;
+// How many bytes of scratch does soft suppression of `count` shapes need?
+function vesica_suppress_soft_scratch(count: Int64): Int64; cdecl; external vesica_library;
+// Soft suppression: what a better shape covers keeps a lower score.
+function vesica_suppress_soft_f64(shapes: PVesicaShapesF64; scores: PDouble; labels: PInt32; ratio: Int32; decay:
+  Int32; parameter: Double; least_score: Double; most: Int64; scratch: Pointer; scratch_size: Int64; keep: PInt64;
+  decayed: PDouble; kept: PInt64): Int32; cdecl; external vesica_library;
+// What share of a's area does b cover, or of b's area a?
+function vesica_ratio_f32(ratio: Int32; kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle;
+  output: PSingle): Int32; cdecl; external vesica_library;
+// A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
+function vesica_ratio_many_f32(ratio: Int32; a: PVesicaShapesF32; b: PVesicaShapesF32; output: PSingle): Int64;
+  cdecl; external vesica_library;
+// A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f32.
+function vesica_ratio_matrix_f32(ratio: Int32; a: PVesicaShapesF32; b: PVesicaShapesF32; output: PSingle;
+  row_stride: PtrInt): Int64; cdecl; external vesica_library;
+// How far apart are a[i] and b[j]?
+function vesica_nearest_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PSingle; row_stride: PtrInt):
+  Int64; cdecl; external vesica_library;
+// How far apart are the outlines of a[i] and b[j]?
+function vesica_boundary_distance_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PSingle; row_stride:
+  PtrInt): Int64; cdecl; external vesica_library;
+// How deep do a[i] and b[j] overlap?
+function vesica_depth_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PSingle; row_stride: PtrInt):
+  Int64; cdecl; external vesica_library;
+// Greedy non-maximum suppression as vesica_nms_f32, by any ratio and among like labels.
+function vesica_suppress_f32(shapes: PVesicaShapesF32; scores: PSingle; labels: PInt32; ratio: Int32; threshold:
+  Single; least_score: Single; most: Int64; scratch: Pointer; scratch_size: Int64; keep: PInt64; kept: PInt64):
+  Int32; cdecl; external vesica_library;
+// How far apart are two shapes or, as a number below 0, how deep do they overlap?
+function vesica_signed_distance_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; output:
+  PSingle): Int32; cdecl; external vesica_library;
+// Signed distances of a[i] and b[i].
+function vesica_signed_distance_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PSingle): Int64; cdecl;
+  external vesica_library;
+// Signed distances of a[i] and b[j].
+function vesica_signed_distance_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PSingle; row_stride:
+  PtrInt): Int64; cdecl; external vesica_library;
+// Are two shapes at most `distance` apart?
+function vesica_within_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; distance: Single):
+  Int32; cdecl; external vesica_library;
+// Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f32.
+function vesica_within_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; distance: Single; output: PByte): Int64;
+  cdecl; external vesica_library;
+// Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f32.
+function vesica_within_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; distance: Single; output: PByte;
+  row_stride: PtrInt): Int64; cdecl; external vesica_library;
+// Soft suppression: what a better shape covers keeps a lower score.
+function vesica_suppress_soft_f32(shapes: PVesicaShapesF32; scores: PSingle; labels: PInt32; ratio: Int32; decay:
+  Int32; parameter: Single; least_score: Single; most: Int64; scratch: Pointer; scratch_size: Int64; keep: PInt64;
+  decayed: PSingle; kept: PInt64): Int32; cdecl; external vesica_library;
+// Does b touch a while it moves, when first, and where?
+function vesica_cast_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; vx: Double; vy:
+  Double; t_end: Double; output: PVesicaImpactF64): Int32; cdecl; external vesica_library;
+// When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
+function vesica_cast_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; vx: PDouble; vy: PDouble; stride: PtrInt;
+  t_end: Double; t: PDouble; x: PDouble; y: PDouble; nx: PDouble; ny: PDouble): Int64; cdecl; external
+  vesica_library;
+// Which of many shapes at rest does one moving shape touch first?
+function vesica_cast_first_f64(one: PVesicaShapesF64; many: PVesicaShapesF64; vx: Double; vy: Double; t_end: Double;
+  output: PVesicaImpactF64): Int64; cdecl; external vesica_library;
+// A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+function vesica_sweep_bounds_f64(kind: Int32; numbers: PDouble; vx: Double; vy: Double; t_end: Double; output:
+  PVesicaAabbF64): Int32; cdecl; external vesica_library;
+// Which items of an index does one moving shape touch?
+function vesica_index_cast_f64(index: Pointer; sets: PVesicaShapesF64; set_count: Int32; one: PVesicaShapesF64; vx:
+  Double; vy: Double; t_end: Double; output: PInt64; capacity: Int64; state: PInt64): Int64; cdecl; external
+  vesica_library;
+// Which item of an index does one moving shape touch first?
+function vesica_index_cast_first_f64(index: Pointer; sets: PVesicaShapesF64; set_count: Int32; one:
+  PVesicaShapesF64; vx: Double; vy: Double; t_end: Double; output: PVesicaImpactF64): Int64; cdecl; external
+  vesica_library;
+// Does b touch a while it moves, when first, and where?
+function vesica_cast_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; vx: Single; vy:
+  Single; t_end: Single; output: PVesicaImpactF32): Int32; cdecl; external vesica_library;
+// When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
+function vesica_cast_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; vx: PSingle; vy: PSingle; stride: PtrInt;
+  t_end: Single; t: PSingle; x: PSingle; y: PSingle; nx: PSingle; ny: PSingle): Int64; cdecl; external
+  vesica_library;
+// Which of many shapes at rest does one moving shape touch first?
+function vesica_cast_first_f32(one: PVesicaShapesF32; many: PVesicaShapesF32; vx: Single; vy: Single; t_end: Single;
+  output: PVesicaImpactF32): Int64; cdecl; external vesica_library;
+// A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+function vesica_sweep_bounds_f32(kind: Int32; numbers: PSingle; vx: Single; vy: Single; t_end: Single; output:
+  PVesicaAabbF32): Int32; cdecl; external vesica_library;
+// Which items of an index does one moving shape touch?
+function vesica_index_cast_f32(index: Pointer; sets: PVesicaShapesF32; set_count: Int32; one: PVesicaShapesF32; vx:
+  Single; vy: Single; t_end: Single; output: PInt64; capacity: Int64; state: PInt64): Int64; cdecl; external
+  vesica_library;
+// Which item of an index does one moving shape touch first?
+function vesica_index_cast_first_f32(index: Pointer; sets: PVesicaShapesF32; set_count: Int32; one:
+  PVesicaShapesF32; vx: Single; vy: Single; t_end: Single; output: PVesicaImpactF32): Int64; cdecl; external
+  vesica_library;
+// The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+function vesica_de9im_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; matrix: PChar):
+  Int32; cdecl; external vesica_library;
+// Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
+function vesica_de9im_match(matrix: PChar; pattern: PChar): Int32; cdecl; external vesica_library;
+// The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
+function vesica_intersection_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; vertices:
+  PDouble): Int32; cdecl; external vesica_library;
+// The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+function vesica_de9im_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; matrix: PChar):
+  Int32; cdecl; external vesica_library;
+// The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
+function vesica_intersection_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; vertices:
+  PSingle): Int32; cdecl; external vesica_library;
+
+implementation
+
+end.
