@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: Apache-2.0
+"""mutate.py ROOT [N] [--seed S] [--file PATH]... [--tests NAME...] [--workers W]: which faults do the tests find?
+
+N (default 300) small changes of the library's sources, drawn by the seed (default 1), each switched on at run time, so that
+one build has them all; then, for each, the tests that reach it, quickest first, until one fails. Works under build/mutate
+and goes on where it was interrupted. Prints a table, and those that no test found. Exit status 1 where one of these is not
+listed in harmless.txt.
+"""
+
+import argparse
+import collections
+import concurrent.futures
+import hashlib
+import json
+import os
+import pathlib
+import re
+import subprocess
+
+import judge
+import rewrite
+import sites
+
+HERE = pathlib.Path(__file__).parent
+OWN = ("include/", "src/", "capi/")
+
+
+def arguments():
+    parser = argparse.ArgumentParser(prog="./run mutate", description=__doc__.split(":", 1)[1])
+    parser.add_argument("root", type=pathlib.Path, help=argparse.SUPPRESS)
+    parser.add_argument("count", nargs="?", type=int, default=300, metavar="N")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--file", action="append", default=[], help="only of sources whose path begins so")
+    parser.add_argument("--tests", nargs="+", default=(HERE / "tests.txt").read_text().split(), metavar="NAME")
+    parser.add_argument("--workers", type=int, default=2)
+    return parser.parse_args()
+
+
+def update(path, content):
+    """Writes a file unless it is that already, so that what depends on it is not built again."""
+    if not path.exists() or path.read_bytes() != content:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+
+
+def files_of(root):
+    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=root, check=True, capture_output=True)
+    return [name for name in listed.stdout.decode().split() if (root / name).is_file()]
+
+
+def candidates(root, names, folder):
+    """Of all sources of this processor's library; kept until a source changes."""
+    sources = [n for n in names if n.startswith(OWN) and n.endswith((".hpp", ".cpp"))]
+    digest = hashlib.sha256(b"".join((root / n).read_bytes() for n in sources + [str(HERE / "sites.py")])).hexdigest()
+    kept = folder / f"candidates-{digest[:16]}.json"
+    if kept.exists():
+        return json.loads(kept.read_text())
+    finder = sites.Finder(lambda path: path.startswith(f"{root}/") and path[len(str(root)) + 1:] in sources)
+    flags = ["-x", "c++", "-std=c++20", "-DNDEBUG"] + [f"-I{root}/{f}" for f in ("include", "src", "capi")]
+    vectors = ["-mavx2", "-mfma", "-mbmi2", "-mpopcnt", "-mavx512f", "-mavx512vl", "-mavx512bw", "-mavx512dq"]
+    headers = [n for n in sources if n.startswith("include/") and n.endswith(".hpp")]
+    finder.parse(f"{root}/headers.cpp", flags, "".join(f"#include \"{root}/{n}\"\n" for n in headers))
+    for name in sources:
+        if name.endswith(".cpp") and not re.search(r"/isa/(neon|simd128|(portable|sse2|avx512)_)", name):
+            finder.parse(f"{root}/{name}", flags + (vectors if "/isa/avx" in name else []))
+    found = sites.unique(finder.found)
+    for c in found:
+        c["file"] = c["file"][len(str(root)) + 1:]
+    kept.write_text(json.dumps(found))
+    return found
+
+
+def write_tree(root, names, tree, chosen):
+    """A copy of the sources, mutated, that is compiled quickly."""
+    by_file = collections.defaultdict(list)
+    for c in chosen:
+        by_file[c["file"]].append(c)
+    for name in names:
+        content = (root / name).read_bytes()
+        if name in by_file:
+            content = rewrite.rewritten(content, by_file[name])
+        if name in ("src/CMakeLists.txt", "src/index/CMakeLists.txt", "capi/CMakeLists.txt"):
+            content = b"add_compile_options(-O1 -w)\n" + content.replace(b"-O2", b"-O1")
+        update(tree / name, content)
+    update(tree / "include/vesica_mutant.hpp", (HERE / "vesica_mutant.hpp").read_bytes())
+
+
+def refused(log, tree, chosen):
+    """Numbers of the mutants in lines of which the compiler complains."""
+    lines, by_line = log.split("\n"), collections.defaultdict(set)
+    for c in chosen:
+        for i in range(c["original"].count("\n") + 1):
+            by_line[c["file"], c["line"] + i].add(c["number"])
+    numbers, context = set(), set()
+    for line in lines:
+        place = re.match(r"\s*(?:In file included from |inlined from .* at )?(\S+?):(\d+):(?:\d+:?)? *(.*)", line)
+        if not place:
+            continue
+        name = str(pathlib.Path(tree / "build/test" / place[1]).resolve())
+        at = by_line[name[len(str(tree)) + 1:], int(place[2]) - rewrite.ADDED_LINES] if name.startswith(str(tree)) else set()
+        if place[3].startswith(("error", "fatal error")):
+            numbers |= at or context
+            context = set()
+        else:
+            context = context | at if not place[3].startswith("note") else context
+    return numbers
+
+
+def listed(tree, log):
+    """ctest's records of the tests of the tree, by name."""
+    configured = subprocess.run(["cmake", "--preset", "test", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"], cwd=tree, stdout=log,
+                                stderr=log)
+    listing = subprocess.run(["ctest", "--preset", "test", "--show-only=json-v1"], cwd=tree, capture_output=True, text=True)
+    if configured.returncode or listing.returncode:
+        raise SystemExit(f"mutate: cannot be configured: {log.name}")
+    return {t["name"]: t for t in json.loads(listing.stdout)["tests"]}
+
+
+def check(tree, log):
+    """Whether the library's sources are accepted; quicker than to compile them."""
+    commands = [c for c in json.loads((tree / "build/test/compile_commands.json").read_text())
+                if re.match(f"{tree}/(src|capi)/", c["file"]) and "CMakeFiles/vesica" in c["command"]]
+    def one(c):
+        return subprocess.run(c["command"].split(" -o ")[0] + f" -fsyntax-only {c['file']}", shell=True, cwd=c["directory"],
+                              stdout=log, stderr=log).returncode
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        return not any(pool.map(one, commands))
+
+
+def build(tree, records, names, log):
+    """The programs of the named tests."""
+    targets = sorted({pathlib.Path(records[n].get("command", ["?"])[0]).name for n in names})
+    return subprocess.run(["cmake", "--build", "--preset", "test", "--target", *targets, "--", "-k", "0"], cwd=tree,
+                          stdout=log, stderr=log).returncode == 0
+
+
+def built(root, names, folder, chosen, tests):
+    """The sample less what does not compile, built."""
+    tree, checked = folder / "tree", False
+    while True:
+        write_tree(root, names, tree, chosen)
+        with open(folder / "build.log", "w+") as log:
+            records = listed(tree, log)
+            if not checked:
+                checked = succeeded = check(tree, log)
+            if checked:
+                succeeded = build(tree, records, tests, log)
+                if succeeded:
+                    return chosen
+            log.seek(0)
+            numbers = refused(log.read(), tree, chosen)
+        if not numbers:
+            raise SystemExit(f"mutate: the build fails, and not for a mutant: {folder}/build.log")
+        print(f"{len(numbers)} do not compile", flush=True)
+        chosen = [c for c in chosen if c["number"] not in numbers]
+
+
+def harmless(path):
+    """{(file, original, mutated)}: proved to change no answer. The rest of a record is the proof."""
+    records = [line.split(" | ") for line in path.read_text().split("\n") if line and not line.startswith("#")]
+    return {(file, original, mutated) for file, original, mutated, _ in records}
+
+
+def name_of(c):
+    return c["file"], " ".join(c["original"].split()), " ".join(c["mutated"].split()) or "(left out)"
+
+
+def report(chosen, results, known):
+    """The table; the number of survivors that are not known."""
+    by_number = {c["number"]: c for c in chosen}
+    counts, open_ones = collections.defaultdict(collections.Counter), 0
+    killers = collections.Counter()
+    for number, word, killer in (line.split() for line in open(results)):
+        c = by_number[int(number)]
+        if word == "survived" and name_of(c) in known:
+            word = "harmless"
+        counts[c["kind"]][word] += 1
+        killers[killer] += word == "killed"
+        if word in ("survived", "unreached"):
+            open_ones += word == "survived"
+            print(f"{word} {number}: {c['file']}:{c['line']} | {' | '.join(name_of(c)[1:])}")
+    words = ("killed", "harmless", "survived", "unreached")
+    print(f"\n{'':12}" + "".join(f"{w:>11}" for w in words))
+    for kind in sorted(counts):
+        print(f"{kind:12}" + "".join(f"{counts[kind][w]:11}" for w in words))
+    total = {w: sum(counts[k][w] for k in counts) for w in words}
+    print(f"{'all':12}" + "".join(f"{total[w]:11}" for w in words))
+    print("\nkilled by: " + ", ".join(f"{test} {n}" for test, n in killers.most_common() if n))
+    judged = total["killed"] + total["survived"]
+    print(f"{total['killed']} of {judged} that may change an answer and are reached: {100 * total['killed'] / max(1, judged):.1f} %")
+    return open_ones
+
+
+def main():
+    options = arguments()
+    root = options.root.resolve()
+    folder = root / "build/mutate"
+    folder.mkdir(parents=True, exist_ok=True)
+    names = files_of(root)
+    found = [c for c in candidates(root, names, folder) if not options.file or c["file"].startswith(tuple(options.file))]
+    chosen = rewrite.sample(found, options.count, options.seed)
+    key = hashlib.sha256(json.dumps([chosen, options.tests]).encode()).hexdigest()[:16]
+    print(f"{len(chosen)} of {len(found)} candidates, seed {options.seed}: build/mutate/{key}", flush=True)
+    state = folder / key
+    state.mkdir(exist_ok=True)
+    chosen = built(root, names, folder, chosen, options.tests)
+    (state / "mutants.json").write_text(json.dumps(chosen, indent=1))
+    tests = judge.tests_of(folder / "tree/build/test", options.tests)
+    if not (state / "reach.json").exists():
+        reached = judge.reach(tests, chosen[-1]["number"])
+        (state / "reach.json").write_text(json.dumps({name: [s, sorted(n)] for name, (s, n) in reached.items()}))
+    reached = {name: (s, set(n)) for name, (s, n) in json.loads((state / "reach.json").read_text()).items()}
+    judge.judge(chosen, tests, reached, state / "results.txt", options.workers)
+    raise SystemExit(1 if report(chosen, state / "results.txt", harmless(HERE / "harmless.txt")) else 0)
+
+
+if __name__ == "__main__":
+    main()
