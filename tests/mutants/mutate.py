@@ -48,21 +48,38 @@ def files_of(root):
     return [name for name in listed.stdout.decode().split() if (root / name).is_file()]
 
 
-def candidates(root, names, folder):
-    """Of all sources of this processor's library; kept until a source changes."""
-    sources = [n for n in names if n.startswith(OWN) and n.endswith((".hpp", ".cpp"))]
-    digest = hashlib.sha256(b"".join((root / n).read_bytes() for n in sources + [str(HERE / "sites.py")])).hexdigest()
+def reached_by(root, unit, sources, known):
+    """The sources that a source includes, itself among them."""
+    if unit not in known:
+        known[unit] = {unit}
+        for name in re.findall(r'^#include ["<]([\w/.]+)[">]', (root / unit).read_text(), re.M):
+            for folder in [str(pathlib.Path(unit).parent), "include", "src", "capi"]:
+                if f"{folder}/{name}" in sources:
+                    known[unit] = known[unit] | reached_by(root, f"{folder}/{name}", sources, known)
+                    break
+    return known[unit]
+
+
+def candidates(root, names, folder, prefixes):
+    """Those of the sources of this processor's library whose path begins so; kept until a source changes."""
+    sources = [n for n in names if n.startswith(OWN) and n.endswith((".hpp", ".cpp")) and
+               not re.search(r"/(isa|lanes)/(neon|simd128)", n)]
+    texts = b"".join((root / n).read_bytes() for n in sources + [str(HERE / "sites.py")])
+    digest = hashlib.sha256(texts + repr(prefixes).encode()).hexdigest()
     kept = folder / f"candidates-{digest[:16]}.json"
     if kept.exists():
         return json.loads(kept.read_text())
-    finder = sites.Finder(lambda path: path.startswith(f"{root}/") and path[len(str(root)) + 1:] in sources)
+    wanted = {n for n in sources if n.startswith(tuple(prefixes))}
+    finder = sites.Finder(lambda path: path[len(str(root)) + 1:] in wanted)
     flags = ["-x", "c++", "-std=c++20", "-DNDEBUG"] + [f"-I{root}/{f}" for f in ("include", "src", "capi")]
     vectors = ["-mavx2", "-mfma", "-mbmi2", "-mpopcnt", "-mavx512f", "-mavx512vl", "-mavx512bw", "-mavx512dq"]
-    headers = [n for n in sources if n.startswith("include/") and n.endswith(".hpp")]
+    headers = [n for n in sources if n.startswith("include/") and n in wanted]
     finder.parse(f"{root}/headers.cpp", flags, "".join(f"#include \"{root}/{n}\"\n" for n in headers))
+    left, known = wanted - set(headers), {}
     for name in sources:
-        if name.endswith(".cpp") and not re.search(r"/isa/(neon|simd128|(portable|sse2|avx512)_)", name):
+        if name.endswith(".cpp") and reached_by(root, name, set(sources), known) & left:
             finder.parse(f"{root}/{name}", flags + (vectors if "/isa/avx" in name else []))
+            left -= known[name]
     found = sites.unique(finder.found)
     for c in found:
         c["file"] = c["file"][len(str(root)) + 1:]
@@ -108,28 +125,32 @@ def refused(log, tree, chosen):
 
 def listed(tree, log):
     """ctest's records of the tests of the tree, by name."""
-    configured = subprocess.run(["cmake", "--preset", "test", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"], cwd=tree, stdout=log,
-                                stderr=log)
+    configured = subprocess.run(["cmake", "--preset", "test"], cwd=tree, stdout=log, stderr=log)
     listing = subprocess.run(["ctest", "--preset", "test", "--show-only=json-v1"], cwd=tree, capture_output=True, text=True)
     if configured.returncode or listing.returncode:
         raise SystemExit(f"mutate: cannot be configured: {log.name}")
     return {t["name"]: t for t in json.loads(listing.stdout)["tests"]}
 
 
-def check(tree, log):
-    """Whether the library's sources are accepted; quicker than to compile them."""
-    commands = [c for c in json.loads((tree / "build/test/compile_commands.json").read_text())
-                if re.match(f"{tree}/(src|capi)/", c["file"]) and "CMakeFiles/vesica" in c["command"]]
-    def one(c):
-        return subprocess.run(c["command"].split(" -o ")[0] + f" -fsyntax-only {c['file']}", shell=True, cwd=c["directory"],
+def targets_of(records, names):
+    return sorted({pathlib.Path(records[n].get("command", ["?"])[0]).name for n in names})
+
+
+def check(tree, targets, log):
+    """Whether the sources of the library are accepted that the targets need; quicker than to compile them."""
+    needed = subprocess.run(["ninja", "-C", "build/test", "-t", "commands", *targets], cwd=tree, check=True,
+                            capture_output=True, text=True).stdout.split("\n")
+    compiled = [c for c in needed if re.search(f" -c {tree}/(src|capi)/", c)]
+
+    def one(command):
+        return subprocess.run(re.sub(r" -MD .* -c ", " -fsyntax-only ", command), shell=True, cwd=tree / "build/test",
                               stdout=log, stderr=log).returncode
+
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        return not any(pool.map(one, commands))
+        return not any(list(pool.map(one, compiled)))
 
 
-def build(tree, records, names, log):
-    """The programs of the named tests."""
-    targets = sorted({pathlib.Path(records[n].get("command", ["?"])[0]).name for n in names})
+def build(tree, targets, log):
     return subprocess.run(["cmake", "--build", "--preset", "test", "--target", *targets, "--", "-k", "0"], cwd=tree,
                           stdout=log, stderr=log).returncode == 0
 
@@ -140,13 +161,10 @@ def built(root, names, folder, chosen, tests):
     while True:
         write_tree(root, names, tree, chosen)
         with open(folder / "build.log", "w+") as log:
-            records = listed(tree, log)
-            if not checked:
-                checked = succeeded = check(tree, log)
-            if checked:
-                succeeded = build(tree, records, tests, log)
-                if succeeded:
-                    return chosen
+            targets = targets_of(listed(tree, log), tests)
+            checked = checked or check(tree, targets, log)
+            if checked and build(tree, targets, log):
+                return chosen
             log.seek(0)
             numbers = refused(log.read(), tree, chosen)
         if not numbers:
@@ -197,7 +215,7 @@ def main():
     folder = root / "build/mutate"
     folder.mkdir(parents=True, exist_ok=True)
     names = files_of(root)
-    found = [c for c in candidates(root, names, folder) if not options.file or c["file"].startswith(tuple(options.file))]
+    found = candidates(root, names, folder, options.file or [""])
     chosen = rewrite.sample(found, options.count, options.seed)
     key = hashlib.sha256(json.dumps([chosen, options.tests]).encode()).hexdigest()[:16]
     print(f"{len(chosen)} of {len(found)} candidates, seed {options.seed}: build/mutate/{key}", flush=True)

@@ -16,6 +16,8 @@ ARITHMETIC = {"+": ["-"], "-": ["+"], "*": ["/"], "/": ["*"]}
 LOGIC = {"&&": ["||"], "||": ["&&"]}
 MASKS = {"both": ["either"], "either": ["both"], "and_not": ["both"]}
 EXTREMA = {"min": ["max"], "max": ["min"]}
+# Functions with a number of roundoffs, or its logarithm, for the argument of a template: changed by a factor.
+TEMPLATES = {"decided_by_gap": ("{} - 3", "{} + 12"), "raised": ("{} / 8", "{} * 64")}
 # Functions whose value is a bound or a limit of a guard.
 BOUNDS = {"roundoffs", "guard_power", "underflow_allowance", "power"}
 ASSIGNMENTS = {"=", "+=", "-=", "*=", "/=", "|=", "&=", "^=", "<<=", ">>="}
@@ -181,6 +183,10 @@ class Finder:
             for other in table.get(name, []):
                 a, b = head.span(1)
                 self.expression(cursor, kind, self.of(cursor)[:a] + other.encode() + self.of(cursor)[b:])
+        number = re.search(r"(-?\d+)>$", (head[2] or b"").decode())
+        for other in TEMPLATES.get(name, []) if number else []:
+            a, b = head.start(2) + number.start(1), head.start(2) + number.end(1)
+            self.expression(cursor, "bound", self.of(cursor)[:a] + other.format(number[1]).encode() + self.of(cursor)[b:])
         if name in BOUNDS:
             self.bound(cursor)
 
