@@ -123,17 +123,17 @@ def refused(log, tree, chosen):
     return numbers
 
 
-def listed(tree, log):
-    """ctest's records of the tests of the tree, by name."""
-    configured = subprocess.run(["cmake", "--preset", "test"], cwd=tree, stdout=log, stderr=log)
-    listing = subprocess.run(["ctest", "--preset", "test", "--show-only=json-v1"], cwd=tree, capture_output=True, text=True)
-    if configured.returncode or listing.returncode:
+def targets_of(tree, names, log):
+    """The programs of the named tests, the tree being configured first."""
+    if subprocess.run(["cmake", "--preset", "test"], cwd=tree, stdout=log, stderr=log).returncode:
         raise SystemExit(f"mutate: cannot be configured: {log.name}")
-    return {t["name"]: t for t in json.loads(listing.stdout)["tests"]}
-
-
-def targets_of(records, names):
-    return sorted({pathlib.Path(records[n].get("command", ["?"])[0]).name for n in names})
+    programs = {}
+    for file in (tree / "build/test").rglob("CTestTestfile.cmake"):
+        programs.update(re.findall(r'^add_test\((?:\[=*\[)?(\w+)(?:\]=*\])? "([^"]+)"', file.read_text(), re.M))
+    missing = [name for name in names if name not in programs]
+    if missing:
+        raise SystemExit("mutate: no such test: " + " ".join(missing))
+    return sorted({pathlib.Path(programs[name]).name for name in names})
 
 
 def check(tree, targets, log):
@@ -155,14 +155,20 @@ def build(tree, targets, log):
                           stdout=log, stderr=log).returncode == 0
 
 
-def built(root, names, folder, chosen, tests):
-    """The sample less what does not compile, built."""
-    tree, checked = folder / "tree", False
+def built(root, names, folder, state, chosen, tests):
+    """The sample less what does not compile, built. What does not is noted, for the next time."""
+    tree, checked = folder / "tree", (state / "checked").exists()
+    refusals = state / "refused.txt"
+    refusals.touch()
     while True:
+        numbers = {int(n) for n in refusals.read_text().split()}
+        chosen = [c for c in chosen if c["number"] not in numbers]
         write_tree(root, names, tree, chosen)
         with open(folder / "build.log", "w+") as log:
-            targets = targets_of(listed(tree, log), tests)
-            checked = checked or check(tree, targets, log)
+            targets = targets_of(tree, tests, log)
+            if not checked and check(tree, targets, log):
+                checked = True
+                (state / "checked").touch()
             if checked and build(tree, targets, log):
                 return chosen
             log.seek(0)
@@ -170,7 +176,8 @@ def built(root, names, folder, chosen, tests):
         if not numbers:
             raise SystemExit(f"mutate: the build fails, and not for a mutant: {folder}/build.log")
         print(f"{len(numbers)} do not compile", flush=True)
-        chosen = [c for c in chosen if c["number"] not in numbers]
+        with open(refusals, "a") as out:
+            out.write("".join(f"{n}\n" for n in sorted(numbers)))
 
 
 def harmless(path):
@@ -221,7 +228,7 @@ def main():
     print(f"{len(chosen)} of {len(found)} candidates, seed {options.seed}: build/mutate/{key}", flush=True)
     state = folder / key
     state.mkdir(exist_ok=True)
-    chosen = built(root, names, folder, chosen, options.tests)
+    chosen = built(root, names, folder, state, chosen, options.tests)
     (state / "mutants.json").write_text(json.dumps(chosen, indent=1))
     tests = judge.tests_of(folder / "tree/build/test", options.tests)
     if not (state / "reach.json").exists():

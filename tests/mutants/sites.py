@@ -147,8 +147,8 @@ class Finder:
         operator = self.text[a:b].strip().decode()
         if left.extent.start.offset != cursor.extent.start.offset or right.extent.end.offset != cursor.extent.end.offset:
             return
-        # Numbers of any size have no quotient.
-        divided = operator in "*/" and (cursor.kind == K.CALL_EXPR or "/exact/" in self.file)
+        # Numbers of any size have no quotient, nor have lanes.
+        divided = operator in "*/" and (cursor.kind == K.CALL_EXPR or re.search("/(exact|filter|kernels)/", self.file))
         for kind, table in (("comparison", COMPARISONS), ("arithmetic", ARITHMETIC), ("logic", LOGIC)):
             for other in [] if divided else table.get(operator, []):
                 self.expression(cursor, kind, self.text[cursor.extent.start.offset:a] + b" " + other.encode() + b" " +
