@@ -25,8 +25,7 @@ class Test:
 
     def run(self, mutant, seconds, reached=None):
         """(Whether it passes, processor seconds)."""
-        environment = dict(os.environ, **self.settings, VESICA_MUTANT=str(mutant), GTEST_FAIL_FAST="1", GTEST_BRIEF="1",
-                           VESICA_SEED="1")
+        environment = dict(os.environ, **self.settings, VESICA_MUTANT=str(mutant), GTEST_FAIL_FAST="1", GTEST_BRIEF="1")
         environment.pop("VESICA_MUTANT_REACHED", None)
         if reached:
             environment["VESICA_MUTANT_REACHED"] = reached
@@ -55,10 +54,13 @@ def tests_of(build, names):
     return [Test(records[name]) for name in names]
 
 
-def reach(tests, count):
-    """{test: (processor seconds, set of the mutants that it reaches)}. With no mutant every test must pass."""
-    result = {}
+def reach(tests, count, kept=None):
+    """{test: [processor seconds, numbers of the mutants that it reaches]}. With no mutant every test must pass. What a
+    file keeps from an earlier time is not asked again."""
+    result = json.loads(kept.read_text()) if kept and kept.exists() else {}
     for test in tests:
+        if test.name in result:
+            continue
         with tempfile.NamedTemporaryFile() as file:
             file.write(bytes(count + 1))
             file.flush()
@@ -66,8 +68,10 @@ def reach(tests, count):
             if not passes:
                 raise SystemExit(f"mutate: {test.name} fails without a mutant")
             marks = open(file.name, "rb").read()
-        result[test.name] = (seconds, {i for i, mark in enumerate(marks) if mark})
+        result[test.name] = [seconds, [i for i, mark in enumerate(marks) if mark]]
         print(f"{test.name}: {seconds:.1f} s, reaches {len(result[test.name][1])}", flush=True)
+        if kept:
+            kept.write_text(json.dumps(result))
     return result
 
 

@@ -231,10 +231,7 @@ def main():
     chosen = built(root, names, folder, state, chosen, options.tests)
     (state / "mutants.json").write_text(json.dumps(chosen, indent=1))
     tests = judge.tests_of(folder / "tree/build/test", options.tests)
-    if not (state / "reach.json").exists():
-        reached = judge.reach(tests, chosen[-1]["number"])
-        (state / "reach.json").write_text(json.dumps({name: [s, sorted(n)] for name, (s, n) in reached.items()}))
-    reached = {name: (s, set(n)) for name, (s, n) in json.loads((state / "reach.json").read_text()).items()}
+    reached = judge.reach(tests, chosen[-1]["number"], state / "reach.json")
     judge.judge(chosen, tests, reached, state / "results.txt", options.workers)
     raise SystemExit(1 if report(chosen, state / "results.txt", harmless(HERE / "harmless.txt")) else 0)
 
