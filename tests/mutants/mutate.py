@@ -181,29 +181,33 @@ def built(root, names, folder, state, chosen, tests):
 
 
 def harmless(path):
-    """{(file, original, mutated)}: proved to change no answer. The rest of a record is the proof."""
-    records = [line.split(" | ") for line in path.read_text().split("\n") if line and not line.startswith("#")]
-    return {(file, original, mutated) for file, original, mutated, _ in records}
+    """{(file, marked line)}: proved to change no answer. Records of three lines: these two and the proof."""
+    lines = [line.strip() for line in path.read_text().split("\n") if line.strip() and not line.startswith("#")]
+    return set(zip(lines[0::3], lines[1::3]))
 
 
-def name_of(c):
-    return c["file"], " ".join(c["original"].split()), " ".join(c["mutated"].split()) or "(left out)"
+def marked(root, c):
+    """The line of a candidate, with the change where it is: if (a {{< -> <=}} b) for instance. Lines become one."""
+    text = (root / c["file"]).read_bytes()
+    begin, end = text.rfind(b"\n", 0, c["begin"]) + 1, text.find(b"\n", c["end"])
+    change = f"{{{{{c['original']} -> {c['mutated'] or 'nothing'}}}}}"
+    return " ".join((text[begin:c["begin"]].decode() + change + text[c["end"]:end].decode()).split())
 
 
-def report(chosen, results, known):
+def report(root, chosen, results, known):
     """The table; the number of survivors that are not known."""
     by_number = {c["number"]: c for c in chosen}
     counts, open_ones = collections.defaultdict(collections.Counter), 0
     killers = collections.Counter()
     for number, word, killer in (line.split() for line in open(results)):
         c = by_number[int(number)]
-        if word == "survived" and name_of(c) in known:
+        if word == "survived" and (c["file"], marked(root, c)) in known:
             word = "harmless"
         counts[c["kind"]][word] += 1
         killers[killer] += word == "killed"
         if word in ("survived", "unreached"):
             open_ones += word == "survived"
-            print(f"{word} {number}: {c['file']}:{c['line']} | {' | '.join(name_of(c)[1:])}")
+            print(f"{word} {number}: {c['file']}:{c['line']}\n  {marked(root, c)}")
     words = ("killed", "harmless", "survived", "unreached")
     print(f"\n{'':12}" + "".join(f"{w:>11}" for w in words))
     for kind in sorted(counts):
@@ -233,7 +237,7 @@ def main():
     tests = judge.tests_of(folder / "tree/build/test", options.tests)
     reached = judge.reach(tests, chosen[-1]["number"], state / "reach.json")
     judge.judge(chosen, tests, reached, state / "results.txt", options.workers)
-    raise SystemExit(1 if report(chosen, state / "results.txt", harmless(HERE / "harmless.txt")) else 0)
+    raise SystemExit(1 if report(root, chosen, state / "results.txt", harmless(HERE / "harmless.txt")) else 0)
 
 
 if __name__ == "__main__":
