@@ -74,7 +74,8 @@ def candidates(root, names, folder, prefixes):
     flags = ["-x", "c++", "-std=c++20", "-DNDEBUG"] + [f"-I{root}/{f}" for f in ("include", "src", "capi")]
     vectors = ["-mavx2", "-mfma", "-mbmi2", "-mpopcnt", "-mavx512f", "-mavx512vl", "-mavx512bw", "-mavx512dq"]
     headers = [n for n in sources if n.startswith("include/") and n in wanted]
-    finder.parse(f"{root}/headers.cpp", flags, "".join(f"#include \"{root}/{n}\"\n" for n in headers))
+    if headers:
+        finder.parse(f"{root}/headers.cpp", flags, "".join(f"#include \"{root}/{n}\"\n" for n in headers))
     left, known = wanted - set(headers), {}
     for name in sources:
         if name.endswith(".cpp") and reached_by(root, name, set(sources), known) & left:
