@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// What smoke_test.py mutates.
+#pragma once
+
+#include <array>
+
+namespace small {
+
+// Nothing to mutate: the compiler evaluates these, or they come of a macro.
+constexpr int sides = 2 + 2;
+inline std::array<int, 2> corners{};
+static_assert(sides > 3);
+#define SMALL_HALF(x) ((x) / 2)
+
+enum class Verdict { apart, touching, crossing };
+
+template <class T>
+constexpr T positive(T x) {
+  return x > T() ? x : T();
+}
+
+inline Verdict verdict(double gap) {
+  if (positive(gap) == gap) return gap == SMALL_HALF(gap) ? Verdict::touching : Verdict::apart;
+  corners[0] = sides;
+  return Verdict::crossing;
+}
+
+}  // namespace small
