@@ -14,8 +14,8 @@
 /// 2020. For turned shapes both are taken with the box along the coordinate axes about the two.
 #pragma once
 
+#include <vesica/arithmetic/angle.hpp>
 #include <vesica/iou.hpp>
-#include <vesica/ratio/angle.hpp>
 #include <vesica/ratio/facts.hpp>
 
 namespace vesica {
@@ -98,7 +98,8 @@ inline Sides sides(const Facts& s) noexcept {
 inline double aspect_share(double r, const Facts& a, const Facts& b) noexcept {
   const Sides p = sides(a), q = sides(b);
   const double cross = std::fabs(p.along * q.across - q.along * p.across);
-  const double angle = angle_of(p.across * q.across + p.along * q.along, cross) / right_angle, v = angle * angle;
+  const double angle = arithmetic::angle_of(p.across * q.across + p.along * q.along, cross) / arithmetic::right_angle,
+               v = angle * angle;
   return v == 0 ? 0 : v * (v / ((1 - r) + v));
 }
 

@@ -2,14 +2,14 @@
 // The arc tangent that ratios are made of: its bits are promised, and the last terms of its series show in no tolerance.
 #include <gtest/gtest.h>
 
-#include <vesica/ratio/angle.hpp>
+#include <vesica/arithmetic/angle.hpp>
 
 namespace {
 
-using vesica::detail::ratio::angle_of;
-using vesica::detail::ratio::angle_of_eighth;
-using vesica::detail::ratio::angle_of_tangent;
-using vesica::detail::ratio::right_angle;
+using vesica::detail::arithmetic::angle_of;
+using vesica::detail::arithmetic::angle_of_eighth;
+using vesica::detail::arithmetic::angle_of_tangent;
+using vesica::detail::arithmetic::right_angle;
 
 TEST(Angle, IsNearestWhereTheSeriesIsLongest) {
   // Nearest doubles, from 60 digits. Near 1/16 nothing is taken from the table; another divisor of the last two terms

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <vesica/arithmetic/angle.hpp>
 
 namespace vesica {
 
@@ -19,8 +20,7 @@ struct Direction {
   double x, y;
 };
 
-/// pi / 2 and pi / 180 as unevaluated sums.
-inline constexpr double quarter_high = 0x1.921fb54442d18p+0, quarter_low = 0x1.1a62633145c07p-54;
+/// pi / 180 as an unevaluated sum.
 inline constexpr double degree_high = 0x1.1df46a2529d39p-6, degree_low = 0x1.5c1d8becdd291p-62;
 
 /// Cosine and sine of turn * (high + low), at most an eighth of a turn; high + low is a unit of angle in radians. Each
@@ -53,20 +53,21 @@ inline Direction direction(double angle, AngleUnit unit) noexcept {
   const double within = std::fmod(angle, 4 * quarter), quarters = std::nearbyint(within / quarter);
   const double rest = within - quarter * quarters;  // exact: both are within half of one another, or quarters is 0
   const bool by_degrees = unit.measure == AngleUnit::degrees;
-  return turned(by_degrees ? unit_vector(rest, degree_high, degree_low) : unit_vector(rest, quarter_high, quarter_low),
-                static_cast<int>(quarters));
+  return turned(
+      by_degrees ? unit_vector(rest, degree_high, degree_low) : unit_vector(rest, right_angle, right_angle_rest),
+      static_cast<int>(quarters));
 }
 
-/// The angle of a vector that is not 0: from -180 to 180 degrees.
+/// The angle of a vector that is not 0: from -180 to 180 degrees. The same bits on every system.
 inline double angle(double x, double y, AngleUnit unit) noexcept {
   if (unit.clockwise) y = -y;
-  if (unit.measure == AngleUnit::radians) return std::atan2(y, x);
-  const double quarter = unit.measure == AngleUnit::degrees ? 90 : 1;
   const bool upright = std::fabs(y) > std::fabs(x);
   const int quarters = upright ? (y > 0 ? 1 : -1) : (x > 0 ? 0 : y < 0 ? -2 : 2);
   const Direction near = turned({x, y}, -quarters);
-  const double rest = std::atan2(near.y, near.x) / quarter_high * quarter;
-  return quarter * quarters + rest;
+  const double rest = std::copysign(angle_of(near.x, std::fabs(near.y)), near.y);
+  if (unit.measure == AngleUnit::radians) return right_angle * quarters + (rest + right_angle_rest * quarters);
+  const double quarter = unit.measure == AngleUnit::degrees ? 90 : 1;
+  return quarter * quarters + rest / right_angle * quarter;
 }
 
 }  // namespace detail::arithmetic

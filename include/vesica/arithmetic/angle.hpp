@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace vesica::detail::ratio {
+namespace vesica::detail::arithmetic {
 
 /// atan(i / 8), each the nearest double.
 inline constexpr double angle_of_eighth[] = {0x0.0p+0,
@@ -17,7 +17,8 @@ inline constexpr double angle_of_eighth[] = {0x0.0p+0,
                                              0x1.4978fa3269ee1p-1,
                                              0x1.700a7c5784634p-1,
                                              0x1.921fb54442d18p-1};
-inline constexpr double right_angle = 0x1.921fb54442d18p+0;
+/// pi / 2 and what it is short of.
+inline constexpr double right_angle = 0x1.921fb54442d18p+0, right_angle_rest = 0x1.1a62633145c07p-54;
 
 /// atan(t) for 0 <= t <= 1, to 2u: atan(t) = atan(c) + atan((t - c) / (1 + t c)), where c is the eighth next to t. What is
 /// left is at most 1/16 in magnitude, and the first term left out of its series, x^15 / 15, at most 2^-59 of it.
@@ -35,4 +36,4 @@ inline double angle_of(double x, double y) noexcept {
   return right_angle - angle_of_tangent(x / y);
 }
 
-}  // namespace vesica::detail::ratio
+}  // namespace vesica::detail::arithmetic
