@@ -67,13 +67,19 @@ inline double from_union(double r, Ratio which, const Facts& a, const Facts& b) 
 /// (The hull's area - the union's) / the hull's.
 inline double empty_share(double r, const Facts& a, const Facts& b) noexcept {
   const Hull h = hull(a, b);
-  const double sum = area::in_units(a.area, 2 * h.unit) + area::in_units(b.area, 2 * h.unit);
+  const int unit = h.unit_x + h.unit_y;
+  const double sum = area::in_units(a.area, unit) + area::in_units(b.area, unit);
   return std::fmax(0, 1 - sum / (1 + r) / (h.width * h.height));
 }
 
 /// (Distance of the centres / diagonal of the hull)^2.
 inline double distance_share(const Facts& a, const Facts& b) noexcept {
-  const Hull h = hull(a, b);
+  Hull h = hull(a, b);
+  if (const int less = h.unit_x - h.unit_y; less < 0) {
+    h.dx = arithmetic::scale_far(h.dx, less), h.width = arithmetic::scale_far(h.width, less);
+  } else if (less > 0) {
+    h.dy = arithmetic::scale_far(h.dy, -less), h.height = arithmetic::scale_far(h.height, -less);
+  }
   return (h.dx * h.dx + h.dy * h.dy) / (h.width * h.width + h.height * h.height);
 }
 
