@@ -5,7 +5,8 @@
 /// shared, and 1 where the divisor's shape lies in the other one. Exchanging the shapes exchanges over_first and
 /// over_second, and changes no bit of the others. generalized, distance and complete are at most over_union, at least -1
 /// for the first two, and -2 for the third; two equal shapes have 1, or for generalized 1 less what their box has more
-/// area than they. Both shapes times 2^k: nothing changes.
+/// area than they. Both shapes times 2^k: nothing changes, unless
+/// digits are lost to subnormal numbers.
 ///
 /// Accuracy: that of area() and iou(), and 8u more (u = 2^-53), where lengths, and areas, are from 2^-400 to 2^400.
 /// An area beyond is a little less accurate; none overflows.
@@ -55,13 +56,15 @@ inline const area::Measure& divisor(Ratio which, const Facts& a, const Facts& b)
   return which == Ratio::over_first ? a.area : b.area;
 }
 
-/// Where areas are beyond the range of doubles: shared = r (A + B) / (1 + r) for r = IoU.
-inline double from_union(double r, Ratio which, const Facts& a, const Facts& b) noexcept {
-  const area::Measure& own = divisor(which, a, b);
-  const area::Measure& other = &own == &a.area ? b.area : a.area;
-  const area::Measure s = area::standard(other), t = area::standard(own);
-  const double part = r / (1 + r);
-  return std::fmin(1, part + arithmetic::scale(part * (s.value / t.value), s.exponent - t.exponent));
+/// The shared area of valid shapes, also beyond the range of doubles.
+template <class A, class B>
+area::Measure shared_area(const A& a, const B& b) noexcept {
+  if constexpr (!in_order<A, B>) {
+    return shared_area(b, a);
+  } else {
+    area::Shares shares;
+    return area::shares_by_relation(a, b, shares) == 0 ? shares.shared : area::Measure{0, 0};
+  }
 }
 
 /// (The hull's area - the union's) / the hull's.
@@ -117,16 +120,18 @@ inline double less_than_union(double r, Ratio which, const Facts& a, const Facts
   }
 }
 
-/// From the shared area, and the IoU where that does not tell. Returns 0 or error_argument.
-template <class Iou>
-std::int32_t over_area(double shared, Ratio which, const Facts& a, const Facts& b, const Iou& iou,
+/// From the shared area as a double, or as a measure where that does not tell. Returns 0 or error_argument.
+template <class Measured>
+std::int32_t over_area(double shared, Ratio which, const Facts& a, const Facts& b, const Measured& measured,
                        double& out) noexcept {
   const area::Measure& whole = divisor(which, a, b);
   if (whole.value == 0) return error_argument;
-  if ((shared == 0 || shared >= 0x1p-900) && is_usual(a.area) && is_usual(b.area)) [[likely]] {
+  // 0 may be what a small area underflows to.
+  const bool tells = shared == 0 ? is_usual(a.area) && is_usual(b.area) : shared >= 0x1p-900 && is_usual(whole);
+  if (tells) [[likely]] {
     out = whole.exponent == 0 ? shared / whole.value : quotient({shared, 0}, whole);
   } else {
-    out = from_union(iou(), which, a, b);
+    out = std::fmin(1, quotient(measured(), whole));
   }
   return 0;
 }
@@ -147,7 +152,8 @@ std::int32_t ratio_or_error(Ratio which, const A<T>& a, const B<T>& b, T& out) n
   std::int32_t error;
   if (detail::ratio::is_of_area(which)) {
     error = detail::ratio::over_area(
-        area(first, second), which, facts(first), facts(second), [&] { return iou(first, second); }, result);
+        area(first, second), which, facts(first), facts(second),
+        [&] { return detail::ratio::shared_area(first, second); }, result);
   } else {
     error = iou_or_error(first, second, result);
     if (error == 0 && which != Ratio::over_union) {

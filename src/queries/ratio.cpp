@@ -6,6 +6,8 @@
 #include <limits>
 #include <vesica/check.hpp>
 
+#include "compiled_once.hpp"
+
 namespace vesica::queries {
 
 namespace {
@@ -21,18 +23,26 @@ std::int32_t facts_by_kind(const ShapeOfKind& s, Facts& out) noexcept {
   });
 }
 
+/// Of valid shapes.
+detail::area::Measure shared_area(const ShapeOfKind& s, const ShapeOfKind& t) noexcept {
+  detail::area::Measure shared{0, 0};
+  with_shape(s.kind, s.numbers, [&](const HasForm auto& a) -> std::int32_t {
+    return with_shape(t.kind, t.numbers, [&](const HasForm auto& b) -> std::int32_t {
+      shared = detail::ratio::shared_area(a, b);
+      return 0;
+    });
+  });
+  return shared;
+}
+
 /// asked: the shared area or IoU; NaN where that is an error.
 template <Ratio which>
 std::int32_t derive(double asked, const ShapeOfKind& a, const ShapeOfKind& b, double& out) noexcept {
   Facts first, second;
   if (facts_by_kind(a, first) != 0 || facts_by_kind(b, second) != 0) return error_shape;
   if constexpr (detail::ratio::is_of_area(which)) {
-    const auto union_ratio = [&] {
-      double r = 0;
-      iou.doubles.of[a.kind][b.kind](a.numbers, b.numbers, &r);
-      return r;
-    };
-    return detail::ratio::over_area(asked, which, first, second, union_ratio, out);
+    return detail::ratio::over_area(
+        asked, which, first, second, [&] { return shared_area(a, b); }, out);
   } else {
     if (std::isnan(asked)) return error_argument;
     out = detail::ratio::less_than_union(asked, which, first, second);

@@ -343,7 +343,9 @@ class Arrays {
                                                          &impact);
     });
     First earliest = first_of_all(2);
-    if (earliest.item == VESICA_E_SHAPE) return;  // single calls refuse what an index leaves out
+    // Single calls refuse what an index leaves out. And an index asks for contact before the earliest so far, a time
+    // whose digits may be too many beside wildly unlike exponents.
+    if (earliest.item == VESICA_E_SHAPE || first == VESICA_E_RANGE) return;
     demand_equal(0, earliest.item, first);
     if (first == earliest.item && first < a_.view().count) demand_impact(earliest.impact, impact);
   }

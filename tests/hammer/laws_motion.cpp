@@ -19,6 +19,16 @@ double next(Scalar scalar, double x, int by) {
   return properties::at_ordinal(scalar, properties::ordinal(scalar, x) + by);
 }
 
+/// How many steps too far out a side may be after its motion.
+constexpr double most_steps = 3;
+
+/// From a number of this magnitude to the next one of its type.
+double step(Scalar scalar, double x) {
+  const bool narrow = scalar == Scalar::f32;
+  const double least = narrow ? 0x1p-149 : 0x1p-1074;
+  return x == 0 ? least : std::fmax(least, std::ldexp(1, std::ilogb(x) - (narrow ? 23 : 52)));
+}
+
 Case ended(Case c, double end) {
   c.motion.end = end;
   return c;
@@ -173,10 +183,12 @@ void judge_sweep_bounds(Judge& j, const Case& c, Effort) {
   if (end.code != 0) return;
   j.demand(holds(r, end), "at_end", text(end), text(r));
   for (std::size_t i = 0; i < 4; ++i) {
-    const double least =
-        i < 2 ? std::fmin(at_rest.numbers[i], end.numbers[i]) : std::fmax(at_rest.numbers[i], end.numbers[i]);
-    const double most = next(c.scalar, least, i < 2 ? -2 : 2);
-    j.demand(i < 2 ? r.numbers[i] >= most : r.numbers[i] <= most, "two_steps", most, r.numbers[i]);
+    const double start = at_rest.numbers[i], stop = end.numbers[i];
+    if (std::fmax(std::fabs(start), std::fabs(stop)) > (c.scalar == Scalar::f32 ? 0x1p120 : 0x1p1000)) continue;
+    const double least = i < 2 ? std::fmin(start, stop) : std::fmax(start, stop);
+    const double largest = std::fmax(std::fabs(stop - start), std::fmax(std::fabs(start), std::fabs(stop)));
+    const double off = std::fabs(r.numbers[i] - least) / step(c.scalar, largest);
+    j.demand(off <= most_steps, "steps_out", least, r.numbers[i]);
   }
 }
 

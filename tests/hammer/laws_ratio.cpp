@@ -51,6 +51,16 @@ void demand_contained(Judge& j, const Answer& r, std::int32_t relation) {
   if (in_a || in_b) demand_1(VESICA_RATIO_OVER_SMALLER);
 }
 
+/// Halves of such numbers are exact.
+bool far_from_subnormal(const Pair& p) {
+  for (const Numbers* numbers : {&p.a, &p.b}) {
+    for (const double x : *numbers) {
+      if (x != 0 && std::fabs(x) < 0x1p-1000) return false;
+    }
+  }
+  return true;
+}
+
 bool moderate(double area) { return area >= 0x1p-400 && area <= 0x1p400; }
 
 /// Within 8 u of the quotient of what the library says of the areas, and its own rounding.
@@ -84,7 +94,7 @@ void judge_ratio(Judge& j, const Case& c, Effort) {
   demand_contained(j, r, relation);
   Case q;
   for (const int exponent : {-7, 6}) {
-    if (!scale_exactly(c, exponent, q)) continue;
+    if (!scale_exactly(c, exponent, q) || !far_from_subnormal(c.pair) || !far_from_subnormal(q.pair)) continue;
     const Answer after = ask(q);
     j.demand(same_bits(after, r), "scaled", text(r), text(after));
   }
