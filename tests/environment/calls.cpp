@@ -331,9 +331,10 @@ Bytes ask_ratio_arrays(const Inputs& inputs) {
   for (std::int32_t which = 0; which < ratios; ++which) {
     append(bytes, Face<T>::ratio_many(which, &operands.a, &operands.b, out.data()));
     append(bytes, out.data(), out.size());
-    append(bytes, Face<T>::ratio_matrix(which, &operands.a, &operands.b, square.data(), operands.b.count));
-    append(bytes, square.data(), square.size());
   }
+  append(bytes, Face<T>::ratio_matrix(VESICA_RATIO_GENERALIZED, &operands.a, &operands.b, square.data(),
+                                      operands.b.count));
+  append(bytes, square.data(), square.size());
   return bytes;
 }
 
