@@ -186,7 +186,8 @@ void judge_sweep_bounds(Judge& j, const Case& c, Effort) {
     const double start = at_rest.numbers[i], stop = end.numbers[i];
     if (std::fmax(std::fabs(start), std::fabs(stop)) > (c.scalar == Scalar::f32 ? 0x1p120 : 0x1p1000)) continue;
     const double least = i < 2 ? std::fmin(start, stop) : std::fmax(start, stop);
-    const double largest = std::fmax(std::fabs(stop - start), std::fmax(std::fabs(start), std::fabs(stop)));
+    const double way = (i % 2 == 0 ? c.motion.vx : c.motion.vy) * c.motion.end;
+    const double largest = std::fmax(std::fabs(way), std::fmax(std::fabs(start), std::fabs(stop)));
     const double off = std::fabs(r.numbers[i] - least) / step(c.scalar, largest);
     j.demand(off <= most_steps, "steps_out", least, r.numbers[i]);
   }
