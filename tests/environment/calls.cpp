@@ -332,8 +332,8 @@ Bytes ask_ratio_arrays(const Inputs& inputs) {
     append(bytes, Face<T>::ratio_many(which, &operands.a, &operands.b, out.data()));
     append(bytes, out.data(), out.size());
   }
-  append(bytes, Face<T>::ratio_matrix(VESICA_RATIO_GENERALIZED, &operands.a, &operands.b, square.data(),
-                                      operands.b.count));
+  append(bytes,
+         Face<T>::ratio_matrix(VESICA_RATIO_GENERALIZED, &operands.a, &operands.b, square.data(), operands.b.count));
   append(bytes, square.data(), square.size());
   return bytes;
 }
