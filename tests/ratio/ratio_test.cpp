@@ -254,6 +254,19 @@ TEST_F(Ratios, OfAnyMagnitude) {
   EXPECT_EQ(ratio(VESICA_RATIO_GENERALIZED, whole), (Answer{0, 0.25}));
 }
 
+// The IoU of such pairs underflows, or says less than the areas.
+TEST_F(Ratios, OverOneAreaBesideAnotherFarAway) {
+  const Pair in_ellipse{VESICA_AABB, VESICA_ELLIPSE, {0, 0, 1, 1}, {0, 0, 0x1p477, 0, 0x1p237, 1}};
+  const Pair in_disc{VESICA_CIRCLE, VESICA_CIRCLE, {0, 0, 1}, {0, 0, 0x1.7p+304}};
+  const Pair both_huge{VESICA_CIRCLE, VESICA_CIRCLE, {0, 0, 0x1.67p608}, {0x1p598, 0, 0x1.68p608}};
+  const Pair tiny{VESICA_CIRCLE, VESICA_CIRCLE, {0, 0, 0x1p-1000}, {0, 0, 1}};
+  for (const Pair& p : {in_ellipse, in_disc, both_huge, tiny}) {
+    EXPECT_EQ(ratio(VESICA_RATIO_OVER_FIRST, p), (Answer{0, 1}));
+    EXPECT_EQ(ratio(VESICA_RATIO_OVER_SMALLER, p), (Answer{0, 1}));
+  }
+  EXPECT_EQ(ratio(VESICA_RATIO_OVER_SECOND, tiny), (Answer{0, 0}));
+}
+
 // The offset of the centres overflows along one coordinate, and all lengths along the other are usual ones.
 TEST_F(Ratios, FarApartAlongOneCoordinate) {
   for (const double x : {1.0, 0x1p-300}) {
