@@ -36,7 +36,7 @@ void exceeds(int32_t kind, const void* const* one, const void* const* others, in
     for (int64_t i = 0; i < n; ++i) ratio[i] = ratio_at<T>(which, kind, one, others, i);
   } else {
     vesica::batch::query_matrix<T, T>(vesica::queries::ratio(which), vesica::kernels(), columns_of<T>(kind, one, 1),
-                                      columns_of<T>(kind, others, n), ratio, n);
+                                      columns_of<T>(kind, others, n), ratio, static_cast<ptrdiff_t>(n));
   }
   for (int64_t i = 0; i < n; ++i) out[i] = ratio[i] > static_cast<T>(measured.threshold);
 }

@@ -97,8 +97,8 @@ VESICA_API int64_t vesica_cast_first_f64(const vesica_shapes_f64 *one, const ves
  * A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
  * Returns: 0.
  * Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.
- * Accuracy: a side that does not move is that of vesica_bounds_f64; one that does is at most two steps between numbers
- * too far out.
+ * Accuracy: a side that does not move is that of vesica_bounds_f64. One that does is too far out by at most three steps
+ * between numbers as large as the largest of the side at rest, its way and where it ends.
  */
 VESICA_API int32_t vesica_sweep_bounds_f64(int32_t kind, const double *numbers, double vx, double vy, double t_end,
                                            vesica_aabb_f64 *out);

@@ -2274,8 +2274,9 @@ export interface C {
    * A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
    *
    * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: 0. Errors: as above; VESICA_E_RANGE if
-   * a side would exceed the finite numbers. Accuracy: a side that does not move is that of vesica_bounds_f64; one that
-   * does is at most two steps between numbers too far out. Since: 0.1.
+   * a side would exceed the finite numbers. Accuracy: a side that does not move is that of vesica_bounds_f64. One that
+   * does is too far out by at most three steps between numbers as large as the largest of the side at rest, its way and
+   * where it ends. Since: 0.1.
    */
   vesica_sweep_bounds_f64(kind: number, numbers: number, vx: number, vy: number, t_end: number, out: number): number;
   /**
@@ -2352,8 +2353,9 @@ export interface C {
    * A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
    *
    * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: 0. Errors: as above; VESICA_E_RANGE if
-   * a side would exceed the finite numbers. Accuracy: a side that does not move is that of vesica_bounds_f32; one that
-   * does is at most two steps between numbers too far out. Since: 0.1.
+   * a side would exceed the finite numbers. Accuracy: a side that does not move is that of vesica_bounds_f32. One that
+   * does is too far out by at most three steps between numbers as large as the largest of the side at rest, its way and
+   * where it ends. Since: 0.1.
    */
   vesica_sweep_bounds_f32(kind: number, numbers: number, vx: number, vy: number, t_end: number, out: number): number;
   /**

@@ -36,7 +36,10 @@ class Unaligned {
     return at_ + i * static_cast<std::ptrdiff_t>(sizeof(T));
   }
   VESICA_INLINE Unaligned operator+(std::ptrdiff_t numbers) const noexcept { return Unaligned(bytes(numbers)); }
-  VESICA_INLINE Unaligned advanced(std::ptrdiff_t bytes) const noexcept { return Unaligned(at_ + bytes); }
+  /// By a number of bytes within the address space.
+  VESICA_INLINE Unaligned advanced(std::int64_t bytes) const noexcept {
+    return Unaligned(at_ + static_cast<std::ptrdiff_t>(bytes));
+  }
   bool operator==(const Unaligned&) const = default;
 
  private:

@@ -2294,8 +2294,9 @@ namespace Vesica
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: 0.</para>
         /// <para>Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.</para>
-        /// <para>Accuracy: a side that does not move is that of vesica_bounds_f64; one that does is at most two steps
-        /// between numbers too far out.</para>
+        /// <para>Accuracy: a side that does not move is that of vesica_bounds_f64. One that does is too far out by at
+        /// most three steps between numbers as large as the largest of the side at rest, its way and where it
+        /// ends.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2392,8 +2393,9 @@ namespace Vesica
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: 0.</para>
         /// <para>Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.</para>
-        /// <para>Accuracy: a side that does not move is that of vesica_bounds_f32; one that does is at most two steps
-        /// between numbers too far out.</para>
+        /// <para>Accuracy: a side that does not move is that of vesica_bounds_f32. One that does is too far out by at
+        /// most three steps between numbers as large as the largest of the side at rest, its way and where it
+        /// ends.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -94,7 +94,7 @@ int sweep_bounds(const Shape<T>& s, T vx, T vy, T t_end, Aabb<T>& out) noexcept 
   Aabb<T> box;
   const int error = bounds(s, box);
   if (error != 0) return error;
-  // Each of the two roundings is less than a step between numbers, or than the least number above 0.
+  // Each of the two roundings is less than a step between numbers of its size, or than the least number above 0.
   const auto sweep = [t_end](T v, T& low, T& high) {
     if (v == 0 || t_end == 0) return;
     const T infinity = std::numeric_limits<T>::infinity();

@@ -5,7 +5,8 @@
 /// shared, and 1 where the divisor's shape lies in the other one. Exchanging the shapes exchanges over_first and
 /// over_second, and changes no bit of the others. generalized, distance and complete are at most over_union, at least -1
 /// for the first two, and -2 for the third; two equal shapes have 1, or for generalized 1 less what their box has more
-/// area than they. Both shapes times 2^k: nothing changes.
+/// area than they. Both shapes times 2^k: nothing changes, unless digits are lost to
+/// subnormal numbers.
 ///
 /// Accuracy: that of area() and iou(), and 8u more (u = 2^-53), where lengths, and areas, are from 2^-400 to 2^400.
 /// An area beyond is a little less accurate; none overflows.
@@ -57,7 +58,7 @@ inline const area::Measure& divisor(Ratio which, const Facts& a, const Facts& b)
   return which == Ratio::over_first ? a.area : b.area;
 }
 
-/// The shared area of valid shapes, which does not underflow.
+/// The shared area of valid shapes, also beyond the range of doubles.
 template <class A, class B>
 area::Measure shared_measure(const A& a, const B& b) noexcept {
   if constexpr (!in_order<A, B>) {
@@ -72,13 +73,19 @@ area::Measure shared_measure(const A& a, const B& b) noexcept {
 /// (The hull's area - the union's) / the hull's.
 inline double empty_share(double r, const Facts& a, const Facts& b) noexcept {
   const Hull h = hull(a, b);
-  const double sum = area::in_units(a.area, 2 * h.unit) + area::in_units(b.area, 2 * h.unit);
+  const int unit = h.unit_x + h.unit_y;
+  const double sum = area::in_units(a.area, unit) + area::in_units(b.area, unit);
   return std::fmax(0, 1 - sum / (1 + r) / (h.width * h.height));
 }
 
 /// (Distance of the centres / diagonal of the hull)^2.
 inline double distance_share(const Facts& a, const Facts& b) noexcept {
-  const Hull h = hull(a, b);
+  Hull h = hull(a, b);
+  if (const int less = h.unit_x - h.unit_y; less < 0) {
+    h.dx = arithmetic::scale_far(h.dx, less), h.width = arithmetic::scale_far(h.width, less);
+  } else if (less > 0) {
+    h.dy = arithmetic::scale_far(h.dy, -less), h.height = arithmetic::scale_far(h.height, -less);
+  }
   return (h.dx * h.dx + h.dy * h.dy) / (h.width * h.width + h.height * h.height);
 }
 
@@ -124,7 +131,9 @@ std::int32_t over_area(double shared, Ratio which, const Facts& a, const Facts& 
                        double& out) noexcept {
   const area::Measure& whole = divisor(which, a, b);
   if (whole.value == 0) return error_argument;
-  if ((shared == 0 || shared >= 0x1p-900) && is_usual(a.area) && is_usual(b.area)) [[likely]] {
+  // 0 may be what a small area underflows to.
+  const bool tells = shared == 0 ? is_usual(a.area) && is_usual(b.area) : shared >= 0x1p-900 && is_usual(whole);
+  if (tells) [[likely]] {
     out = whole.exponent == 0 ? shared / whole.value : quotient({shared, 0}, whole);
   } else {
     out = std::fmin(1, quotient(shared_measure(), whole));

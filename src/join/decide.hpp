@@ -34,7 +34,7 @@ struct Columns {
 inline constexpr int asked_before = 40;
 
 inline void ask_for(const Set& set, std::int64_t item) noexcept {
-  const std::ptrdiff_t at = (item - set.first) * set.stride;
+  const auto at = static_cast<std::ptrdiff_t>((item - set.first) * set.stride);
   __builtin_prefetch(set.field[0] + at);
   __builtin_prefetch(set.field[fields_of[set.kind] - 1] + at);
 }

@@ -2,14 +2,13 @@
 #include "join/join.hpp"
 
 #include <cstring>
+#include <vesica/exact/limbs.hpp>
 
 #include "index/layout.hpp"
 
 namespace vesica::index {
 
 namespace {
-
-__extension__ using Wide = unsigned __int128;
 
 inline constexpr int batch = 4096, wanted_at_most = batch - 2 * leaf_items, most_segments = 2048, block_list = 256,
                      weighed = 4096;
@@ -59,6 +58,15 @@ class Runner {
     scratch_.columns_b.begin();
   }
 
+  /// Is weight / all at least part / parts?
+  bool is_share(std::int64_t weight, std::int64_t all, std::int64_t part) const noexcept {
+    const auto product = [](std::int64_t a, std::int64_t b) {
+      return exact::detail::multiply_add(static_cast<exact::Limb>(a), static_cast<exact::Limb>(b), 0, 0);
+    };
+    const exact::detail::LimbPair share = product(weight, join_.parts), least = product(all, part);
+    return share.high != least.high ? share.high > least.high : share.low >= least.low;
+  }
+
   /// The part's run of A's blocks, cut by weight: a block's items times the blocks they meet. Of many blocks every few
   /// are weighed.
   void find_range() noexcept {
@@ -71,10 +79,8 @@ class Runner {
     std::int64_t before = 0, first = groups, last = groups;
     for (std::int64_t g = groups; g-- > 0;) {
       before += scratch_.weight[g];
-      const auto share = static_cast<Wide>(all - before) * static_cast<std::uint64_t>(join_.parts);
-      const auto part = static_cast<std::int64_t>(share / static_cast<std::uint64_t>(all));
-      if (part >= join_.part) first = g;
-      if (part > join_.part) last = g;
+      if (is_share(all - before, all, join_.part)) first = g;
+      if (is_share(all - before, all, join_.part + 1)) last = g;
     }
     first_ = first * group < last_ ? first * group : last_;
     last_ = last * group < last_ ? last * group : last_;

@@ -16,7 +16,10 @@ struct Face<double> {
   using Impact = vesica_impact_f64;
   using Crossings = vesica_crossing_points_f64;
   using Aabb = vesica_aabb_f64;
+  using Rect = vesica_rect_f64;
+  using Ellipse = vesica_ellipse_f64;
   using Shapes = vesica_shapes_f64;
+  static constexpr auto check = vesica_check_f64;
   static constexpr auto overlap = vesica_overlap_f64;
   static constexpr auto relation = vesica_relation_f64;
   static constexpr auto contains = vesica_contains_f64;
@@ -29,6 +32,11 @@ struct Face<double> {
   static constexpr auto shape_area = vesica_shape_area_f64;
   static constexpr auto bounds = vesica_bounds_f64;
   static constexpr auto from_records = vesica_shapes_from_records_f64;
+  static constexpr auto bounds_many = vesica_bounds_many_f64;
+  static constexpr auto rects_from_boxes = vesica_rects_from_boxes_f64;
+  static constexpr auto ellipses_from_boxes = vesica_ellipses_from_boxes_f64;
+  static constexpr auto boxes_from_shapes = vesica_boxes_from_shapes_f64;
+  static constexpr auto corners_of_shapes = vesica_corners_of_shapes_f64;
   static constexpr auto overlap_many = vesica_overlap_many_f64;
   static constexpr auto overlap_matrix = vesica_overlap_matrix_f64;
   static constexpr auto overlap_select = vesica_overlap_select_f64;
@@ -76,7 +84,10 @@ struct Face<float> {
   using Impact = vesica_impact_f32;
   using Crossings = vesica_crossing_points_f32;
   using Aabb = vesica_aabb_f32;
+  using Rect = vesica_rect_f32;
+  using Ellipse = vesica_ellipse_f32;
   using Shapes = vesica_shapes_f32;
+  static constexpr auto check = vesica_check_f32;
   static constexpr auto overlap = vesica_overlap_f32;
   static constexpr auto relation = vesica_relation_f32;
   static constexpr auto contains = vesica_contains_f32;
@@ -89,6 +100,11 @@ struct Face<float> {
   static constexpr auto shape_area = vesica_shape_area_f32;
   static constexpr auto bounds = vesica_bounds_f32;
   static constexpr auto from_records = vesica_shapes_from_records_f32;
+  static constexpr auto bounds_many = vesica_bounds_many_f32;
+  static constexpr auto rects_from_boxes = vesica_rects_from_boxes_f32;
+  static constexpr auto ellipses_from_boxes = vesica_ellipses_from_boxes_f32;
+  static constexpr auto boxes_from_shapes = vesica_boxes_from_shapes_f32;
+  static constexpr auto corners_of_shapes = vesica_corners_of_shapes_f32;
   static constexpr auto overlap_many = vesica_overlap_many_f32;
   static constexpr auto overlap_matrix = vesica_overlap_matrix_f32;
   static constexpr auto overlap_select = vesica_overlap_select_f32;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "cast/motions.hpp"
 #include "cost/measure.hpp"
 #include "hammer/call.hpp"
 #include "properties/generators.hpp"
@@ -15,6 +16,8 @@ namespace cost {
 namespace {
 
 using hammer::Case;
+using hammer::Motion;
+using hammer::Numbers;
 using hammer::Query;
 using properties::Pair;
 using properties::Random;
@@ -133,6 +136,33 @@ Pair changed(Pair p, Random& random) {
   return p;
 }
 
+/// Another velocity or end; often the very time of contact, or one beside it.
+Motion changed(const Case& c, Random& random) {
+  Motion m = c.motion;
+  double& v = random.chance(0.5) ? m.vx : m.vy;
+  const Numbers& other = random.chance(0.5) ? c.pair.a : c.pair.b;
+  switch (random.below(5)) {
+    case 0:
+      return cast_test::draw_motion(c.pair, Scalar::f64, random);
+    case 1:
+      v = random.chance(0.2) ? 0 : with_exponent(v, random.integer(least_exponent, most_exponent));
+      break;
+    case 2:
+      v = properties::nearest(Scalar::f64, random.sign() * other[static_cast<std::size_t>(random.below(6))]);
+      break;
+    case 3:
+      m.end = with_exponent(1 + random.unit(), random.integer(least_exponent, most_exponent));
+      break;
+    default: {
+      const hammer::Answer r = hammer::ask({Query::cast, Scalar::f64, c.pair, {m.vx, m.vy, cast_test::infinity}});
+      if (r.code != VESICA_CAST_HIT) break;
+      const std::int64_t place = properties::ordinal(Scalar::f64, r.numbers[0]) + random.integer(-2, 2);
+      m.end = std::fabs(properties::at_ordinal(Scalar::f64, place));
+    }
+  }
+  return m;
+}
+
 class Climb {
  public:
   Climb(Query query, int kind_a, int kind_b, std::uint64_t seed)
@@ -145,20 +175,20 @@ class Climb {
     while (std::chrono::steady_clock::now() < end) {
       for (Climber& c : climbers_) step(c);
     }
-    return {{query_, Scalar::f64, dearest_.pair}, dearest_.cost, calls_};
+    return {dearest_.input, dearest_.cost, calls_};
   }
 
  private:
   struct Climber {
-    Pair pair{};
+    Case input{};
     double cost = 0;
     int patience = 0;
   };
   static constexpr int patience = 3000, calls = 3, more_calls = 25;
 
-  double cost_of(const Pair& p, int repeats) {
+  double cost_of(const Case& c, int repeats) {
     ++calls_;
-    return microseconds({query_, Scalar::f64, p}, repeats);
+    return microseconds(c, repeats);
   }
 
   Climber begun() {
@@ -167,16 +197,22 @@ class Climb {
       constexpr auto count = static_cast<int>(properties::all_workloads.size());
       auto workload = properties::all_workloads[static_cast<std::size_t>(random_.below(count))];
       if (workload == properties::Workload::near_contact) workload = properties::Workload::mixed_scale;
-      const Pair p = changed(properties::draw(workload, kind_a_, kind_b_, Scalar::f64, random_), random_);
-      const double cost = cost_of(p, calls);
-      if (cost > best.cost) best = {p, cost, 0};
+      Case c{query_, Scalar::f64, changed(properties::draw(workload, kind_a_, kind_b_, Scalar::f64, random_), random_)};
+      if (of_motion(query_)) c.motion = cast_test::draw_motion(c.pair, Scalar::f64, random_);
+      const double cost = cost_of(c, calls);
+      if (cost > best.cost) best = {c, cost, 0};
     }
-    best.cost = cost_of(best.pair, more_calls);
+    best.cost = cost_of(best.input, more_calls);
     return best;
   }
 
   void step(Climber& c) {
-    const Pair p = changed(c.pair, random_);
+    Case p = c.input;
+    if (of_motion(query_) && random_.chance(0.5)) {
+      p.motion = changed(p, random_);
+    } else {
+      p.pair = changed(p.pair, random_);
+    }
     const double cost = cost_of(p, calls);
     if (cost < c.cost * 0.99) {
       if (++c.patience > patience) c = begun();

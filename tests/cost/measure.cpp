@@ -51,7 +51,7 @@ void yardstick() {
 }  // namespace
 
 double microseconds(const hammer::Case& c, int calls) {
-  return least_microseconds(calls, [&] { sink = static_cast<std::uint64_t>(ask(c.query, c.scalar, c.pair).code); });
+  return least_microseconds(calls, [&] { sink = static_cast<std::uint64_t>(ask(c).code); });
 }
 
 double yardstick_microseconds() { return least_microseconds(1000, yardstick); }

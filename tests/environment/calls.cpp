@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "capi/face.hpp"
+#include "capi/typed_pairs.hpp"
 
 namespace environment {
 namespace {
@@ -294,15 +295,126 @@ Bytes ask_join(const Inputs& inputs) {
   return bytes;
 }
 
-/// A ratio by its constant.
-template <class T, std::int32_t which>
-std::int32_t ratio(std::int32_t kind_a, const T* a, std::int32_t kind_b, const T* b, T* out) {
-  return capi_tests::Face<T>::ratio(which, kind_a, a, kind_b, b, out);
+using capi_tests::Face;
+
+/// The typed function of the pair's kinds, in either order.
+template <class T>
+Bytes ask_typed(const Input& p) {
+  Bytes bytes;
+  for (const auto& pair : capi::Api<T>::typed_pairs) {
+    if (pair.kind_a == p.kind_a && pair.kind_b == p.kind_b) {
+      append(bytes, pair.overlap(first(p, T{}).data(), second(p, T{}).data()));
+    } else if (pair.kind_a == p.kind_b && pair.kind_b == p.kind_a) {
+      append(bytes, pair.overlap(second(p, T{}).data(), first(p, T{}).data()));
+    }
+  }
+  return bytes;
 }
-template <class T, std::int32_t which>
-std::int64_t ratio_matrix(const typename capi_tests::Face<T>::Shapes* a, const typename capi_tests::Face<T>::Shapes* b,
-                          T* out, std::ptrdiff_t row_stride) {
-  return capi_tests::Face<T>::ratio_matrix(which, a, b, out, row_stride);
+
+constexpr std::int32_t ratios = VESICA_RATIO_COMPLETE + 1;
+
+template <class T>
+Bytes ask_ratios(const Input& p) {
+  Bytes bytes;
+  for (std::int32_t which = 0; which < ratios; ++which) {
+    T out{};
+    append(bytes, Face<T>::ratio(which, p.kind_a, first(p, T{}).data(), p.kind_b, second(p, T{}).data(), &out));
+    append(bytes, out);
+  }
+  return bytes;
+}
+template <class T>
+Bytes ask_ratio_arrays(const Inputs& inputs) {
+  const Operands<T, typename Face<T>::Shapes> operands(inputs);
+  const std::size_t n = inputs.pairs.size();
+  std::vector<T> out(n), square(n * n);
+  Bytes bytes;
+  for (std::int32_t which = 0; which < ratios; ++which) {
+    append(bytes, Face<T>::ratio_many(which, &operands.a, &operands.b, out.data()));
+    append(bytes, out.data(), out.size());
+  }
+  append(bytes,
+         Face<T>::ratio_matrix(VESICA_RATIO_GENERALIZED, &operands.a, &operands.b, square.data(), operands.b.count));
+  append(bytes, square.data(), square.size());
+  return bytes;
+}
+
+/// The first shapes' numbers are scores, by every ratio that suppression takes.
+template <class T>
+Bytes ask_suppress(const Inputs& inputs) {
+  const Operands<T, typename Face<T>::Shapes> operands(inputs);
+  std::vector<T> scores;
+  std::vector<std::int32_t> labels;
+  for (const auto& shape : operands.records_a) {
+    scores.push_back(shape[0]);
+    labels.push_back(static_cast<std::int32_t>(scores.size() % 3));
+  }
+  Bytes scratch(static_cast<std::size_t>(vesica_nms_scratch(operands.b.count)));
+  std::vector<std::int64_t> keep(inputs.pairs.size());
+  Bytes bytes;
+  for (std::int32_t which = 0; which < ratios; ++which) {
+    std::int64_t kept = 0;
+    append(bytes, Face<T>::suppress(&operands.b, scores.data(), labels.data(), which, T{1} / 4, scores.back(),
+                                    operands.b.count, scratch.data(), static_cast<std::int64_t>(scratch.size()),
+                                    keep.data(), &kept));
+    append(bytes, keep.data(), static_cast<std::size_t>(kept));
+  }
+  return bytes;
+}
+
+/// Rectangles and ellipses from the second shapes' numbers; boxes, corners and bounds of the first shapes.
+template <class T>
+Bytes ask_boxes(const Inputs& inputs) {
+  using F = Face<T>;
+  const Operands<T, typename F::Shapes> operands(inputs);
+  const std::size_t n = inputs.pairs.size();
+  std::vector<typename F::Rect> rects(n);
+  std::vector<typename F::Ellipse> ellipses(n);
+  std::vector<typename F::Aabb> bounds(n);
+  std::vector<T> boxes(5 * n), corners(8 * n);
+  Bytes bytes;
+  for (const std::int32_t angle : {VESICA_ANGLE_RADIANS, VESICA_ANGLE_DEGREES, VESICA_ANGLE_QUARTERS,
+                                   VESICA_ANGLE_DEGREES + VESICA_ANGLE_REVERSED}) {
+    const T* numbers = operands.records_b[0].data();
+    const std::ptrdiff_t stride = sizeof operands.records_b[0];
+    append(bytes, F::rects_from_boxes(numbers, operands.b.count, stride, angle, rects.data()));
+    append(bytes, rects.data(), n);
+    append(bytes, F::ellipses_from_boxes(numbers, operands.b.count, stride, angle, ellipses.data()));
+    append(bytes, ellipses.data(), n);
+    append(bytes, F::boxes_from_shapes(&operands.a, angle, boxes.data()));
+    append(bytes, boxes.data(), boxes.size());
+  }
+  append(bytes, F::corners_of_shapes(&operands.a, corners.data()));
+  append(bytes, corners.data(), corners.size());
+  append(bytes, F::bounds_many(&operands.a, bounds.data()));
+  append(bytes, bounds.data(), n);
+  return bytes;
+}
+
+/// An index built in steps and parts, and all that it tells of itself.
+template <class T>
+Bytes ask_steps(const Inputs& inputs) {
+  const Operands<T, typename Face<T>::Shapes> operands(inputs);
+  const std::int64_t items = operands.a.count;
+  Aligned index(vesica_index_size(items)), scratch(vesica_index_scratch(items));
+  Bytes bytes;
+  for (std::int32_t step = 0; step < 5; ++step) {
+    const std::int64_t parts = step == 0 || step == 4 ? 1 : 2;
+    for (std::int64_t part = 0; part < parts; ++part) {
+      append(bytes, Face<T>::index_step(step, part, parts, &operands.a, 1, index.units.data(), index.size,
+                                        scratch.units.data(), scratch.size));
+    }
+  }
+  const std::int64_t size = vesica_index_bytes(index.units.data());
+  append(bytes, index.units.data(), static_cast<std::size_t>(size) / sizeof index.units[0]);
+  append(bytes, vesica_index_count(index.units.data()));
+  vesica_aabb_f64 bounds{};
+  append(bytes, vesica_index_bounds(index.units.data(), &bounds));
+  append(bytes, bounds);
+  std::vector<std::int64_t> order(static_cast<std::size_t>(items));
+  append(bytes, vesica_index_order(index.units.data(), order.data(), items));
+  append(bytes, order.data(), order.size());
+  return bytes;
 }
 
 }  // namespace
@@ -368,10 +480,9 @@ Bytes ask_soft(const Inputs& inputs) {
         {"depth", ask_pair<T, vesica_penetration_##s, vesica_depth_##s>},                                           \
         {"crossings", ask_pair<T, vesica_crossing_points_##s, vesica_crossings_##s>},                               \
         {"area", ask_pair<T, T, vesica_area_##s>}, {"iou", ask_pair<T, T, vesica_iou_##s>},                         \
-        {"over_first", ask_pair<T, T, ratio<T, VESICA_RATIO_OVER_FIRST>>},                                          \
-        {"complete", ask_pair<T, T, ratio<T, VESICA_RATIO_COMPLETE>>},                                              \
         {"signed_distance", ask_pair<T, T, vesica_signed_distance_##s>}, {"within", ask_code<T, within<T>>},        \
         {"de9im", ask_text<T, vesica_de9im_##s>}, {"intersection", ask_numbers<T, vesica_intersection_##s, 16>},    \
+        {"typed overlap", ask_typed<T>}, {"ratios", ask_ratios<T>},                                                 \
         {"shape_area", ask_one<T, T, vesica_shape_area_##s>},                                                       \
         {"cast", ask_cast<T, vesica_impact_##s, vesica_cast_##s>},                                                  \
         {"sweep_bounds", ask_sweep<T, vesica_aabb_##s, vesica_sweep_bounds_##s>},                                   \
@@ -401,9 +512,12 @@ Bytes ask_soft(const Inputs& inputs) {
         {"area_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_area_matrix_##s>},                                 \
         {"iou_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_iou_matrix_##s>},                                   \
         {"nearest_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_nearest_matrix_##s>},                           \
-        {"generalized_matrix", ask_matrix<T, vesica_shapes_##s, T, ratio_matrix<T, VESICA_RATIO_GENERALIZED>>},       \
         {"within_matrix", ask_matrix<T, vesica_shapes_##s, std::uint8_t, within_matrix<T>>},                          \
         {"suppress_soft", ask_soft<T, vesica_shapes_##s, vesica_suppress_soft_##s>},                                  \
+        {"boundary_distance_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_boundary_distance_matrix_##s>},       \
+        {"depth_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_depth_matrix_##s>},                               \
+        {"ratio arrays", ask_ratio_arrays<T>}, {"suppress", ask_suppress<T>}, {"boxes", ask_boxes<T>},                \
+        {"index steps", ask_steps<T>},                                                                                \
         {"overlap_select", ask_select<T, vesica_shapes_##s, vesica_overlap_select_##s>},                              \
         {"nms", ask_nms<T, vesica_shapes_##s, vesica_nms_##s>},                                                       \
         {"casts", ask_casts<T, vesica_shapes_##s, vesica_impact_##s, vesica_cast_many_##s, vesica_cast_first_##s>},   \

@@ -1,45 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "capi/face.hpp"
-#include "fuzz/bytes.hpp"
+#include "fuzz/arrays.hpp"
 
 namespace fuzz {
 namespace {
-
-constexpr std::int64_t most = 40;
-
-using capi_tests::Face;
-
-/// Records of a kind, packed or not, at any byte, forwards or backwards; or one shape repeated.
-template <class T>
-typename Face<T>::Shapes array(Bytes& bytes, GuardedMemory& memory, std::int64_t count) {
-  typename Face<T>::Shapes shapes{};
-  shapes.kind = bytes.kind();
-  shapes.count = count;
-  shapes.reserved = bytes.below(128) == 127;
-  const std::int32_t known = vesica_field_count(shapes.kind);
-  const std::size_t fields = known < 0 ? 0 : static_cast<std::size_t>(known);
-  const bool repeated = bytes.below(8) == 7, backward = bytes.below(4) == 3;
-  const std::size_t element = fields * sizeof(T) + bytes.below(9),
-                    stored = repeated ? 1 : static_cast<std::size_t>(count);
-  const std::size_t size = stored * element;
-  std::byte* begin = memory.place(size, bytes.below(2) == 0 ? Edge::before : Edge::after);
-  for (std::size_t i = 0; i < stored; ++i) {
-    for (std::size_t k = 0; k < fields; ++k) {
-      const T number = bytes.number<T>();
-      std::memcpy(begin + i * element + k * sizeof(T), &number, sizeof number);
-    }
-  }
-  const std::size_t first = backward && stored > 0 ? (stored - 1) * element : 0;
-  shapes.stride = repeated ? 0 : static_cast<std::ptrdiff_t>(element) * (backward ? -1 : 1);
-  for (std::size_t k = 0; k < fields; ++k) shapes.field[k] = reinterpret_cast<const T*>(begin + first + k * sizeof(T));
-  return shapes;
-}
-
-/// As many numbers as fit, in pieces for columns.
-template <class Out>
-Out* room(GuardedMemory& memory, std::int64_t count) {
-  return reinterpret_cast<Out*>(memory.place(static_cast<std::size_t>(count) * sizeof(Out), Edge::after));
-}
 
 template <class T, class Shapes>
 std::int64_t many(unsigned which, const Shapes& a, const Shapes& b, std::int64_t n, GuardedMemory& memory) {
@@ -94,27 +57,36 @@ std::int64_t matrix(unsigned which, const Shapes& a, const Shapes& b, std::ptrdi
   }
 }
 
+/// nms, or suppress with all that it takes besides.
 template <class T>
-void call_nms(Bytes& bytes, Memory& memory) {
+void call_suppression(Bytes& bytes, Memory& memory) {
   const std::int64_t count = bytes.below(most);
   const auto shapes = array<T>(bytes, memory.a, count);
+  auto* labels = bytes.below(2) == 0 ? nullptr : reinterpret_cast<std::int32_t*>(memory.b.place(0, Edge::before));
+  for (std::int64_t i = 0; labels != nullptr && i < count; ++i) labels[i] = bytes.below(3);
   T* scores = room<T>(memory.b, count);
   for (std::int64_t i = 0; i < count; ++i) scores[i] = bytes.number<T>();
   const std::int64_t scratch_size = vesica_nms_scratch(count) - (bytes.below(16) == 15);
-  std::byte scratch[64 * (most + 1)];
-  demand(scratch_size <= static_cast<std::int64_t>(sizeof scratch));
+  static GuardedMemory room_of_scratch(1 << 20);
+  std::byte* scratch = room_of_scratch.place(static_cast<std::size_t>(scratch_size), Edge::after);
   std::int64_t kept = -7;
-  auto* keep = room<std::int64_t>(memory.out, count);
-  const std::int32_t error = Face<T>::nms(&shapes, scores, bytes.number<T>(), scratch, scratch_size, keep, &kept);
-  demand(error <= 0 && (error != 0 || (kept >= 0 && kept <= count)));
+  const bool any_ratio = bytes.below(2) == 1;
+  const std::int64_t limit = any_ratio ? bytes.below(most) : count;
+  auto* keep = room<std::int64_t>(memory.out, limit < count ? limit : count);
+  const T threshold = bytes.number<T>();
+  const std::int32_t ratio = static_cast<std::int32_t>(bytes.below(9)) - 1;
+  const std::int32_t error = any_ratio ? Face<T>::suppress(&shapes, scores, labels, ratio, threshold, bytes.number<T>(),
+                                                           limit, scratch, scratch_size, keep, &kept)
+                                       : Face<T>::nms(&shapes, scores, threshold, scratch, scratch_size, keep, &kept);
+  demand(error <= 0 && ((error != 0 && error != VESICA_E_SHAPE) || (kept >= 0 && kept <= limit && kept <= count)));
   for (std::int64_t i = 0; i < kept; ++i) demand(keep[i] >= 0 && keep[i] < count);
 }
 
 template <class T>
 void call(Bytes& bytes, Memory& memory) {
-  constexpr unsigned first_matrix = 16, from_records = 29, select = 30, nms = 31;
+  constexpr unsigned first_matrix = 16, from_records = 29, select = 30, suppression = 31;
   const unsigned which = bytes.below(32);
-  if (which == nms) return call_nms<T>(bytes, memory);
+  if (which == suppression) return call_suppression<T>(bytes, memory);
   const std::int64_t count_a = bytes.below(most);
   std::int64_t count_b = bytes.below(4) == 3 ? 1 : count_a;
   if (which >= first_matrix) count_b = bytes.below(most);

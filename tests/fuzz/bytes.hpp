@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 
 #include "batch/guard_pages.hpp"
@@ -58,8 +59,10 @@ class Bytes {
 };
 
 /// What must hold of every call; the fuzzer reports where it does not.
-inline void demand(bool holds) {
-  if (!holds) __builtin_trap();
+inline void demand(bool holds, const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
+  if (holds) return;
+  std::fprintf(stderr, "%s:%d: does not hold\n", file, line);
+  __builtin_trap();
 }
 
 /// Numbers of a shape against a guard page: all six where the kind is none, so that no reading is legal beyond them.
@@ -109,6 +112,9 @@ struct Memory {
 };
 
 void call_batch(Bytes& bytes, Memory& memory);
+void call_boxes(Bytes& bytes, Memory& memory);
 void call_constructor(Bytes& bytes, Memory& memory);
+void call_index(Bytes& bytes, Memory& memory);
+void call_motion(Bytes& bytes, Memory& memory);
 
 }  // namespace fuzz

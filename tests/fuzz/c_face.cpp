@@ -25,6 +25,17 @@ void output(Bytes& bytes, Memory& memory) {
   demand(answer >= 0 || out.untouched());
 }
 
+/// The function of a ratio, known or not.
+template <class T, auto Function>
+void ratio(Bytes& bytes, Memory& memory) {
+  const std::int32_t which = static_cast<std::int32_t>(bytes.below(9)) - 1;
+  const Shape<T> a(bytes, memory.a), b(bytes, memory.b);
+  const Output<T> out(memory.out, bytes.below(128) == 127);
+  const std::int32_t answer = Function(which, a.kind(), a.numbers(), b.kind(), b.numbers(), out.get());
+  demand(answer >= VESICA_E_RANGE && answer <= 0);
+  demand(answer == 0 ? *out.get() >= -2 && *out.get() <= 1 : out.untouched());
+}
+
 /// A function of one shape with an output.
 template <class T, class Out, auto Function>
 void of_one(Bytes& bytes, Memory& memory) {
@@ -67,7 +78,12 @@ void describe(Bytes& bytes, Memory&) {
 constexpr Call calls[] = {
     call_batch,
     call_batch,
+    call_boxes,
     call_constructor,
+    call_index,
+    call_index,
+    call_motion,
+    call_motion,
     describe,
     code<double, vesica_overlap_f64, 1>,
     code<float, vesica_overlap_f32, 1>,
@@ -85,6 +101,8 @@ constexpr Call calls[] = {
     output<float, float, vesica_area_f32>,
     output<double, double, vesica_iou_f64>,
     output<float, float, vesica_iou_f32>,
+    ratio<double, vesica_ratio_f64>,
+    ratio<float, vesica_ratio_f32>,
     output<double, vesica_crossing_points_f64, vesica_crossings_f64>,
     output<float, vesica_crossing_points_f32, vesica_crossings_f32>,
     of_one<double, double, vesica_shape_area_f64>,
@@ -140,6 +158,7 @@ constexpr Call calls[] = {
 }  // namespace
 }  // namespace fuzz
 
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static fuzz::Memory memory;
   fuzz::Bytes bytes(data, size);

@@ -1,133 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hammer/batches.hpp"
 
-#include <dlfcn.h>
-#include <sys/mman.h>
-#include <unistd.h>
 #include <vesica.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <limits>
-#include <set>
-#include <stdexcept>
 
-#include "batch/guard_pages.hpp"
+#include "hammer/arrays.hpp"
 #include "hammer/deliberate.hpp"
+#include "hammer/libraries.hpp"
 
 namespace hammer {
 namespace {
-
-using batch_tests::Edge;
-using batch_tests::GuardedMemory;
-
-/// A copy of the library's file that only this process sees, loaded as a library of its own.
-void* load_copy(const std::string& file) {
-  const int memory = memfd_create("vesica", 0);
-  std::ifstream in(file, std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  if (memory < 0 || write(memory, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) {
-    throw std::runtime_error("cannot copy " + file);
-  }
-  const std::string path = "/proc/self/fd/" + std::to_string(memory);
-  void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND);
-  if (handle == nullptr) throw std::runtime_error(dlerror());
-  return handle;  // the file stays open: its path is the copy's name, which no other copy may have
-}
-
-struct Loaded {
-  std::string isa;
-  void* handle;
-};
-
-template <class Function>
-Function* find(void* handle, const std::string& symbol) {
-  void* found = dlsym(handle, symbol.c_str());
-  if (found == nullptr) throw std::runtime_error("no " + symbol);
-  return reinterpret_cast<Function*>(found);
-}
-
-std::string library_file() {
-  Dl_info info{};
-  if (dladdr(reinterpret_cast<void*>(&vesica_version), &info) == 0) throw std::runtime_error("no library");
-  return info.dli_fname;
-}
-
-std::vector<Loaded> load_each() {
-  std::vector<Loaded> result;
-  const char* before = std::getenv("VESICA_ISA");
-  const std::string kept = before != nullptr ? before : "";
-  for (const char* isa : {"portable", "sse2", "avx2", "avx512", "neon"}) {
-    setenv("VESICA_ISA", isa, 1);
-    void* handle = load_copy(library_file());
-    if (std::string(find<const char*()>(handle, "vesica_isa_name")()) == isa) {
-      result.push_back({isa, handle});
-    } else {
-      dlclose(handle);
-    }
-  }
-  if (before != nullptr) {
-    setenv("VESICA_ISA", kept.c_str(), 1);
-  } else {
-    unsetenv("VESICA_ISA");
-  }
-  return result;
-}
-
-const std::vector<Loaded>& loaded() {
-  static const std::vector<Loaded> all = load_each();
-  return all;
-}
-
-template <class T>
-struct Types;
-template <>
-struct Types<double> {
-  using Shapes = vesica_shapes_f64;
-  static constexpr const char* suffix = "_f64";
-  static constexpr Scalar scalar = Scalar::f64;
-};
-template <>
-struct Types<float> {
-  using Shapes = vesica_shapes_f32;
-  static constexpr const char* suffix = "_f32";
-  static constexpr Scalar scalar = Scalar::f32;
-};
-
-/// An array of shapes between guard pages: columns or records, forwards or backwards, at any byte.
-template <class T>
-class Array {
- public:
-  using Shapes = typename Types<T>::Shapes;
-
-  Array(int kind, std::span<const Numbers> shapes, unsigned layout, GuardedMemory& memory) : shapes_{} {
-    const auto fields = static_cast<std::size_t>(properties::field_count(kind));
-    const bool columns = layout % 2 == 0, backward = layout / 2 % 4 == 0;
-    const std::size_t padding = columns ? 0 : layout / 8 % 3 * 5, count = shapes.size();
-    const std::size_t element = columns ? sizeof(T) : fields * sizeof(T) + padding;
-    const std::size_t size = columns ? fields * count * sizeof(T) : count * element;
-    std::byte* begin = memory.place(size, layout / 32 % 2 == 0 ? Edge::before : Edge::after);
-    std::memset(begin, 0xFF, size);
-    shapes_.kind = kind;
-    shapes_.count = static_cast<std::int64_t>(count);
-    shapes_.stride = backward ? -static_cast<std::ptrdiff_t>(element) : static_cast<std::ptrdiff_t>(element);
-    for (std::size_t k = 0; k < fields; ++k) {
-      std::byte* field = begin + (columns ? k * count * sizeof(T) : k * sizeof(T));
-      for (std::size_t i = 0; i < count; ++i) {
-        const T number = static_cast<T>(shapes[backward ? count - 1 - i : i][k]);
-        std::memcpy(field + i * element, &number, sizeof number);
-      }
-      shapes_.field[k] = reinterpret_cast<const T*>(field + (backward ? (count - 1) * element : 0));
-    }
-  }
-  const Shapes& view() const { return shapes_; }
-
- private:
-  Shapes shapes_;
-};
 
 constexpr Query batched[] = {Query::overlap,           Query::relation, Query::contains, Query::nearest,
                              Query::boundary_distance, Query::depth,    Query::area,     Query::iou};
@@ -197,7 +82,7 @@ class Batch {
   }
 
   Called codes(const std::string& symbol, const Shapes& a, const Shapes& b, std::size_t n) const {
-    const auto function = find<std::int64_t(const Shapes*, const Shapes*, std::uint8_t*)>(library_.handle, symbol);
+    const auto function = find<std::int64_t(const Shapes*, const Shapes*, std::uint8_t*)>(library_, symbol);
     std::byte* out = out_.place(n, Edge::after);
     Called called;
     called.returned = run_in(environment_, called.environment_changed,
@@ -209,14 +94,13 @@ class Batch {
 
   std::int64_t numbers(const std::string& symbol, const Shapes& a, const Shapes& b,
                        std::vector<std::vector<T>>& c) const {
-    void* handle = library_.handle;
     using S = const Shapes*;
-    if (c.size() == 1) return find<std::int64_t(S, S, T*)>(handle, symbol)(&a, &b, c[0].data());
+    if (c.size() == 1) return find<std::int64_t(S, S, T*)>(library_, symbol)(&a, &b, c[0].data());
     if (c.size() == 3) {
-      return find<std::int64_t(S, S, T*, T*, T*)>(handle, symbol)(&a, &b, c[0].data(), c[1].data(), c[2].data());
+      return find<std::int64_t(S, S, T*, T*, T*)>(library_, symbol)(&a, &b, c[0].data(), c[1].data(), c[2].data());
     }
-    return find<std::int64_t(S, S, T*, T*, T*, T*, T*)>(handle, symbol)(&a, &b, c[0].data(), c[1].data(), c[2].data(),
-                                                                        c[3].data(), c[4].data());
+    return find<std::int64_t(S, S, T*, T*, T*, T*, T*)>(library_, symbol)(&a, &b, c[0].data(), c[1].data(), c[2].data(),
+                                                                          c[3].data(), c[4].data());
   }
 
   template <class Out>
@@ -224,7 +108,7 @@ class Batch {
     std::vector<Out> out(size);
     Called called;
     called.returned = run_in(environment_, called.environment_changed, [&] {
-      return find<std::int64_t(const Shapes*, const Shapes*, Out*, std::ptrdiff_t)>(library_.handle, symbol)(
+      return find<std::int64_t(const Shapes*, const Shapes*, Out*, std::ptrdiff_t)>(library_, symbol)(
           &a, &b, out.data(), static_cast<std::ptrdiff_t>(b.count));
     });
     called.columns.push_back(widened<T>(out));
@@ -256,8 +140,6 @@ void compare(Query query, const std::string& law, std::span<const Answer> answer
 
 constexpr std::size_t rows = 3;
 
-bool has_matrix(Query query) { return is_code(query) || query == Query::area || query == Query::iou; }
-
 /// The scalar answers of the first rows of a with every b.
 std::vector<Answer> matrix_answers(Query query, Scalar scalar, std::span<const Pair> pairs) {
   std::vector<Answer> answers;
@@ -282,7 +164,7 @@ void judge_query(Query query, std::span<const Pair> pairs, unsigned layout, cons
   const Array<T> few(pairs[0].kind_a, side(pairs, false, rows), layout / 3, memory_rows);
   std::vector<Answer> in_step, every;
   for (const Pair& p : pairs) in_step.push_back(ask(query, Types<T>::scalar, p));
-  const bool matrix = has_matrix(query) && layout % 5 == 0;
+  const bool matrix = layout % 5 == 0;
   if (matrix) every = matrix_answers(query, Types<T>::scalar, pairs);
   for (const Loaded& library : loaded()) {
     const Batch<T> batch(library, environment);
@@ -323,6 +205,7 @@ std::vector<BatchFault> judge_batches(Scalar scalar, std::span<const Pair> pairs
       judge_query<float>(query, pairs, layout, environment, faults);
     }
   }
+  judge_arrays(scalar, pairs, layout, environment, faults);
   return faults;
 }
 

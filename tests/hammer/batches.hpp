@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Batches against scalar answers, on every instruction set in one process. The library chooses its instruction set
-/// when it is loaded, so one copy of it is loaded for each.
+/// when it is loaded, so one copy of it is loaded for each (libraries.hpp).
 #pragma once
 
 #include <span>

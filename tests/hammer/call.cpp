@@ -48,6 +48,7 @@ template <class T>
 struct Caller {
   int kind_a, kind_b;
   const T *a, *b;
+  const Motion& motion;
   const Environment& environment;
 
   Answer code(std::int32_t (*function)(std::int32_t, const T*, std::int32_t, const T*)) const {
@@ -66,6 +67,32 @@ struct Caller {
   Answer of_first(std::int32_t (*function)(std::int32_t, const T*, Out*)) const {
     Marked<Out> marked;
     return finish(marked, [&] { return function(kind_a, a, &marked.out); });
+  }
+
+  Answer ratios() const {
+    Answer all;
+    for (std::size_t i = 0; i < ratio_count; ++i) {
+      const auto which = static_cast<std::int32_t>(i);
+      Marked<T> marked;
+      const Answer one = finish(marked, [&] { return Face<T>::ratio(which, kind_a, a, kind_b, b, &marked.out); });
+      if (which == 0) all.code = one.code;
+      all.wrote = all.wrote || one.wrote;
+      all.environment_changed = all.environment_changed || one.environment_changed;
+      all.numbers[i] = one.numbers[0];
+      all.numbers[ratio_count + i] = one.code;
+    }
+    return all;
+  }
+
+  Answer cast() const {
+    Marked<typename Face<T>::Impact> marked;
+    const T vx = static_cast<T>(motion.vx), vy = static_cast<T>(motion.vy), end = static_cast<T>(motion.end);
+    return finish(marked, [&] { return Face<T>::cast(kind_a, a, kind_b, b, vx, vy, end, &marked.out); });
+  }
+  Answer sweep_bounds() const {
+    Marked<typename Face<T>::Aabb> marked;
+    const T vx = static_cast<T>(motion.vx), vy = static_cast<T>(motion.vy), end = static_cast<T>(motion.end);
+    return finish(marked, [&] { return Face<T>::sweep_bounds(kind_a, a, vx, vy, end, &marked.out); });
   }
 
   template <class Out, class Call>
@@ -107,8 +134,14 @@ Answer call(Query query, const Caller<T>& caller) {
       return caller.numbers(F::crossings);
     case Query::shape_area:
       return caller.of_first(F::shape_area);
-    default:
+    case Query::bounds:
       return caller.of_first(F::bounds);
+    case Query::ratio:
+      return caller.ratios();
+    case Query::cast:
+      return caller.cast();
+    default:
+      return caller.sweep_bounds();
   }
 }
 
@@ -123,16 +156,21 @@ std::array<float, 6> as_floats(const Numbers& numbers) {
   return result;
 }
 
-Answer ask(Query query, Scalar scalar, const Pair& p, const Environment& environment) {
+Answer ask(const Case& c, const Environment& environment) {
+  const Pair& p = c.pair;
   Answer answer;
-  if (scalar == Scalar::f64) {
-    answer = call(query, Caller<double>{p.kind_a, p.kind_b, p.a.data(), p.b.data(), environment});
+  if (c.scalar == Scalar::f64) {
+    answer = call(c.query, Caller<double>{p.kind_a, p.kind_b, p.a.data(), p.b.data(), c.motion, environment});
   } else {
     const auto a = as_floats(p.a), b = as_floats(p.b);
-    answer = call(query, Caller<float>{p.kind_a, p.kind_b, a.data(), b.data(), environment});
+    answer = call(c.query, Caller<float>{p.kind_a, p.kind_b, a.data(), b.data(), c.motion, environment});
   }
-  if (deliberate_fault() != nullptr) deliberate_fault()(query, scalar, p, environment, answer);
+  if (deliberate_fault() != nullptr) deliberate_fault()(c.query, c.scalar, p, environment, answer);
   return answer;
+}
+
+Answer ask(Query query, Scalar scalar, const Pair& p, const Environment& environment) {
+  return ask(Case{query, scalar, p}, environment);
 }
 
 std::int32_t check(Scalar scalar, int kind, const Numbers& numbers) {

@@ -13,8 +13,12 @@ namespace hammer {
 /// The most numbers of a result: crossings' `shared` and 8 places.
 inline constexpr std::size_t most_numbers = 17;
 
+/// vesica_ratio's ratios, as many as its constants.
+inline constexpr std::size_t ratio_count = VESICA_RATIO_COMPLETE + 1;
+
 /// What a function returned and wrote, as doubles in the order of its struct; crossings: shared, x[8], y[8], and the
-/// count as the code. Numbers that the function does not write are 0.
+/// count as the code; ratios: the seven numbers, then their codes, the first of which is the code. Numbers that the
+/// function does not write are 0.
 struct Answer {
   std::int32_t code = 0;
   bool wrote = false;                ///< did it write to its output?
@@ -28,7 +32,9 @@ bool same_bits(const Answer& a, const Answer& b);
 /// The code, then the numbers that are not 0, for a message.
 std::string text(const Answer& answer);
 
-/// The queries from overlap to bounds.
+/// The queries from overlap to sweep_bounds.
+Answer ask(const Case& c, const Environment& environment = default_environment);
+/// Where nothing moves.
 Answer ask(Query query, Scalar scalar, const Pair& pair, const Environment& environment = default_environment);
 
 /// vesica_check of one shape.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "hammer/batches.hpp"
+#include "properties/exact_changes.hpp"
 
 namespace hammer {
 
@@ -81,6 +82,14 @@ bool move_exactly(Scalar scalar, const Pair& p, double x, double y, Pair& moved)
   return true;
 }
 
+bool scale_exactly(const Case& c, int exponent, Case& out) {
+  const auto a = properties::scaled_exactly({c.pair.kind_a, c.pair.a}, c.scalar, exponent, false);
+  const auto b = properties::scaled_exactly({c.pair.kind_b, c.pair.b}, c.scalar, exponent, false);
+  if (!a || !b) return false;
+  out = {c.query, c.scalar, {a->kind, b->kind, a->numbers, b->numbers}, c.motion};
+  return true;
+}
+
 std::vector<std::array<double, 2>> moves(const Pair& p) {
   const double e = extent(p);
   if (!(e > 0 && e < 0x1p900)) return {};
@@ -89,7 +98,7 @@ std::vector<std::array<double, 2>> moves(const Pair& p) {
 }
 
 void demand_rounded(Judge& j, const Case& c, const Answer& narrow, std::size_t count) {
-  const Answer wide = ask(c.query, Scalar::f64, c.pair);
+  const Answer wide = ask({c.query, Scalar::f64, c.pair, c.motion});
   const bool stays_positive =
       c.query == Query::nearest || c.query == Query::boundary_distance || c.query == Query::depth;
   if (narrow.code == VESICA_E_RANGE || wide.code == VESICA_E_RANGE) return;
@@ -102,9 +111,9 @@ void demand_rounded(Judge& j, const Case& c, const Answer& narrow, std::size_t c
 }
 
 void judge_environments(Judge& j, const Case& c) {
-  const Answer usual = ask(c.query, c.scalar, c.pair);
+  const Answer usual = ask(c);
   for (const Environment& environment : environments()) {
-    const Answer other = ask(c.query, c.scalar, c.pair, environment);
+    const Answer other = ask(c, environment);
     const std::string law = std::string("environment_") + environment.name;
     j.demand(same_bits(usual, other) && usual.wrote == other.wrote, law.c_str(), text(usual), text(other));
     j.demand(!other.environment_changed, "environment_kept", "as before", environment.name);
@@ -135,6 +144,12 @@ void judge_query(Judge& j, const Case& c, Effort effort) {
       return judge_shape_area(j, c, effort);
     case Query::bounds:
       return judge_bounds(j, c, effort);
+    case Query::ratio:
+      return judge_ratio(j, c, effort);
+    case Query::cast:
+      return judge_cast(j, c, effort);
+    case Query::sweep_bounds:
+      return judge_sweep_bounds(j, c, effort);
     default:
       return;
   }

@@ -52,6 +52,9 @@ void judge_iou(Judge& j, const Case& c, Effort effort);             // laws_area
 void judge_shape_area(Judge& j, const Case& c, Effort effort);      // laws_area.cpp
 void judge_crossings(Judge& j, const Case& c, Effort effort);       // laws_crossings.cpp
 void judge_bounds(Judge& j, const Case& c, Effort effort);          // laws_bounds.cpp
+void judge_ratio(Judge& j, const Case& c, Effort effort);           // laws_ratio.cpp
+void judge_cast(Judge& j, const Case& c, Effort effort);            // laws_motion.cpp
+void judge_sweep_bounds(Judge& j, const Case& c, Effort effort);    // laws_motion.cpp
 void judge_invalid(Judge& j, const Case& c, bool in_environments);  // laws_invalid.cpp
 void judge_environments(Judge& j, const Case& c);                   // laws.cpp
 
@@ -66,6 +69,8 @@ double extent(const Pair& p);
 bool far_from_overflow(Scalar scalar, const Pair& p);
 /// Both shapes moved by (x, y), where that is exact in the scalar type.
 bool move_exactly(Scalar scalar, const Pair& p, double x, double y, Pair& moved);
+/// Both shapes times a power of two, where that is exact; the motion stays.
+bool scale_exactly(const Case& c, int exponent, Case& scaled);
 /// Some moves to try, of the size of the pair; the first takes a's place to the origin.
 std::vector<std::array<double, 2>> moves(const Pair& p);
 /// A float answer is the double's rounded once: numbers[first ... first + count - 1].

@@ -8,7 +8,6 @@
 #include "area/reference.hpp"
 #include "hammer/exact_stage.hpp"
 #include "hammer/laws.hpp"
-#include "properties/exact_changes.hpp"
 
 namespace hammer {
 namespace {
@@ -31,15 +30,6 @@ bool contains(std::int32_t relation) { return relation >= VESICA_CONTAINS; }
 
 Answer area_of(const Case& c, bool of_b) { return ask(Query::shape_area, c.scalar, of_b ? exchanged(c.pair) : c.pair); }
 
-/// Both shapes times a power of two, where that is exact.
-bool scaled(const Case& c, int exponent, Case& out) {
-  const auto a = properties::scaled_exactly({c.pair.kind_a, c.pair.a}, c.scalar, exponent, false);
-  const auto b = properties::scaled_exactly({c.pair.kind_b, c.pair.b}, c.scalar, exponent, false);
-  if (!a || !b) return false;
-  out = {c.query, c.scalar, {a->kind, b->kind, a->numbers, b->numbers}};
-  return true;
-}
-
 /// Shapes for which the reference is made, both within 10^15 of each other and with areas far within the range.
 bool for_reference(const Pair& p) {
   const Answer a = ask(Query::shape_area, Scalar::f64, p), b = ask(Query::shape_area, Scalar::f64, exchanged(p));
@@ -52,7 +42,7 @@ void demand_scaled_area(Judge& j, const Case& c, const Answer& r) {
   const double least = c.scalar == Scalar::f32 ? 0x1p-126 : 0x1p-1022;
   Case q;
   for (const int exponent : {-7, 6}) {
-    if (!scaled(c, exponent, q)) continue;
+    if (!scale_exactly(c, exponent, q)) continue;
     const Answer after = ask(q.query, q.scalar, q.pair);
     const bool zero = r.numbers[0] == 0 && exact_relation(c.pair) <= VESICA_TOUCH;
     if (after.code != 0 || (!zero && (r.numbers[0] < least || after.numbers[0] < least))) continue;
@@ -119,7 +109,7 @@ void judge_iou(Judge& j, const Case& c, Effort effort) {
   if (relation <= VESICA_TOUCH || !area_a || !area_b) j.demand(r.numbers[0] == 0, "apart_is_0", 0, r.numbers[0]);
   Case q;
   for (const int exponent : {-7, 6}) {
-    if (!scaled(c, exponent, q)) continue;
+    if (!scale_exactly(c, exponent, q)) continue;
     const Answer after = ask(q.query, q.scalar, q.pair);
     j.demand(same_bits(after, r), "scaled", text(r), text(after));
   }

@@ -2,6 +2,7 @@
 // Overlap, relation, contains: against the exact stage, the other order of shapes, and the oracle.
 #include <vesica.h>
 
+#include "capi/typed_pairs.hpp"
 #include "hammer/exact_stage.hpp"
 #include "hammer/laws.hpp"
 #include "oracle/oracle.hpp"
@@ -29,6 +30,22 @@ void demand_code(Judge& j, const char* law, std::int32_t expected, std::int32_t 
   if (expected != got) j.demand(false, law, std::to_string(expected), std::to_string(got));
 }
 
+/// The function of the two kinds, in the order that it has.
+template <class T>
+void demand_typed(Judge& j, const Case& c, const std::array<T, 6>& a, const std::array<T, 6>& b, std::int32_t code) {
+  for (const auto& pair : capi::Api<T>::typed_pairs) {
+    if (pair.kind_a == c.pair.kind_a && pair.kind_b == c.pair.kind_b) {
+      demand_code(j, "typed", code, pair.overlap(a.data(), b.data()));
+    } else if (pair.kind_a == c.pair.kind_b && pair.kind_b == c.pair.kind_a) {
+      demand_code(j, "typed", code, pair.overlap(b.data(), a.data()));
+    }
+  }
+}
+void demand_typed(Judge& j, const Case& c, std::int32_t code) {
+  if (c.scalar == Scalar::f64) return demand_typed(j, c, c.pair.a, c.pair.b, code);
+  demand_typed(j, c, as_floats(c.pair.a), as_floats(c.pair.b), code);
+}
+
 }  // namespace
 
 void judge_code(Judge& j, const Case& c, Effort effort) {
@@ -36,6 +53,7 @@ void judge_code(Judge& j, const Case& c, Effort effort) {
   demand_code(j, "exact_stage", by_exact_stage(c.query, c.pair), code);
   if (effort == Effort::quick) return;
   demand_code(j, "oracle", by_oracle(c.query, c.pair), code);
+  if (c.query == Query::overlap) demand_typed(j, c, code);
   const std::int32_t back = ask(c.query, c.scalar, exchanged(c.pair)).code;
   if (c.query == Query::overlap) demand_code(j, "exchanged", code, back);
   if (c.query != Query::relation) return;

@@ -12,10 +12,12 @@
 #include <fstream>
 #include <optional>
 
+#include "cast/motions.hpp"
 #include "hammer/batches.hpp"
 #include "hammer/deliberate.hpp"
 #include "hammer/groups.hpp"
 #include "hammer/laws.hpp"
+#include "hammer/libraries.hpp"
 #include "hammer/progress.hpp"
 #include "hammer/shrink.hpp"
 
@@ -35,6 +37,7 @@ constexpr const char* usage =
   --environments    ask under flushed subnormals and directed roundings too, and expect the same bits
   --group G         only this group of the seed
   --stop-at LAW     stop once a fault of this law is found
+  --functions       print the functions that batches are asked of, and stop
   --fault NAME      put a deliberate fault in, to see it found
   --replay CASE     judge one case, as in 'overlap_f64 circle 0 0 1 | point 1 0'
 Exit status: 0 without an unknown fault, 1 with one, 2 for a wrong call.
@@ -46,7 +49,7 @@ struct Options {
   double seconds = 1e9;
   std::optional<Query> query;
   std::string resume, known, replay, stop_at;
-  bool environments = false;
+  bool environments = false, functions = false;
 };
 
 std::uint64_t seed_of_today() {
@@ -72,6 +75,9 @@ constexpr Share shares[] = {{Query::overlap, 1, 64},
                             {Query::crossings, 8, 128},
                             {Query::shape_area, 8, 32},
                             {Query::bounds, 8, 8},
+                            {Query::ratio, 8, 64},
+                            {Query::cast, 4, 256},
+                            {Query::sweep_bounds, 8, 64},
                             {Query::invalid, 16, 16}};
 constexpr std::uint64_t groups_a_batch = 8;
 constexpr std::uint64_t most_printed = 3;
@@ -152,10 +158,17 @@ class Hammer {
     if (batch) run_batch(group);
   }
 
+  /// Another for each pair of a group.
+  Motion motion_of(const Case& c) const {
+    properties::Random random(progress_.seed + (progress_.next_group << 8) + index_);
+    return cast_test::draw_motion(c.pair, c.scalar, random);
+  }
+
   /// One pair in so many, whatever group the run began with.
   bool turn(std::uint64_t every) const { return (index_ * 7 + progress_.next_group * 13) % every == 0; }
 
   void run_case(Case c, bool slow) {
+    if (of_motion(c.query)) c.motion = motion_of(c);
     if (c.query == Query::invalid) c.pair = broken(c.pair, progress_.next_group * 16 + index_);
     ++progress_.asked[c.query];
     progress_.slow[c.query] += slow;
@@ -217,13 +230,22 @@ int replay(const Options& options) {
     return 2;
   }
   const auto faults = judge(*c, {Effort::slow, options.environments});
-  if (c->query < Query::invalid)
-    std::printf("%s = %s\n", notation(*c).c_str(), text(ask(c->query, c->scalar, c->pair)).c_str());
+  if (c->query < Query::invalid) std::printf("%s = %s\n", notation(*c).c_str(), text(ask(*c)).c_str());
   for (const Fault& fault : faults) {
     std::printf("FAULT %s: expected %s, got %s\n", fault.law.c_str(), fault.expected.c_str(), fault.got.c_str());
   }
   if (faults.empty()) std::printf("no fault\n");
   return faults.empty() ? 0 : 1;
+}
+
+/// What batches are asked of shows when they are.
+int print_functions() {
+  for (std::uint64_t group = 0; group < 64; ++group) {
+    const Group drawn = draw_group(1, group);
+    judge_batches(drawn.scalar, drawn.pairs, static_cast<unsigned>(group));
+  }
+  for (const std::string& function : functions_asked()) std::printf("%s\n", function.c_str());
+  return 0;
 }
 
 /// Nothing where an argument is wrong.
@@ -233,6 +255,10 @@ std::optional<Options> read(int count, char** arguments) {
     const std::string option = arguments[i];
     if (option == "--environments") {
       o.environments = true;
+      continue;
+    }
+    if (option == "--functions") {
+      o.functions = true;
       continue;
     }
     if (option.rfind("--", 0) != 0) {
@@ -280,6 +306,7 @@ int main(int count, char** arguments) {
   }
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(signal, crashed);
   try {
+    if (options->functions) return print_functions();
     return options->replay.empty() ? Hammer(*options).run() : replay(*options);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "vesica_hammer: %s\n", error.what());

@@ -15,14 +15,36 @@ std::optional<int> find_kind(const std::string& word) {
   return std::nullopt;
 }
 
+std::string number_text(double x) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), " %a", x);
+  return text.data();
+}
+
 std::string shape_text(int kind, const Numbers& numbers) {
   std::string text = properties::kind_name(kind);
   for (int i = 0; i < properties::field_count(kind); ++i) {
-    std::array<char, 40> number{};
-    std::snprintf(number.data(), number.size(), " %a", numbers[static_cast<std::size_t>(i)]);
-    text += number.data();
+    text += number_text(numbers[static_cast<std::size_t>(i)]);
   }
   return text;
+}
+
+bool read_number(std::istream& in, double& x) {
+  std::string word;
+  if (!(in >> word)) return false;
+  char* end = nullptr;
+  x = std::strtod(word.c_str(), &end);
+  return end != word.c_str() && *end == '\0';
+}
+
+bool read_word(std::istream& in, const char* expected) {
+  std::string word;
+  return in >> word && word == expected;
+}
+
+bool read_motion(std::istream& in, Motion& m) {
+  return read_word(in, "|") && read_word(in, "v") && read_number(in, m.vx) && read_number(in, m.vy) &&
+         read_word(in, "end") && read_number(in, m.end);
 }
 
 /// Reads a kind and its numbers.
@@ -33,10 +55,7 @@ bool read_shape(std::istream& in, int& kind, Numbers& numbers) {
   if (!found) return false;
   kind = *found;
   for (int i = 0; i < properties::field_count(kind); ++i) {
-    if (!(in >> word)) return false;
-    char* end = nullptr;
-    numbers[static_cast<std::size_t>(i)] = std::strtod(word.c_str(), &end);
-    if (end == word.c_str() || *end != '\0') return false;
+    if (!read_number(in, numbers[static_cast<std::size_t>(i)])) return false;
   }
   return true;
 }
@@ -45,8 +64,8 @@ bool read_shape(std::istream& in, int& kind, Numbers& numbers) {
 
 const char* name(Query query) {
   constexpr std::array<const char*, all_queries.size()> names{
-      "overlap", "relation",  "contains",   "nearest", "boundary_distance", "depth", "area",
-      "iou",     "crossings", "shape_area", "bounds",  "invalid",           "batch"};
+      "overlap",    "relation", "contains", "nearest", "boundary_distance", "depth",   "area", "iou", "crossings",
+      "shape_area", "bounds",   "ratio",    "cast",    "sweep_bounds",      "invalid", "batch"};
   return names.at(static_cast<std::size_t>(query));
 }
 
@@ -61,6 +80,8 @@ std::string notation(const Case& c) {
   std::string text = std::string(name(c.query)) + '_' + properties::name(c.scalar) + ' ';
   text += shape_text(c.pair.kind_a, c.pair.a);
   if (!of_one_shape(c.query)) text += " | " + shape_text(c.pair.kind_b, c.pair.b);
+  if (of_motion(c.query))
+    text += " | v" + number_text(c.motion.vx) + number_text(c.motion.vy) + " end" + number_text(c.motion.end);
   return text;
 }
 
@@ -74,9 +95,9 @@ std::optional<Case> parse(const std::string& text) {
   const auto query = find_query(word);
   if (!query || !read_shape(in, c.pair.kind_a, c.pair.a)) return std::nullopt;
   c.query = *query;
-  if (of_one_shape(c.query)) return in >> word ? std::nullopt : std::optional(c);
-  if (!(in >> word) || word != "|" || !read_shape(in, c.pair.kind_b, c.pair.b) || in >> word) return std::nullopt;
-  return c;
+  if (!of_one_shape(c.query) && (!read_word(in, "|") || !read_shape(in, c.pair.kind_b, c.pair.b))) return std::nullopt;
+  if (of_motion(c.query) && !read_motion(in, c.motion)) return std::nullopt;
+  return in >> word ? std::nullopt : std::optional(c);
 }
 
 }  // namespace hammer

@@ -6,10 +6,12 @@
 #include <optional>
 #include <string>
 
+#include "cast/face.hpp"
 #include "properties/pair.hpp"
 
 namespace hammer {
 
+using cast_test::Motion;
 using properties::Numbers;
 using properties::Pair;
 using properties::Scalar;
@@ -24,31 +26,40 @@ enum class Query {
   area,
   iou,
   crossings,
-  shape_area,  ///< of the first shape
-  bounds,      ///< of the first shape
-  invalid,     ///< every function on a pair of which a shape is invalid
-  batch,       ///< every batch function on many copies of the pair, on every instruction set
+  shape_area,    ///< of the first shape
+  bounds,        ///< of the first shape
+  ratio,         ///< all ratios of shared area at once
+  cast,          ///< of the second shape, moved
+  sweep_bounds,  ///< of the first shape, moved
+  invalid,       ///< every function on a pair of which a shape is invalid
+  batch,         ///< every batch function on many copies of the pair, on every instruction set
 };
 
 inline constexpr std::array all_queries{
-    Query::overlap, Query::relation, Query::contains, Query::nearest,   Query::boundary_distance,
-    Query::depth,   Query::area,     Query::iou,      Query::crossings, Query::shape_area,
-    Query::bounds,  Query::invalid,  Query::batch};
+    Query::overlap, Query::relation, Query::contains, Query::nearest,      Query::boundary_distance,
+    Query::depth,   Query::area,     Query::iou,      Query::crossings,    Query::shape_area,
+    Query::bounds,  Query::ratio,    Query::cast,     Query::sweep_bounds, Query::invalid,
+    Query::batch};
 
 const char* name(Query query);
 std::optional<Query> find_query(const std::string& name);
 
 /// Does the query look at the first shape only?
-constexpr bool of_one_shape(Query query) { return query == Query::shape_area || query == Query::bounds; }
+constexpr bool of_one_shape(Query query) {
+  return query == Query::shape_area || query == Query::bounds || query == Query::sweep_bounds;
+}
+/// Does a shape move?
+constexpr bool of_motion(Query query) { return query == Query::cast || query == Query::sweep_bounds; }
 
 /// One question. For Scalar::f32 each number is a float's value.
 struct Case {
   Query query;
   Scalar scalar;
   Pair pair;
+  Motion motion{0, 0, 0};  ///< where a shape moves
 };
 
-/// As in "overlap_f64 circle 0x0p+0 0x0p+0 0x1p+0 | point 0x1p+0 0x0p+0".
+/// As in "overlap_f64 circle 0x0p+0 0x0p+0 0x1p+0 | point 0x1p+0 0x0p+0"; a motion follows as in " | v 0x1p+0 0x0p+0 end inf".
 std::string notation(const Case& c);
 
 /// The case of a notation; "_f64" may be left out, numbers may be decimal. Nothing where it cannot be read.

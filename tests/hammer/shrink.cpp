@@ -27,8 +27,8 @@ int cost(double x) {
   return 2 + 4 * digits + (x < 0) + (exponent == 0 ? 0 : 1 + static_cast<int>(std::log2(std::abs(exponent) + 1)));
 }
 
-int cost(const Pair& p) {
-  int sum = 0;
+int cost(const Pair& p, const Motion& m) {
+  int sum = cost(m.vx) + cost(m.vy) + cost(m.end);
   for (int i = 0; i < properties::field_count(p.kind_a); ++i) sum += cost(p.a[static_cast<std::size_t>(i)]);
   for (int i = 0; i < properties::field_count(p.kind_b); ++i) sum += cost(p.b[static_cast<std::size_t>(i)]);
   return sum;
@@ -59,7 +59,7 @@ std::vector<double> simpler(double x) {
 class Shrinking {
  public:
   Shrinking(const Case& c, const std::function<bool(const Case&)>& fails)
-      : best_(c), cost_(cost(c.pair)), fails_(fails), end_(Clock::now() + most_time) {}
+      : best_(c), cost_(cost(c.pair, c.motion)), fails_(fails), end_(Clock::now() + most_time) {}
 
   Case run() {
     while (step() && Clock::now() < end_) {
@@ -68,15 +68,20 @@ class Shrinking {
   }
 
  private:
-  bool try_pair(const Pair& p) {
-    const int price = cost(p);
+  bool try_pair(const Pair& p) { return try_case({best_.query, best_.scalar, p, best_.motion}); }
+
+  bool try_case(const Case& c) {
+    const Pair& p = c.pair;
+    const int price = cost(p, c.motion);
     if (price >= cost_ || Clock::now() >= end_) return false;
     for (const Numbers* n : {&p.a, &p.b}) {
       for (const double x : *n) {
         if (std::isfinite(x) && !properties::representable(best_.scalar, x)) return false;
       }
     }
-    const Case c{best_.query, best_.scalar, p};
+    for (const double x : {c.motion.vx, c.motion.vy, c.motion.end}) {
+      if (std::isfinite(x) && !properties::representable(best_.scalar, x)) return false;
+    }
     if (!fails_(c)) return false;
     best_ = c;
     cost_ = price;
@@ -95,6 +100,20 @@ class Shrinking {
           any = true;
           break;
         }
+      }
+    }
+    return any;
+  }
+
+  bool try_motion() {
+    bool any = false;
+    for (double Motion::*const part : {&Motion::vx, &Motion::vy, &Motion::end}) {
+      for (const double x : simpler(best_.motion.*part)) {
+        Case c = best_;
+        c.motion.*part = x;
+        if (!std::isfinite(x) || (part == &Motion::end && std::signbit(x)) || !try_case(c)) continue;
+        any = true;
+        break;
       }
     }
     return any;
@@ -119,7 +138,8 @@ class Shrinking {
   bool step() {
     const bool together = try_together(), a = try_numbers(false);
     const bool b = !of_one_shape(best_.query) && try_numbers(true);
-    return together || a || b;
+    const bool motion = of_motion(best_.query) && try_motion();
+    return together || a || b || motion;
   }
 
   Case best_;

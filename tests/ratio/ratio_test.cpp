@@ -267,6 +267,32 @@ TEST_F(Ratios, OfShapesFarSmallerThanTheOther) {
   EXPECT_EQ(ratio(VESICA_RATIO_OVER_SECOND, half), (Answer{0, 0}));
 }
 
+// The IoU of such pairs underflows, or says less than the areas.
+TEST_F(Ratios, OverOneAreaBesideAnotherFarAway) {
+  const Pair in_ellipse{VESICA_AABB, VESICA_ELLIPSE, {0, 0, 1, 1}, {0, 0, 0x1p477, 0, 0x1p237, 1}};
+  const Pair in_disc{VESICA_CIRCLE, VESICA_CIRCLE, {0, 0, 1}, {0, 0, 0x1.7p+304}};
+  const Pair both_huge{VESICA_CIRCLE, VESICA_CIRCLE, {0, 0, 0x1.67p608}, {0x1p598, 0, 0x1.68p608}};
+  const Pair tiny{VESICA_CIRCLE, VESICA_CIRCLE, {0, 0, 0x1p-1000}, {0, 0, 1}};
+  for (const Pair& p : {in_ellipse, in_disc, both_huge, tiny}) {
+    EXPECT_EQ(ratio(VESICA_RATIO_OVER_FIRST, p), (Answer{0, 1}));
+    EXPECT_EQ(ratio(VESICA_RATIO_OVER_SMALLER, p), (Answer{0, 1}));
+  }
+  EXPECT_EQ(ratio(VESICA_RATIO_OVER_SECOND, tiny), (Answer{0, 0}));
+}
+
+// The offset of the centres overflows along one coordinate, and all lengths along the other are usual ones.
+TEST_F(Ratios, FarApartAlongOneCoordinate) {
+  for (const double x : {1.0, 0x1p-300}) {
+    const Pair up{VESICA_CIRCLE, VESICA_POINT, {0, 0x1p1023, x}, {0, -0x1p1023}};
+    const Pair aside{VESICA_CIRCLE, VESICA_AABB, {0x1p1023, 0, x}, {-0x1p1023, -x, -0x1p1023, x}};
+    for (const int which : {VESICA_RATIO_GENERALIZED, VESICA_RATIO_DISTANCE, VESICA_RATIO_COMPLETE}) {
+      EXPECT_EQ(ratio(which, up), (Answer{0, -1})) << which;
+      const double v = which == VESICA_RATIO_COMPLETE ? 0.25 * 0.25 / 1.25 : 0;
+      EXPECT_NEAR(ratio(which, aside).value, -1 - v, 8 * u) << which;
+    }
+  }
+}
+
 TEST_F(Ratios, OfFloats) {
   for (int which = 0; which < ratios; ++which) {
     const float a[] = {0.1f, 0.2f, 1.3f}, b[] = {0.4f, 0.5f, 1.6f, 2.5f};

@@ -46,10 +46,11 @@ VESICA_INLINE Facts facts(const Shape& shape, double area) noexcept {
           f.outline != form::Outline::straight};
 }
 
-/// The smallest box along the coordinate axes about two shapes, and from centre to centre of these. In units of 2^unit.
+/// The smallest box along the coordinate axes about two shapes, and from centre to centre of these. Width and dx are in
+/// units of 2^unit_x, height and dy of 2^unit_y: a box may be 2^2000 times as long as it is high.
 struct Hull {
   double width, height, dx, dy;
-  int unit;
+  int unit_x, unit_y;
 };
 
 /// |x y|
@@ -67,44 +68,54 @@ inline double reach(const Facts& s, double p, double q, int unit) noexcept {
   return s.round ? std::sqrt(along * along + across * across) : along + across;
 }
 
-/// From the one end to the other of two spans about their centres, which are d apart.
+/// From the one end to the other of two spans about their centres, which are d apart. NaN where d overflowed to it.
 inline double span(double reach_a, double reach_b, double d) noexcept {
-  return std::fmax(2 * std::fmax(reach_a, reach_b), (reach_a + reach_b) + std::fabs(d));
+  const double within = 2 * std::fmax(reach_a, reach_b), apart = (reach_a + reach_b) + std::fabs(d);
+  return within > apart ? within : apart;
 }
 
 /// Coordinates are lifted by 2^lift first.
-inline Hull hull(const Facts& a, const Facts& b, int unit, int lift) noexcept {
+inline Hull hull(const Facts& a, const Facts& b, int unit_x, int unit_y, int lift) noexcept {
   const double k = arithmetic::power_of_two(lift);
-  const auto half = [&](double twice) {
+  const auto half = [&](double twice, int unit) {
     return 0.5 * (unit == 0 ? twice : arithmetic::scale_far(twice, -lift - unit));
   };
-  const double dx = half(form::twice_offset_x(a.place, b.place, k).high);
-  const double dy = half(form::twice_offset_y(a.place, b.place, k).high);
-  return {span(reach(a, a.ux, a.uy, unit), reach(b, b.ux, b.uy, unit), dx),
-          span(reach(a, a.uy, a.ux, unit), reach(b, b.uy, b.ux, unit), dy), dx, dy, unit};
+  const double dx = half(form::twice_offset_x(a.place, b.place, k).high, unit_x);
+  const double dy = half(form::twice_offset_y(a.place, b.place, k).high, unit_y);
+  return {span(reach(a, a.ux, a.uy, unit_x), reach(b, b.ux, b.uy, unit_x), dx),
+          span(reach(a, a.uy, a.ux, unit_y), reach(b, b.uy, b.ux, unit_y), dy),
+          dx,
+          dy,
+          unit_x,
+          unit_y};
 }
 
-/// The exponent of the longest of a shape's half lengths.
-inline int length_exponent(const Facts& s) noexcept {
-  const double size = std::fmax(s.along, s.across), axis = std::fmax(std::fabs(s.ux), std::fabs(s.uy));
-  return size == 0 || axis == 0 ? form::no_exponent : arithmetic::exponent_of(size) + arithmetic::exponent_of(axis);
+/// An exponent of how far a shape reaches along a coordinate, given as for reach().
+inline int reach_exponent(const Facts& s, double p, double q) noexcept {
+  const auto of_product = [](double x, double y) {
+    return x == 0 || y == 0 ? form::no_exponent : arithmetic::exponent_of(x) + arithmetic::exponent_of(y);
+  };
+  return std::max(of_product(p, s.along), of_product(q, s.across));
 }
 
-/// In units that the lengths and the offset suggest.
+/// In units that the lengths and the offset suggest, along each coordinate.
 VESICA_COLD inline Hull hull_of_odd(const Facts& a, const Facts& b) noexcept {
   const form::Corners<double>&p = a.place, &q = b.place;
   double most = 0;
   for (const double x : {p.x0, p.y0, p.x1, p.y1, q.x0, q.y0, q.x1, q.y1}) most = std::fmax(most, std::fabs(x));
   const int lift = most > 0x1p1000 ? -30 : most < 0x1p-900 ? 120 : 0;
   const double k = arithmetic::power_of_two(lift);
-  const double offset =
-      std::fmax(std::fabs(form::twice_offset_x(p, q, k).high), std::fabs(form::twice_offset_y(p, q, k).high));
-  const int unit = std::max({length_exponent(a), length_exponent(b), form::length_exponent(offset, -lift)});
-  return hull(a, b, unit == 0 ? 1 : unit, lift);
+  const auto unit = [&](int reach_a, int reach_b, double offset) {
+    const int longest = std::max({reach_a, reach_b, form::length_exponent(offset, -lift)});
+    return longest == 0 ? 1 : longest;
+  };
+  return hull(
+      a, b, unit(reach_exponent(a, a.ux, a.uy), reach_exponent(b, b.ux, b.uy), form::twice_offset_x(p, q, k).high),
+      unit(reach_exponent(a, a.uy, a.ux), reach_exponent(b, b.uy, b.ux), form::twice_offset_y(p, q, k).high), lift);
 }
 
 inline Hull hull(const Facts& a, const Facts& b) noexcept {
-  const Hull usual = hull(a, b, 0, 0);
+  const Hull usual = hull(a, b, 0, 0, 0);
   return is_moderate(usual.width) && is_moderate(usual.height) ? usual : hull_of_odd(a, b);
 }
 

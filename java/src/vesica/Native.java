@@ -2784,8 +2784,8 @@ final class Native {
    *
    * <p>Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.
    *
-   * <p>Accuracy: a side that does not move is that of vesica_bounds_f64; one that does is at most two steps between
-   * numbers too far out.
+   * <p>Accuracy: a side that does not move is that of vesica_bounds_f64. One that does is too far out by at most three
+   * steps between numbers as large as the largest of the side at rest, its way and where it ends.
    *
    * <p>Since: 0.1.
    */
@@ -2904,8 +2904,8 @@ final class Native {
    *
    * <p>Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.
    *
-   * <p>Accuracy: a side that does not move is that of vesica_bounds_f32; one that does is at most two steps between
-   * numbers too far out.
+   * <p>Accuracy: a side that does not move is that of vesica_bounds_f32. One that does is too far out by at most three
+   * steps between numbers as large as the largest of the side at rest, its way and where it ends.
    *
    * <p>Since: 0.1.
    */

@@ -3209,8 +3209,8 @@ extern "C" {
     ///
     /// Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.
     ///
-    /// Accuracy: a side that does not move is that of vesica_bounds_f64; one that does is at most two steps between
-    /// numbers too far out.
+    /// Accuracy: a side that does not move is that of vesica_bounds_f64. One that does is too far out by at most three
+    /// steps between numbers as large as the largest of the side at rest, its way and where it ends.
     ///
     /// Since: 0.1.
     pub fn vesica_sweep_bounds_f64(kind: i32, numbers: *const f64, vx: f64, vy: f64, t_end: f64,
@@ -3310,8 +3310,8 @@ extern "C" {
     ///
     /// Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.
     ///
-    /// Accuracy: a side that does not move is that of vesica_bounds_f32; one that does is at most two steps between
-    /// numbers too far out.
+    /// Accuracy: a side that does not move is that of vesica_bounds_f32. One that does is too far out by at most three
+    /// steps between numbers as large as the largest of the side at rest, its way and where it ends.
     ///
     /// Since: 0.1.
     pub fn vesica_sweep_bounds_f32(kind: i32, numbers: *const f32, vx: f32, vy: f32, t_end: f32,

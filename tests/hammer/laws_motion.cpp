@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes that move: contact against the exact stage at the start, the oracle of the whole way, and other ends; times to
+// the bit. Boxes about a motion against the bounds of the shape at rest.
+#include <vesica.h>
+
+#include <cmath>
+#include <limits>
+
+#include "hammer/exact_stage.hpp"
+#include "hammer/laws.hpp"
+#include "oracle/motion.hpp"
+
+namespace hammer {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double next(Scalar scalar, double x, int by) {
+  return properties::at_ordinal(scalar, properties::ordinal(scalar, x) + by);
+}
+
+/// How many steps too far out a side may be after its motion.
+constexpr double most_steps = 3;
+
+/// From a number of this magnitude to the next one of its type.
+double step(Scalar scalar, double x) {
+  const bool narrow = scalar == Scalar::f32;
+  const double least = narrow ? 0x1p-149 : 0x1p-1074;
+  return x == 0 ? least : std::fmax(least, std::ldexp(1, std::ilogb(x) - (narrow ? 23 : 52)));
+}
+
+Case ended(Case c, double end) {
+  c.motion.end = end;
+  return c;
+}
+
+/// Where exponents are wildly unlike the one may be out of range and the other not.
+bool same(const Answer& r, const Answer& s) {
+  return r.code == VESICA_E_RANGE || s.code == VESICA_E_RANGE || (r.code == s.code && r.numbers[0] == s.numbers[0]);
+}
+
+void demand_same(Judge& j, const char* law, const Answer& r, const Answer& s) {
+  j.demand(same(r, s), law, text(r), text(s));
+}
+
+bool meets(const Case& c, double time, int less = 0) {
+  const Pair& p = c.pair;
+  return oracle::meets(p.kind_a, p.a.data(), p.kind_b, p.b.data(), {c.motion.vx, c.motion.vy, time, less});
+}
+
+bool is_round(int kind) { return kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE; }
+
+/// Exponents within this of each other keep the oracle's integers short.
+bool for_oracle(const Case& c) {
+  const Pair& p = c.pair;
+  const auto of_moderate_size = [](double x) { return x == 0 || (std::fabs(x) > 0x1p-40 && std::fabs(x) < 0x1p40); };
+  for (const Numbers* numbers : {&p.a, &p.b}) {
+    for (const double x : *numbers) {
+      if (!of_moderate_size(x)) return false;
+    }
+  }
+  return of_moderate_size(c.motion.vx) && of_moderate_size(c.motion.vy);
+}
+
+void demand_by_oracle(Judge& j, const Case& c, const Answer& r) {
+  const double t = r.numbers[0];
+  const int less = is_round(c.pair.kind_a) && is_round(c.pair.kind_b) ? 300 : 6500;
+  j.demand((r.code != VESICA_CAST_MISS) == (meets(c, 0) || meets(c, c.motion.end)), "oracle", "otherwise", text(r));
+  if (r.code != VESICA_CAST_HIT) return;
+  j.demand(t == 0 || !meets(c, t, less), "not_before", "later", text(r));
+  const double after = next(c.scalar, t, 1);
+  j.demand(meets(c, after, less) || meets(c, t), "before_next", "earlier", text(r));
+}
+
+void demand_hit(Judge& j, const Case& c, const Answer& r) {
+  const double t = r.numbers[0], nx = r.numbers[3], ny = r.numbers[4];
+  demand_same(j, "end_at_infinity", r, ask(ended(c, infinity)));
+  demand_same(j, "end_after", r, ask(ended(c, next(c.scalar, t, 1))));
+  if (t > 0) {
+    const Answer before = ask(ended(c, next(c.scalar, t, -1)));
+    j.demand(before.code == VESICA_CAST_MISS || before.code == VESICA_E_RANGE, "end_before", "a miss", text(before));
+  }
+  const double u = c.scalar == Scalar::f64 ? 0x1p-53 : 0x1p-24;
+  j.demand(std::fabs(std::hypot(nx, ny) - 1) <= 4 * u, "unit_normal", 1, std::hypot(nx, ny));
+  const double most = std::fmax(std::fabs(c.motion.vx), std::fabs(c.motion.vy));
+  const double against = nx * (c.motion.vx / most) + ny * (c.motion.vy / most);
+  j.demand(against <= 6 * u, "normal_against_velocity", 0, against);
+}
+
+/// A float's time is the double's rounded down.
+void demand_rounded_down(Judge& j, const Case& c, const Answer& r) {
+  const Answer wide = ask({c.query, Scalar::f64, c.pair, c.motion});
+  if (wide.code == VESICA_E_RANGE || r.code == VESICA_E_RANGE) return;
+  j.demand(wide.code == r.code, "float_code", text(wide), text(r));
+  if (r.code != VESICA_CAST_HIT) return;
+  const double t = wide.numbers[0];
+  auto down = static_cast<float>(t);
+  if (static_cast<double>(down) > t) down = std::nextafterf(down, 0);
+  j.demand(static_cast<double>(down) == r.numbers[0], "float_time", static_cast<double>(down), r.numbers[0]);
+}
+
+/// What is outside of the box about the motion is never touched.
+void demand_within_sweep(Judge& j, const Case& c, const Answer& r) {
+  const Answer at_rest = ask(Query::bounds, c.scalar, c.pair);
+  const Answer swept = ask({Query::sweep_bounds, c.scalar, exchanged(c.pair), c.motion});
+  if (at_rest.code != 0 || swept.code != 0) return;
+  const auto &a = at_rest.numbers, &b = swept.numbers;
+  const bool apart = a[0] > b[2] || b[0] > a[2] || a[1] > b[3] || b[1] > a[3];
+  j.demand(!apart || r.code == VESICA_CAST_MISS, "within_sweep", "a miss", text(r));
+}
+
+/// Does the box hold the other, to the bit?
+bool holds(const Answer& box, const Answer& other) {
+  const auto &a = box.numbers, &b = other.numbers;
+  return a[0] <= b[0] && a[1] <= b[1] && a[2] >= b[2] && a[3] >= b[3];
+}
+
+/// The first shape at the end of its motion, where that is exact.
+bool moved_exactly(const Case& c, Pair& moved) {
+  const double x = c.motion.vx * c.motion.end, y = c.motion.vy * c.motion.end;
+  if (!std::isfinite(x) || !std::isfinite(y) || !properties::representable(c.scalar, x) ||
+      !properties::representable(c.scalar, y)) {
+    return false;
+  }
+  const bool whole = std::fma(c.motion.vx, c.motion.end, -x) == 0 && std::fma(c.motion.vy, c.motion.end, -y) == 0;
+  const bool normal = (x == 0 || std::fabs(x) > 0x1p-900) && (y == 0 || std::fabs(y) > 0x1p-900);
+  return whole && normal && move_exactly(c.scalar, {c.pair.kind_a, c.pair.kind_a, c.pair.a, c.pair.a}, x, y, moved);
+}
+
+}  // namespace
+
+void judge_cast(Judge& j, const Case& c, Effort effort) {
+  const Answer r = ask(c);
+  if (r.code < 0) {
+    j.demand(r.code == VESICA_E_RANGE && !r.wrote, "code", "an answer", text(r));
+    return;
+  }
+  j.demand((r.code == VESICA_CAST_START) == (exact_overlap(c.pair) == 1), "start", "overlap", text(r));
+  const double t = r.numbers[0];
+  j.demand(r.code == VESICA_CAST_MISS    ? t == infinity
+           : r.code == VESICA_CAST_START ? t == 0
+                                         : t >= 0 && t <= c.motion.end,
+           "time", "from 0 to the end", text(r));
+  const Case other{c.query, c.scalar, exchanged(c.pair), {-c.motion.vx, -c.motion.vy, c.motion.end}};
+  demand_same(j, "exchanged", r, ask(other));
+  if (r.code == VESICA_CAST_HIT) demand_hit(j, c, r);
+  const double half = properties::nearest(c.scalar, c.motion.end / 2);
+  if (r.code == VESICA_CAST_MISS && half <= c.motion.end) demand_same(j, "shortened_miss", r, ask(ended(c, half)));
+  Case q;
+  for (const int exponent : {-7, 6}) {
+    if (!scale_exactly(c, exponent, q)) continue;
+    q.motion.vx = std::ldexp(c.motion.vx, exponent), q.motion.vy = std::ldexp(c.motion.vy, exponent);
+    const bool exact =
+        std::ldexp(q.motion.vx, -exponent) == c.motion.vx && std::ldexp(q.motion.vy, -exponent) == c.motion.vy &&
+        properties::representable(c.scalar, q.motion.vx) && properties::representable(c.scalar, q.motion.vy);
+    if (exact) demand_same(j, "scaled", r, ask(q));
+  }
+  demand_within_sweep(j, c, r);
+  if (c.scalar == Scalar::f32) demand_rounded_down(j, c, r);
+  if (effort == Effort::slow && for_oracle(c)) demand_by_oracle(j, c, r);
+}
+
+void judge_sweep_bounds(Judge& j, const Case& c, Effort) {
+  const Answer r = ask(c), at_rest = ask(Query::bounds, c.scalar, c.pair);
+  if (r.code != 0) {
+    j.demand(r.code == VESICA_E_RANGE && !r.wrote, "code", "0", text(r));
+    return;
+  }
+  j.demand(at_rest.code == 0 && holds(r, at_rest), "at_rest", text(at_rest), text(r));
+  const bool stays_x = c.motion.vx == 0 || c.motion.end == 0, stays_y = c.motion.vy == 0 || c.motion.end == 0;
+  const auto as_at_rest = [&](bool stays, double v, std::size_t side) {
+    const bool same_side = stays || (side < 2 ? v > 0 : v < 0);
+    j.demand(!same_side || r.numbers[side] == at_rest.numbers[side], "unmoved_side", at_rest.numbers[side],
+             r.numbers[side]);
+  };
+  for (const std::size_t side : {0U, 2U}) as_at_rest(stays_x, c.motion.vx, side);
+  for (const std::size_t side : {1U, 3U}) as_at_rest(stays_y, c.motion.vy, side);
+  const Answer shorter = ask(ended(c, properties::nearest(c.scalar, c.motion.end / 2)));
+  j.demand(c.motion.end == 0 || (shorter.code == 0 && holds(r, shorter)), "shortened", text(shorter), text(r));
+  Pair moved;
+  if (!moved_exactly(c, moved)) return;
+  const Answer end = ask(Query::bounds, c.scalar, moved);
+  if (end.code != 0) return;
+  j.demand(holds(r, end), "at_end", text(end), text(r));
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double start = at_rest.numbers[i], stop = end.numbers[i];
+    if (std::fmax(std::fabs(start), std::fabs(stop)) > (c.scalar == Scalar::f32 ? 0x1p120 : 0x1p1000)) continue;
+    const double least = i < 2 ? std::fmin(start, stop) : std::fmax(start, stop);
+    const double way = (i % 2 == 0 ? c.motion.vx : c.motion.vy) * c.motion.end;
+    const double largest = std::fmax(std::fabs(way), std::fmax(std::fabs(start), std::fabs(stop)));
+    const double off = std::fabs(r.numbers[i] - least) / step(c.scalar, largest);
+    j.demand(off <= most_steps, "steps_out", least, r.numbers[i]);
+  }
+}
+
+}  // namespace hammer
