@@ -18,6 +18,7 @@
 #include <vesica/construct.hpp>
 #include <vesica/crossings.hpp>
 #include <vesica/depth.hpp>
+#include <vesica/impact_time.hpp>
 #include <vesica/iou.hpp>
 #include <vesica/nearest.hpp>
 #include <vesica/overlap.hpp>

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Conservative advancement: a time before which there is no contact, by directions that separate the shapes. Each step
+/// is proved by separation.hpp; what leads to it need not be right.
+#pragma once
+
+#include <vesica/cast.hpp>
+#include <vesica/impact_time/separation.hpp>
+
+namespace vesica::detail::impact_time {
+
+/// No contact before `from`, nor from `to` on, as the discs that hold the shapes tell. never: none at all.
+struct Window {
+  double from, to;
+  bool never, apart;  // apart: at the start
+};
+
+/// Whether the discs are apart from one time to another, along the connection of the centres at some time.
+inline bool discs_apart(const Scene& s, double time, double from, double to) noexcept {
+  const PlaneVector d = s.offset(time);
+  const double length = lane::sqrt(dot(d, d)), reach = (s.a.reach + s.b.reach) * (1 + 0x1p-40) + 2 * s.error;
+  if (!(length > reach)) return false;
+  const PlaneVector n{d.x / length, d.y / length};
+  return dot(n, s.offset(from)) > reach && dot(n, s.offset(to)) > reach;
+}
+
+inline Window window(const Scene& s) noexcept {
+  constexpr double before = 1 - 0x1p-20, after = 1 + 0x1p-20;
+  const double reach = s.a.reach + s.b.reach, dd = dot(s.d, s.d), dv = dot(s.d, s.v), vv = dot(s.v, s.v);
+  const double least = dd - reach * reach, root = lane::sqrt(lane::max(dv * dv - vv * least, 0));
+  const double nearest = vv > 0 ? lane::min(lane::max(-dv / vv, 0), 1) : 0;
+  if (discs_apart(s, nearest, 0, 1)) return {1, 1, true, true};
+  const double first = least > 0 ? before * (least / (root - dv)) : 0, last = vv > 0 ? after * ((root - dv) / vv) : 1;
+  Window w{0, 1, false, least > 0 && discs_apart(s, 0, 0, 0)};
+  if (first > 0 && first < 1 && discs_apart(s, first, 0, first)) w.from = first;
+  if (last > w.from && last < 1 && discs_apart(s, last, last, 1)) w.to = last;
+  return w;
+}
+
+/// How many poses are looked at in all.
+inline constexpr int most_poses = 4096;
+
+/// A time and how far a direction separates there.
+struct Reached {
+  double t;
+  Separation by;
+};
+
+/// Goes on along one direction until it separates the shapes by a fiftieth of what it did, or `enough`, or until `to`.
+inline Reached march(const Scene& s, const PlaneVector& n, Reached at, double enough, double to, int& poses) noexcept {
+  const double goal = lane::max(0.02 * at.by.least, enough);
+  double room = to - at.t, beyond = 2;  // where the direction was seen not to be enough
+  for (int i = 0; i < 16 && poses < most_poses && at.t < to; ++i, ++poses) {
+    double step = lane::min(room, to - at.t);
+    if (s.curve > 0) step = lane::min(step, lane::sqrt(7.5 * at.by.least / s.curve));
+    if (at.by.rate < 0) step = lane::min(step, 0.99 * at.by.least / -at.by.rate);
+    const double t = step < to - at.t ? at.t + step : to;
+    if (!(t > at.t)) break;
+    const Separation by = separation(s, pose(s, t), n);
+    if (is_clear_between(s, at.by.least, by.least, (t - at.t) * (1 + 0x1p-50))) {
+      at = {t, by};
+      room = beyond < to ? 0.9 * (beyond - t) : to - t;
+      if (by.least <= goal) break;
+    } else {
+      // Where the chord meets 0, or what would have been clear.
+      const double cut = by.least < 0 ? at.by.least / (at.by.least - by.least) : 0.6;
+      room = (t - at.t) * lane::min(0.95 * cut, 0.6);
+      if (by.least < 0) beyond = t;
+    }
+  }
+  return at;
+}
+
+/// Whether two boxes surely overlap: no face separates them by anything but rounding.
+inline bool boxes_surely_overlap(const Scene& s, double t) noexcept {
+  const Pose at = pose(s, t);
+  const double spins = lane::abs(s.a.spin) + lane::abs(s.b.spin);
+  const double lengths = lane::abs(s.d.x) + lane::abs(s.d.y) + lane::abs(s.v.x) + lane::abs(s.v.y) +
+                         (s.a.hx + s.a.hy) + (s.b.hx + s.b.hy);
+  Direction best{{1, 0}, {-1e300, 0}};
+  try_faces(s, at, best);
+  return best.by.least + s.error < -(0x1p-53 * lengths * (40 + 4 * spins));
+}
+
+enum class Outcome { missed, near };
+
+/// The time up to which there is no contact, a direction that separates the shapes then, and the distance as the
+/// library tells it, where it was asked.
+struct Advanced {
+  Outcome outcome;
+  double t;
+  Direction along;
+};
+
+/// From a point of the first to one of the second shape, of least distance; about the first centre.
+struct Gap {
+  PlaneVector a, b;
+  double distance;
+};
+
+template <class Ask>
+Gap gap_at(const Scene& s, const Pose& at, const Ask& ask) noexcept {
+  ClosestPoints<double> c;
+  ask.nearest(body_of(s.a, at.axis_a, {0, 0}), body_of(s.b, at.axis_b, at.offset), c);
+  return {{c.ax, c.ay}, {c.bx, c.by}, c.distance};
+}
+
+/// The direction that separates best. `before` is that of an earlier time.
+template <class Ask>
+Direction best_direction(const Scene& s, const Pose& at, const PlaneVector& before, const Ask& ask) noexcept {
+  Direction best{before, separation(s, at, before)};
+  try_faces(s, at, best);
+  if (s.has_boxes()) return best;
+  const Gap gap = gap_at(s, at, ask);
+  const PlaneVector way = gap.b + -gap.a;
+  const double size = lane::max(lane::abs(way.x), lane::abs(way.y));
+  if (size > 0) try_direction(s, at, support_minimum::unit_of_any(way), best);
+  try_outline(s, at, s.a, at.axis_a, gap.a, best);
+  try_outline(s, at, s.b, at.axis_b, gap.b + -at.offset, best);
+  return best;
+}
+
+template <class Ask>
+Advanced advance(const Scene& s, const Window& w, double tolerance, const Ask& ask) noexcept {
+  // Faces may tell 0.7 of the distance.
+  const double enough = lane::max((s.has_boxes() ? 0.6 : 0.9) * tolerance, 0);
+  double t = w.from;
+  PlaneVector n{1, 0};
+  for (int poses = 0; poses < most_poses; ++poses) {
+    const Direction best = best_direction(s, pose(s, t), n, ask);
+    n = best.n;
+    if (best.by.least <= enough) return {Outcome::near, t, best};
+    const Reached reached = march(s, n, {t, best.by}, 0.3 * enough, w.to, poses);
+    if (reached.t >= w.to) return {Outcome::missed, 1, best};
+    if (!(reached.t > t)) return {Outcome::near, t, best};
+    t = reached.t;
+  }
+  return {Outcome::near, t, best_direction(s, pose(s, t), n, ask)};
+}
+
+/// Whether there surely is contact a little after t: at a few times about that at which the gap would be closed.
+template <class Ask>
+bool surely_meet_after(const Scene& s, double t, const Direction& along, double gap, const Ask& ask) noexcept {
+  if (!(along.by.rate < 0)) return false;
+  double step = 2 * (gap + 16 * s.error) / -along.by.rate;
+  for (int i = 0; i < 4; ++i, step *= 6) {
+    const double later = lane::min(t + step, 1);
+    if (s.has_boxes()) {
+      if (boxes_surely_overlap(s, later)) return true;
+    } else {
+      const Pose at = pose(s, later);
+      Penetration<double> p;
+      ask.depth(body_of(s.a, at.axis_a, {0, 0}), body_of(s.b, at.axis_b, at.offset), p);
+      if (p.depth > 2 * s.error) return true;
+    }
+    if (later == 1) break;
+  }
+  return false;
+}
+
+}  // namespace vesica::detail::impact_time

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Two shapes that move and turn, in double at a common scale, and bounds on what rounding does to them.
+///
+/// At a time t from 0 to 1 a shape's centre has moved by t v, and its axis has turned by t times an angle about it. Only
+/// the offset of the centres counts.
+#pragma once
+
+#include <vesica/arithmetic/rotation.hpp>
+#include <vesica/cast/body.hpp>
+#include <vesica/nearest/placed.hpp>
+#include <vesica/support_minimum/plane_vector.hpp>
+
+namespace vesica {
+
+/// How a shape moves while t runs from 0 to 1; members as in the C struct.
+template <class T>
+struct Turn {
+  T vx, vy;  ///< by how much its centre moves
+  T angle;   ///< by how much it turns about its centre: radians, counter-clockwise where y points up
+};
+
+namespace detail::impact_time {
+
+using cast::Body;
+using support_minimum::cross;
+using support_minimum::dot;
+using support_minimum::perp;
+using support_minimum::PlaneVector;
+
+/// A shape at t = 0: a unit axis, half lengths along it and across. `reach`: no point is farther from the centre.
+struct Turning {
+  PlaneVector axis;
+  double hx, hy, reach, spin;
+  bool round;
+
+  bool turns() const noexcept { return spin != 0; }
+};
+
+/// Lengths are in units of 2^exponent; the largest is about 1. d leads from the first centre to the second at t = 0, v
+/// is what it changes by. `error` bounds what rounding does to separation(), and `curve` its second derivative in t.
+struct Scene {
+  Turning a, b;
+  PlaneVector d, v;
+  double error, curve;
+  int exponent;
+
+  PlaneVector offset(double t) const noexcept { return d + t * v; }
+  bool is_still() const noexcept { return v.x == 0 && v.y == 0 && !a.turns() && !b.turns(); }
+  bool has_boxes() const noexcept { return !a.round && !b.round; }
+};
+
+/// Half lengths are right to 6u, u = 2^-53, each component of the axis to 4u.
+inline Turning turning(const nearest::Placed& p, int shift, double spin) noexcept {
+  Turning s{{1, 0}, 0, 0, 0, spin, true};
+  if (p.radius > 0) {
+    s.hx = s.hy = arithmetic::scale_far(p.radius, shift);
+  } else {
+    const PlaneVector u{p.box.u.x.high, p.box.u.y.high};
+    const double length = lane::sqrt(dot(u, u));
+    s.axis = {u.x / length, u.y / length};
+    s.hx = arithmetic::scale_far(p.box.hx.high * length, shift);
+    s.hy = arithmetic::scale_far(p.box.hy.high * length, shift);
+    s.round = p.curved;
+  }
+  s.reach = s.round ? lane::max(s.hx, s.hy) : lane::sqrt(s.hx * s.hx + s.hy * s.hy);
+  // Turning changes neither a disc nor a point.
+  if (s.reach == 0 || (s.round && s.hx == s.hy)) s.spin = 0;
+  return s;
+}
+
+/// Let h be the support function along a direction that is kept. In the angle by which a box turns, h is the greatest
+/// of cosines times at most its reach, and -h'' of each is at most that. Of an ellipse h + h'' is the radius of its
+/// curvature, a^2 b^2 / h^3, and -h'' is greatest where h = a, the longer half.
+inline double curve_of(const Turning& s) noexcept {
+  const double a = lane::max(s.hx, s.hy), b = lane::min(s.hx, s.hy);
+  const double bend = s.round && s.turns() ? (a - b) * ((a + b) / a) : s.reach;
+  return s.spin * s.spin * bend;
+}
+
+/// Of a pair that moves relative to each other by (vx, vy), times k.
+inline Scene scene(const nearest::Form& a, const nearest::Form& b, const PlaneVector& v, int eighths, double spin_a,
+                   double spin_b) noexcept {
+  const nearest::PlacedPair p = nearest::placed(a, b);
+  const int of_v = form::length_exponent(lane::max(lane::abs(v.x), lane::abs(v.y)));
+  const int exponent = of_v > p.exponent ? of_v : p.exponent, shift = p.exponent - exponent;
+  Scene s{turning(p.a, shift, spin_a), turning(p.b, shift, spin_b), {}, {}, 0, 0, exponent + eighths};
+  s.d = {arithmetic::scale_far(p.d.x.high, shift), arithmetic::scale_far(p.d.y.high, shift)};
+  s.v = {arithmetic::scale_far(v.x, -exponent), arithmetic::scale_far(v.y, -exponent)};
+  // The offset at t, 3u of its terms; its product with n, 3u more. An axis at t is off by 15u and u times its spin, for
+  // rounding the angle; its products with n, the half lengths, their sum or root, 20u. Three last sums. All with room
+  // for n being a unit vector to 3u alone.
+  const double offsets = lane::abs(s.d.x) + lane::abs(s.d.y) + lane::abs(s.v.x) + lane::abs(s.v.y);
+  s.error = 0x1p-53 * (14 * offsets + (s.a.hx + s.a.hy) * (44 + 2 * lane::abs(s.a.spin)) +
+                       (s.b.hx + s.b.hy) * (44 + 2 * lane::abs(s.b.spin))) +
+            0x1p-1000;
+  s.curve = (curve_of(s.a) + curve_of(s.b)) * (1 + 0x1p-40);
+  return s;
+}
+
+inline Scene scene(const Body& a, const Turn<double>& turn_a, const Body& b, const Turn<double>& turn_b) noexcept {
+  const auto form = [](const Body& body, double k) {
+    return cast::with_shape(body, [k](const auto& s) { return nearest::form_times(s, k); });
+  };
+  const auto way = [&](double k) {
+    return PlaneVector{k * turn_b.vx - k * turn_a.vx, k * turn_b.vy - k * turn_a.vy};
+  };
+  nearest::Form fa = form(a, 1), fb = form(b, 1);
+  PlaneVector v = way(1);
+  int eighths = 0;
+  if (nearest::overflowed(fa, fb) || !all_finite(v.x, v.y)) {
+    fa = form(a, 0.125), fb = form(b, 0.125), v = way(0.125);
+    eighths = 3;
+  }
+  return scene(fa, fb, v, eighths, turn_a.angle, turn_b.angle);
+}
+
+/// Both shapes at a time.
+struct Pose {
+  PlaneVector offset, axis_a, axis_b;
+};
+inline PlaneVector axis_at(const Turning& s, double t) noexcept {
+  if (!s.turns()) return s.axis;
+  const arithmetic::Rotation r = arithmetic::rotation(s.spin * t);
+  return {r.cosine * s.axis.x - r.sine * s.axis.y, r.cosine * s.axis.y + r.sine * s.axis.x};
+}
+inline Pose pose(const Scene& s, double t) noexcept { return {s.offset(t), axis_at(s.a, t), axis_at(s.b, t)}; }
+
+/// A shape in its pose, about a centre, for other questions.
+inline Body body_of(const Turning& s, const PlaneVector& axis, const PlaneVector& centre) noexcept {
+  return {s.round ? Kind::ellipse : Kind::rect, {centre.x, centre.y, axis.x, axis.y, s.hx, s.hy}};
+}
+
+}  // namespace detail::impact_time
+}  // namespace vesica
