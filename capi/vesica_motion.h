@@ -145,8 +145,9 @@ typedef struct {
  * Requires: numbers of turn_a and turn_b finite, angles at most 2^20 in magnitude; tolerance above 0, a length. No
  * pointer may be NULL.
  * Returns: VESICA_CAST_MISS: proved, there is no contact from 0 to 1; then t is infinity, all other numbers and the gap
- * are NaN. VESICA_CAST_HIT: proved, there is contact after t. VESICA_CAST_NEAR: there may be contact after t.
- * VESICA_CAST_START: the shapes overlap at t = 0, which is exact; *out is as of vesica_cast_f64, and the gap 0.
+ * are NaN. VESICA_CAST_HIT: proved, there is contact after t. VESICA_CAST_NEAR: there may be contact after t. Of a point
+ * and a segment, or two points, which have no depth in each other, contact is never proved. VESICA_CAST_START: the
+ * shapes overlap at t = 0, which is exact; *out is as of vesica_cast_f64, and the gap 0.
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the point,
  * or the gap, would exceed the finite numbers). On an error nothing is written.
  * Accuracy: that there is no contact before t, a miss and a hit are certain. The gap is at most the tolerance, unless

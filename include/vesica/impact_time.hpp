@@ -49,7 +49,7 @@ std::int32_t contact_at(const Body& a, const Turn<double>& turn_a, const Scene& 
   const double t = 0 - static_cast<double>(minus_t);
   const Pose at = pose(s, t);
   const Gap closest = gap_at(s, at, ask);
-  const bool meet = surely_meet_after(s, t, found.along, closest.distance, ask);
+  const bool meet = surely_meet_after(s, t, found.along.by.rate, closest.distance, ask);
   const PlaneVector p = placed_point(a, turn_a, t, closest.a, s.exponent);
   // The distance is right to 4u of the largest length, and the pose to the error.
   const double most = arithmetic::scale_far((closest.distance + 2 * s.error) * (1 + 0x1p-50), s.exponent);
@@ -72,7 +72,7 @@ std::int32_t impact_time(const Body& a, const Turn<double>& turn_a, const Body& 
     const std::int32_t overlapping = ask.overlap_at_start();
     if (overlapping != 0) return overlapping < 0 ? overlapping : static_cast<std::int32_t>(cast_start);
   }
-  if (s.is_still()) return cast_miss;
+  if (s.still) return cast_miss;
   const Advanced found = advance(s, w, arithmetic::scale_far(tolerance, -s.exponent), ask);
   if (found.outcome == Outcome::missed) return cast_miss;
   return contact_at<T>(a, turn_a, s, found, ask, out, gap);

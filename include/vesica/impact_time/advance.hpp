@@ -70,17 +70,6 @@ inline Reached march(const Scene& s, const PlaneVector& n, Reached at, double en
   return at;
 }
 
-/// Whether two boxes surely overlap: no face separates them by anything but rounding.
-inline bool boxes_surely_overlap(const Scene& s, double t) noexcept {
-  const Pose at = pose(s, t);
-  const double spins = lane::abs(s.a.spin) + lane::abs(s.b.spin);
-  const double lengths = lane::abs(s.d.x) + lane::abs(s.d.y) + lane::abs(s.v.x) + lane::abs(s.v.y) +
-                         (s.a.hx + s.a.hy) + (s.b.hx + s.b.hy);
-  Direction best{{1, 0}, {-1e300, 0}};
-  try_faces(s, at, best);
-  return best.by.least + s.error < -(0x1p-53 * lengths * (40 + 4 * spins));
-}
-
 enum class Outcome { missed, near };
 
 /// The time up to which there is no contact, a direction that separates the shapes then, and the distance as the
@@ -137,22 +126,53 @@ Advanced advance(const Scene& s, const Window& w, double tolerance, const Ask& a
   return {Outcome::near, t, best_direction(s, pose(s, t), n, ask)};
 }
 
-/// Whether there surely is contact a little after t: at a few times about that at which the gap would be closed.
+/// The distance of the shapes at t; of such as overlap less than 0, about their depth. Of boxes by the best face.
 template <class Ask>
-bool surely_meet_after(const Scene& s, double t, const Direction& along, double gap, const Ask& ask) noexcept {
-  if (!(along.by.rate < 0)) return false;
-  double step = 2 * (gap + 16 * s.error) / -along.by.rate;
-  for (int i = 0; i < 4; ++i, step *= 6) {
-    const double later = lane::min(t + step, 1);
-    if (s.has_boxes()) {
-      if (boxes_surely_overlap(s, later)) return true;
+double signed_gap(const Scene& s, double t, const Ask& ask) noexcept {
+  const Pose at = pose(s, t);
+  if (s.has_boxes()) {
+    Direction best{{1, 0}, {-1e300, 0}};
+    try_faces(s, at, best);
+    return best.by.least + s.error;
+  }
+  const Gap gap = gap_at(s, at, ask);
+  if (gap.distance > 0) return gap.distance;
+  Penetration<double> p;
+  ask.depth(body_of(s.a, at.axis_a, {0, 0}), body_of(s.b, at.axis_b, at.offset), p);
+  return -p.depth;
+}
+
+/// What signed_gap() may be wrong by. The normals of faces count too: they are off by 20u and u times the spin, and that
+/// times all lengths.
+inline double gap_error(const Scene& s) noexcept {
+  const double spins = lane::abs(s.a.spin) + lane::abs(s.b.spin);
+  const double lengths = lane::abs(s.d.x) + lane::abs(s.d.y) + lane::abs(s.v.x) + lane::abs(s.v.y) +
+                         (s.a.hx + s.a.hy) + (s.b.hx + s.b.hy);
+  return 2 * s.error + 0x1p-53 * lengths * (40 + 4 * spins);
+}
+
+inline double thickness(const Turning& s) noexcept { return lane::min(s.hx, s.hy); }
+
+/// Whether there surely is contact a little after t, where the gap is known: by secants, towards a depth that thin
+/// shapes have too.
+template <class Ask>
+bool surely_meet_after(const Scene& s, double t, double rate, double gap, const Ask& ask) noexcept {
+  if (!(rate < 0)) return false;
+  const double error = gap_error(s), deeper = lane::min(thickness(s.a) + thickness(s.b), gap) + 4 * error;
+  double from = 0, step = (gap + deeper) / -rate;
+  for (int i = 0; i < 8 && from < 1 - t; ++i) {
+    step = lane::min(step, 1 - t);
+    const double next_gap = signed_gap(s, t + step, ask);
+    if (next_gap < -error) return true;
+    const double closing = (gap - next_gap) / (step - from);
+    if (closing > 0) {
+      const double more = (next_gap + deeper) / closing;
+      from = step;
+      gap = next_gap;
+      step += lane::min(more, 8 * step);
     } else {
-      const Pose at = pose(s, later);
-      Penetration<double> p;
-      ask.depth(body_of(s.a, at.axis_a, {0, 0}), body_of(s.b, at.axis_b, at.offset), p);
-      if (p.depth > 2 * s.error) return true;
+      step = 0.5 * (from + step);  // they parted again
     }
-    if (later == 1) break;
   }
   return false;
 }

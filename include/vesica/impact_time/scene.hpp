@@ -43,9 +43,9 @@ struct Scene {
   PlaneVector d, v;
   double error, curve;
   int exponent;
+  bool still;  // they do not move relative to each other; scaled numbers may have vanished
 
   PlaneVector offset(double t) const noexcept { return d + t * v; }
-  bool is_still() const noexcept { return v.x == 0 && v.y == 0 && !a.turns() && !b.turns(); }
   bool has_boxes() const noexcept { return !a.round && !b.round; }
 };
 
@@ -83,7 +83,7 @@ inline Scene scene(const nearest::Form& a, const nearest::Form& b, const PlaneVe
   const nearest::PlacedPair p = nearest::placed(a, b);
   const int of_v = form::length_exponent(lane::max(lane::abs(v.x), lane::abs(v.y)));
   const int exponent = of_v > p.exponent ? of_v : p.exponent, shift = p.exponent - exponent;
-  Scene s{turning(p.a, shift, spin_a), turning(p.b, shift, spin_b), {}, {}, 0, 0, exponent + eighths};
+  Scene s{turning(p.a, shift, spin_a), turning(p.b, shift, spin_b), {}, {}, 0, 0, exponent + eighths, false};
   s.d = {arithmetic::scale_far(p.d.x.high, shift), arithmetic::scale_far(p.d.y.high, shift)};
   s.v = {arithmetic::scale_far(v.x, -exponent), arithmetic::scale_far(v.y, -exponent)};
   // The offset at t, 3u of its terms; its product with n, 3u more. An axis at t is off by 15u and u times its spin, for
@@ -111,7 +111,12 @@ inline Scene scene(const Body& a, const Turn<double>& turn_a, const Body& b, con
     fa = form(a, 0.125), fb = form(b, 0.125), v = way(0.125);
     eighths = 3;
   }
-  return scene(fa, fb, v, eighths, turn_a.angle, turn_b.angle);
+  Scene s = scene(fa, fb, v, eighths, turn_a.angle, turn_b.angle);
+  const auto rests = [](const nearest::Form& f, double angle) {
+    return angle == 0 || f.radius > 0 || (f.box.hx.high == 0 && f.box.hy.high == 0);
+  };
+  s.still = turn_a.vx == turn_b.vx && turn_a.vy == turn_b.vy && rests(fa, turn_a.angle) && rests(fb, turn_b.angle);
+  return s;
 }
 
 /// Both shapes at a time.
