@@ -54,7 +54,7 @@ std::int32_t contact_at(const Body& a, const Turn<double>& turn_a, const Scene& 
   // The distance is right to 4u of the largest length, and the pose to the error.
   const double most = arithmetic::scale_far((closest.distance + 2 * s.error) * (1 + 0x1p-50), s.exponent);
   if (!all_finite(p.x, p.y, most)) return error_range;
-  out = {t, p.x, p.y, found.along.n.x + 0.0, found.along.n.y + 0.0};
+  out = {t, p.x, p.y, found.along.heading.n.x + 0.0, found.along.heading.n.y + 0.0};
   gap = most;
   return meet ? static_cast<std::int32_t>(cast_hit) : cast_near;
 }

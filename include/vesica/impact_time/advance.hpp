@@ -46,17 +46,19 @@ struct Reached {
 };
 
 /// Goes on along one direction until it separates the shapes by a fiftieth of what it did, or `enough`, or until `to`.
-inline Reached march(const Scene& s, const PlaneVector& n, Reached at, double enough, double to, int& poses) noexcept {
+inline Reached march(const Scene& s, const Heading& h, Reached at, double enough, double to, int& poses) noexcept {
   const double goal = lane::max(0.02 * at.by.least, enough);
   double room = to - at.t, beyond = 2;  // where the direction was seen not to be enough
   for (int i = 0; i < 16 && poses < most_poses && at.t < to; ++i, ++poses) {
     double step = lane::min(room, to - at.t);
-    if (s.curve > 0) step = lane::min(step, lane::sqrt(7.5 * at.by.least / s.curve));
+    const double bound = curve(s, h.kept, at.by.along, 0);
+    if (bound * (step * step) > 7.5 * at.by.least) step = lane::sqrt(7.5 * at.by.least / bound);
     if (at.by.rate < 0) step = lane::min(step, 0.99 * at.by.least / -at.by.rate);
     const double t = step < to - at.t ? at.t + step : to;
     if (!(t > at.t)) break;
-    const Separation by = separation(s, pose(s, t), n);
-    if (is_clear_between(s, at.by.least, by.least, (t - at.t) * (1 + 0x1p-50))) {
+    const Pose next = pose(s, t);
+    const Separation by = separation(s, next, at_pose(h, next), h.kept);
+    if (is_clear_between(s, h.kept, at.by, by.least, (t - at.t) * (1 + 0x1p-50))) {
       at = {t, by};
       room = beyond < to ? 0.9 * (beyond - t) : to - t;
       if (by.least <= goal) break;
@@ -95,8 +97,9 @@ Gap gap_at(const Scene& s, const Pose& at, const Ask& ask) noexcept {
 
 /// The direction that separates best. `before` is that of an earlier time.
 template <class Ask>
-Direction best_direction(const Scene& s, const Pose& at, const PlaneVector& before, const Ask& ask) noexcept {
-  Direction best{before, separation(s, at, before)};
+Direction best_direction(const Scene& s, const Pose& at, const Heading& before, const Ask& ask) noexcept {
+  const PlaneVector n = at_pose(before, at);
+  Direction best{{n, before.kept, before.in_frame}, separation(s, at, n, before.kept)};
   try_faces(s, at, best);
   if (s.has_boxes()) return best;
   const Gap gap = gap_at(s, at, ask);
@@ -113,17 +116,17 @@ Advanced advance(const Scene& s, const Window& w, double tolerance, const Ask& a
   // Faces may tell 0.7 of the distance.
   const double enough = lane::max((s.has_boxes() ? 0.6 : 0.9) * tolerance, 0);
   double t = w.from;
-  PlaneVector n{1, 0};
+  Heading heading{{1, 0}, Kept::still, {}};
   for (int poses = 0; poses < most_poses; ++poses) {
-    const Direction best = best_direction(s, pose(s, t), n, ask);
-    n = best.n;
+    const Direction best = best_direction(s, pose(s, t), heading, ask);
+    heading = best.heading;
     if (best.by.least <= enough) return {Outcome::near, t, best};
-    const Reached reached = march(s, n, {t, best.by}, 0.3 * enough, w.to, poses);
+    const Reached reached = march(s, heading, {t, best.by}, 0.3 * enough, w.to, poses);
     if (reached.t >= w.to) return {Outcome::missed, 1, best};
     if (!(reached.t > t)) return {Outcome::near, t, best};
     t = reached.t;
   }
-  return {Outcome::near, t, best_direction(s, pose(s, t), n, ask)};
+  return {Outcome::near, t, best_direction(s, pose(s, t), heading, ask)};
 }
 
 /// The distance of the shapes at t; of such as overlap less than 0, about their depth. Of boxes by the best face.
@@ -131,7 +134,7 @@ template <class Ask>
 double signed_gap(const Scene& s, double t, const Ask& ask) noexcept {
   const Pose at = pose(s, t);
   if (s.has_boxes()) {
-    Direction best{{1, 0}, {-1e300, 0}};
+    Direction best{{{1, 0}, Kept::still, {}}, {-1e300, 0, 0}};
     try_faces(s, at, best);
     return best.by.least + s.error;
   }
@@ -142,24 +145,16 @@ double signed_gap(const Scene& s, double t, const Ask& ask) noexcept {
   return -p.depth;
 }
 
-/// What signed_gap() may be wrong by. The normals of faces count too: they are off by 20u and u times the spin, and that
-/// times all lengths.
-inline double gap_error(const Scene& s) noexcept {
-  const double spins = lane::abs(s.a.spin) + lane::abs(s.b.spin);
-  const double lengths = lane::abs(s.d.x) + lane::abs(s.d.y) + lane::abs(s.v.x) + lane::abs(s.v.y) +
-                         (s.a.hx + s.a.hy) + (s.b.hx + s.b.hy);
-  return 2 * s.error + 0x1p-53 * lengths * (40 + 4 * spins);
-}
-
 inline double thickness(const Turning& s) noexcept { return lane::min(s.hx, s.hy); }
 
 /// Whether there surely is contact a little after t, where the gap is known: by secants, towards a depth that thin
 /// shapes have too.
 template <class Ask>
 bool surely_meet_after(const Scene& s, double t, double rate, double gap, const Ask& ask) noexcept {
-  if (!(rate < 0)) return false;
-  const double error = gap_error(s), deeper = lane::min(thickness(s.a) + thickness(s.b), gap) + 4 * error;
-  double from = 0, step = (gap + deeper) / -rate;
+  // The rate is that of one direction; at worst they come together as fast as they can.
+  const double most = s.speed + lane::abs(s.a.spin) * s.a.reach + lane::abs(s.b.spin) * s.b.reach;
+  const double error = 2 * s.error, deeper = lane::min(thickness(s.a) + thickness(s.b), gap) + 4 * error;
+  double from = 0, step = (gap + deeper) / (rate < 0 ? -rate : most);
   for (int i = 0; i < 8 && from < 1 - t; ++i) {
     step = lane::min(step, 1 - t);
     const double next_gap = signed_gap(s, t + step, ask);

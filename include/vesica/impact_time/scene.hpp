@@ -28,20 +28,24 @@ using support_minimum::perp;
 using support_minimum::PlaneVector;
 
 /// A shape at t = 0: a unit axis, half lengths along it and across. `reach`: no point is farther from the centre.
+///
+/// `bend`: let h be the support function along a direction that is kept, in the angle by which the shape turns. Of a box
+/// h is the greatest of cosines times at most its reach, and -h'' of each is at most that. Of an ellipse h + h'' is the
+/// radius of its curvature, a^2 b^2 / h^3, and -h'' is greatest where h = a, the longer half.
 struct Turning {
   PlaneVector axis;
-  double hx, hy, reach, spin;
+  double hx, hy, reach, bend, spin;
   bool round;
 
   bool turns() const noexcept { return spin != 0; }
 };
 
 /// Lengths are in units of 2^exponent; the largest is about 1. d leads from the first centre to the second at t = 0, v
-/// is what it changes by. `error` bounds what rounding does to separation(), and `curve` its second derivative in t.
+/// is what it changes by: it is never longer than `farthest`. `error` bounds what rounding does to separation().
 struct Scene {
   Turning a, b;
   PlaneVector d, v;
-  double error, curve;
+  double error, speed, farthest;
   int exponent;
   bool still;  // they do not move relative to each other; scaled numbers may have vanished
 
@@ -51,7 +55,7 @@ struct Scene {
 
 /// Half lengths are right to 6u, u = 2^-53, each component of the axis to 4u.
 inline Turning turning(const nearest::Placed& p, int shift, double spin) noexcept {
-  Turning s{{1, 0}, 0, 0, 0, spin, true};
+  Turning s{{1, 0}, 0, 0, 0, 0, spin, true};
   if (p.radius > 0) {
     s.hx = s.hy = arithmetic::scale_far(p.radius, shift);
   } else {
@@ -63,18 +67,11 @@ inline Turning turning(const nearest::Placed& p, int shift, double spin) noexcep
     s.round = p.curved;
   }
   s.reach = s.round ? lane::max(s.hx, s.hy) : lane::sqrt(s.hx * s.hx + s.hy * s.hy);
-  // Turning changes neither a disc nor a point.
-  if (s.reach == 0 || (s.round && s.hx == s.hy)) s.spin = 0;
-  return s;
-}
-
-/// Let h be the support function along a direction that is kept. In the angle by which a box turns, h is the greatest
-/// of cosines times at most its reach, and -h'' of each is at most that. Of an ellipse h + h'' is the radius of its
-/// curvature, a^2 b^2 / h^3, and -h'' is greatest where h = a, the longer half.
-inline double curve_of(const Turning& s) noexcept {
   const double a = lane::max(s.hx, s.hy), b = lane::min(s.hx, s.hy);
-  const double bend = s.round && s.turns() ? (a - b) * ((a + b) / a) : s.reach;
-  return s.spin * s.spin * bend;
+  s.bend = s.round && a > 0 ? (a - b) * ((a + b) / a) : s.reach;
+  // Turning changes neither a disc nor a point.
+  if (s.reach == 0 || (s.round && a == b)) s.spin = 0;
+  return s;
 }
 
 /// Of a pair that moves relative to each other by (vx, vy), times k.
@@ -83,17 +80,16 @@ inline Scene scene(const nearest::Form& a, const nearest::Form& b, const PlaneVe
   const nearest::PlacedPair p = nearest::placed(a, b);
   const int of_v = form::length_exponent(lane::max(lane::abs(v.x), lane::abs(v.y)));
   const int exponent = of_v > p.exponent ? of_v : p.exponent, shift = p.exponent - exponent;
-  Scene s{turning(p.a, shift, spin_a), turning(p.b, shift, spin_b), {}, {}, 0, 0, exponent + eighths, false};
+  Scene s{turning(p.a, shift, spin_a), turning(p.b, shift, spin_b), {}, {}, 0, 0, 0, exponent + eighths, false};
   s.d = {arithmetic::scale_far(p.d.x.high, shift), arithmetic::scale_far(p.d.y.high, shift)};
   s.v = {arithmetic::scale_far(v.x, -exponent), arithmetic::scale_far(v.y, -exponent)};
-  // The offset at t, 3u of its terms; its product with n, 3u more. An axis at t is off by 15u and u times its spin, for
-  // rounding the angle; its products with n, the half lengths, their sum or root, 20u. Three last sums. All with room
-  // for n being a unit vector to 3u alone.
-  const double offsets = lane::abs(s.d.x) + lane::abs(s.d.y) + lane::abs(s.v.x) + lane::abs(s.v.y);
-  s.error = 0x1p-53 * (14 * offsets + (s.a.hx + s.a.hy) * (44 + 2 * lane::abs(s.a.spin)) +
-                       (s.b.hx + s.b.hy) * (44 + 2 * lane::abs(s.b.spin))) +
-            0x1p-1000;
-  s.curve = (curve_of(s.a) + curve_of(s.b)) * (1 + 0x1p-40);
+  // In units of u and of all lengths: the offset at t, 3; an axis at t, 15 and its spin, for the angle's rounding; n, if
+  // it is such an axis, as much; half lengths, 6; products, sums or a root, 12. With room for n being a unit to 3 alone.
+  const double lengths = lane::abs(s.d.x) + lane::abs(s.d.y) + lane::abs(s.v.x) + lane::abs(s.v.y) +
+                         (s.a.hx + s.a.hy) + (s.b.hx + s.b.hy);
+  s.error = 0x1p-53 * lengths * (56 + 2 * (lane::abs(s.a.spin) + lane::abs(s.b.spin))) + 0x1p-1000;
+  s.speed = lane::sqrt(dot(s.v, s.v));
+  s.farthest = lane::sqrt(dot(s.d, s.d)) + s.speed;
   return s;
 }
 

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 /// How far a direction separates the shapes at a time, and whether it does so all the while between two times.
 ///
-/// Let n be a unit vector that is kept, and S(t) = n.(D + t v) - h_a(n; t) - h_b(n; t), h being support functions about
-/// the own centres. Where S(t) > 0 there is no contact at t. S is the least of functions whose second derivative is at
-/// most K, the scene's curve: so between two times, L apart, with S = s0 and s1, no such function gets lower than
+/// Let n be a unit vector that turns at a rate r, S(t) = n.(D + t v) - h_a - h_b, with h the support functions along n
+/// about the own centres. Where S(t) > 0 there is no contact at t. S is the least of functions f whose second derivative
+/// is at most some K: so between two times, L apart, with S = s0 and s1, no f gets lower than
 ///
 ///     (1 - x) s0 + x s1 - K L^2 x (1 - x) / 2,   x from 0 to 1
 ///
 /// which stays above 0 if K L^2 / 2 < (sqrt(s0) + sqrt(s1))^2. Nothing is asked about what S does in between.
+///
+/// K: a shape that turns by w adds (w - r)^2 bend (scene.hpp). The second derivative of n.(D + t v) is 2 r perp(n).v -
+/// r^2 n.(D + t v): at most 2 |r v|, and r^2 times how far n.(D + t v) can get below 0 within L, which it hardly does.
+/// r is 0, or that of a shape whose face's normal n is.
 #pragma once
 
 #include <vesica/impact_time/scene.hpp>
@@ -28,46 +32,79 @@ inline Support support(const Turning& s, const PlaneVector& axis, const PlaneVec
   return {h, h > 0 ? (s.hx * across) * (p / h) - (s.hy * along) * (q / h) : 0};
 }
 
-/// S less its error bound, so S is at least that; and the rate of S, about.
-struct Separation {
-  double least, rate;
-};
-inline Separation separation(const Scene& s, const Pose& at, const PlaneVector& n) noexcept {
-  const Support a = support(s.a, at.axis_a, n), b = support(s.b, at.axis_b, n);
-  return {((dot(n, at.offset) - a.h) - b.h) - s.error, (dot(n, s.v) - s.a.spin * a.rate) - s.b.spin * b.rate};
-}
+/// Whether a direction turns with a shape.
+enum class Kept { still, with_a, with_b };
 
-/// For two times L apart.
-inline bool is_clear_between(const Scene& s, double s0, double s1, double length) noexcept {
-  if (!(s0 > 0 && s1 > 0)) return false;
-  const double dip = 0.5 * s.curve * (length * length), room = (s0 + s1) + 2 * lane::sqrt(s0 * s1);
-  return dip <= (1 - 0x1p-40) * room;
-}
-
-/// n and how far it separates the shapes.
-struct Direction {
+/// A unit vector; of one that turns with a shape also how it lies in that one's frame.
+struct Heading {
   PlaneVector n;
+  Kept kept;
+  PlaneVector in_frame;
+};
+inline PlaneVector at_pose(const Heading& h, const Pose& at) noexcept {
+  if (h.kept == Kept::still) return h.n;
+  return support_minimum::out_of_frame(h.kept == Kept::with_a ? at.axis_a : at.axis_b, h.in_frame);
+}
+inline double rate_of(const Scene& s, Kept kept) noexcept {
+  return kept == Kept::still ? 0 : kept == Kept::with_a ? s.a.spin : s.b.spin;
+}
+
+/// S less its error bound, so S is at least that; the rate of S, about; and n.(D + t v).
+struct Separation {
+  double least, rate, along;
+};
+inline Separation separation(const Scene& s, const Pose& at, const PlaneVector& n, Kept kept) noexcept {
+  const Support a = support(s.a, at.axis_a, n), b = support(s.b, at.axis_b, n);
+  const double rate = rate_of(s, kept), along = dot(n, at.offset);
+  const double change = (dot(n, s.v) + rate * cross(n, at.offset)) - (s.a.spin - rate) * a.rate - (s.b.spin - rate) * b.rate;
+  return {((along - a.h) - b.h) - s.error, change, along};
+}
+
+/// K for two times at most `length` apart, from what the first was.
+inline double curve(const Scene& s, Kept kept, double along, double length) noexcept {
+  const double r = rate_of(s, kept), a = s.a.spin - r, b = s.b.spin - r;
+  const double of_shapes = a * a * s.a.bend + b * b * s.b.bend;
+  if (r == 0) return of_shapes * (1 + 0x1p-40);
+  const double below = lane::max(length * (lane::abs(r) * s.farthest + s.speed) - along, 0);
+  return (of_shapes + 2 * lane::abs(r) * s.speed + r * r * below) * (1 + 0x1p-40);
+}
+
+/// For two times `length` apart, with S at least s0.least and s1 there.
+inline bool is_clear_between(const Scene& s, Kept kept, const Separation& s0, double s1, double length) noexcept {
+  if (!(s0.least > 0 && s1 > 0)) return false;
+  const double dip = 0.5 * curve(s, kept, s0.along - s.error, length) * (length * length);
+  return dip <= (1 - 0x1p-40) * ((s0.least + s1) + 2 * lane::sqrt(s0.least * s1));
+}
+
+/// A direction and how far it separates the shapes.
+struct Direction {
+  Heading heading;
   Separation by;
 };
 
 /// Keeps the better of two.
 inline void try_direction(const Scene& s, const Pose& at, const PlaneVector& n, Direction& best) noexcept {
   const PlaneVector out = dot(n, at.offset) < 0 ? -n : n;
-  const Separation by = separation(s, at, out);
-  if (by.least > best.by.least) best = {out, by};
+  const Separation by = separation(s, at, out, Kept::still);
+  if (by.least > best.by.least) best = {{out, Kept::still, {}}, by};
+}
+
+inline void try_face(const Scene& s, const Pose& at, Kept kept, const PlaneVector& in_frame, Direction& best) noexcept {
+  const PlaneVector n = at_pose({{}, kept, in_frame}, at);
+  const bool back = dot(n, at.offset) < 0;
+  const PlaneVector out = back ? -n : n;
+  const Separation by = separation(s, at, out, kept);
+  if (by.least > best.by.least) best = {{out, kept, back ? -in_frame : in_frame}, by};
 }
 
 /// The best face of either box. Boxes are apart iff one of these separates them; and the best one does so by at least
 /// 0.7 of the distance: where vertices are closest, the direction between them lies between two neighbouring normals,
 /// at most 45 degrees from one of them.
 inline void try_faces(const Scene& s, const Pose& at, Direction& best) noexcept {
-  if (!s.a.round) {
-    try_direction(s, at, at.axis_a, best);
-    try_direction(s, at, perp(at.axis_a), best);
-  }
-  if (!s.b.round) {
-    try_direction(s, at, at.axis_b, best);
-    try_direction(s, at, perp(at.axis_b), best);
+  for (const Kept kept : {Kept::with_a, Kept::with_b}) {
+    if ((kept == Kept::with_a ? s.a : s.b).round) continue;
+    try_face(s, at, kept, {1, 0}, best);
+    try_face(s, at, kept, {0, 1}, best);
   }
 }
 
