@@ -43,12 +43,14 @@ inline PlaneVector placed_point(const Body& a, const Turn<double>& turn, double 
 /// What there is to say at a time without contact before it.
 template <class T, class Ask>
 std::int32_t contact_at(const Body& a, const Turn<double>& turn_a, const Scene& s, const Advanced& found,
-                        const Ask& ask, Impact<double>& out, double& gap) noexcept {
+                        double tolerance, const Ask& ask, Impact<double>& out, double& gap) noexcept {
   T minus_t = 0;
   arithmetic::round_up_to(-found.t, minus_t);
   const double t = 0 - static_cast<double>(minus_t);
   const Pose at = pose(s, t);
-  const Gap closest = gap_at(s, at, ask);
+  const bool face = s.has_boxes() && t == found.t;
+  Gap closest = face ? gap_at_face(s, at, found.along.heading) : gap_at(s, at, ask);
+  if (face && closest.distance + 2 * s.error > tolerance) closest = gap_at(s, at, ask);
   const bool meet = surely_meet_after(s, t, found.along.by.rate, closest.distance, ask);
   const PlaneVector p = placed_point(a, turn_a, t, closest.a, s.exponent);
   // The distance is right to 4u of the largest length, and the pose to the error.
@@ -68,14 +70,17 @@ std::int32_t impact_time(const Body& a, const Turn<double>& turn_a, const Body& 
   const Scene s = scene(a, turn_a, b, turn_b);
   const Window w = window(s);
   if (w.never) return cast_miss;
-  if (!w.apart) {
+  constexpr Heading any{{1, 0}, Kept::still, {}};
+  const Direction first = best_direction(s, pose(s, w.from), any, ask);
+  if (!w.apart && !(first.by.least > 0)) {
     const std::int32_t overlapping = ask.overlap_at_start();
     if (overlapping != 0) return overlapping < 0 ? overlapping : static_cast<std::int32_t>(cast_start);
   }
   if (s.still) return cast_miss;
-  const Advanced found = advance(s, w, arithmetic::scale_far(tolerance, -s.exponent), ask);
+  const double enough = s.exponent == 0 ? tolerance : arithmetic::scale_far(tolerance, -s.exponent);
+  const Advanced found = advance(s, w, first, enough, ask);
   if (found.outcome == Outcome::missed) return cast_miss;
-  return contact_at<T>(a, turn_a, s, found, ask, out, gap);
+  return contact_at<T>(a, turn_a, s, found, enough, ask, out, gap);
 }
 
 /// Rounded to T: the time is one already, the gap up, the rest to the nearest.

@@ -3,8 +3,6 @@
 /// everywhere.
 #pragma once
 
-#include <cmath>
-
 namespace vesica::detail::arithmetic {
 
 /// Of one angle.
@@ -25,7 +23,7 @@ inline constexpr double most_radians = 0x1p20;
 ///     themselves, and the sum rounds by 0.5: with what is left over less than 3 of sine, and less than 4 of cosine.
 inline Rotation rotation(double angle) noexcept {
   constexpr double upper = 0x1.921fb544p+0, middle = 0x1.0b4611a6p-34, lower = 0x1.3198a2e037073p-69;
-  const double count = std::rint(angle * 0x1.45f306dc9c883p-1);
+  const double count = (angle * 0x1.45f306dc9c883p-1 + 0x1.8p52) - 0x1.8p52;
   const double x = ((angle - count * upper) - count * middle) - count * lower, y = x * x;
   const double s =
       y * (-1.0 / 6 +

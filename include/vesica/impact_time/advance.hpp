@@ -95,13 +95,33 @@ Gap gap_at(const Scene& s, const Pose& at, const Ask& ask) noexcept {
   return {{c.ax, c.ay}, {c.bx, c.by}, c.distance};
 }
 
+/// Two points of boxes along the normal of a face: the vertex of the one that comes first, and the point of the face
+/// nearest to it. Where edges are parallel there may be nearer ones.
+inline Gap gap_at_face(const Scene& s, const Pose& at, const Heading& h) noexcept {
+  const bool on_a = h.kept == Kept::with_a;
+  const Turning &face = on_a ? s.a : s.b, &other = on_a ? s.b : s.a;
+  const PlaneVector &u = on_a ? at.axis_a : at.axis_b, &w = on_a ? at.axis_b : at.axis_a;
+  // About the face's centre; n leads out of the face.
+  const PlaneVector n = on_a ? h.n : -h.n, offset = on_a ? at.offset : -at.offset;
+  const double x = lane::flip_sign(other.hx, -dot(w, n)), y = lane::flip_sign(other.hy, -cross(w, n));
+  const PlaneVector vertex = offset + support_minimum::out_of_frame(w, {x, y});
+  const PlaneVector local = support_minimum::into_frame(u, vertex);
+  const auto within = [](double c, double half) { return lane::max(lane::min(c, half), -half); };
+  const PlaneVector nearest =
+      support_minimum::out_of_frame(u, {within(local.x, face.hx), within(local.y, face.hy)});
+  const PlaneVector way = vertex + -nearest;
+  const double distance = lane::sqrt(dot(way, way));
+  if (on_a) return {nearest, vertex, distance};
+  return {at.offset + vertex, at.offset + nearest, distance};
+}
+
 /// The direction that separates best. `before` is that of an earlier time.
 template <class Ask>
 Direction best_direction(const Scene& s, const Pose& at, const Heading& before, const Ask& ask) noexcept {
+  if (s.has_boxes()) return best_face(s, at);
   const PlaneVector n = at_pose(before, at);
   Direction best{{n, before.kept, before.in_frame}, separation(s, at, n, before.kept)};
   try_faces(s, at, best);
-  if (s.has_boxes()) return best;
   const Gap gap = gap_at(s, at, ask);
   const PlaneVector way = gap.b + -gap.a;
   const double size = lane::max(lane::abs(way.x), lane::abs(way.y));
@@ -111,33 +131,27 @@ Direction best_direction(const Scene& s, const Pose& at, const Heading& before, 
   return best;
 }
 
+/// From w.from, where `best` is the direction that separates best.
 template <class Ask>
-Advanced advance(const Scene& s, const Window& w, double tolerance, const Ask& ask) noexcept {
+Advanced advance(const Scene& s, const Window& w, Direction best, double tolerance, const Ask& ask) noexcept {
   // Faces may tell 0.7 of the distance.
-  const double enough = lane::max((s.has_boxes() ? 0.6 : 0.9) * tolerance, 0);
+  const double enough = (s.has_boxes() ? 0.6 : 0.9) * tolerance;
   double t = w.from;
-  Heading heading{{1, 0}, Kept::still, {}};
-  for (int poses = 0; poses < most_poses; ++poses) {
-    const Direction best = best_direction(s, pose(s, t), heading, ask);
-    heading = best.heading;
-    if (best.by.least <= enough) return {Outcome::near, t, best};
-    const Reached reached = march(s, heading, {t, best.by}, 0.3 * enough, w.to, poses);
+  for (int poses = 0; poses < most_poses && best.by.least > enough; ++poses) {
+    const Reached reached = march(s, best.heading, {t, best.by}, 0.3 * enough, w.to, poses);
     if (reached.t >= w.to) return {Outcome::missed, 1, best};
-    if (!(reached.t > t)) return {Outcome::near, t, best};
+    if (!(reached.t > t)) break;
     t = reached.t;
+    best = best_direction(s, pose(s, t), best.heading, ask);
   }
-  return {Outcome::near, t, best_direction(s, pose(s, t), heading, ask)};
+  return {Outcome::near, t, best};
 }
 
 /// The distance of the shapes at t; of such as overlap less than 0, about their depth. Of boxes by the best face.
 template <class Ask>
 double signed_gap(const Scene& s, double t, const Ask& ask) noexcept {
   const Pose at = pose(s, t);
-  if (s.has_boxes()) {
-    Direction best{{{1, 0}, Kept::still, {}}, {-1e300, 0, 0}};
-    try_faces(s, at, best);
-    return best.by.least + s.error;
-  }
+  if (s.has_boxes()) return best_face(s, at).by.least + s.error;
   const Gap gap = gap_at(s, at, ask);
   if (gap.distance > 0) return gap.distance;
   Penetration<double> p;

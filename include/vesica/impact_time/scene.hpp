@@ -74,15 +74,41 @@ inline Turning turning(const nearest::Placed& p, int shift, double spin) noexcep
   return s;
 }
 
-/// Of a pair that moves relative to each other by (vx, vy), times k.
-inline Scene scene(const nearest::Form& a, const nearest::Form& b, const PlaneVector& v, int eighths, double spin_a,
-                   double spin_b) noexcept {
+inline Turning turning(const nearest::Form& f, double spin) noexcept {
+  return turning(nearest::Placed{f.box, f.radius, f.curved}, 0, spin);
+}
+
+/// Numbers that need no other unit. What is computed in one is the same in another, times powers of two.
+inline bool is_moderate(const Turning& s) noexcept {
+  const double shorter = lane::min(s.hx, s.hy), longer = lane::max(s.hx, s.hy);
+  return longer <= 0x1p60 && (longer == 0 || longer >= 0x1p-60) && (shorter == 0 || shorter >= 0x1p-60) &&
+         (!s.round || shorter > nearest::thinnest * longer);
+}
+
+/// Of a pair that moves relative to each other by v.
+inline Scene moderate_scene(const nearest::Form& a, const nearest::Form& b, const PlaneVector& v, double spin_a,
+                            double spin_b) noexcept {
+  const auto x = form::twice_offset_x(a.place, b.place, 1), y = form::twice_offset_y(a.place, b.place, 1);
+  return {turning(a, spin_a), turning(b, spin_b), {0.5 * x.high, 0.5 * y.high}, v, 0, 0, 0, 0, false};
+}
+inline bool is_moderate(const Scene& s) noexcept {
+  const auto within = [](double x) { return x == 0 || (lane::abs(x) >= 0x1p-60 && lane::abs(x) <= 0x1p60); };
+  return is_moderate(s.a) && is_moderate(s.b) && within(s.d.x) && within(s.d.y) && within(s.v.x) && within(s.v.y);
+}
+
+/// The same at any exponents, times k where sums of numbers as they are would overflow.
+inline Scene scaled_scene(const nearest::Form& a, const nearest::Form& b, const PlaneVector& v, int eighths,
+                          double spin_a, double spin_b) noexcept {
   const nearest::PlacedPair p = nearest::placed(a, b);
   const int of_v = form::length_exponent(lane::max(lane::abs(v.x), lane::abs(v.y)));
   const int exponent = of_v > p.exponent ? of_v : p.exponent, shift = p.exponent - exponent;
   Scene s{turning(p.a, shift, spin_a), turning(p.b, shift, spin_b), {}, {}, 0, 0, 0, exponent + eighths, false};
   s.d = {arithmetic::scale_far(p.d.x.high, shift), arithmetic::scale_far(p.d.y.high, shift)};
   s.v = {arithmetic::scale_far(v.x, -exponent), arithmetic::scale_far(v.y, -exponent)};
+  return s;
+}
+
+inline void measure(Scene& s) noexcept {
   // In units of u and of all lengths: the offset at t, 3; an axis at t, 15 and its spin, for the angle's rounding; n, if
   // it is such an axis, as much; half lengths, 6; products, sums or a root, 12. With room for n being a unit to 3 alone.
   const double lengths = lane::abs(s.d.x) + lane::abs(s.d.y) + lane::abs(s.v.x) + lane::abs(s.v.y) +
@@ -90,7 +116,6 @@ inline Scene scene(const nearest::Form& a, const nearest::Form& b, const PlaneVe
   s.error = 0x1p-53 * lengths * (56 + 2 * (lane::abs(s.a.spin) + lane::abs(s.b.spin))) + 0x1p-1000;
   s.speed = lane::sqrt(dot(s.v, s.v));
   s.farthest = lane::sqrt(dot(s.d, s.d)) + s.speed;
-  return s;
 }
 
 inline Scene scene(const Body& a, const Turn<double>& turn_a, const Body& b, const Turn<double>& turn_b) noexcept {
@@ -101,13 +126,13 @@ inline Scene scene(const Body& a, const Turn<double>& turn_a, const Body& b, con
     return PlaneVector{k * turn_b.vx - k * turn_a.vx, k * turn_b.vy - k * turn_a.vy};
   };
   nearest::Form fa = form(a, 1), fb = form(b, 1);
-  PlaneVector v = way(1);
-  int eighths = 0;
-  if (nearest::overflowed(fa, fb) || !all_finite(v.x, v.y)) {
-    fa = form(a, 0.125), fb = form(b, 0.125), v = way(0.125);
-    eighths = 3;
+  Scene s = moderate_scene(fa, fb, way(1), turn_a.angle, turn_b.angle);
+  if (!is_moderate(s)) [[unlikely]] {
+    const bool large = nearest::overflowed(fa, fb) || !all_finite(s.v.x, s.v.y);
+    if (large) fa = form(a, 0.125), fb = form(b, 0.125);
+    s = scaled_scene(fa, fb, way(large ? 0.125 : 1), large ? 3 : 0, turn_a.angle, turn_b.angle);
   }
-  Scene s = scene(fa, fb, v, eighths, turn_a.angle, turn_b.angle);
+  measure(s);
   const auto rests = [](const nearest::Form& f, double angle) {
     return angle == 0 || f.radius > 0 || (f.box.hx.high == 0 && f.box.hy.high == 0);
   };

@@ -108,6 +108,25 @@ inline void try_faces(const Scene& s, const Pose& at, Direction& best) noexcept 
   }
 }
 
+/// The best face of two boxes at once.
+inline Direction best_face(const Scene& s, const Pose& at) noexcept {
+  const double c = lane::abs(dot(at.axis_a, at.axis_b)), k = lane::abs(cross(at.axis_a, at.axis_b));
+  const PlaneVector in_a = support_minimum::into_frame(at.axis_a, at.offset);
+  const PlaneVector in_b = support_minimum::into_frame(at.axis_b, at.offset);
+  const double by[] = {lane::abs(in_a.x) - s.a.hx - (s.b.hx * c + s.b.hy * k),
+                       lane::abs(in_a.y) - s.a.hy - (s.b.hx * k + s.b.hy * c),
+                       lane::abs(in_b.x) - s.b.hx - (s.a.hx * c + s.a.hy * k),
+                       lane::abs(in_b.y) - s.b.hy - (s.a.hx * k + s.a.hy * c)};
+  const bool second_a = by[1] > by[0], second_b = by[3] > by[2];
+  const bool of_b = lane::max(by[2], by[3]) > lane::max(by[0], by[1]), second = of_b ? second_b : second_a;
+  const PlaneVector& in_frame = of_b ? in_b : in_a;
+  const double sign = lane::flip_sign(1, second ? in_frame.y : in_frame.x);
+  const Kept kept = of_b ? Kept::with_b : Kept::with_a;
+  const Heading heading{{}, kept, second ? PlaneVector{0, sign} : PlaneVector{sign, 0}};
+  const PlaneVector n = at_pose(heading, at);
+  return {{n, kept, heading.in_frame}, separation(s, at, n, kept)};
+}
+
 /// The normal of a round outline beside a point, which is given from its centre.
 inline void try_outline(const Scene& s, const Pose& at, const Turning& shape, const PlaneVector& axis,
                         const PlaneVector& point, Direction& best) noexcept {
