@@ -221,6 +221,14 @@ type Impact[T Float] struct {
 	NY T
 }
 
+// Turn: How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that, in
+// radians. Positive angles turn counter-clockwise where y points up.
+type Turn[T Float] struct {
+	VX    T
+	VY    T
+	Angle T
+}
+
 func cCheck(wide bool, kind C.int32_t, numbers C.vesica_go_numbers) C.int32_t {
 	if wide {
 		return C.go_check_f64(kind, numbers)
@@ -618,4 +626,11 @@ func cIndexCastFirst(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, set
 		return C.go_index_cast_first_f64(index, sets, setCount, one, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
 	return C.go_index_cast_first_f32(index, sets, setCount, one, C.float(vx), C.float(vy), C.float(tEnd), out)
+}
+
+func cImpactTime(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, turnA unsafe.Pointer, kindB C.int32_t, numbersB C.vesica_go_numbers, turnB unsafe.Pointer, tolerance float64, out unsafe.Pointer, gap unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_impact_time_f64(kindA, numbersA, turnA, kindB, numbersB, turnB, C.double(tolerance), out, gap)
+	}
+	return C.go_impact_time_f32(kindA, numbersA, turnA, kindB, numbersB, turnB, C.float(tolerance), out, gap)
 }

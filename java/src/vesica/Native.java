@@ -2309,6 +2309,35 @@ final class Native {
   static native long indexCastFirstF64(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, double vx, double vy, double tEnd, Object out);
 
   /**
+   * When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they turn,
+   * there is no contact before.
+   *
+   * <p>At t, from 0 to 1, a centre has moved by t (vx, vy) and an axis has turned by t times the angle, as real numbers do.
+   * *out is the place then: the point of a that is nearest to b, and the normal that separates them. They are at most
+   * *gap apart.
+   *
+   * <p>Requires: numbers of turn_a and turn_b finite, angles at most 2^20 in magnitude; tolerance above 0, a length. No
+   * pointer may be NULL.
+   *
+   * <p>Returns: VESICA_CAST_MISS: proved, there is no contact from 0 to 1; then t is infinity, all other numbers and the gap
+   * are NaN. VESICA_CAST_HIT: proved, there is contact after t. VESICA_CAST_NEAR: there may be contact after t. Of a point
+   * and a segment, or two points, which have no depth in each other, contact is never proved. VESICA_CAST_START: the
+   * shapes overlap at t = 0, which is exact; *out is as of vesica_cast_f64, and the gap 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the point,
+   * or the gap, would exceed the finite numbers). On an error nothing is written.
+   *
+   * <p>Accuracy: that there is no contact before t, a miss and a hit are certain. The gap is at most the tolerance, unless
+   * that is below what rounding allows, (100 + 4 |angles|) u scale, scale the largest length, the motion included; or
+   * 4096 poses were looked at, which takes spins of hundreds of turns beside a gap that stays small.
+   *
+   * <p>Cost: 40 ns where the shapes stay far from each other, 0.5 to 3 us else; at worst 1 ms.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int impactTimeF64(int kindA, Object numbersA, Object turnA, int kindB, Object numbersB, Object turnB, double tolerance, Object out, Object gap);
+
+  /**
    * Does b touch a while it moves, when first, and where?
    *
    * <p>The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
@@ -2417,6 +2446,15 @@ final class Native {
    * <p>Since: 0.1.
    */
   static native long indexCastFirstF32(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides, long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase, float vx, float vy, float tEnd, Object out);
+
+  /**
+   * As vesica_impact_time_f64. The gap is that at the rounded time, and rounded up.
+   *
+   * <p>Errors: those of the double functions.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int impactTimeF32(int kindA, Object numbersA, Object turnA, int kindB, Object numbersB, Object turnB, float tolerance, Object out, Object gap);
 
   static int check(boolean wide, int kind, Object numbers) {
     return wide
@@ -2758,5 +2796,11 @@ final class Native {
     return wide
         ? indexCastFirstF64(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count, one.stride, one.step, one.base, vx, vy, tEnd, out)
         : indexCastFirstF32(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count, one.stride, one.step, one.base, (float) vx, (float) vy, (float) tEnd, out);
+  }
+
+  static int impactTime(boolean wide, int kindA, Object numbersA, Object turnA, int kindB, Object numbersB, Object turnB, double tolerance, Object out, Object gap) {
+    return wide
+        ? impactTimeF64(kindA, numbersA, turnA, kindB, numbersB, turnB, tolerance, out, gap)
+        : impactTimeF32(kindA, numbersA, turnA, kindB, numbersB, turnB, (float) tolerance, out, gap);
   }
 }
