@@ -210,7 +210,7 @@ int64_t index_first(const void* from, const CShapesOf<T>* sets, int32_t set_coun
                                      T vy, T t_end, vesica_impact_##scalar* out) {                                   \
     return first<T>(many, one, vx, vy, t_end, out);                                                                  \
   }                                                                                                                  \
-  int32_t vesica_impact_time_##scalar(int32_t kind_a, const T* numbers_a, const vesica_turn_##scalar* turn_a,         \
+  int32_t vesica_impact_time_##scalar(int32_t kind_a, const T* numbers_a, const vesica_turn_##scalar* turn_a,        \
                                       int32_t kind_b, const T* numbers_b, const vesica_turn_##scalar* turn_b,        \
                                       T tolerance, vesica_impact_##scalar* out, T* gap) {                            \
     return impact_time(kind_a, numbers_a, turn_a, kind_b, numbers_b, turn_b, tolerance, out, gap);                   \

@@ -34,8 +34,7 @@ struct Box2dCasts::Pairs {
 Box2dCasts::Box2dCasts() : pairs_(std::make_unique<Pairs>()) {}
 Box2dCasts::~Box2dCasts() = default;
 void Box2dCasts::clear() { pairs_->pairs.clear(); }
-void Box2dCasts::add(const vesica_rect_f64& a, const vesica_rect_f64& b, double vx, double vy,
-                     double angle) {
+void Box2dCasts::add(const vesica_rect_f64& a, const vesica_rect_f64& b, double vx, double vy, double angle) {
   pairs_->pairs.push_back(
       {polygon(a), polygon(b), vec(a.cx, a.cy), vec(b.cx, b.cy), vec(vx, vy), static_cast<float>(angle)});
 }

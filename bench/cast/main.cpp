@@ -266,9 +266,9 @@ int main() {
     beside_box2d(aim);
   }
   std::printf("\nvesica_impact_time: b turns too, within 0.005\n");
-  for (const Aim& aim :
-       {Aim{"few hits, to 1 rad", 0, 0, 1}, Aim{"few hits, to 6.3 rad", 0, 0, 6.3}, Aim{"few hits, to 40 rad", 0, 0, 40},
-        Aim{"aimed, to 1 rad", 2.2, 0, 1}, Aim{"aimed, to 6.3 rad", 2.2, 0, 6.3}, Aim{"aimed, to 40 rad", 2.2, 0, 40}}) {
+  for (const Aim& aim : {Aim{"few hits, to 1 rad", 0, 0, 1}, Aim{"few hits, to 6.3 rad", 0, 0, 6.3},
+                         Aim{"few hits, to 40 rad", 0, 0, 40}, Aim{"aimed, to 1 rad", 2.2, 0, 1},
+                         Aim{"aimed, to 6.3 rad", 2.2, 0, 6.3}, Aim{"aimed, to 40 rad", 2.2, 0, 40}}) {
     beside_box2d(aim);
     alone(VESICA_RECT, VESICA_ELLIPSE, aim, library_impact);
     alone(VESICA_ELLIPSE, VESICA_ELLIPSE, aim, library_impact);

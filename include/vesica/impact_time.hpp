@@ -132,9 +132,9 @@ std::int32_t impact_time_or_error(const A<T>& a, const Turn<T>& turn_a, const B<
   if (!impl::is_sound(turn_a) || !impl::is_sound(turn_b) || !(tolerance > 0)) return error_argument;
   Impact<double> found{};
   double found_gap = 0;
-  const std::int32_t answer = impl::impact_time<T>(
-      detail::cast::body(a), impl::widen(turn_a), detail::cast::body(b), impl::widen(turn_b),
-      static_cast<double>(tolerance), impl::AskShapes<A<T>, B<T>>{a, b}, found, found_gap);
+  const std::int32_t answer =
+      impl::impact_time<T>(detail::cast::body(a), impl::widen(turn_a), detail::cast::body(b), impl::widen(turn_b),
+                           static_cast<double>(tolerance), impl::AskShapes<A<T>, B<T>>{a, b}, found, found_gap);
   if (answer < 0) return answer;
   if (answer == cast_start) {
     const std::int32_t code = cast_or_error(a, b, T(0), T(0), T(0), out);

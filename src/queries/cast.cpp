@@ -67,8 +67,8 @@ std::int32_t impact_time(const Body& a, const Turn<double>& turn_a, const Body& 
                          double tolerance, Impact<T>& out, T& gap) noexcept {
   Impact<double> found{};
   double found_gap = 0;
-  std::int32_t code = detail::impact_time::impact_time<T>(a, turn_a, b, turn_b, tolerance, AskBodies{a, b}, found,
-                                                          found_gap);
+  std::int32_t code =
+      detail::impact_time::impact_time<T>(a, turn_a, b, turn_b, tolerance, AskBodies{a, b}, found, found_gap);
   if (code == cast_start) code = start(a, b, found);
   if (code <= 0) return code;
   return detail::impact_time::rounded_to(found, found_gap, out, gap) ? code : error_range;

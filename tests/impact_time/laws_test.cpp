@@ -66,8 +66,8 @@ class Laws : public testing::TestWithParam<properties::Kinds> {
     s.a.vx = s.a.vy = s.a.angle = s.b.angle = 0;
     const Answer r = impact_time(Scalar::f64, s);
     vesica_impact_f64 out{};
-    const std::int32_t code = vesica_cast_f64(s.pair.kind_a, s.pair.a.data(), s.pair.kind_b, s.pair.b.data(), s.b.vx,
-                                              s.b.vy, 1, &out);
+    const std::int32_t code =
+        vesica_cast_f64(s.pair.kind_a, s.pair.a.data(), s.pair.kind_b, s.pair.b.data(), s.b.vx, s.b.vy, 1, &out);
     if (r.code < 0 || code < 0) return;
     EXPECT_EQ(r.code == VESICA_CAST_START, code == VESICA_CAST_START);
     if (r.code == VESICA_CAST_MISS || r.code == VESICA_CAST_HIT) {

@@ -28,7 +28,8 @@ TEST(Rotation, WithinItsBound) {
     const double size = std::ldexp(1.0, random.integer(-30, 20));
     double angle = random.between(-size, size);
     // Beside quarters and eighths of a turn, where digits cancel or the count changes.
-    if (i % 3 == 0) angle = random.integer(-667000, 667000) * 0.78539816339744830962 * (1 + random.between(-1e-15, 1e-15));
+    if (i % 3 == 0)
+      angle = random.integer(-667000, 667000) * 0.78539816339744830962 * (1 + random.between(-1e-15, 1e-15));
     worst = std::max(worst, error_at(std::clamp(angle, -0x1p20, 0x1p20)));
   }
   EXPECT_LE(worst, 4);

@@ -25,7 +25,8 @@ class Samples : public testing::TestWithParam<properties::Kinds> {
     }
   }
   void check_place(const Turning& s, const Answer& r) {
-    const Placed a = placed_at(s.pair.kind_a, s.pair.a, s.a, r.t, 0), b = placed_at(s.pair.kind_b, s.pair.b, s.b, r.t, 0);
+    const Placed a = placed_at(s.pair.kind_a, s.pair.a, s.a, r.t, 0),
+                 b = placed_at(s.pair.kind_b, s.pair.b, s.b, r.t, 0);
     const bool is_float = GetParam().scalar == Scalar::f32;
     const double rounding = is_float ? 1e-6 : 1e-12;
     vesica_closest_points_f64 c{};
@@ -76,8 +77,7 @@ TEST_P(Samples, NoneOverlapBefore) {
         ASSERT_GE(r.code, 0) << r.code;
         ASSERT_LE(r.code, 3);
         ++answers[r.code];
-        EXPECT_EQ(r.code == VESICA_CAST_START,
-                  vesica_overlap_f64(k.a, s.pair.a.data(), k.b, s.pair.b.data()) == 1);
+        EXPECT_EQ(r.code == VESICA_CAST_START, vesica_overlap_f64(k.a, s.pair.a.data(), k.b, s.pair.b.data()) == 1);
         if (r.code == VESICA_CAST_MISS) {
           check_before(s, 1, random);
         } else if (r.code != VESICA_CAST_START) {

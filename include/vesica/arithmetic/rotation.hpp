@@ -33,14 +33,12 @@ inline Rotation rotation(double angle) noexcept {
                           y * (-1.0 / 39916800 +
                                y * (1.0 / 6227020800 + y * (-1.0 / 1307674368000 + y * (1.0 / 355687428096000))))))));
   const double c =
-      y * (-0.5 +
-           y * (1.0 / 24 +
-                y * (-1.0 / 720 +
-                     y * (1.0 / 40320 +
-                          y * (-1.0 / 3628800 +
-                               y * (1.0 / 479001600 +
-                                    y * (-1.0 / 87178291200 +
-                                         y * (1.0 / 20922789888000 + y * (-1.0 / 6402373705728000)))))))));
+      y * (-0.5 + y * (1.0 / 24 + y * (-1.0 / 720 +
+                                       y * (1.0 / 40320 +
+                                            y * (-1.0 / 3628800 +
+                                                 y * (1.0 / 479001600 + y * (-1.0 / 87178291200 +
+                                                                             y * (1.0 / 20922789888000 +
+                                                                                  y * (-1.0 / 6402373705728000)))))))));
   const double sine = x + x * s, cosine = 1 + c;
   const int quarters = static_cast<int>(count) & 3;
   const double first = (quarters & 1) != 0 ? sine : cosine, second = (quarters & 1) != 0 ? cosine : sine;

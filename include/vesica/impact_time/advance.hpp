@@ -107,8 +107,7 @@ inline Gap gap_at_face(const Scene& s, const Pose& at, const Heading& h) noexcep
   const PlaneVector vertex = offset + support_minimum::out_of_frame(w, {x, y});
   const PlaneVector local = support_minimum::into_frame(u, vertex);
   const auto within = [](double c, double half) { return lane::max(lane::min(c, half), -half); };
-  const PlaneVector nearest =
-      support_minimum::out_of_frame(u, {within(local.x, face.hx), within(local.y, face.hy)});
+  const PlaneVector nearest = support_minimum::out_of_frame(u, {within(local.x, face.hx), within(local.y, face.hy)});
   const PlaneVector way = vertex + -nearest;
   const double distance = lane::sqrt(dot(way, way));
   if (on_a) return {nearest, vertex, distance};

@@ -111,8 +111,8 @@ inline Scene scaled_scene(const nearest::Form& a, const nearest::Form& b, const 
 inline void measure(Scene& s) noexcept {
   // In units of u and of all lengths: the offset at t, 3; an axis at t, 15 and its spin, for the angle's rounding; n, if
   // it is such an axis, as much; half lengths, 6; products, sums or a root, 12. With room for n being a unit to 3 alone.
-  const double lengths = lane::abs(s.d.x) + lane::abs(s.d.y) + lane::abs(s.v.x) + lane::abs(s.v.y) +
-                         (s.a.hx + s.a.hy) + (s.b.hx + s.b.hy);
+  const double lengths =
+      lane::abs(s.d.x) + lane::abs(s.d.y) + lane::abs(s.v.x) + lane::abs(s.v.y) + (s.a.hx + s.a.hy) + (s.b.hx + s.b.hy);
   s.error = 0x1p-53 * lengths * (56 + 2 * (lane::abs(s.a.spin) + lane::abs(s.b.spin))) + 0x1p-1000;
   s.speed = lane::sqrt(dot(s.v, s.v));
   s.farthest = lane::sqrt(dot(s.d, s.d)) + s.speed;
@@ -122,9 +122,7 @@ inline Scene scene(const Body& a, const Turn<double>& turn_a, const Body& b, con
   const auto form = [](const Body& body, double k) {
     return cast::with_shape(body, [k](const auto& s) { return nearest::form_times(s, k); });
   };
-  const auto way = [&](double k) {
-    return PlaneVector{k * turn_b.vx - k * turn_a.vx, k * turn_b.vy - k * turn_a.vy};
-  };
+  const auto way = [&](double k) { return PlaneVector{k * turn_b.vx - k * turn_a.vx, k * turn_b.vy - k * turn_a.vy}; };
   nearest::Form fa = form(a, 1), fb = form(b, 1);
   Scene s = moderate_scene(fa, fb, way(1), turn_a.angle, turn_b.angle);
   if (!is_moderate(s)) [[unlikely]] {

@@ -56,7 +56,8 @@ struct Separation {
 inline Separation separation(const Scene& s, const Pose& at, const PlaneVector& n, Kept kept) noexcept {
   const Support a = support(s.a, at.axis_a, n), b = support(s.b, at.axis_b, n);
   const double rate = rate_of(s, kept), along = dot(n, at.offset);
-  const double change = (dot(n, s.v) + rate * cross(n, at.offset)) - (s.a.spin - rate) * a.rate - (s.b.spin - rate) * b.rate;
+  const double change =
+      (dot(n, s.v) + rate * cross(n, at.offset)) - (s.a.spin - rate) * a.rate - (s.b.spin - rate) * b.rate;
   return {((along - a.h) - b.h) - s.error, change, along};
 }
 
@@ -113,10 +114,9 @@ inline Direction best_face(const Scene& s, const Pose& at) noexcept {
   const double c = lane::abs(dot(at.axis_a, at.axis_b)), k = lane::abs(cross(at.axis_a, at.axis_b));
   const PlaneVector in_a = support_minimum::into_frame(at.axis_a, at.offset);
   const PlaneVector in_b = support_minimum::into_frame(at.axis_b, at.offset);
-  const double by[] = {lane::abs(in_a.x) - s.a.hx - (s.b.hx * c + s.b.hy * k),
-                       lane::abs(in_a.y) - s.a.hy - (s.b.hx * k + s.b.hy * c),
-                       lane::abs(in_b.x) - s.b.hx - (s.a.hx * c + s.a.hy * k),
-                       lane::abs(in_b.y) - s.b.hy - (s.a.hx * k + s.a.hy * c)};
+  const double by[] = {
+      lane::abs(in_a.x) - s.a.hx - (s.b.hx * c + s.b.hy * k), lane::abs(in_a.y) - s.a.hy - (s.b.hx * k + s.b.hy * c),
+      lane::abs(in_b.x) - s.b.hx - (s.a.hx * c + s.a.hy * k), lane::abs(in_b.y) - s.b.hy - (s.a.hx * k + s.a.hy * c)};
   const bool second_a = by[1] > by[0], second_b = by[3] > by[2];
   const bool of_b = lane::max(by[2], by[3]) > lane::max(by[0], by[1]), second = of_b ? second_b : second_a;
   const PlaneVector& in_frame = of_b ? in_b : in_a;
