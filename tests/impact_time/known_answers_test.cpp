@@ -116,6 +116,15 @@ TEST(Known, ExtremeExponents) {
     EXPECT_GE(r.t, 0.499999);
     EXPECT_LE(r.gap, 1e-7 * k);
   }
+  // An axis whose square underflows.
+  for (const int e : {-1000, -600, 600, 1000}) {
+    const double u = std::ldexp(1.0, e), h = std::ldexp(1.0, -e);
+    const Turning s{{VESICA_POINT, VESICA_RECT, {0, 0}, {-5, 0.25, u, 0, h, h}}, still, {8, 0, 0.125}, 1e-9};
+    const Answer r = impact_time(Scalar::f64, s);
+    EXPECT_EQ(r.code, VESICA_CAST_HIT) << e;
+    EXPECT_LE(r.t, 0.5);
+    EXPECT_GE(r.t, 0.48);
+  }
   // A tolerance below what rounding allows is not reached, which is told.
   const Answer r = impact_time(Scalar::f64, {bar_and_disc, {0, 0, pi}, still, 1e-300});
   EXPECT_EQ(r.code, VESICA_CAST_HIT);

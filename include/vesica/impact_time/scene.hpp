@@ -78,6 +78,11 @@ inline Turning turning(const nearest::Form& f, double spin) noexcept {
   return turning(nearest::Placed{f.box, f.radius, f.curved}, 0, spin);
 }
 
+/// Whether the square of the axis is as it should be.
+inline bool is_moderate(const nearest::Form& f) noexcept {
+  const double size = lane::abs(f.box.u.x.high) + lane::abs(f.box.u.y.high);
+  return size >= 0x1p-60 && size <= 0x1p60;
+}
 /// Numbers that need no other unit. What is computed in one is the same in another, times powers of two.
 inline bool is_moderate(const Turning& s) noexcept {
   const double shorter = lane::min(s.hx, s.hy), longer = lane::max(s.hx, s.hy);
@@ -125,7 +130,7 @@ inline Scene scene(const Body& a, const Turn<double>& turn_a, const Body& b, con
   const auto way = [&](double k) { return PlaneVector{k * turn_b.vx - k * turn_a.vx, k * turn_b.vy - k * turn_a.vy}; };
   nearest::Form fa = form(a, 1), fb = form(b, 1);
   Scene s = moderate_scene(fa, fb, way(1), turn_a.angle, turn_b.angle);
-  if (!is_moderate(s)) [[unlikely]] {
+  if (!is_moderate(fa) || !is_moderate(fb) || !is_moderate(s)) [[unlikely]] {
     const bool large = nearest::overflowed(fa, fb) || !all_finite(s.v.x, s.v.y);
     if (large) fa = form(a, 0.125), fb = form(b, 0.125);
     s = scaled_scene(fa, fb, way(large ? 0.125 : 1), large ? 3 : 0, turn_a.angle, turn_b.angle);
