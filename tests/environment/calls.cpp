@@ -66,11 +66,12 @@ Bytes ask_cast(const Input& p) {
   append(bytes, out);
   return bytes;
 }
-/// function(kind_a, a, &turn_a, kind_b, b, &turn_b, tolerance, &out, &gap), towards the first shape.
+/// function(kind_a, a, &turn_a, kind_b, b, &turn_b, tolerance, &out, &gap). Motions are numbers that are there: a
+/// difference would be computed in the other environment.
 template <class T, class Turn, class Out, auto function>
 Bytes ask_impact_time(const Input& p) {
   const auto a = first(p, T{}), b = second(p, T{});
-  const Turn turn_a{T{0}, T{0}, T{1} / 3}, turn_b{a[0] - b[0], a[1] - b[1], T{-7} / 3};
+  const Turn turn_a{T{0}, T{0}, T{1} / 3}, turn_b{a[0], b[1], T{-7} / 3};
   Bytes bytes;
   Out out;
   std::memset(&out, 0, sizeof out);
