@@ -104,7 +104,7 @@ std::int32_t library_cast(std::int32_t kind_a, std::int32_t kind_b, const Pair& 
   return vesica_cast_f64(kind_a, p.a.data(), kind_b, p.b.data(), p.vx, p.vy, 1, &out);
 }
 
-/// VESICA_CAST_MISS and what else there is. Within a twentieth of a percent of the sizes is near, as Box2D has it.
+/// Any answer but VESICA_CAST_MISS counts as a hit. 0.005 is the distance that Box2D keeps.
 std::int32_t library_impact(std::int32_t kind_a, std::int32_t kind_b, const Pair& p) {
   const vesica_turn_f64 still{0, 0, 0}, turn{p.vx, p.vy, p.angle};
   vesica_impact_f64 out;

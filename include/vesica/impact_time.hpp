@@ -10,8 +10,8 @@
 ///   - near: no contact before t, and at t the shapes are at most `gap` apart. There may be contact later.
 ///   - a start: the shapes overlap as they are stored. This is exact.
 ///
-/// The gap is at most the tolerance, unless rounding does not let the shapes be told apart that closely: u = 2^-53, some
-/// (50 + 2 |angle|) u of the largest length, the motion's included; or 4096 poses were looked at.
+/// The gap is at most the tolerance, unless rounding does not let the shapes be told apart that closely: that takes
+/// (120 + 4 |angles|) u times the sum of all lengths, u = 2^-53, the motion's included; or 4096 poses were looked at.
 #pragma once
 
 #include <vesica/cast.hpp>

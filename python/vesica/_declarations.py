@@ -3033,9 +3033,9 @@ shapes overlap at t = 0, which is exact; *out is as of vesica_cast_f64, and the 
 Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the point,
 or the gap, would exceed the finite numbers). On an error nothing is written.
 Accuracy: that there is no contact before t, a miss and a hit are certain. The gap is at most the tolerance, unless
-that is below what rounding allows, (100 + 4 |angles|) u scale, scale the largest length, the motion included; or
-4096 poses were looked at, which takes spins of hundreds of turns beside a gap that stays small.
-Cost: 40 ns where the shapes stay far from each other, 0.5 to 3 us else; at worst 1 ms.
+that is below what rounding allows, (120 + 4 |angles|) u times the sum of all lengths, u = 2^-53, the motion's
+included; or 4096 poses were looked at.
+Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us where one shape is round; 0.14 ms was the most that was seen.
 Since: 0.1.""",
     ),
     "vesica_cast_f32": (

@@ -2785,10 +2785,10 @@ extern "C" {
     /// or the gap, would exceed the finite numbers). On an error nothing is written.
     ///
     /// Accuracy: that there is no contact before t, a miss and a hit are certain. The gap is at most the tolerance, unless
-    /// that is below what rounding allows, (100 + 4 |angles|) u scale, scale the largest length, the motion included; or
-    /// 4096 poses were looked at, which takes spins of hundreds of turns beside a gap that stays small.
+    /// that is below what rounding allows, (120 + 4 |angles|) u times the sum of all lengths, u = 2^-53, the motion's
+    /// included; or 4096 poses were looked at.
     ///
-    /// Cost: 40 ns where the shapes stay far from each other, 0.5 to 3 us else; at worst 1 ms.
+    /// Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us where one shape is round; 0.14 ms was the most that was seen.
     ///
     /// Since: 0.1.
     pub fn vesica_impact_time_f64(kind_a: i32, numbers_a: *const f64, turn_a: *const Turn<f64>, kind_b: i32, numbers_b: *const f64, turn_b: *const Turn<f64>, tolerance: f64, out: *mut Impact<f64>, gap: *mut f64) -> i32;
