@@ -11,7 +11,8 @@
 ///   - a start: the shapes overlap as they are stored. This is exact.
 ///
 /// The gap is at most the tolerance, unless rounding does not let the shapes be told apart that closely: that takes
-/// (120 + 4 |angles|) u times the sum of all lengths, u = 2^-53, the motion's included; or 4096 poses were looked at.
+/// (120 + 4 |angles|) u times the sum of all lengths, u = 2^-53, the motion's included; or 256 directions or 4096
+/// poses were looked at.
 #pragma once
 
 #include <vesica/cast.hpp>

@@ -2329,9 +2329,10 @@ final class Native {
    *
    * <p>Accuracy: that there is no contact before t, a miss and a hit are certain. The gap is at most the tolerance, unless
    * that is below what rounding allows, (120 + 4 |angles|) u times the sum of all lengths, u = 2^-53, the motion's
-   * included; or 4096 poses were looked at.
+   * included; or 256 directions or 4096 poses were looked at.
    *
-   * <p>Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us where one shape is round; 0.14 ms was the most that was seen.
+   * <p>Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us where one shape is round; 0.14 ms was seen at spins of
+   * 10^6 radians, 1.4 ms where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
    */
