@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes that move: two, arrays of them, and one through an index.
-#include <vesica/cast.hpp>
+#include <vesica/impact_time.hpp>
 
 #include "index_arguments.hpp"
 #include "join/cast.hpp"
@@ -17,7 +17,7 @@ using vesica::detail::cast::Motion;
 namespace index = vesica::index;
 
 static_assert(vesica::cast_miss == VESICA_CAST_MISS && vesica::cast_hit == VESICA_CAST_HIT &&
-              vesica::cast_start == VESICA_CAST_START);
+              vesica::cast_start == VESICA_CAST_START && vesica::cast_near == VESICA_CAST_NEAR);
 static_assert(sizeof(Impact<double>) == sizeof(vesica_impact_f64) &&
               sizeof(Impact<float>) == sizeof(vesica_impact_f32));
 
@@ -48,6 +48,29 @@ int32_t cast(int32_t kind_a, const T* a, int32_t kind_b, const T* b, T vx, T vy,
   Impact<T> impact = vesica::detail::cast::no_impact<T>();
   const int32_t code = vesica::queries::cast(body_of(kind_a, a), body_of(kind_b, b), motion, impact);
   if (code >= 0) write(impact, out);
+  return code;
+}
+
+template <class T, class CTurn, class Out>
+int32_t impact_time(int32_t kind_a, const T* a, const CTurn* turn_a, int32_t kind_b, const T* b, const CTurn* turn_b,
+                    T tolerance, Out* out, T* gap) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT((impact_time<T, CTurn, Out>), kind_a, a, turn_a, kind_b, b, turn_b, tolerance, out, gap);
+  if (a == nullptr || turn_a == nullptr || b == nullptr || turn_b == nullptr) return VESICA_E_NULL;
+  if (out == nullptr || gap == nullptr) return VESICA_E_NULL;
+  if (!vesica::is_kind(kind_a) || !vesica::is_kind(kind_b)) return VESICA_E_KIND;
+  const auto turn_of = [](const CTurn& t) {
+    return vesica::Turn<double>{static_cast<double>(t.vx), static_cast<double>(t.vy), static_cast<double>(t.angle)};
+  };
+  const vesica::Turn<double> first = turn_of(*turn_a), second = turn_of(*turn_b);
+  const bool sound = vesica::detail::impact_time::is_sound(first) && vesica::detail::impact_time::is_sound(second);
+  if (!sound || !(tolerance > 0)) return VESICA_E_ARGUMENT;
+  Impact<T> impact = vesica::detail::cast::no_impact<T>();
+  T most = impact.x;
+  const int32_t code = vesica::queries::impact_time(body_of(kind_a, a), first, body_of(kind_b, b), second,
+                                                    static_cast<double>(tolerance), impact, most);
+  if (code < 0) return code;
+  write(impact, out);
+  *gap = most;
   return code;
 }
 
@@ -186,6 +209,11 @@ int64_t index_first(const void* from, const CShapesOf<T>* sets, int32_t set_coun
   int64_t vesica_cast_first_##scalar(const vesica_shapes_##scalar* one, const vesica_shapes_##scalar* many, T vx,    \
                                      T vy, T t_end, vesica_impact_##scalar* out) {                                   \
     return first<T>(many, one, vx, vy, t_end, out);                                                                  \
+  }                                                                                                                  \
+  int32_t vesica_impact_time_##scalar(int32_t kind_a, const T* numbers_a, const vesica_turn_##scalar* turn_a,        \
+                                      int32_t kind_b, const T* numbers_b, const vesica_turn_##scalar* turn_b,        \
+                                      T tolerance, vesica_impact_##scalar* out, T* gap) {                            \
+    return impact_time(kind_a, numbers_a, turn_a, kind_b, numbers_b, turn_b, tolerance, out, gap);                   \
   }                                                                                                                  \
   int32_t vesica_sweep_bounds_##scalar(int32_t kind, const T* numbers, T vx, T vy, T t_end,                          \
                                        vesica_aabb_##scalar* out) {                                                  \

@@ -10,7 +10,7 @@
  *     vesica_closest_points_f64 out;
  *     int32_t error = vesica_nearest(&car, &person, &out);
  *
- * Every argument is a pointer to a shape or to a result, or a number. Each is evaluated once. Double and float cannot
+ * Every argument is a pointer to a shape, a motion or a result, or a number. Each is evaluated once. Double and float cannot
  * be mixed: such a call does not compile. Results and errors are those of the functions, such as vesica_nearest_f64.
  */
 #if !defined(VESICA_GENERIC_H) && !defined(__cplusplus) && defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
@@ -46,6 +46,10 @@
 #define vesica_cast(a, b, vx, vy, t_end, out) \
     VESICA_QUERY_(vesica_cast, VESICA_SIZE_(a) & VESICA_SIZE_(b) & VESICA_SIZE_(out)) \
     (VESICA_SHAPE_(a), VESICA_SHAPE_(b), vx, vy, t_end, out)
+#define vesica_impact_time(a, turn_a, b, turn_b, tolerance, out, gap) \
+    VESICA_QUERY_(vesica_impact_time, VESICA_SIZE_(a) & VESICA_SIZE_(b) & VESICA_SIZE_(turn_a) & VESICA_SIZE_(turn_b) \
+        & VESICA_SIZE_(out) & VESICA_SIZE_(gap)) \
+    (VESICA_SHAPE_(a), turn_a, VESICA_SHAPE_(b), turn_b, tolerance, out, gap)
 #define vesica_sweep_bounds(shape, vx, vy, t_end, out) \
     VESICA_QUERY_(vesica_sweep_bounds, VESICA_SIZE_(shape) & VESICA_SIZE_(out)) \
     (VESICA_SHAPE_(shape), vx, vy, t_end, out)
@@ -67,10 +71,10 @@
     _Generic(*(pointer), \
         double: 8, vesica_point_f64: 8, vesica_segment_f64: 8, vesica_circle_f64: 8, vesica_aabb_f64: 8, \
         vesica_rect_f64: 8, vesica_ellipse_f64: 8, vesica_closest_points_f64: 8, vesica_crossing_points_f64: 8, \
-        vesica_penetration_f64: 8, vesica_impact_f64: 8, \
+        vesica_penetration_f64: 8, vesica_impact_f64: 8, vesica_turn_f64: 8, \
         float: 4, vesica_point_f32: 4, vesica_segment_f32: 4, vesica_circle_f32: 4, vesica_aabb_f32: 4, \
         vesica_rect_f32: 4, vesica_ellipse_f32: 4, vesica_closest_points_f32: 4, vesica_crossing_points_f32: 4, \
-        vesica_penetration_f32: 4, vesica_impact_f32: 4)
+        vesica_penetration_f32: 4, vesica_impact_f32: 4, vesica_turn_f32: 4)
 
 /* Picks by a constant size. Sizes of several arguments are joined by &: 8 & 4 is 0, for which there is no choice. */
 #define VESICA_PICK_(size, of_double, of_float) \

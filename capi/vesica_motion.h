@@ -30,6 +30,7 @@ extern "C" {
 #define VESICA_CAST_MISS 0  /**< no contact from 0 to t_end */
 #define VESICA_CAST_HIT 1   /**< contact, the first after t = 0 */
 #define VESICA_CAST_START 2 /**< the shapes overlap at t = 0, as vesica_overlap_f64 tells */
+#define VESICA_CAST_NEAR 3  /**< vesica_impact_time_f64 alone: none before t, and perhaps none later */
 
 /* ---- Motion, double ----
  * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
@@ -126,6 +127,40 @@ VESICA_API int64_t vesica_index_cast_first_f64(const void *index, const vesica_s
                                                const vesica_shapes_f64 *one, double vx, double vy, double t_end,
                                                vesica_impact_f64 *out);
 
+/**
+ * How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that, in
+ * radians. Positive angles turn counter-clockwise where y points up.
+ */
+typedef struct {
+    double vx, vy, angle;
+} vesica_turn_f64;
+
+/**
+ * When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they turn,
+ * there is no contact before.
+ *
+ * At t, from 0 to 1, a centre has moved by t (vx, vy) and an axis has turned by t times the angle, as real numbers do.
+ * *out is the place then: the point of a that is nearest to b, and the normal that separates them. They are at most
+ * *gap apart.
+ * Requires: numbers of turn_a and turn_b finite, angles at most 2^20 in magnitude; tolerance above 0, a length. No
+ * pointer may be NULL.
+ * Returns: VESICA_CAST_MISS: proved, there is no contact from 0 to 1; then t is infinity, all other numbers and the gap
+ * are NaN. VESICA_CAST_HIT: proved, there is contact after t. VESICA_CAST_NEAR: there may be contact after t. Of a point
+ * and a segment, or two points, which have no depth in each other, contact is never proved. VESICA_CAST_START: the
+ * shapes overlap at t = 0, which is exact; *out is as of vesica_cast_f64, and the gap 0.
+ * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the point,
+ * or the gap, would exceed the finite numbers). On an error nothing is written.
+ * Accuracy: that there is no contact before t, a miss and a hit are certain. The gap is at most the tolerance, unless
+ * that is below what rounding allows, (120 + 4 |angles|) u times the sum of all lengths, u = 2^-53, the motion's
+ * included; or 256 directions or 4096 poses were looked at.
+ * Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us where one shape is round; 0.14 ms was seen at spins of
+ * 10^6 radians, 1.4 ms where exponents are wildly unlike.
+ * Since: 0.1.
+ */
+VESICA_API int32_t vesica_impact_time_f64(int32_t kind_a, const double *numbers_a, const vesica_turn_f64 *turn_a,
+                                          int32_t kind_b, const double *numbers_b, const vesica_turn_f64 *turn_b,
+                                          double tolerance, vesica_impact_f64 *out, double *gap);
+
 /* ---- Motion, float: the same functions. The time is rounded down to a float: still no contact is before it. ----
  * Errors: those of the double functions.
  * Since: 0.1.
@@ -157,6 +192,16 @@ VESICA_API int64_t vesica_index_cast_f32(const void *index, const vesica_shapes_
 VESICA_API int64_t vesica_index_cast_first_f32(const void *index, const vesica_shapes_f32 *sets, int32_t set_count,
                                                const vesica_shapes_f32 *one, float vx, float vy, float t_end,
                                                vesica_impact_f32 *out);
+
+/** As vesica_turn_f64. */
+typedef struct {
+    float vx, vy, angle;
+} vesica_turn_f32;
+
+/** As vesica_impact_time_f64. The gap is that at the rounded time, and rounded up. */
+VESICA_API int32_t vesica_impact_time_f32(int32_t kind_a, const float *numbers_a, const vesica_turn_f32 *turn_a,
+                                          int32_t kind_b, const float *numbers_b, const vesica_turn_f32 *turn_b,
+                                          float tolerance, vesica_impact_f32 *out, float *gap);
 
 #ifdef __cplusplus
 }

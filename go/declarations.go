@@ -166,6 +166,8 @@ const (
 	CastHit CastResult = 1
 	// CastStart: the shapes overlap at t = 0, as vesica_overlap_f64 tells
 	CastStart CastResult = 2
+	// CastNear: vesica_impact_time_f64 alone: none before t, and perhaps none later
+	CastNear CastResult = 3
 )
 
 // Point: A location.
@@ -293,6 +295,14 @@ type Impact[T Float] struct {
 	Y  T
 	NX T
 	NY T
+}
+
+// Turn: How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that,
+// in radians. Positive angles turn counter-clockwise where y points up.
+type Turn[T Float] struct {
+	VX    T
+	VY    T
+	Angle T
 }
 
 func cCheck(wide bool, kind C.int32_t, numbers C.vesica_go_numbers) C.int32_t {
@@ -818,6 +828,15 @@ func cIndexCastFirst(wide bool, index unsafe.Pointer, sets C.vesica_go_sets, set
 		return C.go_index_cast_first_f64(index, sets, setCount, one, C.double(vx), C.double(vy), C.double(tEnd), out)
 	}
 	return C.go_index_cast_first_f32(index, sets, setCount, one, C.float(vx), C.float(vy), C.float(tEnd), out)
+}
+
+func cImpactTime(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, turnA unsafe.Pointer, kindB C.int32_t,
+	numbersB C.vesica_go_numbers, turnB unsafe.Pointer, tolerance float64, out unsafe.Pointer,
+	gap unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_impact_time_f64(kindA, numbersA, turnA, kindB, numbersB, turnB, C.double(tolerance), out, gap)
+	}
+	return C.go_impact_time_f32(kindA, numbersA, turnA, kindB, numbersB, turnB, C.float(tolerance), out, gap)
 }
 
 func cDe9im(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,

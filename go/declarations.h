@@ -1041,6 +1041,24 @@ static inline int64_t go_index_cast_first_f32(const void *index, vesica_go_sets 
     return vesica_index_cast_first_f32(index, of_sets, set_count, &of_one, vx, vy, t_end, out);
 }
 
+static inline int32_t go_impact_time_f64(int32_t kind_a, vesica_go_numbers numbers_a, const void *turn_a,
+    int32_t kind_b, vesica_go_numbers numbers_b, const void *turn_b, double tolerance, void *out, void *gap) {
+    double of_numbers_a[6];
+    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
+    double of_numbers_b[6];
+    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
+    return vesica_impact_time_f64(kind_a, of_numbers_a, turn_a, kind_b, of_numbers_b, turn_b, tolerance, out, gap);
+}
+
+static inline int32_t go_impact_time_f32(int32_t kind_a, vesica_go_numbers numbers_a, const void *turn_a,
+    int32_t kind_b, vesica_go_numbers numbers_b, const void *turn_b, float tolerance, void *out, void *gap) {
+    float of_numbers_a[6];
+    memcpy(of_numbers_a, &numbers_a, sizeof of_numbers_a);
+    float of_numbers_b[6];
+    memcpy(of_numbers_b, &numbers_b, sizeof of_numbers_b);
+    return vesica_impact_time_f32(kind_a, of_numbers_a, turn_a, kind_b, of_numbers_b, turn_b, tolerance, out, gap);
+}
+
 static inline int32_t go_de9im_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
     vesica_go_numbers numbers_b, void *matrix) {
     double of_numbers_a[6];

@@ -2300,6 +2300,28 @@ export interface C {
   vesica_index_cast_first_f64(index: number, sets: number, set_count: number, one: number, vx: number, vy: number,
     t_end: number, out: number): bigint;
   /**
+   * When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they turn,
+   * there is no contact before.
+   *
+   * At t, from 0 to 1, a centre has moved by t (vx, vy) and an axis has turned by t times the angle, as real numbers
+   * do. *out is the place then: the point of a that is nearest to b, and the normal that separates them. They are at
+   * most *gap apart.
+   *
+   * Requires: numbers of turn_a and turn_b finite, angles at most 2^20 in magnitude; tolerance above 0, a length. No
+   * pointer may be NULL. Returns: VESICA_CAST_MISS: proved, there is no contact from 0 to 1; then t is infinity, all
+   * other numbers and the gap are NaN. VESICA_CAST_HIT: proved, there is contact after t. VESICA_CAST_NEAR: there may
+   * be contact after t. Of a point and a segment, or two points, which have no depth in each other, contact is never
+   * proved. VESICA_CAST_START: the shapes overlap at t = 0, which is exact; *out is as of vesica_cast_f64, and the gap
+   * 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the
+   * point, or the gap, would exceed the finite numbers). On an error nothing is written. Accuracy: that there is no
+   * contact before t, a miss and a hit are certain. The gap is at most the tolerance, unless that is below what
+   * rounding allows, (120 + 4 |angles|) u times the sum of all lengths, u = 2^-53, the motion's included; or 256
+   * directions or 4096 poses were looked at. Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us where one shape is round; 0.14
+   * ms was seen at spins of 10^6 radians, 1.4 ms where exponents are wildly unlike. Since: 0.1.
+   */
+  vesica_impact_time_f64(kind_a: number, numbers_a: number, turn_a: number, kind_b: number, numbers_b: number,
+    turn_b: number, tolerance: number, out: number, gap: number): number;
+  /**
    * Does b touch a while it moves, when first, and where?
    *
    * The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
@@ -2378,6 +2400,14 @@ export interface C {
    */
   vesica_index_cast_first_f32(index: number, sets: number, set_count: number, one: number, vx: number, vy: number,
     t_end: number, out: number): bigint;
+  /**
+   * As vesica_impact_time_f64. The gap is that at the rounded time, and rounded up.
+   *
+   * Errors: those of the double functions.
+   * Since: 0.1.
+   */
+  vesica_impact_time_f32(kind_a: number, numbers_a: number, turn_a: number, kind_b: number, numbers_b: number,
+    turn_b: number, tolerance: number, out: number, gap: number): number;
   /**
    * The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
    *

@@ -98,6 +98,8 @@ export const CAST_MISS = 0;
 export const CAST_HIT = 1;
 /** the shapes overlap at t = 0, as vesica_overlap_f64 tells */
 export const CAST_START = 2;
+/** vesica_impact_time_f64 alone: none before t, and perhaps none later */
+export const CAST_NEAR = 3;
 /** characters of a nine-intersection matrix with its final NUL */
 export const DE9IM_SIZE = 10;
 /** vertices of a shared region, at most */

@@ -71,7 +71,11 @@ void expect_checked_forms_to_refuse(const A& a, const B& b) {
   Impact<T> impact{7, 7, 7, 7, 7};
   EXPECT_EQ(cast_or_error(a, b, T(1), T(0), T(1), impact), error_shape);
   EXPECT_EQ(cast_or_error(a, b, T(0), T(0), T(1), impact), error_shape);
+  const Turn<T> turn{1, 0, 2};
+  T gap = 7;
+  EXPECT_EQ(impact_time_or_error(a, turn, b, turn, T(1), impact, gap), error_shape);
   EXPECT_EQ(impact.t, 7);
+  EXPECT_EQ(gap, 7);
   T number = 7;
   EXPECT_EQ(area_or_error(a, b, number), error_shape);
   EXPECT_EQ(iou_or_error(a, b, number), error_shape);

@@ -22,6 +22,7 @@ b2PolygonShape polygon(const vesica_rect_f64& r) {
 struct Pair {
   b2PolygonShape a, b;
   b2Vec2 centre_a, centre_b, way;
+  float angle;
 };
 
 }  // namespace
@@ -33,8 +34,9 @@ struct Box2dCasts::Pairs {
 Box2dCasts::Box2dCasts() : pairs_(std::make_unique<Pairs>()) {}
 Box2dCasts::~Box2dCasts() = default;
 void Box2dCasts::clear() { pairs_->pairs.clear(); }
-void Box2dCasts::add(const vesica_rect_f64& a, const vesica_rect_f64& b, double vx, double vy) {
-  pairs_->pairs.push_back({polygon(a), polygon(b), vec(a.cx, a.cy), vec(b.cx, b.cy), vec(vx, vy)});
+void Box2dCasts::add(const vesica_rect_f64& a, const vesica_rect_f64& b, double vx, double vy, double angle) {
+  pairs_->pairs.push_back(
+      {polygon(a), polygon(b), vec(a.cx, a.cy), vec(b.cx, b.cy), vec(vx, vy), static_cast<float>(angle)});
 }
 
 bool Box2dCasts::shape_cast(std::size_t pair) const {
@@ -55,7 +57,7 @@ bool Box2dCasts::time_of_impact(std::size_t pair) const {
   input.proxyA.Set(&p.a, 0);
   input.proxyB.Set(&p.b, 0);
   input.sweepA = {b2Vec2(0, 0), p.centre_a, p.centre_a, 0, 0, 0};
-  input.sweepB = {b2Vec2(0, 0), p.centre_b, p.centre_b + p.way, 0, 0, 0};
+  input.sweepB = {b2Vec2(0, 0), p.centre_b, p.centre_b + p.way, 0, p.angle, 0};
   input.tMax = 1;
   b2TOIOutput output;
   b2TimeOfImpact(&output, &input);

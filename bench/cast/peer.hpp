@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Box2D's casts of rectangles, in float; without its package there are none.
+/// Box2D's casts and times of impact of rectangles, in float; without its package there are none.
 #pragma once
 
 #include <vesica.h>
@@ -15,8 +15,8 @@ class Box2dCasts {
   Box2dCasts();
   ~Box2dCasts();
   void clear();
-  void add(const vesica_rect_f64& a, const vesica_rect_f64& b, double vx, double vy);
-  /// Whether b hits a by the time 1.
+  void add(const vesica_rect_f64& a, const vesica_rect_f64& b, double vx, double vy, double angle);
+  /// Whether b hits a by the time 1. Only time_of_impact() turns it.
   bool shape_cast(std::size_t pair) const;
   bool time_of_impact(std::size_t pair) const;
 

@@ -2331,6 +2331,32 @@ namespace Vesica
             double vx, double vy, double tEnd, void* output);
 
         /// <summary>
+        /// <para>When do two shapes that move and turn touch first? t is proved: however thin they are and however fast
+        /// they turn, there is no contact before.</para>
+        /// <para>At t, from 0 to 1, a centre has moved by t (vx, vy) and an axis has turned by t times the angle, as
+        /// real numbers do. *out is the place then: the point of a that is nearest to b, and the normal that separates
+        /// them. They are at most *gap apart.</para>
+        /// <para>Requires: numbers of turn_a and turn_b finite, angles at most 2^20 in magnitude; tolerance above 0, a
+        /// length. No pointer may be NULL.</para>
+        /// <para>Returns: VESICA_CAST_MISS: proved, there is no contact from 0 to 1; then t is infinity, all other
+        /// numbers and the gap are NaN. VESICA_CAST_HIT: proved, there is contact after t. VESICA_CAST_NEAR: there may
+        /// be contact after t. Of a point and a segment, or two points, which have no depth in each other, contact is
+        /// never proved. VESICA_CAST_START: the shapes overlap at t = 0, which is exact; *out is as of vesica_cast_f64,
+        /// and the gap 0.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate
+        /// of the point, or the gap, would exceed the finite numbers). On an error nothing is written.</para>
+        /// <para>Accuracy: that there is no contact before t, a miss and a hit are certain. The gap is at most the
+        /// tolerance, unless that is below what rounding allows, (120 + 4 |angles|) u times the sum of all lengths, u =
+        /// 2^-53, the motion's included; or 256 directions or 4096 poses were looked at.</para>
+        /// <para>Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us where one shape is round; 0.14 ms was seen at spins of
+        /// 10^6 radians, 1.4 ms where exponents are wildly unlike.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_impact_time_f64(int kindA, void* numbersA, void* turnA, int kindB,
+            void* numbersB, void* turnB, double tolerance, void* output, void* gap);
+
+        /// <summary>
         /// <para>Does b touch a while it moves, when first, and where?</para>
         /// <para>The normal is that of the face or the round outline that is met; where a corner meets a corner, that
         /// of an edge there; where b only slides along a, it is across the velocity. The point of two faces that meet
@@ -2428,6 +2454,15 @@ namespace Vesica
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern long vesica_index_cast_first_f32(void* index, void* sets, int setCount, void* one,
             float vx, float vy, float tEnd, void* output);
+
+        /// <summary>
+        /// <para>As vesica_impact_time_f64. The gap is that at the rounded time, and rounded up.</para>
+        /// <para>Errors: those of the double functions.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_impact_time_f32(int kindA, void* numbersA, void* turnA, int kindB,
+            void* numbersB, void* turnB, float tolerance, void* output, void* gap);
 
         /// <summary>
         /// <para>The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.</para>
@@ -3026,6 +3061,14 @@ namespace Vesica
             return wide
                 ? vesica_index_cast_first_f64(index, sets, setCount, one, vx, vy, tEnd, output)
                 : vesica_index_cast_first_f32(index, sets, setCount, one, (float)vx, (float)vy, (float)tEnd, output);
+        }
+
+        internal static int ImpactTime(bool wide, int kindA, void* numbersA, void* turnA, int kindB, void* numbersB,
+            void* turnB, double tolerance, void* output, void* gap)
+        {
+            return wide
+                ? vesica_impact_time_f64(kindA, numbersA, turnA, kindB, numbersB, turnB, tolerance, output, gap)
+                : vesica_impact_time_f32(kindA, numbersA, turnA, kindB, numbersB, turnB, (float)tolerance, output, gap);
         }
 
         internal static int De9im(bool wide, int kindA, void* numbersA, int kindB, void* numbersB, void* matrix)

@@ -206,6 +206,10 @@ namespace Vesica
         /// the shapes overlap at t = 0, as vesica_overlap_f64 tells
         /// </summary>
         Start = 2,
+        /// <summary>
+        /// vesica_impact_time_f64 alone: none before t, and perhaps none later
+        /// </summary>
+        Near = 3,
     }
 
     /// <summary>
@@ -932,6 +936,31 @@ namespace Vesica
     }
 
     /// <summary>
+    /// How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that, in
+    /// radians. Positive angles turn counter-clockwise where y points up.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public struct Turn
+    {
+        /// <summary>vx</summary>
+        public double VX;
+
+        /// <summary>vy</summary>
+        public double VY;
+
+        /// <summary>angle</summary>
+        public double Angle;
+
+        /// <summary>From its numbers.</summary>
+        public Turn(double vx, double vy, double angle)
+        {
+            VX = vx;
+            VY = vy;
+            Angle = angle;
+        }
+    }
+
+    /// <summary>
     /// <para>A first contact: when, where and along which normal.</para>
     /// <para>(nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are
     /// NaN.</para>
@@ -962,6 +991,31 @@ namespace Vesica
             Y = y;
             NX = nx;
             NY = ny;
+        }
+    }
+
+    /// <summary>
+    /// How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that, in
+    /// radians. Positive angles turn counter-clockwise where y points up.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public struct TurnF
+    {
+        /// <summary>vx</summary>
+        public float VX;
+
+        /// <summary>vy</summary>
+        public float VY;
+
+        /// <summary>angle</summary>
+        public float Angle;
+
+        /// <summary>From its numbers.</summary>
+        public TurnF(float vx, float vy, float angle)
+        {
+            VX = vx;
+            VY = vy;
+            Angle = angle;
         }
     }
 }

@@ -2457,6 +2457,25 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastFirstF64(JNIEnv* env, jclass
   return answer;
 }
 
+JNIEXPORT jint JNICALL Java_vesica_Native_impactTimeF64(JNIEnv* env, jclass type, jint kindA, jobject numbersA,
+    jobject turnA, jint kindB, jobject numbersB, jobject turnB, jdouble tolerance, jobject out, jobject gap) {
+  lent held[6];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, numbersA, &held[0]);
+  prepare(env, turnA, &held[1]);
+  prepare(env, numbersB, &held[2]);
+  prepare(env, turnB, &held[3]);
+  prepare(env, out, &held[4]);
+  prepare(env, gap, &held[5]);
+  if (lend(env, held, 6)) {
+    answer = vesica_impact_time_f64(kindA, held[0].address, held[1].address, kindB, held[2].address, held[3].address,
+        tolerance, held[4].address, held[5].address);
+  }
+  give_back(env, held, 6);
+  return answer;
+}
+
 JNIEXPORT jint JNICALL Java_vesica_Native_castF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
     jobject numbersB, jfloat vx, jfloat vy, jfloat tEnd, jobject out) {
   lent held[3];
@@ -2586,6 +2605,25 @@ JNIEXPORT jlong JNICALL Java_vesica_Native_indexCastFirstF32(JNIEnv* env, jclass
   }
   give_back(env, held, 3);
   give_back(env, lent_to[0].held, lent_to[0].count);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_impactTimeF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA,
+    jobject turnA, jint kindB, jobject numbersB, jobject turnB, jfloat tolerance, jobject out, jobject gap) {
+  lent held[6];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, numbersA, &held[0]);
+  prepare(env, turnA, &held[1]);
+  prepare(env, numbersB, &held[2]);
+  prepare(env, turnB, &held[3]);
+  prepare(env, out, &held[4]);
+  prepare(env, gap, &held[5]);
+  if (lend(env, held, 6)) {
+    answer = vesica_impact_time_f32(kindA, held[0].address, held[1].address, kindB, held[2].address, held[3].address,
+        tolerance, held[4].address, held[5].address);
+  }
+  give_back(env, held, 6);
   return answer;
 }
 

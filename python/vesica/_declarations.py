@@ -54,6 +54,7 @@ DECAY_GAUSSIAN = 1
 CAST_MISS = 0
 CAST_HIT = 1
 CAST_START = 2
+CAST_NEAR = 3
 DE9IM_SIZE = 10
 MOST_VERTICES = 8
 
@@ -310,6 +311,17 @@ class impact_f64(Structure):
     ]
 
 
+class turn_f64(Structure):
+    """How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about
+that, in radians. Positive angles turn counter-clockwise where y points up."""
+
+    _fields_ = [
+        ("vx", c_double),
+        ("vy", c_double),
+        ("angle", c_double),
+    ]
+
+
 class impact_f32(Structure):
     """A first contact: when, where and along which normal.
 
@@ -321,6 +333,17 @@ class impact_f32(Structure):
         ("y", c_float),
         ("nx", c_float),
         ("ny", c_float),
+    ]
+
+
+class turn_f32(Structure):
+    """How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about
+that, in radians. Positive angles turn counter-clockwise where y points up."""
+
+    _fields_ = [
+        ("vx", c_float),
+        ("vy", c_float),
+        ("angle", c_float),
     ]
 
 
@@ -3189,6 +3212,31 @@ Returns: the item, or the index's count if there is none. *out is its contact, t
 Errors: those of vesica_index_cast_f64.
 Since: 0.1.""",
     ),
+    "vesica_impact_time_f64": (
+        c_int32,
+        (c_int32, c_void_p, c_void_p, c_int32, c_void_p, c_void_p, c_double, c_void_p, c_void_p,),
+        """vesica_impact_time_f64(kind_a, numbers_a, turn_a, kind_b, numbers_b, turn_b, tolerance, out, gap)
+
+When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they
+turn, there is no contact before.
+
+At t, from 0 to 1, a centre has moved by t (vx, vy) and an axis has turned by t times the angle, as real
+numbers do. *out is the place then: the point of a that is nearest to b, and the normal that separates them.
+They are at most *gap apart.
+
+Requires: numbers of turn_a and turn_b finite, angles at most 2^20 in magnitude; tolerance above 0, a
+length. No pointer may be NULL. Returns: VESICA_CAST_MISS: proved, there is no contact from 0 to 1; then t
+is infinity, all other numbers and the gap are NaN. VESICA_CAST_HIT: proved, there is contact after t.
+VESICA_CAST_NEAR: there may be contact after t. Of a point and a segment, or two points, which have no depth
+in each other, contact is never proved. VESICA_CAST_START: the shapes overlap at t = 0, which is exact; *out
+is as of vesica_cast_f64, and the gap 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT,
+VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the point, or the gap, would exceed the finite numbers). On
+an error nothing is written. Accuracy: that there is no contact before t, a miss and a hit are certain. The
+gap is at most the tolerance, unless that is below what rounding allows, (120 + 4 |angles|) u times the sum
+of all lengths, u = 2^-53, the motion's included; or 256 directions or 4096 poses were looked at. Cost: 0.2
+to 0.9 us for boxes, 0.4 to 3 us where one shape is round; 0.14 ms was seen at spins of 10^6 radians, 1.4 ms
+where exponents are wildly unlike. Since: 0.1.""",
+    ),
     "vesica_cast_f32": (
         c_int32,
         (c_int32, c_void_p, c_int32, c_void_p, c_float, c_float, c_float, c_void_p,),
@@ -3280,6 +3328,16 @@ number.
 Requires: sets are those of the index. one is a single shape (count 1).
 Returns: the item, or the index's count if there is none. *out is its contact, the normal pointing to `one`.
 Errors: those of vesica_index_cast_f32.
+Since: 0.1.""",
+    ),
+    "vesica_impact_time_f32": (
+        c_int32,
+        (c_int32, c_void_p, c_void_p, c_int32, c_void_p, c_void_p, c_float, c_void_p, c_void_p,),
+        """vesica_impact_time_f32(kind_a, numbers_a, turn_a, kind_b, numbers_b, turn_b, tolerance, out, gap)
+
+As vesica_impact_time_f64. The gap is that at the rounded time, and rounded up.
+
+Errors: those of the double functions.
 Since: 0.1.""",
     ),
     "vesica_de9im_f64": (

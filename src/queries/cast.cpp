@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "queries/cast.hpp"
 
-#include <vesica/cast.hpp>
+#include <vesica/impact_time.hpp>
 
 #include "query.hpp"
 
@@ -45,6 +45,38 @@ std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<T>&
   return detail::cast::rounded_to(found, out) ? code : error_range;
 }
 template std::int32_t cast(const Body&, const Body&, const Motion&, Impact<float>&) noexcept;
+
+namespace {
+
+struct AskBodies {
+  const Body &a, &b;
+
+  std::int32_t overlap_at_start() const noexcept { return answer(overlap, a, b, nullptr); }
+  void nearest(const Body& p, const Body& q, ClosestPoints<double>& out) const noexcept {
+    answer(queries::nearest, p, q, &out);
+  }
+  void depth(const Body& p, const Body& q, Penetration<double>& out) const noexcept {
+    answer(queries::depth, p, q, &out);
+  }
+};
+
+}  // namespace
+
+template <class T>
+std::int32_t impact_time(const Body& a, const Turn<double>& turn_a, const Body& b, const Turn<double>& turn_b,
+                         double tolerance, Impact<T>& out, T& gap) noexcept {
+  Impact<double> found{};
+  double found_gap = 0;
+  std::int32_t code =
+      detail::impact_time::impact_time<T>(a, turn_a, b, turn_b, tolerance, AskBodies{a, b}, found, found_gap);
+  if (code == cast_start) code = start(a, b, found);
+  if (code <= 0) return code;
+  return detail::impact_time::rounded_to(found, found_gap, out, gap) ? code : error_range;
+}
+template std::int32_t impact_time(const Body&, const Turn<double>&, const Body&, const Turn<double>&, double,
+                                  Impact<double>&, double&) noexcept;
+template std::int32_t impact_time(const Body&, const Turn<double>&, const Body&, const Turn<double>&, double,
+                                  Impact<float>&, float&) noexcept;
 
 }  // namespace queries
 

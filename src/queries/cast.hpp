@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vesica/cast/first_contact.hpp>
+#include <vesica/impact_time/scene.hpp>
 
 #include "batch.hpp"
 
@@ -18,6 +19,11 @@ std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<dou
 /// Rounded to T: the time down, all other numbers to the nearest.
 template <class T>
 std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<T>& out) noexcept;
+
+/// Of bodies that turn; otherwise likewise. The gap is rounded up.
+template <class T>
+std::int32_t impact_time(const Body& a, const Turn<double>& turn_a, const Body& b, const Turn<double>& turn_b,
+                         double tolerance, Impact<T>& out, T& gap) noexcept;
 
 }  // namespace vesica::queries
 

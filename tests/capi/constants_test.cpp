@@ -70,6 +70,8 @@ TEST(CapiConstants, SizesOfResults) {
   EXPECT_EQ(sizeof(vesica_penetration_f32), 12u);
   EXPECT_EQ(sizeof(vesica_impact_f64), 40u);
   EXPECT_EQ(sizeof(vesica_impact_f32), 20u);
+  EXPECT_EQ(sizeof(vesica_turn_f64), 24u);
+  EXPECT_EQ(sizeof(vesica_turn_f32), 12u);
 }
 
 TEST(CapiConstants, LayoutOfShapes) {
@@ -98,6 +100,7 @@ TEST(CapiConstants, Values) {
   EXPECT_EQ(VESICA_CAST_MISS, 0);
   EXPECT_EQ(VESICA_CAST_HIT, 1);
   EXPECT_EQ(VESICA_CAST_START, 2);
+  EXPECT_EQ(VESICA_CAST_NEAR, 3);
   EXPECT_EQ(VESICA_POINT, 0);
   EXPECT_EQ(VESICA_SEGMENT, 1);
   EXPECT_EQ(VESICA_CIRCLE, 2);

@@ -125,6 +125,19 @@ static void test_float(void) {
            vesica_cast_##scalar(KIND_A, (const T*)(a), KIND_B, (const T*)(b), 1, 2, 3, &direct)); \
     EXPECT(memcmp(&generic, &direct, sizeof direct), 0);                                          \
   } while (0)
+#define EXPECT_IMPACT_TIME(scalar, T, a, KIND_A, b, KIND_B)                                                      \
+  do {                                                                                                           \
+    const vesica_turn_##scalar turn_a = {1, 0, 2}, turn_b = {-1, 1, -3};                                         \
+    vesica_impact_##scalar generic, direct;                                                                      \
+    T gap = 7, direct_gap = 8;                                                                                   \
+    memset(&generic, 0xaa, sizeof generic);                                                                      \
+    memset(&direct, 0x55, sizeof direct);                                                                        \
+    EXPECT(vesica_impact_time(a, &turn_a, b, &turn_b, (T)0.125, &generic, &gap),                                 \
+           vesica_impact_time_##scalar(KIND_A, (const T*)(a), &turn_a, KIND_B, (const T*)(b), &turn_b, (T)0.125, \
+                                       &direct, &direct_gap));                                                   \
+    EXPECT(memcmp(&generic, &direct, sizeof direct), 0);                                                         \
+    EXPECT(memcmp(&gap, &direct_gap, sizeof gap), 0);                                                            \
+  } while (0)
 #define EXPECT_PAIR(scalar, T, a, KIND_A, b, KIND_B)                                                          \
   do {                                                                                                        \
     EXPECT_ANSWER(vesica_overlap, scalar, T, a, KIND_A, b, KIND_B);                                           \
@@ -135,6 +148,7 @@ static void test_float(void) {
     EXPECT_RESULT(vesica_boundary_distance, scalar, T, vesica_closest_points_##scalar, a, KIND_A, b, KIND_B); \
     EXPECT_RESULT(vesica_depth, scalar, T, vesica_penetration_##scalar, a, KIND_A, b, KIND_B);                \
     EXPECT_CAST(scalar, T, a, KIND_A, b, KIND_B);                                                             \
+    EXPECT_IMPACT_TIME(scalar, T, a, KIND_A, b, KIND_B);                                                      \
     EXPECT_RESULT(vesica_area, scalar, T, T, a, KIND_A, b, KIND_B);                                           \
     EXPECT_RESULT(vesica_iou, scalar, T, T, a, KIND_A, b, KIND_B);                                            \
     EXPECT_RATIO(scalar, T, a, KIND_A, b, KIND_B);                                                            \

@@ -68,6 +68,21 @@ Bytes ask_cast(const Input& p) {
   append(bytes, out);
   return bytes;
 }
+/// function(kind_a, a, &turn_a, kind_b, b, &turn_b, tolerance, &out, &gap). Motions are numbers that are there: a
+/// difference would be computed in the other environment.
+template <class T, class Turn, class Out, auto function>
+Bytes ask_impact_time(const Input& p) {
+  const auto a = first(p, T{}), b = second(p, T{});
+  const Turn turn_a{T{0}, T{0}, T{1} / 3}, turn_b{a[0], b[1], T{-7} / 3};
+  Bytes bytes;
+  Out out;
+  std::memset(&out, 0, sizeof out);
+  T gap = 0;
+  append(bytes, function(p.kind_a, a.data(), &turn_a, p.kind_b, b.data(), &turn_b, T{1} / 512, &out, &gap));
+  append(bytes, out);
+  append(bytes, gap);
+  return bytes;
+}
 /// function(kind, numbers, vx, vy, end, &out).
 template <class T, class Out, auto function>
 Bytes ask_sweep(const Input& p) {
@@ -485,6 +500,7 @@ Bytes ask_soft(const Inputs& inputs) {
         {"typed overlap", ask_typed<T>}, {"ratios", ask_ratios<T>},                                                 \
         {"shape_area", ask_one<T, T, vesica_shape_area_##s>},                                                       \
         {"cast", ask_cast<T, vesica_impact_##s, vesica_cast_##s>},                                                  \
+        {"impact_time", ask_impact_time<T, vesica_turn_##s, vesica_impact_##s, vesica_impact_time_##s>},            \
         {"sweep_bounds", ask_sweep<T, vesica_aabb_##s, vesica_sweep_bounds_##s>},                                   \
         {"bounds", ask_one<T, vesica_aabb_##s, vesica_bounds_##s>},                                                 \
         {"aabb_from_corners", ask_constructor<T, vesica_aabb_##s, vesica_aabb_from_corners_##s, 4>},                \

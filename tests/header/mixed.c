@@ -13,7 +13,8 @@ int main(void) {
   OF(closest_points, OTHER) points = {0, 0, 0, 0, 0};
   OF(aabb, OTHER) box = {0, 0, 0, 0};
   OF(impact, OTHER) impact = {0, 0, 0, 0, 0};
+  OF(turn, OTHER) turn = {0, 0, 0};
   OTHER number = 0;
-  (void)&a, (void)&b, (void)&points, (void)&box, (void)&impact, (void)&number;
+  (void)&a, (void)&b, (void)&points, (void)&box, (void)&impact, (void)&turn, (void)&number;
   return CALL;
 }

@@ -21,6 +21,9 @@ test('a spoilt link shows what is wrong, and the default scene', async () => {
     [`#a=rect,0x0p+0,0x0p+0,0x0p+0,0x0p+0,0x1p+0,0x1p+0${b}`, 'invalid: the axis is (0, 0)'],
     ['#a=point,0x0p+0,0x0p+0', 'one of the two shapes is missing'],
     ['#tab=nowhere', 'no tab'],
+    ['#tab=motion&motion=0x1p+0,0x0p+0', 'has 3 numbers, not 2'],
+    ['#tab=motion&motion=0x1p+0,0x0p+0,fast', 'not of hexadecimal numbers'],
+    ['#tab=motion&motion=0x1p+0,0x0p+0,0x1p+21', 'turns by more than 2^20'],
     ['#x=1', 'means nothing'],
     ['#a=%E0%A4%A', 'spoilt'],
   ]) {

@@ -31,7 +31,7 @@ test('pages', async () => {
 });
 
 test('tabs of the playground', async () => {
-  for (const tab of ['two', 'edge', 'crowd', 'methods']) {
+  for (const tab of ['two', 'edge', 'motion', 'crowd', 'methods']) {
     for (const how of looks) await look(await openPlayground(`#tab=${tab}`, how), `${tab} ${JSON.stringify(how)}`);
   }
 });

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The state of the page in its address: which tab, and two shapes in hexadecimal, so that a link loses no bit.
+// The state of the page in its address: which tab, two shapes and, in the tab of motion, how b moves, in hexadecimal,
+// so that a link loses no bit.
 //
 //   #tab=edge&a=rect,0x0p+0,...&b=ellipse,...
+//   #tab=motion&a=...&b=...&motion=0x1p+0,0x0p+0,0x0p+0
 import { fields, kinds } from '../vesica/vesica.mjs';
 import { fromHex, toHex } from './number.mjs';
 import { numbers, withNumbers } from './shape.mjs';
@@ -20,9 +22,21 @@ function readShape(name, text) {
   return withNumbers(kind, values);
 }
 
-export const toAddress = ({ tab, a, b }) => `#tab=${tab}&a=${write(a)}&b=${write(b)}`;
+function readMotion(text) {
+  const values = text.split(',').map(fromHex);
+  if (values.length !== 3) throw new Error(`a motion has 3 numbers, not ${values.length}`);
+  if (!values.every(Number.isFinite)) throw new Error(`the motion is not of hexadecimal numbers: “${text}”`);
+  const [vx, vy, angle] = values;
+  if (Math.abs(angle) > 2 ** 20) throw new Error('the motion turns by more than 2^20');
+  return { vx, vy, angle };
+}
 
-/** What an address says: { tab, a, b }, of which what it does not name is undefined. Throws what is wrong with it. */
+export function toAddress({ tab, a, b, motion }) {
+  const shapes = `#tab=${tab}&a=${write(a)}&b=${write(b)}`;
+  return tab === 'motion' ? `${shapes}&motion=${[motion.vx, motion.vy, motion.angle].map(toHex).join(',')}` : shapes;
+}
+
+/** What an address says: { tab, a, b, motion }, of which what it does not name is undefined. Throws what is wrong with it. */
 export function fromAddress(hash, tabs) {
   const state = {};
   for (const part of decodeURIComponent(hash.replace(/^#/, '')).split('&').filter(Boolean)) {
@@ -32,6 +46,8 @@ export function fromAddress(hash, tabs) {
       state.tab = value;
     } else if (name === 'a' || name === 'b') {
       state[name] = readShape(name, value);
+    } else if (name === 'motion') {
+      state.motion = readMotion(value);
     } else {
       throw new Error(`“${name}” means nothing here`);
     }

@@ -11,6 +11,10 @@ const tabs = {
     title: 'The knife’s edge',
     open: async (vesica, scene) => new (await import('./edge/tab.mjs')).EdgeTab(vesica, scene),
   },
+  motion: {
+    title: 'Motion',
+    open: async (vesica, scene) => new (await import('./motion/tab.mjs')).MotionTab(vesica, scene),
+  },
   crowd: { title: 'A crowd', open: async (vesica) => new (await import('./crowd/tab.mjs')).CrowdTab(vesica) },
   methods: {
     title: 'The named methods',

@@ -8,6 +8,9 @@ export const defaultScene = () => ({
   b: ellipse(1.5, 0.75, 2, 1, -35, { degrees: true }),
 });
 
+/** How B moves in the tab of motion. */
+export const defaultMotion = () => ({ vx: -3, vy: -5, angle: 0 });
+
 export class Scene {
   #vesica;
   #tabs;
@@ -19,7 +22,7 @@ export class Scene {
     this.#vesica = vesica;
     this.#tabs = tabs;
     this.tab = tabs[0];
-    Object.assign(this, defaultScene());
+    Object.assign(this, { motion: defaultMotion() }, defaultScene());
   }
 
   /** listener(scene) is called after each change. */
@@ -27,7 +30,7 @@ export class Scene {
     this.#listeners.push(listener);
   }
 
-  /** Changes a, b or tab. An invalid shape changes nothing: then the reason is returned. */
+  /** Changes a, b, motion or tab. An invalid shape changes nothing: then the reason is returned. */
   change(what) {
     for (const shape of [what.a, what.b]) {
       const reason = shape && this.#vesica.invalidity(shape);
@@ -59,7 +62,7 @@ export class Scene {
       reason = error.message;
       state = {};
     }
-    Object.assign(this, { tab: this.#tabs[0] }, defaultScene(), state);
+    Object.assign(this, { tab: this.#tabs[0], motion: defaultMotion() }, defaultScene(), state);
     for (const listener of this.#listeners) listener(this);
     return reason ?? null;
   }

@@ -119,23 +119,38 @@ struct SideSupport {
   double edge, bend, steepness, error, room;
 };
 
+inline bool has_no_size(const Side& s) noexcept { return s.hx.high == 0 && s.hy.high == 0; }
+
+/// u.n and u x n. The axis of circles and points is (1, 0), for which these are n itself, to the bit.
+struct DotAndCross {
+  Twofold<double> dot, cross;
+};
+inline DotAndCross dot_and_cross(const Vector& u, const VectorFactor& n) noexcept {
+  if (u.x.high == 1 && u.y.high == 0 && u.x.low == 0 && u.y.low == 0) {
+    return {{n.x.high, n.x.low}, {n.y.high, n.y.low}};
+  }
+  const auto f = arithmetic::factor(u);
+  return {arithmetic::dot(f, n), arithmetic::cross(f, n)};
+}
+
 /// Of a box.
 inline Twofold<double> height_of(const Side& s, const VectorFactor& n) noexcept {
   using arithmetic::factor;
-  const auto u = factor(s.u);
-  const Twofold<double> p = factor(s.hx) * factor(renormalised(dot(u, n)));
-  const Twofold<double> q = factor(s.hy) * factor(renormalised(cross(u, n)));
+  if (has_no_size(s)) return {0, 0};
+  const DotAndCross of_n = dot_and_cross(s.u, n);
+  const Twofold<double> p = factor(s.hx) * factor(renormalised(of_n.dot));
+  const Twofold<double> q = factor(s.hy) * factor(renormalised(of_n.cross));
   return magnitude(p) + magnitude(q);
 }
 
 /// Right to 2^-99 of |n| size, and `beside` to `error`.
 inline SideSupport support_of(const Side& s, const VectorFactor& n, const VectorFactor& v, double n_size) noexcept {
   using arithmetic::factor;
-  const auto u = factor(s.u);
+  if (has_no_size(s)) return {{0, 0}, {0, 0}, 0, 0, 0, 0, 0x1p1000};
   const auto hx = factor(s.hx), hy = factor(s.hy);
   // u.n and u x n; u.perp(v) = -(u x v), and perp(u).perp(v) = u.v.
-  const Twofold<double> p = renormalised(dot(u, n)), q = renormalised(cross(u, n));
-  const Twofold<double> k = -cross(u, v), c = dot(u, v);
+  const DotAndCross of_n = dot_and_cross(s.u, n), of_v = dot_and_cross(s.u, v);
+  const Twofold<double> p = renormalised(of_n.dot), q = renormalised(of_n.cross), k = -of_v.cross, c = of_v.dot;
   const Twofold<double> hp = hx * factor(p), hq = hy * factor(q), hk = hx * factor(k), hc = hy * factor(c);
   const double size = abs(s.hx.high) + abs(s.hy.high), speed = abs(v.x.high) + abs(v.y.high);
   if (!s.round) {

@@ -67,16 +67,17 @@ inline Vector direction(const Scene& scene, double s) noexcept {
 
 /// Which vertex or face of a box a curve meets.
 inline Feature feature(const Scene& scene, const Side& box, const Curve& e) noexcept {
-  const auto u = arithmetic::factor(box.u);
   const VectorFactor v = factor_of_v(scene);
-  const Twofold<double> c = dot(u, v), k = cross(u, v);
+  const auto [c, k] = dot_and_cross(box.u, v);
+  const bool sized = !has_no_size(box);
+  constexpr Twofold<double> none{0, 0};
   struct Kink {
     Twofold<double> p;
     double at;
     Vector normal;
   };
-  const Twofold<double> along = magnitude(arithmetic::factor(box.hx) * arithmetic::factor(k));
-  const Twofold<double> across = magnitude(arithmetic::factor(box.hy) * arithmetic::factor(c));
+  const Twofold<double> along = sized ? magnitude(arithmetic::factor(box.hx) * arithmetic::factor(k)) : none;
+  const Twofold<double> across = sized ? magnitude(arithmetic::factor(box.hy) * arithmetic::factor(c)) : none;
   Kink first{along, k.high != 0 ? -c.high / k.high : -0x1p600, perpendicular(box.u)};
   Kink second{across, c.high != 0 ? k.high / c.high : 0x1p600, box.u};
   if (second.at < first.at) {
@@ -96,10 +97,9 @@ inline Feature feature(const Scene& scene, const Side& box, const Curve& e) noex
 
 /// How far the ellipse reaches across v.
 inline Twofold<double> reach_across(const Scene& scene, const Side& e) noexcept {
-  const auto u = arithmetic::factor(e.u);
-  const VectorFactor v = factor_of_v(scene);
-  const Twofold<double> p = arithmetic::factor(e.hx) * arithmetic::factor(cross(u, v));
-  const Twofold<double> q = arithmetic::factor(e.hy) * arithmetic::factor(dot(u, v));
+  const DotAndCross of_v = dot_and_cross(e.u, factor_of_v(scene));
+  const Twofold<double> p = arithmetic::factor(e.hx) * arithmetic::factor(of_v.cross);
+  const Twofold<double> q = arithmetic::factor(e.hy) * arithmetic::factor(of_v.dot);
   return renormalised(root(square(arithmetic::factor(p)) + square(arithmetic::factor(q))).value);
 }
 
@@ -200,8 +200,6 @@ inline Axis axis(const Scene& scene, const Vector& normal) noexcept {
   const double error = 16 * 0x1p-53 * n_size * (scene.size + scene.speed() * abs(t)) / approach;
   return {n, t - error, t + error};
 }
-
-inline bool has_no_size(const Side& s) noexcept { return s.hx.high == 0 && s.hy.high == 0; }
 
 /// Two boxes: the latest of the times at which an axis separates no more. An axis across v separates always or never,
 /// and the line test has told which. Double tells which axes may be the latest, mostly one.

@@ -61,12 +61,18 @@ VESICA_INLINE Reach reach(const Sketch& s, const Motion& v, double speed) noexce
 /// none but perhaps at the start; `late` contact, and a witness after the end.
 enum class Verdict { undecided, missed, passed, reached, late };
 
+/// apart: certainly no contact at the start.
+struct Filtered {
+  Verdict verdict;
+  bool apart;
+};
+
 /// Offset of the centres. Of shapes that store two points it is rounded too; the error is below u |D| + u R / V.
 inline double offset(double to0, double to1, double from0, double from1) noexcept {
   return 0.5 * form::twice_offset(to0, to1, from0, from1, 1).high;
 }
 
-VESICA_INLINE Verdict filter(const Sketch& a, const Sketch& b, const Motion& v) noexcept {
+VESICA_INLINE Filtered filter(const Sketch& a, const Sketch& b, const Motion& v) noexcept {
   constexpr double u = 0x1p-53;
   const double speed = abs(v.vx) + abs(v.vy);
   const double dx = offset(b.place.x0, b.place.x1, a.place.x0, a.place.x1);
@@ -76,31 +82,33 @@ VESICA_INLINE Verdict filter(const Sketch& a, const Sketch& b, const Motion& v) 
   // Underflow: an error of 2^-537 at most in the reach of an ellipse, and less elsewhere.
   const bool usable = a.usable && b.usable && in_usable_range(speed) && abs(dx) + abs(dy) <= most_usable &&
                       all >= 0x1p-400 && !(a.round && !(ra.size >= 0x1p-400)) && !(b.round && !(rb.size >= 0x1p-400));
-  if (!usable) return Verdict::undecided;
+  if (!usable) return {Verdict::undecided, false};
 
   const double w = v.vx * dy - v.vy * dx, q = v.vx * dx + v.vy * dy, d_error = u * (6 * d_size + 2 * size);
   const double h = ra.h + rb.h, h_error = ra.h_error + rb.h_error + 4 * u * h, gap = abs(w) - h;
-  if (gap > d_error + h_error) return Verdict::missed;
+  if (gap > d_error + h_error) return {Verdict::missed, true};
   // Moving away: the shapes are apart along v, or before they could meet the end comes.
   const double forward = ra.forward + rb.forward, forward_error = h_error + 4 * u * forward;
-  if (q - forward > d_error + forward_error) return Verdict::missed;
+  if (q - forward > d_error + forward_error) return {Verdict::missed, true};
+  const bool apart = -q - forward > d_error + forward_error;
+  const auto answer = [apart](Verdict verdict) { return Filtered{verdict, apart}; };
   const double vv = v.vx * v.vx + v.vy * v.vy, whole = v.end <= most_usable ? v.end * vv : 0;
   const bool has_end = v.end <= most_usable;
-  if (has_end && -q - forward - whole > d_error + forward_error + 8 * u * whole) return Verdict::passed;
-  if (!(gap < -(d_error + h_error))) return Verdict::undecided;
+  if (has_end && -q - forward - whole > d_error + forward_error + 8 * u * whole) return answer(Verdict::passed);
+  if (!(gap < -(d_error + h_error))) return answer(Verdict::undecided);
 
   const double along = ra.along + rb.along, along_error = ra.along_error + rb.along_error + 2 * u * abs(along);
   const double first = w * along, second = q * h;
   const double error = 1.25 * ((abs(w) + d_error) * along_error + abs(along) * d_error + abs(q) * h_error +
                                (h + h_error) * d_error + 4 * u * (abs(first) + abs(second)));
   const double after_start = first - second;
-  if (after_start < -error) return Verdict::passed;
-  if (!(after_start > error)) return Verdict::undecided;
-  if (v.end == std::numeric_limits<double>::infinity()) return Verdict::reached;
-  if (!has_end) return Verdict::undecided;
+  if (after_start < -error) return answer(Verdict::passed);
+  if (!(after_start > error)) return answer(Verdict::undecided);
+  if (v.end == std::numeric_limits<double>::infinity()) return answer(Verdict::reached);
+  if (!has_end) return answer(Verdict::undecided);
   const double rest = whole * h, rest_error = whole * h_error + 8 * u * rest, after_end = after_start - rest;
   const double end_error = error + rest_error + 2 * u * abs(after_end);
-  return after_end < -end_error ? Verdict::reached : after_end > end_error ? Verdict::late : Verdict::undecided;
+  return answer(after_end < -end_error ? Verdict::reached : after_end > end_error ? Verdict::late : Verdict::undecided);
 }
 
 }  // namespace vesica::detail::cast

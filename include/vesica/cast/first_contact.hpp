@@ -148,9 +148,9 @@ inline Impact<double> impact(const Body& a, const Scene& scene, const Vector& no
 template <class Overlap>
 VESICA_INLINE std::int32_t cast_bodies(const Body& a, const Body& b, const Motion& motion,
                                        const Overlap& overlap_at_start, Impact<double>& out) noexcept {
-  const Verdict verdict = filter(sketch(a), sketch(b), motion);
+  const auto [verdict, apart] = filter(sketch(a), sketch(b), motion);
   if (verdict == Verdict::missed) return cast_miss;
-  const std::int32_t overlapping = overlap_at_start();
+  const std::int32_t overlapping = apart ? 0 : overlap_at_start();
   if (overlapping != 0) return overlapping < 0 ? overlapping : static_cast<std::int32_t>(cast_start);
   if (verdict == Verdict::passed || motion.is_still()) return cast_miss;
   LineMeeting line{true, verdict == Verdict::late, {false, 0}};

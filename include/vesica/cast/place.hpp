@@ -19,10 +19,20 @@ struct Foremost {
 /// From the shape's own centre.
 inline Foremost foremost(const Side& s, const Vector& normal) noexcept {
   using arithmetic::factor;
-  const auto u = factor(s.u), n = factor(normal);
-  const Twofold<double> p = arithmetic::renormalised(dot(u, n)), q = arithmetic::renormalised(cross(u, n));
   const Offset along{s.u.x.high, s.u.y.high}, across{-s.u.y.high, s.u.x.high};
   const double a = s.hx.high, b = s.hy.high;
+  if (a == 0 && b == 0) return {{0, 0}, {0, 0}};
+  if (!s.round) {
+    // Of a box signs suffice, and double mostly knows them.
+    const double nx = normal.x.high, ny = normal.y.high, p = along.x * nx + along.y * ny,
+                 q = along.x * ny - along.y * nx;
+    const double doubt = 0x1p-48 * ((abs(along.x) + abs(along.y)) * (abs(nx) + abs(ny)));
+    if (abs(p) > doubt && abs(q) > doubt) {
+      return {lane::flip_sign(a, p) * along + lane::flip_sign(b, q) * across, {0, 0}};
+    }
+  }
+  const auto u = factor(s.u), n = factor(normal);
+  const Twofold<double> p = arithmetic::renormalised(dot(u, n)), q = arithmetic::renormalised(cross(u, n));
   if (s.round) {
     const double h = sqrt((a * p.high) * (a * p.high) + (b * q.high) * (b * q.high));
     return {(a * (a * p.high / h)) * along + (b * (b * q.high / h)) * across, {0, 0}};
@@ -38,8 +48,9 @@ inline Foremost foremost(const Side& s, const Vector& normal) noexcept {
 /// The point of the first shape where the second, at an offset, touches it: its vertex or the point of its round
 /// outline; on an edge of it the other's vertex, or the middle of the stretch that two edges share.
 inline Offset touching_point(const Scene& scene, const Vector& normal, const Offset& offset) noexcept {
-  const Foremost a = foremost(scene.a, normal), b = foremost(scene.b, {-normal.x, -normal.y});
+  const Foremost a = foremost(scene.a, normal);
   if (!a.is_edge()) return a.middle;
+  const Foremost b = foremost(scene.b, {-normal.x, -normal.y});
   const double length = a.half.x * a.half.x + a.half.y * a.half.y;
   const auto share = [&](double x, double y) { return (x * a.half.x + y * a.half.y) / length; };
   const double middle = share(offset.x + b.middle.x - a.middle.x, offset.y + b.middle.y - a.middle.y);

@@ -17,7 +17,11 @@ public enum Cast {
   /**
    * the shapes overlap at t = 0, as vesica_overlap_f64 tells
    */
-  START(2);
+  START(2),
+  /**
+   * vesica_impact_time_f64 alone: none before t, and perhaps none later
+   */
+  NEAR(3);
 
   /** The library's number. */
   public final int value;

@@ -2826,6 +2826,37 @@ final class Native {
       double vx, double vy, double tEnd, Object out);
 
   /**
+   * When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they turn,
+   * there is no contact before.
+   *
+   * <p>At t, from 0 to 1, a centre has moved by t (vx, vy) and an axis has turned by t times the angle, as real numbers
+   * do. *out is the place then: the point of a that is nearest to b, and the normal that separates them. They are at
+   * most *gap apart.
+   *
+   * <p>Requires: numbers of turn_a and turn_b finite, angles at most 2^20 in magnitude; tolerance above 0, a length. No
+   * pointer may be NULL.
+   *
+   * <p>Returns: VESICA_CAST_MISS: proved, there is no contact from 0 to 1; then t is infinity, all other numbers and
+   * the gap are NaN. VESICA_CAST_HIT: proved, there is contact after t. VESICA_CAST_NEAR: there may be contact after t.
+   * Of a point and a segment, or two points, which have no depth in each other, contact is never proved.
+   * VESICA_CAST_START: the shapes overlap at t = 0, which is exact; *out is as of vesica_cast_f64, and the gap 0.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the
+   * point, or the gap, would exceed the finite numbers). On an error nothing is written.
+   *
+   * <p>Accuracy: that there is no contact before t, a miss and a hit are certain. The gap is at most the tolerance,
+   * unless that is below what rounding allows, (120 + 4 |angles|) u times the sum of all lengths, u = 2^-53, the
+   * motion's included; or 256 directions or 4096 poses were looked at.
+   *
+   * <p>Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us where one shape is round; 0.14 ms was seen at spins of
+   * 10^6 radians, 1.4 ms where exponents are wildly unlike.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int impactTimeF64(int kindA, Object numbersA, Object turnA, int kindB, Object numbersB, Object turnB,
+      double tolerance, Object out, Object gap);
+
+  /**
    * Does b touch a while it moves, when first, and where?
    *
    * <p>The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
@@ -2944,6 +2975,16 @@ final class Native {
   static native long indexCastFirstF32(Object index, int[] setsKinds, long[] setsCounts, long[] setsStrides,
       long[] setsSteps, Object[] setsBases, int oneKind, long oneCount, long oneStride, long oneStep, Object oneBase,
       float vx, float vy, float tEnd, Object out);
+
+  /**
+   * As vesica_impact_time_f64. The gap is that at the rounded time, and rounded up.
+   *
+   * <p>Errors: those of the double functions.
+   *
+   * <p>Since: 0.1.
+   */
+  static native int impactTimeF32(int kindA, Object numbersA, Object turnA, int kindB, Object numbersB, Object turnB,
+      float tolerance, Object out, Object gap);
 
   /**
    * The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
@@ -3534,6 +3575,13 @@ final class Native {
             one.stride, one.step, one.base, vx, vy, tEnd, out)
         : indexCastFirstF32(index, sets.kinds, sets.counts, sets.strides, sets.steps, sets.bases, one.kind, one.count,
             one.stride, one.step, one.base, (float) vx, (float) vy, (float) tEnd, out);
+  }
+
+  static int impactTime(boolean wide, int kindA, Object numbersA, Object turnA, int kindB, Object numbersB,
+      Object turnB, double tolerance, Object out, Object gap) {
+    return wide
+        ? impactTimeF64(kindA, numbersA, turnA, kindB, numbersB, turnB, tolerance, out, gap)
+        : impactTimeF32(kindA, numbersA, turnA, kindB, numbersB, turnB, (float) tolerance, out, gap);
   }
 
   static int de9im(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB, Object matrix) {

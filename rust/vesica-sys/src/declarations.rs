@@ -99,6 +99,8 @@ pub const VESICA_CAST_MISS: i32 = 0;
 pub const VESICA_CAST_HIT: i32 = 1;
 /// the shapes overlap at t = 0, as vesica_overlap_f64 tells
 pub const VESICA_CAST_START: i32 = 2;
+/// vesica_impact_time_f64 alone: none before t, and perhaps none later
+pub const VESICA_CAST_NEAR: i32 = 3;
 /// characters of a nine-intersection matrix with its final NUL
 pub const VESICA_DE9IM_SIZE: i32 = 10;
 /// vertices of a shared region, at most
@@ -278,6 +280,21 @@ pub struct Impact<T> {
 pub type vesica_impact_f64 = Impact<f64>;
 /// [`Impact`] of f32.
 pub type vesica_impact_f32 = Impact<f32>;
+
+/// How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that, in
+/// radians. Positive angles turn counter-clockwise where y points up.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[allow(missing_docs)]
+pub struct Turn<T> {
+    pub vx: T,
+    pub vy: T,
+    pub angle: T,
+}
+/// [`Turn`] of f64.
+pub type vesica_turn_f64 = Turn<f64>;
+/// [`Turn`] of f32.
+pub type vesica_turn_f32 = Turn<f32>;
 
 extern "C" {
     /// Version of the loaded library, to be compared with VESICA_VERSION: a smaller one is older than the header.
@@ -3241,6 +3258,34 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_index_cast_first_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32,
         one: *const Shapes<f64>, vx: f64, vy: f64, t_end: f64, out: *mut Impact<f64>) -> i64;
+    /// When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they
+    /// turn, there is no contact before.
+    ///
+    /// At t, from 0 to 1, a centre has moved by t (vx, vy) and an axis has turned by t times the angle, as real numbers
+    /// do. \*out is the place then: the point of a that is nearest to b, and the normal that separates them. They are
+    /// at most \*gap apart.
+    ///
+    /// Requires: numbers of turn_a and turn_b finite, angles at most 2^20 in magnitude; tolerance above 0, a length. No
+    /// pointer may be NULL.
+    ///
+    /// Returns: VESICA_CAST_MISS: proved, there is no contact from 0 to 1; then t is infinity, all other numbers and
+    /// the gap are NaN. VESICA_CAST_HIT: proved, there is contact after t. VESICA_CAST_NEAR: there may be contact after
+    /// t. Of a point and a segment, or two points, which have no depth in each other, contact is never proved.
+    /// VESICA_CAST_START: the shapes overlap at t = 0, which is exact; \*out is as of vesica_cast_f64, and the gap 0.
+    ///
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the
+    /// point, or the gap, would exceed the finite numbers). On an error nothing is written.
+    ///
+    /// Accuracy: that there is no contact before t, a miss and a hit are certain. The gap is at most the tolerance,
+    /// unless that is below what rounding allows, (120 + 4 |angles|) u times the sum of all lengths, u = 2^-53, the
+    /// motion's included; or 256 directions or 4096 poses were looked at.
+    ///
+    /// Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us where one shape is round; 0.14 ms was seen at spins of
+    /// 10^6 radians, 1.4 ms where exponents are wildly unlike.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_impact_time_f64(kind_a: i32, numbers_a: *const f64, turn_a: *const Turn<f64>, kind_b: i32,
+        numbers_b: *const f64, turn_b: *const Turn<f64>, tolerance: f64, out: *mut Impact<f64>, gap: *mut f64) -> i32;
     /// Does b touch a while it moves, when first, and where?
     ///
     /// The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
@@ -3342,6 +3387,13 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_index_cast_first_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32,
         one: *const Shapes<f32>, vx: f32, vy: f32, t_end: f32, out: *mut Impact<f32>) -> i64;
+    /// As vesica_impact_time_f64. The gap is that at the rounded time, and rounded up.
+    ///
+    /// Errors: those of the double functions.
+    ///
+    /// Since: 0.1.
+    pub fn vesica_impact_time_f32(kind_a: i32, numbers_a: *const f32, turn_a: *const Turn<f32>, kind_b: i32,
+        numbers_b: *const f32, turn_b: *const Turn<f32>, tolerance: f32, out: *mut Impact<f32>, gap: *mut f32) -> i32;
     /// The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
     ///
     /// Every shape has an inside, an outline and an outside. The nine characters say of a's inside with b's inside,
@@ -3587,6 +3639,9 @@ pub unsafe trait Scalar: Copy + Default + PartialEq + PartialOrd + core::fmt::De
         vx: Self, vy: Self, t_end: Self, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
     unsafe fn index_cast_first(index: *const c_void, sets: *const Shapes<Self>, set_count: i32,
         one: *const Shapes<Self>, vx: Self, vy: Self, t_end: Self, out: *mut Impact<Self>) -> i64;
+    unsafe fn impact_time(kind_a: i32, numbers_a: *const Self, turn_a: *const Turn<Self>, kind_b: i32,
+        numbers_b: *const Self, turn_b: *const Turn<Self>, tolerance: Self, out: *mut Impact<Self>,
+        gap: *mut Self) -> i32;
     unsafe fn de9im(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self, matrix: *mut u8) -> i32;
     unsafe fn intersection(kind_a: i32, numbers_a: *const Self, kind_b: i32, numbers_b: *const Self,
         vertices: *mut Self) -> i32;
@@ -3985,6 +4040,11 @@ unsafe impl Scalar for f64 {
     unsafe fn index_cast_first(index: *const c_void, sets: *const Shapes<f64>, set_count: i32, one: *const Shapes<f64>,
         vx: f64, vy: f64, t_end: f64, out: *mut Impact<f64>) -> i64 {
         vesica_index_cast_first_f64(index, sets, set_count, one, vx, vy, t_end, out)
+    }
+    #[inline]
+    unsafe fn impact_time(kind_a: i32, numbers_a: *const f64, turn_a: *const Turn<f64>, kind_b: i32,
+        numbers_b: *const f64, turn_b: *const Turn<f64>, tolerance: f64, out: *mut Impact<f64>, gap: *mut f64) -> i32 {
+        vesica_impact_time_f64(kind_a, numbers_a, turn_a, kind_b, numbers_b, turn_b, tolerance, out, gap)
     }
     #[inline]
     unsafe fn de9im(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, matrix: *mut u8) -> i32 {
@@ -4390,6 +4450,11 @@ unsafe impl Scalar for f32 {
     unsafe fn index_cast_first(index: *const c_void, sets: *const Shapes<f32>, set_count: i32, one: *const Shapes<f32>,
         vx: f32, vy: f32, t_end: f32, out: *mut Impact<f32>) -> i64 {
         vesica_index_cast_first_f32(index, sets, set_count, one, vx, vy, t_end, out)
+    }
+    #[inline]
+    unsafe fn impact_time(kind_a: i32, numbers_a: *const f32, turn_a: *const Turn<f32>, kind_b: i32,
+        numbers_b: *const f32, turn_b: *const Turn<f32>, tolerance: f32, out: *mut Impact<f32>, gap: *mut f32) -> i32 {
+        vesica_impact_time_f32(kind_a, numbers_a, turn_a, kind_b, numbers_b, turn_b, tolerance, out, gap)
     }
     #[inline]
     unsafe fn de9im(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, matrix: *mut u8) -> i32 {

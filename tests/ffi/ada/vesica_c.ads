@@ -60,6 +60,7 @@ package Vesica_C is
    Vesica_Cast_Miss : constant := 0;
    Vesica_Cast_Hit : constant := 1;
    Vesica_Cast_Start : constant := 2;
+   Vesica_Cast_Near : constant := 3;
    Vesica_De9im_Size : constant := 10;
    Vesica_Most_Vertices : constant := 8;
 
@@ -244,6 +245,14 @@ package Vesica_C is
       Ny : IEEE_Float_64;
    end record with Convention => C;
 
+   --  How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that,
+   --  in radians.
+   type Vesica_Turn_F64 is record
+      Vx : IEEE_Float_64;
+      Vy : IEEE_Float_64;
+      Angle : IEEE_Float_64;
+   end record with Convention => C;
+
    --  A first contact: when, where and along which normal.
    type Vesica_Impact_F32 is record
       T : IEEE_Float_32;
@@ -251,6 +260,14 @@ package Vesica_C is
       Y : IEEE_Float_32;
       Nx : IEEE_Float_32;
       Ny : IEEE_Float_32;
+   end record with Convention => C;
+
+   --  How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that,
+   --  in radians.
+   type Vesica_Turn_F32 is record
+      Vx : IEEE_Float_32;
+      Vy : IEEE_Float_32;
+      Angle : IEEE_Float_32;
    end record with Convention => C;
 
    --  Version of the loaded library, to be compared with VESICA_VERSION: a smaller one is older than the header.
@@ -1160,6 +1177,13 @@ package Vesica_C is
       System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_index_cast_first_f64";
 
+   --  When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they
+   --  turn, there is no contact before.
+   function Vesica_Impact_Time_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Turn_A : System.Address;
+      Kind_B : Integer_32; Numbers_B : System.Address; Turn_B : System.Address; Tolerance : IEEE_Float_64; Output
+      : System.Address; Gap : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_impact_time_f64";
+
    --  Does b touch a while it moves, when first, and where?
    function Vesica_Cast_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
       System.Address; Vx : IEEE_Float_32; Vy : IEEE_Float_32; T_End : IEEE_Float_32; Output : System.Address)
@@ -1193,6 +1217,12 @@ package Vesica_C is
       One : System.Address; Vx : IEEE_Float_32; Vy : IEEE_Float_32; T_End : IEEE_Float_32; Output :
       System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_index_cast_first_f32";
+
+   --  As vesica_impact_time_f64.
+   function Vesica_Impact_Time_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Turn_A : System.Address;
+      Kind_B : Integer_32; Numbers_B : System.Address; Turn_B : System.Address; Tolerance : IEEE_Float_32; Output
+      : System.Address; Gap : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_impact_time_f32";
 
    --  The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
    function Vesica_De9im_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :

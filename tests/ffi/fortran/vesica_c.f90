@@ -59,6 +59,7 @@ module vesica_c
   integer(c_int32_t), parameter :: vesica_cast_miss = 0
   integer(c_int32_t), parameter :: vesica_cast_hit = 1
   integer(c_int32_t), parameter :: vesica_cast_start = 2
+  integer(c_int32_t), parameter :: vesica_cast_near = 3
   integer(c_int32_t), parameter :: vesica_de9im_size = 10
   integer(c_int32_t), parameter :: vesica_most_vertices = 8
 
@@ -237,6 +238,14 @@ module vesica_c
     real(c_double) :: ny
   end type
 
+  !> How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that, in
+  !> radians.
+  type, bind(c) :: vesica_turn_f64
+    real(c_double) :: vx
+    real(c_double) :: vy
+    real(c_double) :: angle
+  end type
+
   !> A first contact: when, where and along which normal.
   type, bind(c) :: vesica_impact_f32
     real(c_float) :: t
@@ -244,6 +253,14 @@ module vesica_c
     real(c_float) :: y
     real(c_float) :: nx
     real(c_float) :: ny
+  end type
+
+  !> How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that, in
+  !> radians.
+  type, bind(c) :: vesica_turn_f32
+    real(c_float) :: vx
+    real(c_float) :: vy
+    real(c_float) :: angle
   end type
 
   interface
@@ -2001,6 +2018,22 @@ module vesica_c
       type(vesica_impact_f64), intent(out) :: out
     end function
 
+    !> When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they
+    !> turn, there is no contact before.
+    integer(c_int32_t) function vesica_impact_time_f64(kind_a, numbers_a, turn_a, kind_b, numbers_b, turn_b, &
+      tolerance, out, gap) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_double), intent(in) :: numbers_a(*)
+      type(vesica_turn_f64), intent(in) :: turn_a
+      integer(c_int32_t), value :: kind_b
+      real(c_double), intent(in) :: numbers_b(*)
+      type(vesica_turn_f64), intent(in) :: turn_b
+      real(c_double), value :: tolerance
+      type(vesica_impact_f64), intent(out) :: out
+      type(c_ptr), value :: gap
+    end function
+
     !> Does b touch a while it moves, when first, and where?
     integer(c_int32_t) function vesica_cast_f32(kind_a, numbers_a, kind_b, numbers_b, vx, vy, t_end, out) bind(c)
       import
@@ -2079,6 +2112,21 @@ module vesica_c
       real(c_float), value :: vy
       real(c_float), value :: t_end
       type(vesica_impact_f32), intent(out) :: out
+    end function
+
+    !> As vesica_impact_time_f64.
+    integer(c_int32_t) function vesica_impact_time_f32(kind_a, numbers_a, turn_a, kind_b, numbers_b, turn_b, &
+      tolerance, out, gap) bind(c)
+      import
+      integer(c_int32_t), value :: kind_a
+      real(c_float), intent(in) :: numbers_a(*)
+      type(vesica_turn_f32), intent(in) :: turn_a
+      integer(c_int32_t), value :: kind_b
+      real(c_float), intent(in) :: numbers_b(*)
+      type(vesica_turn_f32), intent(in) :: turn_b
+      real(c_float), value :: tolerance
+      type(vesica_impact_f32), intent(out) :: out
+      type(c_ptr), value :: gap
     end function
 
     !> The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.

@@ -56,6 +56,7 @@
 (define-public VESICA_CAST_MISS 0)
 (define-public VESICA_CAST_HIT 1)
 (define-public VESICA_CAST_START 2)
+(define-public VESICA_CAST_NEAR 3)
 (define-public VESICA_DE9IM_SIZE 10)
 (define-public VESICA_MOST_VERTICES 8)
 
@@ -451,6 +452,9 @@
 (c vesica_index_cast_f64 int64 '* '* int32 '* double double double '* int64 '*)
 ;; Which item of an index does one moving shape touch first?
 (c vesica_index_cast_first_f64 int64 '* '* int32 '* double double double '*)
+;; When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they turn,
+;; there is no contact before.
+(c vesica_impact_time_f64 int32 int32 '* '* int32 '* '* double '* '*)
 ;; Does b touch a while it moves, when first, and where?
 (c vesica_cast_f32 int32 int32 '* int32 '* float float float '*)
 ;; When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
@@ -463,6 +467,8 @@
 (c vesica_index_cast_f32 int64 '* '* int32 '* float float float '* int64 '*)
 ;; Which item of an index does one moving shape touch first?
 (c vesica_index_cast_first_f32 int64 '* '* int32 '* float float float '*)
+;; As vesica_impact_time_f64.
+(c vesica_impact_time_f32 int32 int32 '* '* int32 '* '* float '* '*)
 ;; The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
 (c vesica_de9im_f64 int32 int32 '* int32 '* '*)
 ;; Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?

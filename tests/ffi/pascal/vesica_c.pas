@@ -60,6 +60,7 @@ const
   vesica_cast_miss = 0;
   vesica_cast_hit = 1;
   vesica_cast_start = 2;
+  vesica_cast_near = 3;
   vesica_de9im_size = 10;
   vesica_most_vertices = 8;
 
@@ -239,6 +240,14 @@ type
     ny: Double;
   end;
   PVesicaImpactF64 = ^TVesicaImpactF64;
+  // How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that, in
+  // radians.
+  TVesicaTurnF64 = record
+    vx: Double;
+    vy: Double;
+    angle: Double;
+  end;
+  PVesicaTurnF64 = ^TVesicaTurnF64;
   // A first contact: when, where and along which normal.
   TVesicaImpactF32 = record
     t: Single;
@@ -248,6 +257,14 @@ type
     ny: Single;
   end;
   PVesicaImpactF32 = ^TVesicaImpactF32;
+  // How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that, in
+  // radians.
+  TVesicaTurnF32 = record
+    vx: Single;
+    vy: Single;
+    angle: Single;
+  end;
+  PVesicaTurnF32 = ^TVesicaTurnF32;
 
 // Version of the loaded library, to be compared with VESICA_VERSION: a smaller one is older than the header.
 function vesica_version: Int32; cdecl; external vesica_library;
@@ -804,6 +821,11 @@ function vesica_index_cast_f64(index: Pointer; sets: PVesicaShapesF64; set_count
 function vesica_index_cast_first_f64(index: Pointer; sets: PVesicaShapesF64; set_count: Int32; one:
   PVesicaShapesF64; vx: Double; vy: Double; t_end: Double; output: PVesicaImpactF64): Int64; cdecl; external
   vesica_library;
+// When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they turn,
+// there is no contact before.
+function vesica_impact_time_f64(kind_a: Int32; numbers_a: PDouble; turn_a: PVesicaTurnF64; kind_b: Int32; numbers_b:
+  PDouble; turn_b: PVesicaTurnF64; tolerance: Double; output: PVesicaImpactF64; gap: PDouble): Int32; cdecl;
+  external vesica_library;
 // Does b touch a while it moves, when first, and where?
 function vesica_cast_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; vx: Single; vy:
   Single; t_end: Single; output: PVesicaImpactF32): Int32; cdecl; external vesica_library;
@@ -825,6 +847,10 @@ function vesica_index_cast_f32(index: Pointer; sets: PVesicaShapesF32; set_count
 function vesica_index_cast_first_f32(index: Pointer; sets: PVesicaShapesF32; set_count: Int32; one:
   PVesicaShapesF32; vx: Single; vy: Single; t_end: Single; output: PVesicaImpactF32): Int64; cdecl; external
   vesica_library;
+// As vesica_impact_time_f64.
+function vesica_impact_time_f32(kind_a: Int32; numbers_a: PSingle; turn_a: PVesicaTurnF32; kind_b: Int32; numbers_b:
+  PSingle; turn_b: PVesicaTurnF32; tolerance: Single; output: PVesicaImpactF32; gap: PSingle): Int32; cdecl;
+  external vesica_library;
 // The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
 function vesica_de9im_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; matrix: PChar):
   Int32; cdecl; external vesica_library;

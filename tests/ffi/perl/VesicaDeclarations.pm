@@ -59,6 +59,7 @@ our %CONSTANTS = (
     CAST_MISS => 0,
     CAST_HIT => 1,
     CAST_START => 2,
+    CAST_NEAR => 3,
     DE9IM_SIZE => 10,
     MOST_VERTICES => 8,
 );
@@ -466,6 +467,10 @@ our @FUNCTIONS = (
     # Which item of an index does one moving shape touch first?
     [vesica_index_cast_first_f64 => ['opaque', 'opaque', 'sint32', 'opaque', 'double', 'double', 'double',
         'opaque'] => 'sint64'],
+    # When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they
+    # turn, there is no contact before.
+    [vesica_impact_time_f64 => ['sint32', 'double[]', 'opaque', 'sint32', 'double[]', 'opaque', 'double', 'opaque',
+        'opaque'] => 'sint32'],
     # Does b touch a while it moves, when first, and where?
     [vesica_cast_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'float', 'float', 'float', 'opaque'] => 'sint32'],
     # When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
@@ -481,6 +486,9 @@ our @FUNCTIONS = (
     # Which item of an index does one moving shape touch first?
     [vesica_index_cast_first_f32 => ['opaque', 'opaque', 'sint32', 'opaque', 'float', 'float', 'float',
         'opaque'] => 'sint64'],
+    # As vesica_impact_time_f64.
+    [vesica_impact_time_f32 => ['sint32', 'float[]', 'opaque', 'sint32', 'float[]', 'opaque', 'float', 'opaque',
+        'opaque'] => 'sint32'],
     # The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
     [vesica_de9im_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
     # Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?

@@ -56,6 +56,7 @@ module Vesica
   CAST_MISS = 0
   CAST_HIT = 1
   CAST_START = 2
+  CAST_NEAR = 3
   DE9IM_SIZE = 10
   MOST_VERTICES = 8
 
@@ -450,6 +451,9 @@ module Vesica
     'int64_t vesica_index_cast_f64(void *, void *, int, void *, double, double, double, void *, int64_t, void *)',
     # Which item of an index does one moving shape touch first?
     'int64_t vesica_index_cast_first_f64(void *, void *, int, void *, double, double, double, void *)',
+    # When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they
+    # turn, there is no contact before.
+    'int vesica_impact_time_f64(int, void *, void *, int, void *, void *, double, void *, void *)',
     # Does b touch a while it moves, when first, and where?
     'int vesica_cast_f32(int, void *, int, void *, float, float, float, void *)',
     # When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
@@ -463,6 +467,8 @@ module Vesica
     'int64_t vesica_index_cast_f32(void *, void *, int, void *, float, float, float, void *, int64_t, void *)',
     # Which item of an index does one moving shape touch first?
     'int64_t vesica_index_cast_first_f32(void *, void *, int, void *, float, float, float, void *)',
+    # As vesica_impact_time_f64.
+    'int vesica_impact_time_f32(int, void *, void *, int, void *, void *, float, void *, void *)',
     # The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
     'int vesica_de9im_f64(int, void *, int, void *, void *)',
     # Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?

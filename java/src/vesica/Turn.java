@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Written by capi/declare from capi/vesica.json: not to be edited.
+package vesica;
+
+/**
+ * How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that, in
+ * radians. Positive angles turn counter-clockwise where y points up.
+ *
+ * @param vx vx
+ * @param vy vy
+ * @param angle angle
+ */
+public record Turn(double vx, double vy, double angle) {
+  static Turn of(double[] n) {
+    return new Turn(n[0], n[1], n[2]);
+  }
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// Motion: the way is dragged and moved by keys, told by a link, and the answer is that of the call to copy.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { writeFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { closeQuietly, middle, openPlayground, text } from './browser.mjs';
+
+const answer = (page) => text(page, '#motion-answer strong');
+const hex = (page, id) => text(page, `#motion-${id} .exact`);
+/** A disc of radius 1, and a point 5 to the left of its centre that moves by (8, 0); it may turn. */
+const link = (shape, angle = '0x0p+0') =>
+  `#tab=motion&a=circle,0x0p+0,0x0p+0,0x1p+0&b=${shape}&motion=0x1p+3,0x0p+0,${angle}`;
+const ray = link('point,-0x1.4p+2,0x0p+0'),
+  bar = link('rect,-0x1.4p+2,0x0p+0,0x1p+0,0x0p+0,0x1p+0,0x1p-4', '0x1.9p+3');
+
+test('a point at a disc: time, place and normal', async () => {
+  const page = await openPlayground(ray);
+  assert.equal(await answer(page), 'hit');
+  assert.equal(await hex(page, 't'), '0x1p-1');
+  assert.equal(await hex(page, 'place'), '-0x1p+0 0x0p+0');
+  assert.equal(await hex(page, 'normal'), '-0x1p+0 0x0p+0');
+  assert.equal(await text(page, '#panel-motion .verdict'), 'B touches A on its way.');
+  await closeQuietly(page);
+});
+
+test('the goal is dragged, and the answer follows', async () => {
+  const page = await openPlayground(ray);
+  const [x, y] = await middle(page, '#motion-v-move');
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x, y - 150, { steps: 5 });
+  await page.mouse.up();
+  assert.equal(await answer(page), 'miss');
+  assert.equal(await text(page, '#motion-t strong'), 'none');
+  assert.equal(await page.$('#panel-motion .arrived'), null);
+  await closeQuietly(page);
+});
+
+test('keys alone: from the tab to a shorter way', async () => {
+  const page = await openPlayground(ray);
+  await page.focus('#tab-motion');
+  for (let i = 0; i < 50 && (await page.evaluate(() => document.activeElement.id)) !== 'motion-v-move'; ++i)
+    await page.keyboard.press('Tab');
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'motion-v-move');
+  let presses = 0;
+  while ((await answer(page)) === 'hit' && ++presses < 200) await page.keyboard.press('ArrowLeft');
+  assert.equal(await answer(page), 'miss');
+  assert.ok(presses > 5);
+  await page.focus('#motion-turn');
+  await page.keyboard.press('ArrowRight');
+  assert.match(await text(page, '#panel-motion output'), /^5°$/);
+  assert.match(await text(page, '#motion-call .call'), /vesica_impact_time_f64/);
+  await closeQuietly(page);
+});
+
+test('a link holds every bit of the motion', async () => {
+  const page = await openPlayground(ray);
+  await page.focus('#motion-v-move');
+  await page.keyboard.press('ArrowUp');
+  await page.waitForFunction(() => !location.hash.endsWith('motion=0x1p+3,0x0p+0,0x0p+0'));
+  const told = await page.$$eval('#panel-motion .exact', (all) => all.map((one) => one.textContent));
+  const again = await openPlayground(await page.evaluate(() => location.hash));
+  assert.deepEqual(await again.$$eval('#panel-motion .exact', (all) => all.map((one) => one.textContent)), told);
+  await closeQuietly(page);
+  await closeQuietly(again);
+});
+
+test('the example hits, turning or not', async () => {
+  const page = await openPlayground('#tab=motion');
+  assert.equal(await answer(page), 'start');
+  await page.click('#motion-example');
+  assert.equal(await answer(page), 'hit');
+  const still = await hex(page, 't');
+  await page.focus('#motion-turn');
+  for (let i = 0; i < 12; ++i) await page.keyboard.press('ArrowRight');
+  assert.equal(await text(page, '#panel-motion output'), '60°');
+  assert.equal(await answer(page), 'hit');
+  assert.notEqual(await hex(page, 't'), still);
+  await closeQuietly(page);
+});
+
+test('the calls to copy compile, and answer what the page says', async () => {
+  const told = [],
+    functions = [];
+  for (const scene of [ray, bar, '#tab=motion']) {
+    const page = await openPlayground(scene);
+    told.push(await hex(page, 't'));
+    const call = await page.$eval('#motion-call .copy', ({ dataset }) => dataset.call);
+    functions.push(`{\n${call}\nprintf("%a\\n", out.t);\n(void)answer;\n}`);
+    await closeQuietly(page);
+  }
+  writeFileSync(
+    'motion.c',
+    `#include <stdio.h>\n#include <vesica.h>\nint main(void) {\n${functions.join('\n')}\nreturn 0;\n}\n`,
+  );
+  execFileSync('bash', ['-c', `"$CC" -std=c99 -Wall -Wextra -Werror -o motion motion.c ${process.env.VESICA_FLAGS}`], {
+    stdio: 'inherit',
+  });
+  assert.deepEqual(execFileSync('./motion', { encoding: 'utf8' }).trim().split('\n'), told);
+});
