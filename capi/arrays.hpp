@@ -21,6 +21,12 @@ struct CShapes<float> {
 template <class T>
 using CShapesOf = typename CShapes<T>::Type;
 
+/// The numbers of a shape as doubles.
+template <class T>
+void widen(int32_t kind, const T* numbers, double (&out)[max_fields]) noexcept {
+  for (int k = 0; k < field_count(kind); ++k) out[k] = static_cast<double>(numbers[k]);
+}
+
 /// count elements of `stride` bytes each, within the address space. The stride of a single one is not looked at.
 inline bool addressable(int64_t count, ptrdiff_t stride) noexcept {
   ptrdiff_t extent;

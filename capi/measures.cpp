@@ -22,12 +22,6 @@ static_assert(is_code(Ratio::distance, VESICA_RATIO_DISTANCE) && is_code(Ratio::
 
 using vesica::is_ratio;
 
-/// The numbers of a shape as doubles.
-template <class T>
-void widen(int32_t kind, const T* numbers, double (&out)[vesica::max_fields]) noexcept {
-  for (int k = 0; k < vesica::field_count(kind); ++k) out[k] = static_cast<double>(numbers[k]);
-}
-
 template <class T>
 int32_t ratio_of(int32_t ratio, int32_t kind_a, const T* a, int32_t kind_b, const T* b, T* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(ratio_of<T>, ratio, kind_a, a, kind_b, b, out);

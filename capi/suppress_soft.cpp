@@ -34,11 +34,11 @@ bool is_decay(int32_t decay, double parameter) noexcept {
 }
 
 template <class T>
-int32_t suppress(const CShapesOf<T>* shapes, const T* scores, const int32_t* labels, int32_t ratio, int32_t decay,
-                 T parameter, T least_score, int64_t most, void* scratch, int64_t scratch_size, int64_t* keep,
-                 T* decayed, int64_t* kept) noexcept {
-  VESICA_DEFAULT_ENVIRONMENT(suppress<T>, shapes, scores, labels, ratio, decay, parameter, least_score, most, scratch,
-                             scratch_size, keep, decayed, kept);
+int32_t suppress_soft(const CShapesOf<T>* shapes, const T* scores, const int32_t* labels, int32_t ratio, int32_t decay,
+                      T parameter, T least_score, int64_t most, void* scratch, int64_t scratch_size, int64_t* keep,
+                      T* decayed, int64_t* kept) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(suppress_soft<T>, shapes, scores, labels, ratio, decay, parameter, least_score, most,
+                             scratch, scratch_size, keep, decayed, kept);
   if (shapes == nullptr || kept == nullptr) return VESICA_E_NULL;
   const bool anything = shapes->count != 0;
   const bool has_all = scores != nullptr && scratch != nullptr && keep != nullptr && decayed != nullptr;
@@ -84,8 +84,8 @@ int64_t vesica_suppress_soft_scratch(int64_t count) {
                                         int32_t ratio, int32_t decay, T parameter, T least_score, int64_t most,       \
                                         void* scratch, int64_t scratch_size, int64_t* keep, T* decayed,               \
                                         int64_t* kept) {                                                              \
-    return suppress(shapes, scores, labels, ratio, decay, parameter, least_score, most, scratch, scratch_size, keep,  \
-                    decayed, kept);                                                                                   \
+    return suppress_soft(shapes, scores, labels, ratio, decay, parameter, least_score, most, scratch, scratch_size,   \
+                         keep, decayed, kept);                                                                        \
   }
 
 VESICA_SOFT_SUPPRESSION(f64, double)

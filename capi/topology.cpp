@@ -5,18 +5,13 @@
 #include <vesica/de9im/matrix.hpp>
 #include <vesica/intersection.hpp>
 
-#include "environment.hpp"
+#include "query_calls.hpp"
 #include "vesica_topology.h"
 
 namespace {
 
+using vesica::capi::answer;
 namespace queries = vesica::queries;
-
-template <class T, class Out>
-int32_t answer(const vesica::Query& query, int32_t kind_a, const T* a, int32_t kind_b, const T* b, Out* out) noexcept {
-  VESICA_DEFAULT_ENVIRONMENT((answer<T, Out>), query, kind_a, a, kind_b, b, out);
-  return out == nullptr ? VESICA_E_NULL : vesica::ask(query, kind_a, a, kind_b, b, out);
-}
 
 static_assert(sizeof(vesica::NineIntersections) == VESICA_DE9IM_SIZE && alignof(vesica::NineIntersections) == 1);
 static_assert(sizeof(vesica::SharedRegion<double>) == 2 * VESICA_MOST_VERTICES * sizeof(double));
@@ -30,10 +25,12 @@ int32_t vesica_de9im_match(const char* matrix, const char* pattern) {
 #define VESICA_TOPOLOGY(scalar, T)                                                                             \
   int32_t vesica_de9im_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b,        \
                                 char* matrix) {                                                                \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_de9im_##scalar, kind_a, numbers_a, kind_b, numbers_b, matrix);           \
     return answer(queries::de9im, kind_a, numbers_a, kind_b, numbers_b, matrix);                               \
   }                                                                                                            \
   int32_t vesica_intersection_##scalar(int32_t kind_a, const T* numbers_a, int32_t kind_b, const T* numbers_b, \
                                        T vertices[16]) {                                                       \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_intersection_##scalar, kind_a, numbers_a, kind_b, numbers_b, vertices);  \
     return answer(queries::intersection, kind_a, numbers_a, kind_b, numbers_b, vertices);                      \
   }
 

@@ -19,12 +19,6 @@ constexpr bool is_code(vesica::Within answer, int32_t code) { return static_cast
 static_assert(is_code(vesica::Within::no, VESICA_WITHIN_NO) && is_code(vesica::Within::yes, VESICA_WITHIN_YES));
 static_assert(is_code(vesica::Within::nearly, VESICA_WITHIN_NEARLY));
 
-/// The numbers of a shape as doubles.
-template <class T>
-void widen(int32_t kind, const T* numbers, double (&out)[vesica::max_fields]) noexcept {
-  for (int k = 0; k < vesica::field_count(kind); ++k) out[k] = static_cast<double>(numbers[k]);
-}
-
 template <class T>
 int32_t within(int32_t kind_a, const T* a, int32_t kind_b, const T* b, T distance) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(within<T>, kind_a, a, kind_b, b, distance);
@@ -42,8 +36,8 @@ int64_t result(const vesica::batch::WithinTally& tally) noexcept {
 }
 
 template <class T>
-int64_t many(const CShapesOf<T>* a, const CShapesOf<T>* b, T distance, uint8_t* out) noexcept {
-  VESICA_DEFAULT_ENVIRONMENT(many<T>, a, b, distance, out);
+int64_t within_many(const CShapesOf<T>* a, const CShapesOf<T>* b, T distance, uint8_t* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(within_many<T>, a, b, distance, out);
   const int32_t error = check_call(a, b, out, anything(a, b));
   if (error != 0) return error;
   const int64_t n = pairs_in_step(*a, *b);
@@ -52,8 +46,9 @@ int64_t many(const CShapesOf<T>* a, const CShapesOf<T>* b, T distance, uint8_t* 
 }
 
 template <class T>
-int64_t matrix(const CShapesOf<T>* a, const CShapesOf<T>* b, T distance, uint8_t* out, ptrdiff_t row_stride) noexcept {
-  VESICA_DEFAULT_ENVIRONMENT(matrix<T>, a, b, distance, out, row_stride);
+int64_t within_matrix(const CShapesOf<T>* a, const CShapesOf<T>* b, T distance, uint8_t* out,
+                      ptrdiff_t row_stride) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT(within_matrix<T>, a, b, distance, out, row_stride);
   const int32_t error = check_call(a, b, out, anything(a, b));
   if (error != 0) return error;
   if (!rows_apart(a->count, b->count, row_stride, 1) || !(distance >= 0)) return VESICA_E_ARGUMENT;
@@ -69,11 +64,11 @@ int64_t matrix(const CShapesOf<T>* a, const CShapesOf<T>* b, T distance, uint8_t
   }                                                                                                                    \
   int64_t vesica_within_many_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, T distance,    \
                                       uint8_t* out) {                                                                  \
-    return many<T>(a, b, distance, out);                                                                               \
+    return within_many<T>(a, b, distance, out);                                                                        \
   }                                                                                                                    \
   int64_t vesica_within_matrix_##scalar(const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b, T distance,  \
                                         uint8_t* out, ptrdiff_t row_stride) {                                          \
-    return matrix<T>(a, b, distance, out, row_stride);                                                                 \
+    return within_matrix<T>(a, b, distance, out, row_stride);                                                          \
   }
 
 VESICA_WITHIN(f64, double)

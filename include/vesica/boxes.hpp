@@ -21,10 +21,39 @@ int check_box(const TurnedBox<T>& box) noexcept {
   return box.width < 0 || box.height < 0 ? error_negative_size : 0;
 }
 
-/// x + along + across for products known exactly, to 1 roundoff of itself plus 2^-98 of the largest term.
-inline double corner(double x, const arithmetic::Pair<double>& along, const arithmetic::Pair<double>& across) noexcept {
-  return sum_of_four(x, along.high, across.high, along.low + across.low);
-}
+/// The corners of a rectangle: each coordinate to 1 roundoff of itself plus 2^-98 of the largest of its three terms.
+class RectCorners {
+ public:
+  template <class T>
+  explicit RectCorners(const Rect<T>& s) noexcept
+      : cx_(static_cast<double>(s.cx)),
+        cy_(static_cast<double>(s.cy)),
+        along_x_(product(s.hx, s.ux)),
+        along_y_(product(s.hx, s.uy)),
+        across_x_(product(-s.hy, s.uy)),
+        across_y_(product(s.hy, s.ux)) {}
+
+  /// C +- hx u +- hy perp(u)
+  arithmetic::Direction at(bool along, bool across) const noexcept {
+    return {sum(cx_, turned(along_x_, along), turned(across_x_, across)),
+            sum(cy_, turned(along_y_, along), turned(across_y_, across))};
+  }
+
+ private:
+  using Product = arithmetic::Pair<double>;
+
+  template <class T>
+  static Product product(T h, T u) noexcept {
+    return arithmetic::two_product_fused(static_cast<double>(h), static_cast<double>(u));
+  }
+  static Product turned(const Product& p, bool keep) noexcept { return keep ? p : Product{-p.high, 0 - p.low}; }
+  static double sum(double x, const Product& p, const Product& q) noexcept {
+    return sum_of_four(x, p.high, q.high, p.low + q.low);
+  }
+
+  double cx_, cy_;
+  Product along_x_, along_y_, across_x_, across_y_;
+};
 
 }  // namespace detail
 
@@ -68,20 +97,12 @@ int box_from_rect(const Rect<T>& s, AngleUnit unit, TurnedBox<T>& out) noexcept 
 template <class T>
 int corners(const Rect<T>& s, T (&out)[8]) noexcept {
   if (check(s) != 0) return error_shape;
-  const auto product = [](T h, T u) {
-    return detail::arithmetic::two_product_fused(static_cast<double>(h), static_cast<double>(u));
-  };
-  const auto along_x = product(s.hx, s.ux), along_y = product(s.hx, s.uy);
-  const auto across_x = product(-s.hy, s.uy), across_y = product(s.hy, s.ux);
-  const auto turned = [](const detail::arithmetic::Pair<double>& p, bool keep) {
-    return keep ? p : detail::arithmetic::Pair<double>{-p.high, 0 - p.low};
-  };
-  const double cx = static_cast<double>(s.cx), cy = static_cast<double>(s.cy);
+  const detail::RectCorners of(s);
   T result[8];
   for (int i = 0; i < 4; ++i) {
-    const bool forth = i == 1 || i == 2, up = i >= 2;
-    result[2 * i] = static_cast<T>(detail::corner(cx, turned(along_x, forth), turned(across_x, up)));
-    result[2 * i + 1] = static_cast<T>(detail::corner(cy, turned(along_y, forth), turned(across_y, up)));
+    const auto corner = of.at(i == 1 || i == 2, i >= 2);
+    result[2 * i] = static_cast<T>(corner.x);
+    result[2 * i + 1] = static_cast<T>(corner.y);
     if (!detail::all_finite(result[2 * i], result[2 * i + 1])) return error_range;
   }
   for (int i = 0; i < 8; ++i) out[i] = result[i];

@@ -7,7 +7,7 @@
 
 #include <vesica/arithmetic/rotation.hpp>
 #include <vesica/cast/body.hpp>
-#include <vesica/nearest/placed.hpp>
+#include <vesica/nearest/scaled_pair.hpp>
 #include <vesica/support_minimum/plane_vector.hpp>
 
 namespace vesica {
@@ -54,7 +54,7 @@ struct Scene {
 };
 
 /// Half lengths are right to 6u, u = 2^-53, each component of the axis to 4u.
-inline Turning turning(const nearest::Placed& p, int shift, double spin) noexcept {
+inline Turning turning(const nearest::ScaledShape& p, int shift, double spin) noexcept {
   Turning s{{1, 0}, 0, 0, 0, 0, spin, true};
   if (p.radius > 0) {
     s.hx = s.hy = arithmetic::scale_far(p.radius, shift);
@@ -74,12 +74,12 @@ inline Turning turning(const nearest::Placed& p, int shift, double spin) noexcep
   return s;
 }
 
-inline Turning turning(const nearest::Form& f, double spin) noexcept {
-  return turning(nearest::Placed{f.box, f.radius, f.curved}, 0, spin);
+inline Turning turning(const nearest::UnscaledShape& f, double spin) noexcept {
+  return turning(nearest::ScaledShape{f.box, f.radius, f.curved}, 0, spin);
 }
 
 /// Whether the square of the axis is as it should be.
-inline bool is_moderate(const nearest::Form& f) noexcept {
+inline bool is_moderate(const nearest::UnscaledShape& f) noexcept {
   const double size = lane::abs(f.box.u.x.high) + lane::abs(f.box.u.y.high);
   return size >= 0x1p-60 && size <= 0x1p60;
 }
@@ -91,8 +91,8 @@ inline bool is_moderate(const Turning& s) noexcept {
 }
 
 /// Of a pair that moves relative to each other by v.
-inline Scene moderate_scene(const nearest::Form& a, const nearest::Form& b, const PlaneVector& v, double spin_a,
-                            double spin_b) noexcept {
+inline Scene moderate_scene(const nearest::UnscaledShape& a, const nearest::UnscaledShape& b, const PlaneVector& v,
+                            double spin_a, double spin_b) noexcept {
   const auto x = form::twice_offset_x(a.place, b.place, 1), y = form::twice_offset_y(a.place, b.place, 1);
   return {turning(a, spin_a), turning(b, spin_b), {0.5 * x.high, 0.5 * y.high}, v, 0, 0, 0, 0, false};
 }
@@ -102,9 +102,9 @@ inline bool is_moderate(const Scene& s) noexcept {
 }
 
 /// The same at any exponents, times k where sums of numbers as they are would overflow.
-inline Scene scaled_scene(const nearest::Form& a, const nearest::Form& b, const PlaneVector& v, int eighths,
-                          double spin_a, double spin_b) noexcept {
-  const nearest::PlacedPair p = nearest::placed(a, b);
+inline Scene scaled_scene(const nearest::UnscaledShape& a, const nearest::UnscaledShape& b, const PlaneVector& v,
+                          int eighths, double spin_a, double spin_b) noexcept {
+  const nearest::ScaledPair p = nearest::scaled_pair(a, b);
   const int of_v = form::length_exponent(lane::max(lane::abs(v.x), lane::abs(v.y)));
   const int exponent = of_v > p.exponent ? of_v : p.exponent, shift = p.exponent - exponent;
   Scene s{turning(p.a, shift, spin_a), turning(p.b, shift, spin_b), {}, {}, 0, 0, 0, exponent + eighths, false};
@@ -128,7 +128,7 @@ inline Scene scene(const Body& a, const Turn<double>& turn_a, const Body& b, con
     return cast::with_shape(body, [k](const auto& s) { return nearest::form_times(s, k); });
   };
   const auto way = [&](double k) { return PlaneVector{k * turn_b.vx - k * turn_a.vx, k * turn_b.vy - k * turn_a.vy}; };
-  nearest::Form fa = form(a, 1), fb = form(b, 1);
+  nearest::UnscaledShape fa = form(a, 1), fb = form(b, 1);
   Scene s = moderate_scene(fa, fb, way(1), turn_a.angle, turn_b.angle);
   if (!is_moderate(fa) || !is_moderate(fb) || !is_moderate(s)) [[unlikely]] {
     const bool large = nearest::overflowed(fa, fb) || !all_finite(s.v.x, s.v.y);
@@ -136,7 +136,7 @@ inline Scene scene(const Body& a, const Turn<double>& turn_a, const Body& b, con
     s = scaled_scene(fa, fb, way(large ? 0.125 : 1), large ? 3 : 0, turn_a.angle, turn_b.angle);
   }
   measure(s);
-  const auto rests = [](const nearest::Form& f, double angle) {
+  const auto rests = [](const nearest::UnscaledShape& f, double angle) {
     return angle == 0 || f.radius > 0 || (f.box.hx.high == 0 && f.box.hy.high == 0);
   };
   s.still = turn_a.vx == turn_b.vx && turn_a.vy == turn_b.vy && rests(fa, turn_a.angle) && rests(fb, turn_b.angle);

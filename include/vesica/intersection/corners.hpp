@@ -32,11 +32,11 @@ inline void corners(const Aabb<double>& s, Rounded& out) noexcept {
   });
 }
 
-/// As corners() in boxes.hpp has them.
 inline void corners(const Rect<double>& s, Rounded& out) noexcept {
+  const RectCorners of(s);
   corners_of_sizes(s.hx > 0, s.hy > 0, out, [&](bool right, bool top) -> Vertex {
-    const double hx = right ? s.hx : -s.hx, hy = top ? s.hy : -s.hy;
-    return {vesica::detail::corner(s.cx, hx, s.ux, -hy, s.uy), vesica::detail::corner(s.cy, hx, s.uy, hy, s.ux)};
+    const auto corner = of.at(right, top);
+    return {corner.x, corner.y};
   });
 }
 
