@@ -14,7 +14,7 @@ limit() {
 }
 
 modules=$1
-limit "$modules/vesica.wasm" 1080 375
-limit "$modules/simd/vesica.wasm" 1170 390
-limit "$modules/vesica-methods.wasm" 120 55
+limit "$modules/vesica.wasm" 1290 435
+limit "$modules/simd/vesica.wasm" 1380 450
+limit "$modules/vesica-methods.wasm" 125 57
 [ $failures = 0 ]
