@@ -14,6 +14,7 @@ struct Face<double> {
   using Points = vesica_closest_points_f64;
   using Penetration = vesica_penetration_f64;
   using Impact = vesica_impact_f64;
+  using Turn = vesica_turn_f64;
   using Crossings = vesica_crossing_points_f64;
   using Aabb = vesica_aabb_f64;
   using Rect = vesica_rect_f64;
@@ -58,6 +59,12 @@ struct Face<double> {
   static constexpr auto boundary_distance_matrix = vesica_boundary_distance_matrix_f64;
   static constexpr auto depth_matrix = vesica_depth_matrix_f64;
   static constexpr auto signed_distance = vesica_signed_distance_f64;
+  static constexpr auto signed_distance_many = vesica_signed_distance_many_f64;
+  static constexpr auto signed_distance_matrix = vesica_signed_distance_matrix_f64;
+  static constexpr auto de9im = vesica_de9im_f64;
+  static constexpr auto intersection = vesica_intersection_f64;
+  static constexpr auto impact_time = vesica_impact_time_f64;
+  static constexpr auto suppress_soft = vesica_suppress_soft_f64;
   static constexpr auto within = vesica_within_f64;
   static constexpr auto within_many = vesica_within_many_f64;
   static constexpr auto within_matrix = vesica_within_matrix_f64;
@@ -82,6 +89,7 @@ struct Face<float> {
   using Points = vesica_closest_points_f32;
   using Penetration = vesica_penetration_f32;
   using Impact = vesica_impact_f32;
+  using Turn = vesica_turn_f32;
   using Crossings = vesica_crossing_points_f32;
   using Aabb = vesica_aabb_f32;
   using Rect = vesica_rect_f32;
@@ -126,6 +134,12 @@ struct Face<float> {
   static constexpr auto boundary_distance_matrix = vesica_boundary_distance_matrix_f32;
   static constexpr auto depth_matrix = vesica_depth_matrix_f32;
   static constexpr auto signed_distance = vesica_signed_distance_f32;
+  static constexpr auto signed_distance_many = vesica_signed_distance_many_f32;
+  static constexpr auto signed_distance_matrix = vesica_signed_distance_matrix_f32;
+  static constexpr auto de9im = vesica_de9im_f32;
+  static constexpr auto intersection = vesica_intersection_f32;
+  static constexpr auto impact_time = vesica_impact_time_f32;
+  static constexpr auto suppress_soft = vesica_suppress_soft_f32;
   static constexpr auto within = vesica_within_f32;
   static constexpr auto within_many = vesica_within_many_f32;
   static constexpr auto within_matrix = vesica_within_matrix_f32;

@@ -440,6 +440,11 @@ std::int32_t within(std::int32_t kind_a, const T* a, std::int32_t kind_b, const 
   return capi_tests::Face<T>::within(kind_a, a, kind_b, b, T{1} / 2);
 }
 template <class T>
+std::int64_t within_many(const typename capi_tests::Face<T>::Shapes* a, const typename capi_tests::Face<T>::Shapes* b,
+                         std::uint8_t* out) {
+  return capi_tests::Face<T>::within_many(a, b, T{1} / 2, out);
+}
+template <class T>
 std::int64_t within_matrix(const typename capi_tests::Face<T>::Shapes* a, const typename capi_tests::Face<T>::Shapes* b,
                            std::uint8_t* out, std::ptrdiff_t row_stride) {
   return capi_tests::Face<T>::within_matrix(a, b, T{1} / 2, out, row_stride);
@@ -529,6 +534,9 @@ Bytes ask_soft(const Inputs& inputs) {
         {"iou_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_iou_matrix_##s>},                                   \
         {"nearest_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_nearest_matrix_##s>},                           \
         {"within_matrix", ask_matrix<T, vesica_shapes_##s, std::uint8_t, within_matrix<T>>},                          \
+        {"within_many", ask_many<T, vesica_shapes_##s, std::uint8_t, within_many<T>, 1>},                             \
+        {"signed_distance_many", ask_many<T, vesica_shapes_##s, T, vesica_signed_distance_many_##s, 1>},              \
+        {"signed_distance_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_signed_distance_matrix_##s>},           \
         {"suppress_soft", ask_soft<T, vesica_shapes_##s, vesica_suppress_soft_##s>},                                  \
         {"boundary_distance_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_boundary_distance_matrix_##s>},       \
         {"depth_matrix", ask_matrix<T, vesica_shapes_##s, T, vesica_depth_matrix_##s>},                               \

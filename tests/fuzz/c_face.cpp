@@ -84,6 +84,8 @@ constexpr Call calls[] = {
     call_index,
     call_motion,
     call_motion,
+    call_topology,
+    call_topology,
     describe,
     code<double, vesica_overlap_f64, 1>,
     code<float, vesica_overlap_f32, 1>,
