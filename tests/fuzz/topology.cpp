@@ -69,9 +69,8 @@ void call_arrays(Bytes& bytes, Memory& memory) {
   const std::int64_t count_a = bytes.below(most), count_b = bytes.below(most);
   const auto a = array<T>(bytes, memory.a, count_a);
   const auto b = array<T>(bytes, memory.b, count_b);
-  const std::ptrdiff_t gap = bytes.below(5), size = count_a * (count_b + gap);
+  const std::ptrdiff_t row = count_b + bytes.below(5), size = count_a == 0 ? 0 : (count_a - 1) * row + count_b;
   const std::int64_t n = count_a == 0 || count_b == 0 ? 0 : count_a;
-  const auto row = [&](std::size_t one) { return (count_b + gap) * static_cast<std::ptrdiff_t>(one); };
   const T distance = bytes.number<T>();
   std::int64_t found = 0;
   switch (bytes.below(4)) {
@@ -79,13 +78,13 @@ void call_arrays(Bytes& bytes, Memory& memory) {
       found = Face<T>::within_many(&a, &b, distance, room<std::uint8_t>(memory.out, n));
       break;
     case 1:
-      found = Face<T>::within_matrix(&a, &b, distance, room<std::uint8_t>(memory.out, size), row(1));
+      found = Face<T>::within_matrix(&a, &b, distance, room<std::uint8_t>(memory.out, size), row);
       break;
     case 2:
       found = Face<T>::signed_distance_many(&a, &b, room<T>(memory.out, n));
       break;
     default:
-      found = Face<T>::signed_distance_matrix(&a, &b, room<T>(memory.out, size), row(sizeof(T)));
+      found = Face<T>::signed_distance_matrix(&a, &b, room<T>(memory.out, size), row);
       break;
   }
   demand(is_error(found) || (found >= 0 && found <= (n > count_a * count_b ? n : count_a * count_b)));
