@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How two shapes meet: distances asked for, matrices of nine, shared regions, turning shapes; and arrays of these.
+#include <algorithm>
 #include <iterator>
 
 #include "fuzz/arrays.hpp"
@@ -70,7 +71,7 @@ void call_arrays(Bytes& bytes, Memory& memory) {
   const auto a = array<T>(bytes, memory.a, count_a);
   const auto b = array<T>(bytes, memory.b, count_b);
   const std::ptrdiff_t row = count_b + bytes.below(5), size = count_a == 0 ? 0 : (count_a - 1) * row + count_b;
-  const std::int64_t n = count_a == 0 || count_b == 0 ? 0 : count_a;
+  const std::int64_t n = count_a == 0 || count_b == 0 ? 0 : std::max(count_a, count_b);
   const T distance = bytes.number<T>();
   std::int64_t found = 0;
   switch (bytes.below(4)) {
@@ -87,7 +88,7 @@ void call_arrays(Bytes& bytes, Memory& memory) {
       found = Face<T>::signed_distance_matrix(&a, &b, room<T>(memory.out, size), row);
       break;
   }
-  demand(is_error(found) || (found >= 0 && found <= (n > count_a * count_b ? n : count_a * count_b)));
+  demand(is_error(found) || (found >= 0 && found <= std::max(n, count_a * count_b)));
 }
 
 template <class T>
@@ -97,7 +98,8 @@ void call_soft_suppression(Bytes& bytes, Memory& memory) {
   const auto shapes = array<T>(bytes, memory.a, count);
   T* scores = room<T>(memory.b, count);
   for (std::int64_t i = 0; i < count; ++i) scores[i] = bytes.number<T>();
-  const std::int64_t scratch_size = vesica_suppress_soft_scratch(count) - (bytes.below(16) == 15);
+  const std::int64_t scratch_size =
+      std::max<std::int64_t>(vesica_suppress_soft_scratch(count) - (bytes.below(16) == 15), 0);
   std::byte* scratch = scratch_memory.place(static_cast<std::size_t>(scratch_size), Edge::after);
   std::int64_t kept = -7;
   auto* keep = room<std::int64_t>(memory.out, room_kept);
