@@ -146,18 +146,20 @@ inline Vertices clipped(const Pair& p) noexcept {
   const Chord c = p.chord_of(0);
   const bool start_in = p.is_in_b(0), end_in = p.is_in_b(1);
   const bool point = c.in.corner && c.out.corner && c.in.index == c.out.index;
-  if (start_in)
+  if (start_in) {
     v.add(p.corner_a[0]);
-  else
+  } else {
     v.add(p.vertex(0, c.in));
+  }
   const bool all = (start_in && !end_in && p.is_at(0, c.out)) || (!start_in && end_in && p.is_at(1, c.in)) ||
                    (!start_in && !end_in && point);
   if (all && end_in) v.at[0] = p.corner_a[1];
   if (all) return v;
-  if (end_in)
+  if (end_in) {
     v.add(p.corner_a[1]);
-  else
+  } else {
     v.add(p.vertex(0, c.out));
+  }
   return v;
 }
 
