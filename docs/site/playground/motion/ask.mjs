@@ -16,7 +16,7 @@ const answers = {
 
 /** call(room, put) with put(numbers) -> their address; then { answer, t, x, y, nx, ny, gap }. */
 function ask(vesica, call) {
-  return vesica.within((room) => {
+  return vesica.inRoom((room) => {
     const put = (values) => {
       const address = room.take(8 * values.length);
       new Float64Array(vesica.memory.buffer, address, values.length).set(values);
