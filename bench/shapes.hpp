@@ -53,4 +53,20 @@ Shape to_shape(const Numbers& numbers) {
   return shape;
 }
 
+/// A shape about (x, y) with the axis (c, s) and half sizes a and b, of which its kind takes what it has.
+inline Numbers shape_about(std::int32_t kind, double x, double y, double c, double s, double a, double b) {
+  switch (kind) {
+    case VESICA_POINT:
+      return {x, y};
+    case VESICA_SEGMENT:
+      return {x - a * c, y - a * s, x + a * c, y + a * s};
+    case VESICA_CIRCLE:
+      return {x, y, a};
+    case VESICA_AABB:
+      return {x - a, y - b, x + a, y + b};
+    default:
+      return {x, y, c, s, a, b};
+  }
+}
+
 }  // namespace vesica::bench

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "peers/peer.hpp"
+#include "quantile.hpp"
 #include "row.hpp"
 
 namespace vesica::bench {
@@ -18,15 +19,6 @@ std::string format(const char* pattern, auto... values) {
   const int length = std::snprintf(text.data(), text.size(), pattern, values...);
   return {text.data(), static_cast<std::size_t>(length)};
 }
-
-/// The value a share of the numbers stays below. Not interpolated: there are hundreds.
-double quantile(std::vector<double> values, double share) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::ranges::nth_element(values, at);
-  return *at;
-}
-
-double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
 
 std::string nanoseconds(double value) { return format(value < 100 ? "%.2f" : "%.0f", value); }
 

@@ -37,20 +37,8 @@ double random_half_size(Random& random) { return std::exp2(random.between(-2, 0)
 
 Numbers random_shape(Random& random, std::int32_t kind, double x, double y) {
   const double angle = random.between(0, 2 * std::numbers::pi);
-  const double c = std::cos(angle), s = std::sin(angle);
   const double size0 = random_half_size(random), size1 = random_half_size(random);
-  switch (kind) {
-    case VESICA_POINT:
-      return {x, y};
-    case VESICA_SEGMENT:
-      return {x - size0 * c, y - size0 * s, x + size0 * c, y + size0 * s};
-    case VESICA_CIRCLE:
-      return {x, y, size0};
-    case VESICA_AABB:
-      return {x - size0, y - size1, x + size0, y + size1};
-    default:
-      return {x, y, c, s, size0, size1};
-  }
+  return shape_about(kind, x, y, std::cos(angle), std::sin(angle), size0, size1);
 }
 
 Numbers scattered_shape(Random& random, std::int32_t kind, double spread) {

@@ -58,12 +58,6 @@ std::vector<Times> contest(const std::function<void(std::uint64_t round)>& prepa
   return times;
 }
 
-double quantile(Times values, double share) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::ranges::nth_element(values, at);
-  return *at;
-}
-
 Times ratios(const Times& numerators, const Times& denominators) {
   Times all;
   for (std::size_t i = 0; i < numerators.size(); ++i) all.push_back(numerators[i] / denominators[i]);

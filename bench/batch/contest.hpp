@@ -7,6 +7,8 @@
 #include <functional>
 #include <vector>
 
+#include "quantile.hpp"
+
 namespace vesica::bench {
 
 /// One timed pass; its result is consumed, so that it cannot be dropped.
@@ -28,10 +30,6 @@ struct Budget {
 /// it is called for the same round. Who goes first changes from round to round. The clock's own time is taken off.
 std::vector<Times> contest(const std::function<void(std::uint64_t round)>& prepare, const std::vector<Pass>& entrants,
                            Budget budget);
-
-/// The value a share of the numbers stays below. Not interpolated.
-double quantile(Times values, double share);
-inline double median(Times values) { return quantile(std::move(values), 0.5); }
 
 /// Round by round: what disturbed one round disturbed both of its times.
 Times ratios(const Times& numerators, const Times& denominators);

@@ -3,18 +3,19 @@
 /// check nothing, and 90 degrees are not a right angle to them. Every pass has boxes that were not seen before.
 #include <vesica.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <vector>
 
+#include "quantile.hpp"
 #include "random.hpp"
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using vesica::bench::median;
 constexpr std::int64_t count = 1000;
 constexpr int passes = 300;
 constexpr double degree = 0.017453292519943295;
@@ -47,12 +48,6 @@ double nanoseconds(const Loop& loop, Pass& pass) {
   const Clock::time_point start = Clock::now();
   loop(pass);
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count() / count;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
 }
 
 template <class Library, class Textbook>

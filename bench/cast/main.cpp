@@ -4,7 +4,6 @@
 /// buffers, and who goes first takes turns.
 #include <vesica.h>
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include "cast/peer.hpp"
+#include "quantile.hpp"
 #include "random.hpp"
 #include "shapes.hpp"
 #include "textbook/rays.hpp"
@@ -36,19 +36,8 @@ constexpr Aim any{"few hits", 0, 0}, towards{"aimed", 2.2, 0}, sure{"hits", 0.3,
 
 Numbers draw_shape(std::int32_t kind, Random& random) {
   const double x = random.between(-4, 4), y = random.between(-4, 4), angle = random.between(0, 6.283185307179586);
-  const double a = random.between(0.2, 1), b = random.between(0.2, 1), c = std::cos(angle), s = std::sin(angle);
-  switch (kind) {
-    case VESICA_POINT:
-      return {x, y};
-    case VESICA_SEGMENT:
-      return {x - a * c, y - a * s, x + a * c, y + a * s};
-    case VESICA_CIRCLE:
-      return {x, y, a};
-    case VESICA_AABB:
-      return {x - a, y - b, x + a, y + b};
-    default:
-      return {x, y, c, s, a, b};
-  }
+  const double a = random.between(0.2, 1), b = random.between(0.2, 1);
+  return shape_about(kind, x, y, std::cos(angle), std::sin(angle), a, b);
 }
 
 Numbers centre_of(std::int32_t kind, const Numbers& n) {
@@ -84,12 +73,6 @@ Pair draw_pair(std::int32_t kind_a, std::int32_t kind_b, const Aim& aim, Random&
     // Contact at the start is another question.
     if (vesica_overlap_f64(kind_a, p.a.data(), kind_b, p.b.data()) == 0) return p;
   }
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
 }
 
 template <class Call>

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "methods/measure.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <ctime>
+
+#include "quantile.hpp"
 
 namespace vesica::bench::methods {
 namespace {
@@ -24,12 +25,6 @@ double nanoseconds_a_test(std::size_t tests, Pass pass) {
   const double elapsed = std::chrono::duration<double, std::nano>(Clock::now() - start).count();
   const double processor = 1e9 * static_cast<double>(std::clock() - processor_start) / CLOCKS_PER_SEC;
   return (elapsed < longest_short ? elapsed : processor) / static_cast<double>(tests);
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
 }
 
 /// Both sides on the same pairs, each copied into the same hot buffers just before; who goes first alternates. At least

@@ -5,6 +5,7 @@
 #include "nearest/contestant.hpp"
 #include "nearest/outline_report.hpp"
 #include "nearest/reference.hpp"
+#include "quantile.hpp"
 
 namespace vesica::bench {
 namespace {
@@ -20,12 +21,6 @@ struct Kinds {
 struct Result {
   double nanoseconds = 0, median_error = 0, worst_error = 0;
 };
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
 
 double time_of_pass(DistancePairs& pairs, std::size_t pass) {
   using Clock = std::chrono::steady_clock;

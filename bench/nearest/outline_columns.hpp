@@ -55,8 +55,7 @@ double batch_nanoseconds(const OutlineColumns& columns, const Many& many) {
     many(a, b, out);
     times.push_back(std::chrono::duration<double, std::nano>(Clock::now() - start).count() / pairs_a_call);
   }
-  std::ranges::nth_element(times, times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2));
-  return times[times.size() / 2];
+  return median(std::move(times));
 }
 
 }  // namespace vesica::bench

@@ -4,13 +4,13 @@
 
 #include <vesica.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
+#include "quantile.hpp"
 #include "random.hpp"
 #include "shapes.hpp"
 #include "workloads.hpp"
@@ -86,8 +86,7 @@ double nanoseconds(const std::vector<OutlinePair>& pairs, const Call& call) {
   }
   volatile double used = sum;
   static_cast<void>(used);
-  std::ranges::nth_element(times, times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2));
-  return times[times.size() / 2];
+  return median(std::move(times));
 }
 
 inline constexpr std::size_t pairs_timed = 16384, pairs_checked = 200;

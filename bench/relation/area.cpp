@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "area/reference.hpp"
+#include "quantile.hpp"
 #include "relation/area_peer.hpp"
 #include "relation/report.hpp"
 #include "textbook/rotated_area.hpp"
@@ -89,12 +90,6 @@ double nanoseconds_a_call(std::size_t pairs, const Area& area, double& sum) {
   const Clock::time_point start = Clock::now();
   for (std::size_t i = 0; i < pairs; ++i) sum += area(i);
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count() / static_cast<double>(pairs);
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
 }
 
 /// The worst |area - truth| over the lesser shape's area.

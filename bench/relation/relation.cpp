@@ -3,7 +3,6 @@
 // straight after the other.
 #include <vesica.h>
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cinttypes>
@@ -12,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "quantile.hpp"
 #include "relation/report.hpp"
 #include "workloads.hpp"
 
@@ -74,12 +74,6 @@ double nanoseconds_a_call(Function function, const Kinds& kinds, const Pairs& pa
     sum += function(kinds.a, pairs.a[i].data(), kinds.b, pairs.b[i].data());
   }
   return std::chrono::duration<double, std::nano>(Clock::now() - start).count() / pairs_per_pass;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
 }
 
 struct Row {

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "quantile.hpp"
 #include "random.hpp"
 #include "shapes.hpp"
 
@@ -41,19 +42,8 @@ Numbers draw_shape(std::int32_t kind, Data data, Random& random) {
   const auto place = [&] { return grid ? 0.5 * random.integer(-4, 4) : random.between(-2, 2); };
   const auto size = [&] { return grid ? 0.5 * random.integer(1, 3) : random.between(0.2, 1.2); };
   const double x = place(), y = place(), angle = grid ? 0 : random.between(0, 6.283185307179586);
-  const double a = size(), b = size(), c = std::cos(angle), s = std::sin(angle);
-  switch (kind) {
-    case VESICA_POINT:
-      return {x, y};
-    case VESICA_SEGMENT:
-      return {x - a * c, y - a * s, x + a * c, y + a * s};
-    case VESICA_CIRCLE:
-      return {x, y, a};
-    case VESICA_AABB:
-      return {x - a, y - b, x + a, y + b};
-    default:
-      return {x, y, c, s, a, b};
-  }
+  const double a = size(), b = size();
+  return shape_about(kind, x, y, std::cos(angle), std::sin(angle), a, b);
 }
 
 /// Takes the numbers of a pair and says something of it, so that nothing is left out.
@@ -81,8 +71,7 @@ void row(const std::string& what, std::int32_t kind_a, std::int32_t kind_b, Data
   }
   std::printf("%-28s", what.c_str());
   for (std::size_t k = 0; k < all.size(); ++k) {
-    std::nth_element(times[k].begin(), times[k].begin() + passes / 2, times[k].end());
-    std::printf("  %s %.0f ns", all[k].name.c_str(), times[k][passes / 2]);
+    std::printf("  %s %.0f ns", all[k].name.c_str(), median(times[k]));
   }
   std::printf("%s\n", sum == 1 ? " " : "");
 }
