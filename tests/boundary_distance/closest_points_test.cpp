@@ -57,8 +57,6 @@ double gap_off(const Pair& p) {
   return in_scales(off, p, std::fabs(f.ax) + std::fabs(f.ay) + std::fabs(f.bx) + std::fabs(f.by));
 }
 
-Pair exchanged(const Pair& p) { return {p.kind_b, p.kind_a, p.b, p.a}; }
-
 /// Both shapes, changed without rounding: turned, mirrored, scaled.
 Pair changed(const Pair& p, int how) {
   properties::Shape a{p.kind_a, p.a}, b{p.kind_b, p.b};
@@ -85,8 +83,8 @@ TEST(OutlinePoints, CommonPointsOfNeedles) {
     for (int how = 0; how < 24; ++how) {
       const Pair p = changed(needle, how);
       EXPECT_LE(common_point_off(p), 4) << properties::describe(p);
-      EXPECT_LE(common_point_off(exchanged(p)), 4);
-      EXPECT_EQ(ask(p).ax, ask(exchanged(p)).ax);
+      EXPECT_LE(common_point_off(swapped(p)), 4);
+      EXPECT_EQ(ask(p).ax, ask(swapped(p)).ax);
     }
   }
 }
@@ -138,7 +136,7 @@ TEST(OutlinePoints, OfNestedShapesNearTangencyAreAsFarApartAsTheDistance) {
   for (const Pair& pair : nested) {
     for (int how = 0; how < 24; ++how) {
       EXPECT_LE(gap_off(changed(pair, how)), 16);
-      EXPECT_LE(gap_off(exchanged(changed(pair, how))), 16);
+      EXPECT_LE(gap_off(swapped(changed(pair, how))), 16);
     }
   }
 }

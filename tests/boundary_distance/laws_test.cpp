@@ -12,6 +12,7 @@
 
 namespace {
 
+using properties::has_area;
 using properties::Numbers;
 using properties::Pair;
 using properties::Scalar;
@@ -25,26 +26,12 @@ int32_t ask(int ka, const Numbers& a, int kb, const Numbers& b, Points& out) {
 
 bool same(double x, double y) { return x == y && std::signbit(x) == std::signbit(y); }
 
-bool flat(int kind, const Numbers& n) {
-  switch (kind) {
-    case VESICA_POINT:
-    case VESICA_SEGMENT:
-      return true;
-    case VESICA_CIRCLE:
-      return n[2] == 0;
-    case VESICA_AABB:
-      return n[0] == n[2] || n[1] == n[3];
-    default:
-      return n[4] == 0 || n[5] == 0;
-  }
-}
-
 /// 0 exactly where outlines meet, as the exact relation says.
 bool outlines_meet(const Pair& p) {
   const int32_t relation = vesica_relation_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data());
   if (relation == VESICA_DISJOINT) return false;
-  if (relation == VESICA_INSIDE) return flat(p.kind_b, p.b);
-  if (relation == VESICA_CONTAINS) return flat(p.kind_a, p.a);
+  if (relation == VESICA_INSIDE) return !has_area(p.kind_b, p.b);
+  if (relation == VESICA_CONTAINS) return !has_area(p.kind_a, p.a);
   return true;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "properties/shape_maker.hpp"
 #include "vesica.h"
 
 namespace nested_pairs {
@@ -17,19 +18,9 @@ struct Sketch {
 };
 
 Numbers numbers(int kind, const Sketch& s, double factor) {
-  const double ux = std::cos(s.angle), uy = std::sin(s.angle), a = factor * s.a, b = factor * s.b;
-  switch (kind) {
-    case VESICA_POINT:
-      return {s.cx, s.cy};
-    case VESICA_SEGMENT:
-      return {s.cx - a * ux, s.cy - a * uy, s.cx + a * ux, s.cy + a * uy};
-    case VESICA_CIRCLE:
-      return {s.cx, s.cy, a};
-    case VESICA_AABB:
-      return {s.cx - a, s.cy - b, s.cx + a, s.cy + b};
-    default:
-      return {s.cx, s.cy, s.axis_length * ux, s.axis_length * uy, a / s.axis_length, b / s.axis_length};
-  }
+  const properties::Vector u{std::cos(s.angle), std::sin(s.angle)};
+  return properties::moved(kind, properties::shape_at_origin(kind, u, factor * s.a, factor * s.b, s.axis_length),
+                           {s.cx, s.cy});
 }
 
 double power(Random& random, double low, double high) { return std::pow(10, random.between(low, high)); }

@@ -26,23 +26,7 @@ void Judge::demand(bool holds, const char* law, double expected, double got) {
   if (!holds) demand(false, law, hex(expected), hex(got));
 }
 
-Pair exchanged(const Pair& p) { return {p.kind_b, p.kind_a, p.b, p.a}; }
-
 bool valid(const Pair& p) { return properties::valid(p.kind_a, p.a) && properties::valid(p.kind_b, p.b); }
-
-bool has_area(int kind, const Numbers& n) {
-  switch (kind) {
-    case VESICA_POINT:
-    case VESICA_SEGMENT:
-      return false;
-    case VESICA_CIRCLE:
-      return n[2] > 0;
-    case VESICA_AABB:
-      return n[0] < n[2] && n[1] < n[3];
-    default:
-      return n[4] > 0 && n[5] > 0;
-  }
-}
 
 namespace {
 

@@ -59,10 +59,7 @@ void judge_invalid(Judge& j, const Case& c, bool in_environments);  // laws_inva
 void judge_environments(Judge& j, const Case& c);                   // laws.cpp
 
 // What several of them need.
-Pair exchanged(const Pair& p);
 bool valid(const Pair& p);
-/// Has the shape an area?
-bool has_area(int kind, const Numbers& numbers);
 /// An upper bound of all coordinates and half lengths but for a few roundings; infinite where it overflows.
 double extent(const Pair& p);
 /// Are all numbers, and the products of sizes and axes, so small that no result can overflow?

@@ -28,11 +28,11 @@ bool moderate(Scalar scalar, const Pair& p) {
 bool inside(std::int32_t relation) { return relation == VESICA_INSIDE || relation == VESICA_INSIDE_TOUCH; }
 bool contains(std::int32_t relation) { return relation >= VESICA_CONTAINS; }
 
-Answer area_of(const Case& c, bool of_b) { return ask(Query::shape_area, c.scalar, of_b ? exchanged(c.pair) : c.pair); }
+Answer area_of(const Case& c, bool of_b) { return ask(Query::shape_area, c.scalar, of_b ? swapped(c.pair) : c.pair); }
 
 /// Shapes for which the reference is made, both within 10^15 of each other and with areas far within the range.
 bool for_reference(const Pair& p) {
-  const Answer a = ask(Query::shape_area, Scalar::f64, p), b = ask(Query::shape_area, Scalar::f64, exchanged(p));
+  const Answer a = ask(Query::shape_area, Scalar::f64, p), b = ask(Query::shape_area, Scalar::f64, swapped(p));
   if (a.code != 0 || b.code != 0) return false;
   const double least = std::fmin(a.numbers[0], b.numbers[0]), most = std::fmax(a.numbers[0], b.numbers[0]);
   return least > 1e-290 && most < 1e290 && most / least < 1e30;
@@ -69,7 +69,7 @@ void judge_shape_area(Judge& j, const Case& c, Effort effort) {
 
 void judge_area(Judge& j, const Case& c, Effort effort) {
   const Answer r = ask(c.query, c.scalar, c.pair);
-  const Answer back = ask(c.query, c.scalar, exchanged(c.pair));
+  const Answer back = ask(c.query, c.scalar, swapped(c.pair));
   j.demand(same_bits(r, back), "exchanged", text(r), text(back));
   const Answer a = area_of(c, false), b = area_of(c, true);
   const std::int32_t relation = exact_relation(c.pair);
@@ -97,7 +97,7 @@ void judge_area(Judge& j, const Case& c, Effort effort) {
 
 void judge_iou(Judge& j, const Case& c, Effort effort) {
   const Answer r = ask(c.query, c.scalar, c.pair);
-  const Answer back = ask(c.query, c.scalar, exchanged(c.pair));
+  const Answer back = ask(c.query, c.scalar, swapped(c.pair));
   j.demand(same_bits(r, back), "exchanged", text(r), text(back));
   const bool area_a = has_area(c.pair.kind_a, c.pair.a), area_b = has_area(c.pair.kind_b, c.pair.b);
   const std::int32_t code = area_a || area_b ? 0 : VESICA_E_ARGUMENT;

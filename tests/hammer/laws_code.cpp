@@ -54,7 +54,7 @@ void judge_code(Judge& j, const Case& c, Effort effort) {
   if (effort == Effort::quick) return;
   demand_code(j, "oracle", by_oracle(c.query, c.pair), code);
   if (c.query == Query::overlap) demand_typed(j, c, code);
-  const std::int32_t back = ask(c.query, c.scalar, exchanged(c.pair)).code;
+  const std::int32_t back = ask(c.query, c.scalar, swapped(c.pair)).code;
   if (c.query == Query::overlap) demand_code(j, "exchanged", code, back);
   if (c.query != Query::relation) return;
   demand_code(j, "exchanged", code < 0 || code > 7 ? code : converses[code], back);

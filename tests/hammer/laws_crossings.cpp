@@ -162,7 +162,7 @@ void judge_crossings(Judge& j, const Case& c, Effort effort) {
   j.demand(r.code <= 8, "at_most_8", 8, r.code);
   if (r.code > 8) return;
   demand_rest_zero(j, r);
-  const Answer back = ask(c.query, c.scalar, exchanged(c.pair));
+  const Answer back = ask(c.query, c.scalar, swapped(c.pair));
   j.demand(back.code == VESICA_E_RANGE || (back.code == r.code && back.numbers[0] == r.numbers[0]), "exchanged",
            text(r), text(back));
   if (c.scalar == Scalar::f32) return demand_rounded(j, c, r, most_numbers);

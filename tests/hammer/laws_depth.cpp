@@ -91,7 +91,7 @@ void judge_depth(Judge& j, const Case& c, Effort effort) {
   }
   const bool finite = std::all_of(r.numbers.begin(), r.numbers.end(), [](double x) { return std::isfinite(x); });
   j.demand(finite, "finite", "finite numbers", text(r));
-  const Answer back = ask(c.query, c.scalar, exchanged(c.pair));
+  const Answer back = ask(c.query, c.scalar, swapped(c.pair));
   const bool equal = exact_relation(c.pair) == VESICA_EQUAL;
   j.demand(reversed(r, back) || (equal && r.numbers[0] == back.numbers[0]), "exchanged", text(r), text(back));
   if (c.scalar == Scalar::f32) return demand_rounded(j, c, r, 3);

@@ -30,7 +30,7 @@ Answer put_back(Answer answer) {
 bool equal_but_for_zeros_signs(const Answer& a, const Answer& b) { return a.code == b.code && a.numbers == b.numbers; }
 
 void demand_symmetry(Judge& j, const Case& c, const Answer& r) {
-  const Answer back = put_back(ask(c.query, c.scalar, exchanged(c.pair)));
+  const Answer back = put_back(ask(c.query, c.scalar, swapped(c.pair)));
   if (same_bits(r, back)) return;
   j.demand(false, equal_but_for_zeros_signs(r, back) ? "exchanged_zero_sign" : "exchanged", text(r), text(back));
 }
@@ -210,7 +210,7 @@ void judge_boundary(Judge& j, const Case& c, Effort effort) {
              b = outline_reference::shape(c.pair.kind_b, c.pair.b);
   judge_outline_points(j, c.pair, r, outline_reference::scale(a, b));
   if (relation == VESICA_CONTAINS && has_area(c.pair.kind_a, c.pair.a)) judge_nested(j, c.pair, r);
-  if (relation == VESICA_INSIDE && has_area(c.pair.kind_b, c.pair.b)) judge_nested(j, exchanged(c.pair), r);
+  if (relation == VESICA_INSIDE && has_area(c.pair.kind_b, c.pair.b)) judge_nested(j, swapped(c.pair), r);
 }
 
 }  // namespace hammer

@@ -102,7 +102,7 @@ void demand_rounded_down(Judge& j, const Case& c, const Answer& r) {
 /// What is outside of the box about the motion is never touched.
 void demand_within_sweep(Judge& j, const Case& c, const Answer& r) {
   const Answer at_rest = ask(Query::bounds, c.scalar, c.pair);
-  const Answer swept = ask({Query::sweep_bounds, c.scalar, exchanged(c.pair), c.motion});
+  const Answer swept = ask({Query::sweep_bounds, c.scalar, swapped(c.pair), c.motion});
   if (at_rest.code != 0 || swept.code != 0) return;
   const auto &a = at_rest.numbers, &b = swept.numbers;
   const bool apart = a[0] > b[2] || b[0] > a[2] || a[1] > b[3] || b[1] > a[3];
@@ -141,7 +141,7 @@ void judge_cast(Judge& j, const Case& c, Effort effort) {
            : r.code == VESICA_CAST_START ? t == 0
                                          : t >= 0 && t <= c.motion.end,
            "time", "from 0 to the end", text(r));
-  const Case other{c.query, c.scalar, exchanged(c.pair), {-c.motion.vx, -c.motion.vy, c.motion.end}};
+  const Case other{c.query, c.scalar, swapped(c.pair), {-c.motion.vx, -c.motion.vy, c.motion.end}};
   demand_same(j, "exchanged", r, ask(other));
   if (r.code == VESICA_CAST_HIT) demand_hit(j, c, r);
   const double half = properties::nearest(c.scalar, c.motion.end / 2);

@@ -66,8 +66,7 @@ bool moderate(double area) { return area >= 0x1p-400 && area <= 0x1p400; }
 /// Within 8 u of the quotient of what the library says of the areas, and its own rounding.
 void demand_of_areas(Judge& j, const Case& c, const Answer& r) {
   const Answer shared = ask(Query::area, c.scalar, c.pair);
-  const Answer areas[] = {ask(Query::shape_area, c.scalar, c.pair),
-                          ask(Query::shape_area, c.scalar, exchanged(c.pair))};
+  const Answer areas[] = {ask(Query::shape_area, c.scalar, c.pair), ask(Query::shape_area, c.scalar, swapped(c.pair))};
   if (shared.code != 0 || !moderate(shared.numbers[0])) return;
   for (std::size_t i = 0; i < 2; ++i) {
     if (areas[i].code != 0 || !moderate(areas[i].numbers[0])) continue;
@@ -79,7 +78,7 @@ void demand_of_areas(Judge& j, const Case& c, const Answer& r) {
 }  // namespace
 
 void judge_ratio(Judge& j, const Case& c, Effort) {
-  const Answer r = ask(c), back = ask({c.query, c.scalar, exchanged(c.pair)});
+  const Answer r = ask(c), back = ask({c.query, c.scalar, swapped(c.pair)});
   Answer exchanged_back = back;
   for (const std::size_t i : {std::size_t{0}, ratio_count}) {
     std::swap(exchanged_back.numbers[i + VESICA_RATIO_OVER_FIRST],

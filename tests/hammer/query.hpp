@@ -12,6 +12,7 @@
 namespace hammer {
 
 using cast_test::Motion;
+using properties::has_area;
 using properties::Numbers;
 using properties::Pair;
 using properties::Scalar;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "properties/shape_maker.hpp"
+
 namespace impact_time_test {
 namespace {
 
@@ -17,27 +19,9 @@ double length(Style style, properties::Random& random) {
 
 Numbers draw_shape(int kind, Style style, properties::Random& random) {
   const double x = random.between(-3, 3), y = random.between(-3, 3), angle = random.between(0, 2 * pi);
-  const double a = random.between(0.1, 1), b = length(style, random), c = std::cos(angle), s = std::sin(angle);
-  switch (kind) {
-    case VESICA_POINT:
-      return {x, y};
-    case VESICA_SEGMENT:
-      return {x - a * c, y - a * s, x + a * c, y + a * s};
-    case VESICA_CIRCLE:
-      return {x, y, a};
-    case VESICA_AABB:
-      return {x - a, y - b, x + a, y + b};
-    default:
-      return {x, y, 3 * c, 3 * s, a / 3, b / 3};
-  }
-}
-
-void move(int kind, Numbers& n, double dx, double dy) {
-  const int corners = kind == VESICA_SEGMENT || kind == VESICA_AABB ? 2 : 1;
-  for (int i = 0; i < corners; ++i) {
-    n[static_cast<std::size_t>(2 * i)] += dx;
-    n[static_cast<std::size_t>(2 * i + 1)] += dy;
-  }
+  const double a = random.between(0.1, 1), b = length(style, random);
+  const Numbers there = properties::shape_at_origin(kind, {std::cos(angle), std::sin(angle)}, a, b, 3);
+  return properties::moved(kind, there, {x, y});
 }
 
 }  // namespace
@@ -76,7 +60,7 @@ Turning draw(int kind_a, int kind_b, Style style, double spin, properties::Rando
   if (style == Style::close && c.distance > 0) {
     // Nearly all of the way towards the other, a little turned: some come to overlap.
     const double share = 1 - std::pow(10, -random.between(1, 14));
-    move(kind_b, s.pair.b, share * (c.ax - c.bx), share * (c.ay - c.by));
+    s.pair.b = properties::moved(kind_b, s.pair.b, {share * (c.ax - c.bx), share * (c.ay - c.by)});
   }
   s.b = {random.between(-8, 8), random.between(-8, 8), random.between(-spin, spin)};
   if (random.chance(0.6)) s.b.vx = 1.5 * (c.ax - c.bx) + random.between(-1, 1), s.b.vy = 1.5 * (c.ay - c.by);

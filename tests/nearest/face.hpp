@@ -36,6 +36,4 @@ inline Answer nearest(Scalar scalar, const Pair& p) {
 
 inline Answer exchanged(const Answer& r) { return {r.code, r.distance, r.bx, r.by, r.ax, r.ay}; }
 
-inline Pair exchanged(const Pair& p) { return {p.kind_b, p.kind_a, p.b, p.a}; }
-
 }  // namespace nearest_test

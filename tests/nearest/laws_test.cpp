@@ -76,7 +76,7 @@ class Laws : public testing::TestWithParam<properties::Kinds> {
 
   void check(const Pair& p, properties::Random& random) {
     const Answer r = nearest_test::nearest(scalar(), p);
-    EXPECT_EQ(nearest_test::nearest(scalar(), exchanged(p)), exchanged(r));
+    EXPECT_EQ(nearest_test::nearest(scalar(), swapped(p)), exchanged(r));
     const double x = std::ldexp(random.integer(-9, 9), random.integer(-3, 40));
     const double y = std::ldexp(random.integer(-9, 9), random.integer(-3, 40));
     if (const auto q = moved(p, x, y, scalar())) {

@@ -29,6 +29,4 @@ std::int32_t overlap_typed(Scalar scalar, const Pair& p) {
   return call_typed(p.kind_a, narrow(p.a).data(), p.kind_b, narrow(p.b).data());
 }
 
-Pair swapped(const Pair& p) { return {p.kind_b, p.kind_a, p.b, p.a}; }
-
 }  // namespace properties

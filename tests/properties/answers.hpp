@@ -14,6 +14,4 @@ std::int32_t overlap_by_kind(Scalar scalar, const Pair& pair);
 /// The typed function of the pair's kinds; kind_a <= kind_b.
 std::int32_t overlap_typed(Scalar scalar, const Pair& pair);
 
-Pair swapped(const Pair& pair);
-
 }  // namespace properties

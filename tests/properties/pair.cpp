@@ -53,6 +53,12 @@ bool valid(int kind, const Numbers& n) {
   return role(kind, 2) != Role::axis || n[2] != 0 || n[3] != 0;
 }
 
+bool has_area(int kind, const Numbers& n) {
+  if (kind == VESICA_CIRCLE) return n[2] > 0;
+  if (kind == VESICA_AABB) return n[0] < n[2] && n[1] < n[3];
+  return role(kind, 4) == Role::size && n[4] > 0 && n[5] > 0;
+}
+
 double nearest(Scalar scalar, double x) {
   return scalar == Scalar::f32 ? static_cast<double>(to_float(x)) : std::clamp(x, -DBL_MAX, DBL_MAX);
 }

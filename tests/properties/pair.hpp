@@ -23,6 +23,8 @@ struct Pair {
   Numbers a, b;
 };
 
+inline Pair swapped(const Pair& p) { return {p.kind_b, p.kind_a, p.b, p.a}; }
+
 /// What a number of a shape is.
 enum class Role { x, y, axis, size, unused };
 Role role(int kind, int field);
@@ -31,6 +33,8 @@ const char* kind_name(int kind);
 
 /// Is it a shape at all: sizes >= 0, axis not zero, min <= max, all finite?
 bool valid(int kind, const Numbers& numbers);
+/// Has a valid shape an area?
+bool has_area(int kind, const Numbers& numbers);
 
 /// The scalar nearest to x; the largest finite one beyond the range.
 double nearest(Scalar scalar, double x);

@@ -44,24 +44,26 @@ Vector at(const Frame& f, double s, double t) { return {f.c.x + s * f.p.x + t * 
 
 }  // namespace
 
-Numbers shape_at_origin(int kind, Random& random, const Proportions& proportions) {
-  const Vector u = random_direction(random);
-  double first = proportions.longer, second = proportions.shorter;
-  if (random.chance(0.5)) std::swap(first, second);
+Numbers shape_at_origin(int kind, Vector u, double along, double across, double axis_length) {
   switch (kind) {
     case VESICA_POINT:
       return {0, 0};
     case VESICA_SEGMENT:
-      return {-first * u.x, -first * u.y, first * u.x, first * u.y};
+      return {-along * u.x, -along * u.y, along * u.x, along * u.y};
     case VESICA_CIRCLE:
-      return {0, 0, first};
+      return {0, 0, along};
     case VESICA_AABB:
-      return {-first, -second, first, second};
-    default: {
-      const double length = proportions.axis_length;
-      return {0, 0, length * u.x, length * u.y, first / length, second / length};
-    }
+      return {-along, -across, along, across};
+    default:
+      return {0, 0, axis_length * u.x, axis_length * u.y, along / axis_length, across / axis_length};
   }
+}
+
+Numbers shape_at_origin(int kind, Random& random, const Proportions& proportions) {
+  const Vector u = random_direction(random);
+  double first = proportions.longer, second = proportions.shorter;
+  if (random.chance(0.5)) std::swap(first, second);
+  return shape_at_origin(kind, u, first, second, proportions.axis_length);
 }
 
 Numbers integer_shape(int kind, Random& random) {

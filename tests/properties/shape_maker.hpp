@@ -16,7 +16,11 @@ struct Proportions {
   double longer, shorter, axis_length;
 };
 
+/// In a random direction, and either size along it.
 Numbers shape_at_origin(int kind, Random& random, const Proportions& proportions);
+
+/// Half a length along the unit vector u and half a length across it; its kind takes what it has.
+Numbers shape_at_origin(int kind, Vector u, double along, double across, double axis_length);
 
 /// A shape about the origin whose numbers and corners are small integers; each size is 0 in one of five.
 Numbers integer_shape(int kind, Random& random);

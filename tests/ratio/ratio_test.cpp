@@ -41,7 +41,6 @@ double shape_area(int kind, const Numbers& numbers) {
   double out = 0;
   return vesica_shape_area_f64(kind, numbers.data(), &out) == 0 ? out : HUGE_VAL;
 }
-Pair exchanged(const Pair& p) { return {p.kind_b, p.kind_a, p.b, p.a}; }
 int exchanged(int which) {
   return which == VESICA_RATIO_OVER_FIRST    ? VESICA_RATIO_OVER_SECOND
          : which == VESICA_RATIO_OVER_SECOND ? VESICA_RATIO_OVER_FIRST
@@ -134,7 +133,7 @@ class Ratios : public testing::Test {
     const auto scaled_b = scaled_exactly({p.kind_b, p.b}, Scalar::f64, exponent, random.chance(0.5));
     for (int which = 0; which < ratios; ++which) {
       const Answer r = ratio(which, p);
-      demand(r == ratio(exchanged(which), exchanged(p)), "exchange", which, p, r.value);
+      demand(r == ratio(exchanged(which), swapped(p)), "exchange", which, p, r.value);
       if (scaled_a && scaled_b && moderate(p)) {
         const Pair q{p.kind_a, p.kind_b, scaled_a->numbers, scaled_b->numbers};
         demand(r == ratio(which, q), "scale", which, p, r.value);
@@ -263,7 +262,7 @@ TEST_F(Ratios, OfShapesFarSmallerThanTheOther) {
     EXPECT_EQ(ratio(which, half), (Answer{0, 0.5}));
     EXPECT_EQ(ratio(which, disc), (Answer{0, 1}));
   }
-  EXPECT_EQ(ratio(VESICA_RATIO_OVER_SECOND, exchanged(half)), (Answer{0, 0.5}));
+  EXPECT_EQ(ratio(VESICA_RATIO_OVER_SECOND, swapped(half)), (Answer{0, 0.5}));
   EXPECT_EQ(ratio(VESICA_RATIO_OVER_SECOND, half), (Answer{0, 0}));
 }
 

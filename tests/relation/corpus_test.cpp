@@ -15,6 +15,7 @@
 
 namespace {
 
+using properties::has_area;
 using properties::Pair;
 using properties::Scalar;
 
@@ -41,12 +42,6 @@ const std::map<std::string, std::int32_t> known{
     {"opencv-18520-1", VESICA_DISJOINT},
     {"detectron2-1266-1", VESICA_DISJOINT},
 };
-
-bool has_area(int kind, const properties::Numbers& n) {
-  if (kind == VESICA_CIRCLE) return n[2] > 0;
-  if (kind == VESICA_AABB) return n[0] < n[2] && n[1] < n[3];
-  return kind >= VESICA_RECT && n[4] > 0 && n[5] > 0;
-}
 
 /// What the row's own answer says about the relation.
 void expect_agreement(const corpus::Row& row, std::int32_t code) {

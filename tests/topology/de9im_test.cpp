@@ -18,6 +18,7 @@
 
 namespace {
 
+using properties::has_area;
 using properties::Numbers;
 using properties::Pair;
 using properties::Scalar;
@@ -34,22 +35,8 @@ std::string de9im(Scalar scalar, const Pair& p) {
 }
 
 std::string transposed(const std::string& m) { return {m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]}; }
-Pair exchanged(const Pair& p) { return {p.kind_b, p.kind_a, p.b, p.a}; }
 bool fits(const std::string& m, const char* pattern) { return vesica_de9im_match(m.c_str(), pattern) == 1; }
 
-bool has_area(int kind, const Numbers& n) {
-  switch (kind) {
-    case VESICA_POINT:
-    case VESICA_SEGMENT:
-      return false;
-    case VESICA_CIRCLE:
-      return n[2] > 0;
-    case VESICA_AABB:
-      return n[0] < n[2] && n[1] < n[3];
-    default:
-      return n[4] > 0 && n[5] > 0;
-  }
-}
 bool is_curved(int kind, const Numbers& n) {
   return (kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE) && has_area(kind, n);
 }
@@ -93,7 +80,7 @@ class De9im : public testing::TestWithParam<properties::Kinds> {
   void check(const Pair& p) {
     SCOPED_TRACE(properties::describe(p));
     const std::string m = de9im(GetParam().scalar, p);
-    EXPECT_EQ(de9im(GetParam().scalar, exchanged(p)), transposed(m));
+    EXPECT_EQ(de9im(GetParam().scalar, swapped(p)), transposed(m));
     const int relation = vesica_relation_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data());
     EXPECT_EQ(relation_of(m), relation) << m;
     ++cases_;

@@ -118,7 +118,6 @@ Answer ask(Scalar scalar, const Pair& p) {
   }
   return r;
 }
-Pair exchanged(const Pair& p) { return {p.kind_b, p.kind_a, p.b, p.a}; }
 
 bool is_round(int kind) { return kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE; }
 bool is_thin(int kind) { return kind <= VESICA_SEGMENT; }
@@ -155,7 +154,7 @@ class Intersection : public testing::TestWithParam<properties::Kinds> {
 
   void check(const Pair& p) {
     SCOPED_TRACE(properties::describe(p));
-    const Answer r = ask(GetParam().scalar, p), other = ask(GetParam().scalar, exchanged(p));
+    const Answer r = ask(GetParam().scalar, p), other = ask(GetParam().scalar, swapped(p));
     EXPECT_EQ(r.count, other.count);
     EXPECT_EQ(r.at, other.at);
     ++cases_;

@@ -54,7 +54,7 @@ class Within : public testing::TestWithParam<properties::Kinds> {
     std::snprintf(text, sizeof text, " within %a", distance);
     SCOPED_TRACE(properties::describe(p) + text);
     const std::int32_t answer = within(scalar(), p, distance);
-    EXPECT_EQ(answer, within(scalar(), exchanged(p), distance));
+    EXPECT_EQ(answer, within(scalar(), swapped(p), distance));
     ++cases_;
     if (distance == 0) {
       EXPECT_EQ(answer, vesica_overlap_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data()));

@@ -19,6 +19,4 @@ inline std::int32_t within(Scalar scalar, const Pair& p, double distance) {
   return vesica_within_f32(p.kind_a, a.data(), p.kind_b, b.data(), static_cast<float>(distance));
 }
 
-inline Pair exchanged(const Pair& p) { return {p.kind_b, p.kind_a, p.b, p.a}; }
-
 }  // namespace within_test

@@ -62,8 +62,8 @@ TEST(KnownWithin, ContactsAtEveryScale) {
       EXPECT_EQ(within(Scalar::f64, p, d), 1);
       EXPECT_EQ(within(Scalar::f64, p, std::nextafter(d, infinity)), 1);
       EXPECT_EQ(within(Scalar::f64, p, std::nextafter(d, 0)), 0);
-      EXPECT_EQ(within(Scalar::f64, exchanged(p), d), 1);
-      EXPECT_EQ(within(Scalar::f64, exchanged(p), std::nextafter(d, 0)), 0);
+      EXPECT_EQ(within(Scalar::f64, swapped(p), d), 1);
+      EXPECT_EQ(within(Scalar::f64, swapped(p), std::nextafter(d, 0)), 0);
     }
     const float d = static_cast<float>(c.distance);
     EXPECT_EQ(within(Scalar::f32, c.pair, c.distance), 1);
