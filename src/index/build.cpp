@@ -3,84 +3,14 @@
 
 #include <cstring>
 
+#include "index/directory.hpp"
 #include "index/frame.hpp"
 #include "index/plan.hpp"
+#include "index/scratch.hpp"
 
 namespace vesica::index {
 
 namespace {
-
-/// Shapes a cell is planned for: two thirds of that on average. Few shapes that fit no cell are spread over all of the
-/// space: in large blocks everything would meet them.
-inline constexpr std::int64_t full_cell = 768, small_cell = 64;
-/// Samples a cell, and at least. Half of that threw 0.8% of uniform shapes out of their cells' grids.
-inline constexpr std::int64_t samples_a_cell = 16, least_samples = 4096;
-/// A cell with more shapes was missed by the sample, and is planned on its own.
-inline constexpr std::int64_t crowded_cell = 4096;
-inline constexpr int deepest_tier = 24;
-/// Slices of the items, each with counts of its own, so that a slice's shapes have the same places whoever places them.
-inline constexpr std::int64_t most_slices = 32, slice_items = 4096;
-inline constexpr std::int64_t record_bytes = sizeof(Record) + 4;
-
-constexpr int levels_for(std::int64_t items, std::int64_t cell) noexcept {
-  int levels = 0;
-  while ((cell << levels) < items) ++levels;
-  return levels;
-}
-constexpr std::int64_t slices_for(std::int64_t items) noexcept {
-  const std::int64_t slices = items / slice_items;
-  return slices < 1 ? 1 : slices > most_slices ? most_slices : slices;
-}
-
-/// A run of items without places: those listed at [begin, begin + count).
-struct Run {
-  std::int64_t begin, count, within;  // `within` so many was the run it comes from
-  std::int32_t depth;
-  bool crowded;
-};
-
-/// What the steps of a build hand on.
-struct State {
-  char magic[8];
-  std::int64_t items, slices, runs;
-  std::int32_t levels, whole;  // `whole`: all in one frame
-  std::int64_t used, blocks, placed, left_out;
-  double bounds[4];
-};
-inline constexpr char state_magic[8] = {'V', 'E', 'S', 'B', 'U', 'I', 'L', 'D'};
-
-/// Where things lie in the scratch.
-struct Layout {
-  std::int64_t cells, samples, state, node, cell, frame, counts, positions, runs, record, item_cell, list, bytes;
-
-  static constexpr Layout of(std::int64_t items) noexcept {
-    Layout l{};
-    l.cells = std::int64_t{1} << levels_for(items, full_cell);
-    l.samples = samples_a_cell * l.cells < least_samples ? least_samples : samples_a_cell * l.cells;
-    const std::int64_t tables = l.cells + 4096, rows = slices_for(items) * (l.cells + residues) + 4096;
-    std::int64_t at = 0;
-    const auto take = [&at](std::int64_t size) {
-      const std::int64_t begin = at;
-      at += round_up(size);
-      return begin;
-    };
-    l.state = take(sizeof(State));
-    l.node = take(tables * 8);
-    l.cell = take(tables * static_cast<std::int64_t>(sizeof(Cell)));
-    l.frame = take(tables * static_cast<std::int64_t>(sizeof(Frame)));
-    l.counts = take(rows * 4);
-    l.positions = take(rows * 8);
-    l.runs = take((items / crowded_cell + 4 * deepest_tier) * static_cast<std::int64_t>(sizeof(Run)));
-    // Samples, and as many to part them with, lie where records will.
-    const std::int64_t sample_bytes =
-        2 * (l.samples < items ? l.samples : items) * static_cast<std::int64_t>(sizeof(Sample));
-    l.record = take(items * 8 > sample_bytes ? items * 8 : sample_bytes);
-    l.item_cell = take(items * 4);
-    l.list = take(items * 4);
-    l.bytes = at;
-    return l;
-  }
-};
 
 class Builder {
  public:
@@ -134,7 +64,7 @@ class Builder {
       const Run run = at<Run>(layout_.runs, --s.runs);
       build_run(run);
     }
-    write_directory();
+    write_directory(index_, {s.items, s.placed, s.blocks, s.used});
   }
 
  private:
@@ -445,113 +375,11 @@ class Builder {
     at<Cell>(layout_.cell) = cell_of(at<Frame>(layout_.frame));
   }
 
-  /// Places of blocks, the tree over them, and the header.
-  void write_directory() noexcept {
-    const State& s = state();
-    auto* places = reinterpret_cast<std::uint32_t*>(index_ + s.used);
-    const std::int64_t places_bytes = round_up(s.blocks * 4);
-    std::memset(places, 0, static_cast<std::size_t>(places_bytes));
-    std::int64_t at_byte = sizeof(Header);
-    for (std::int64_t b = 0; b < s.blocks; ++b) {
-      places[b] = static_cast<std::uint32_t>(at_byte / alignment);
-      at_byte += block_bytes(reinterpret_cast<const Block*>(index_ + at_byte)->count);
-    }
-    Header header{};
-    std::memcpy(header.magic, magic, sizeof magic);
-    header.byte_order = byte_order_mark;
-    header.version = format_version;
-    header.items = s.items;
-    header.placed = s.placed;
-    header.blocks = s.blocks;
-    header.places = s.used;
-    header.tree = s.used + places_bytes;
-    header.size = header.tree + tree_nodes(s.blocks) * static_cast<std::int64_t>(sizeof(Node));
-    std::memcpy(index_, &header, sizeof header);
-    write_tree(header);
-    std::memcpy(index_, &header, sizeof header);
-    header.checksum = checksum(View(index_));
-    std::memcpy(index_, &header, sizeof header);
-  }
-
-  static void box_of(const Block& block, double (&box)[4]) noexcept {
-    const std::int64_t q[4] = {block.box.min_x, block.box.min_y, block.box.max_x + 1, block.box.max_y + 1};
-    for (int i = 0; i < 4; ++i) {
-      const Frame& f = block.frame;
-      // Exact, or infinite.
-      box[i] = static_cast<double>(q[i] + f.k[i & 1]) * power_of_two(f.p[i & 1]);
-    }
-  }
-
-  static void set_child(Node& node, std::int64_t child, const double (&box)[4]) noexcept {
-    node.min_x[child] = box[0];
-    node.min_y[child] = box[1];
-    node.max_x[child] = box[2];
-    node.max_y[child] = box[3];
-  }
-
-  /// Level by level; writes the bounds of everything to the header.
-  void write_tree(Header& header) noexcept {
-    constexpr double infinity = __builtin_inf();
-    const double nothing[4] = {infinity, infinity, -infinity, -infinity};
-    const View view(index_);
-    auto* node = reinterpret_cast<Node*>(index_ + header.tree);
-    double box[4];
-    std::memcpy(header.bounds, nothing, sizeof nothing);
-    const Node* below = nullptr;
-    for (std::int64_t children = header.blocks; children > 0;) {
-      const std::int64_t nodes = nodes_above(children);
-      for (std::int64_t c = 0; c < nodes * node_children; ++c) {
-        std::memcpy(box, nothing, sizeof nothing);
-        if (c < children && below == nullptr) box_of(view.block(c), box);
-        if (c < children && below != nullptr) around(below[c], box);
-        set_child(node[c / node_children], c % node_children, box);
-      }
-      if (nodes == 1) {
-        around(node[0], box);
-        std::memcpy(header.bounds, box, sizeof box);
-        break;
-      }
-      below = node;
-      node += nodes;
-      children = nodes;
-    }
-  }
-
-  static void around(const Node& node, double (&box)[4]) noexcept {
-    constexpr double infinity = __builtin_inf();
-    box[0] = box[1] = infinity;
-    box[2] = box[3] = -infinity;
-    for (int i = 0; i < node_children; ++i) {
-      box[0] = node.min_x[i] < box[0] ? node.min_x[i] : box[0];
-      box[1] = node.min_y[i] < box[1] ? node.min_y[i] : box[1];
-      box[2] = node.max_x[i] > box[2] ? node.max_x[i] : box[2];
-      box[3] = node.max_y[i] > box[3] ? node.max_y[i] : box[3];
-    }
-  }
-
   const Kernels& kernels_;
   const Sets& sets_;
   unsigned char* index_;
   unsigned char* scratch_;
   Layout layout_;
-};
-
-/// Sums that every 8 bytes change in a way of their own.
-class Sum {
- public:
-  void add(const void* data, std::int64_t bytes) noexcept {
-    const auto* at = static_cast<const unsigned char*>(data);
-    for (std::int64_t i = 0; i + 8 <= bytes; i += 8) {
-      std::uint64_t word;
-      std::memcpy(&word, at + i, 8);
-      sum_ = (sum_ ^ word) * 0x9e3779b97f4a7c15u;
-      sum_ ^= sum_ >> 29;
-    }
-  }
-  std::uint64_t value() const noexcept { return sum_; }
-
- private:
-  std::uint64_t sum_ = 0x243f6a8885a308d3u;
 };
 
 }  // namespace
@@ -572,20 +400,6 @@ bool build_step(const Kernels& kernels, const Sets& sets, int step, std::int64_t
   if (step == 3) builder.finish_part(part, parts);
   if (step == 4) builder.conclude();
   return true;
-}
-
-std::uint64_t checksum(const View& view) noexcept {
-  Sum sum;
-  Header header = view.header();
-  header.checksum = 0;
-  sum.add(&header, sizeof header);
-  for (std::int64_t i = 0; i < view.blocks(); ++i) {
-    const Block& block = view.block(i);
-    sum.add(&block, static_cast<std::int64_t>(sizeof block) + leaf_row(block.leaves) * 8);
-  }
-  const auto* bytes = reinterpret_cast<const unsigned char*>(&view.header());
-  sum.add(bytes + header.places, header.size - header.places);
-  return sum.value();
 }
 
 }  // namespace vesica::index

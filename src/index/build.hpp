@@ -21,7 +21,4 @@ std::int64_t scratch_bound(std::int64_t items) noexcept;
 bool build_step(const Kernels& kernels, const Sets& sets, int step, std::int64_t part, std::int64_t parts, void* index,
                 void* scratch) noexcept;
 
-/// Of header, blocks' fields, places and tree, with 0 for the checksum itself.
-std::uint64_t checksum(const View& view) noexcept;
-
 }  // namespace vesica::index

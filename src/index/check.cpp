@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "index/build.hpp"
+#include "index/directory.hpp"
 
 namespace vesica::index {
 
