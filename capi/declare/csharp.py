@@ -3,7 +3,7 @@
 
 Structs of doubles have the plain name, those of floats end on F, as those of System.Drawing do.
 """
-from description import HEAD, SCALARS, WIDTH, broken, camel, filled
+from description import ENUMS, HEAD, SCALARS, WIDTH, broken, camel, filled
 
 OPENING = "".join(f"// {line}\n" for line in HEAD)
 SHAPES = ("point", "segment", "circle", "aabb", "rect", "ellipse")
@@ -13,17 +13,6 @@ NUMBERS = {
     "ptrdiff_t": "IntPtr",
     "double": "double",
     "float": "float",
-}
-ENUMS = {
-    "KINDS": ("Kind", "The six kinds of shapes."),
-    "RELATIONS": ("Relation", "How a shape a relates to a shape b: the eight relations of RCC-8."),
-    "JOINS": ("JoinQuery", "What makes item a of one index and item b of another a pair of a join."),
-    "RATIOS": ("Ratio", "What a shared area is compared with."),
-    "ANGLES": ("Angle", "How angles are told. They turn from +x towards +y."),
-    "DECAYS": ("Decay", "How soft suppression lowers scores."),
-    "WITHINS": ("Within", "Whether two shapes are at most so far apart."),
-    "CASTS": ("Cast", "What a cast finds."),
-    "ERRORS": ("ErrorCode", "Why the library has no answer."),
 }
 KEYWORDS = {"out": "output"}
 

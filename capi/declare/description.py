@@ -24,6 +24,18 @@ PREFIXES = {
     "VERSION": "VERSIONS",
     "WITHIN_": "WITHINS",
 }
+#: Groups that languages have an enum for: its name, and what it tells.
+ENUMS = {
+    "KINDS": ("Kind", "The six kinds of shapes."),
+    "RELATIONS": ("Relation", "How a shape a relates to a shape b: the eight relations of RCC-8."),
+    "JOINS": ("JoinQuery", "What makes item a of one index and item b of another a pair of a join."),
+    "RATIOS": ("Ratio", "What a shared area is compared with."),
+    "ANGLES": ("Angle", "How angles are told. They turn from +x towards +y."),
+    "DECAYS": ("Decay", "How soft suppression lowers scores."),
+    "WITHINS": ("Within", "Whether two shapes are at most so far apart."),
+    "CASTS": ("Cast", "What a cast finds."),
+    "ERRORS": ("ErrorCode", "Why the library has no answer."),
+}
 SCALARS = {"f64": "double", "f32": "float"}
 #: The longest line of what is written.
 WIDTH = 120

@@ -4,7 +4,7 @@
 A pointer is an Object in Java: an array or a direct buffer, lent to C for the time of the call. An array of shapes is
 five arguments: kind, count, stride, the bytes from one number to the next, and the memory.
 """
-from description import HEAD, SCALARS, WIDTH, broken, camel, filled
+from description import ENUMS, HEAD, SCALARS, WIDTH, broken, camel, filled
 
 OPENING = "".join(f"// {line}\n" for line in HEAD)
 PACKAGE = OPENING + "package vesica;\n\n"
@@ -23,17 +23,6 @@ JNI = {
 }
 VIEW = (("int", "Kind"), ("long", "Count"), ("long", "Stride"), ("long", "Step"), ("Object", "Base"))
 SETS = (("int[]", "Kinds"), ("long[]", "Counts"), ("long[]", "Strides"), ("long[]", "Steps"), ("Object[]", "Bases"))
-ENUMS = {
-    "KINDS": ("Kind", "The six kinds of shapes."),
-    "RELATIONS": ("Relation", "How a shape a relates to a shape b: the eight relations of RCC-8."),
-    "JOINS": ("JoinQuery", "What makes item a of one index and item b of another a pair of a join."),
-    "RATIOS": ("Ratio", "What a shared area is compared with."),
-    "ANGLES": ("Angle", "How angles are told. They turn from +x towards +y."),
-    "DECAYS": ("Decay", "How soft suppression lowers scores."),
-    "WITHINS": ("Within", "Whether two shapes are at most so far apart."),
-    "CASTS": ("Cast", "What a cast finds."),
-    "ERRORS": ("ErrorCode", "Why the library has no answer."),
-}
 
 
 def escaped(text):

@@ -119,6 +119,12 @@ std::vector<std::optional<Shape>> others(const Shape& shape, Scalar scalar) {
 
 }  // namespace
 
+int random_exponent(Scalar scalar, Random& random) {
+  const int many = scalar == Scalar::f32 ? 60 : 600;
+  const int reach = random.chance(0.5) ? 4 : many;
+  return random.integer(-reach, reach);
+}
+
 Shape mirrored(const Shape& shape) {
   Numbers n = shape.numbers;
   n[0] = -n[0];

@@ -16,6 +16,13 @@ struct Shape {
   Numbers numbers;
 };
 
+inline Shape first(const Pair& p) { return {p.kind_a, p.a}; }
+inline Shape second(const Pair& p) { return {p.kind_b, p.b}; }
+inline Pair pair_of(const Shape& a, const Shape& b) { return {a.kind, b.kind, a.numbers, b.numbers}; }
+
+/// A power of two to scale by: half of the time one near 1, else any that may be exact.
+int random_exponent(Scalar scalar, Random& random);
+
 // The same set of points moved.
 Shape mirrored(const Shape& shape);  // (x, y) -> (-x, y)
 Shape turned(const Shape& shape);    // (x, y) -> (-y, x)

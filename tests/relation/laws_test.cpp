@@ -30,10 +30,6 @@ using namespace properties;
 constexpr int cases_per_workload = 400;
 constexpr int most_printed = 3;
 
-Shape first(const Pair& p) { return {p.kind_a, p.a}; }
-Shape second(const Pair& p) { return {p.kind_b, p.b}; }
-Pair pair_of(const Shape& a, const Shape& b) { return {a.kind, b.kind, a.numbers, b.numbers}; }
-
 class RelationLaws : public testing::TestWithParam<Kinds> {
  protected:
   /// Counts the law as applied, and reports when the answer about the changed pair is not the one it demands.
@@ -69,13 +65,6 @@ class RelationLaws : public testing::TestWithParam<Kinds> {
   std::map<std::string, int> applied_;
   int broken_ = 0;
 };
-
-/// Half of the time a few powers of two, else many.
-int random_exponent(Scalar scalar, Random& random) {
-  const int many = scalar == Scalar::f32 ? 60 : 600;
-  const int reach = random.chance(0.5) ? 4 : many;
-  return random.integer(-reach, reach);
-}
 
 void RelationLaws::one_pair(const Pair& p, std::int32_t answer) {
   const Scalar scalar = GetParam().scalar;
