@@ -27,7 +27,7 @@ struct CheckedMixed {
 };
 struct CheckedEllipses {
   template <class V>
-  VESICA_INLINE static auto filter(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
+  VESICA_INLINE static auto filter(const filter::SquaredEllipse<V>& e, const filter::SquaredEllipse<V>& f) noexcept {
     return filter::unit_contact_cubic(e, f, Everywhere{});
   }
 };
@@ -54,7 +54,8 @@ template <template <class> class One, template <class> class Many, class T>
   const One<V> one = LaneOperand<One, T, true>(in_order ? block.first : block.second).shape;
   if (!askable<One, Many>(one, V(block.extent))) return {0, row_is_unusable};
   if constexpr (is_ellipse<One> && is_ellipse<Many>) {
-    return answer_whole(CheckedEllipses{}, RowOperand<Ellipse<V>>{one}, LaneOperand<Ellipse, T, false>(many), block);
+    return answer_whole(CheckedEllipses{}, RowOperand<filter::SquaredEllipse<V>>{filter::squared(one)},
+                        LaneOperand<filter::SquaredEllipse, T, false>(many), block);
   } else if constexpr (is_ellipse<Many>) {
     return answer_whole(CheckedMixed{}, RowOperand<Rect<V>>{one}, LaneOperand<filter::PreparedEllipse, T, false>(many),
                         block);
@@ -75,13 +76,18 @@ VESICA_INLINE typename V::Element widest(V x, bool greatest) noexcept {
   return lane[0];
 }
 
+template <class T, class... V>
+VESICA_INLINE void store_columns(T* to, std::int32_t stride, V... column) noexcept {
+  ((column.store(to), to += stride), ...);
+}
+
 /// Looks at the columns of a block of at least a vector: whether a checked kernel may be asked of them. It then writes
-/// their extent to the block; and where ellipses are prepared, the numbers after the centre to `space`, a column after
-/// each `stride` numbers, which take the place of the block's own.
+/// their extent to the block. Columns of prepared ellipses go to `space`, one after each `stride` numbers, and the block
+/// has them in place of its own.
 template <template <class> class One, template <class> class Many, class T>
 [[gnu::noinline]] bool look(Block<T>& block, T* space, std::int32_t stride) noexcept {
   using V = LanesOf<T>;
-  constexpr bool prepares = !is_ellipse<One> && is_ellipse<Many>;
+  constexpr int prepared_columns = !is_ellipse<Many> ? 0 : is_ellipse<One> ? 2 : 4;
   Unaligned<T>* const field = kind_of<One> <= kind_of<Many> ? block.second : block.first;
   const LaneOperand<Many, T, false> many(field);
   if (block.count < V::width) return false;
@@ -91,16 +97,16 @@ template <template <class> class One, template <class> class Many, class T>
     const auto shape = many.at(i);
     if (!all(filter::checked(shape))) return false;
     extent = is_ellipse<Many> ? min(extent, filter::extent(shape)) : max(extent, filter::extent(shape));
-    if constexpr (prepares) {
-      const auto p = filter::prepared(shape);
-      const V numbers[] = {p.mean, p.swing_cos, p.swing_sin, p.r};
-      for (int k = 0; k < 4; ++k) numbers[k].store(space + k * stride + i);
+    if constexpr (prepared_columns == 2) {
+      const auto e = filter::squared(shape);
+      store_columns(space + i, stride, e.aa, e.bb);
+    } else if constexpr (prepared_columns == 4) {
+      const auto e = filter::prepared(shape);
+      store_columns(space + i, stride, e.mean, e.swing_cos, e.swing_sin, e.r);
     }
   }
   block.extent = widest(extent, !is_ellipse<Many>);
-  if constexpr (prepares) {
-    for (int k = 0; k < 4; ++k) field[2 + k] = space + k * stride;
-  }
+  for (int k = 0; k < prepared_columns; ++k) field[6 - prepared_columns + k] = space + k * stride;
   return true;
 }
 

@@ -32,7 +32,7 @@ class CheckedBoxBox {
     const V gap_a = max((p0 - b.hx * c) - b.hy * s, (p1 - b.hx * s) - b.hy * c);
     const V gap_b = max((q0 - a.hx * c) - a.hy * s, (q1 - a.hx * s) - a.hy * c);
     const V gap = max(gap_a, gap_b);
-    return Verdict<decltype(gap > bound_)>{gap < V(0.0f) - bound_, gap > bound_};
+    return Verdict<decltype(gap > bound_)>{gap<V(0.0f) - bound_, gap> bound_};
   }
 
  private:

@@ -23,8 +23,12 @@ struct PreparedEllipse {
 template <class V>
 VESICA_INLINE PreparedEllipse<V> prepared(const Ellipse<V>& e) noexcept {
   const V r = e.a * e.b, swing = ((e.a - e.b) * (e.a + e.b)) / r, half(0.5f);
-  return {e.cx, e.cy, (half * (e.a * e.a + e.b * e.b)) / r, (half * swing) * ((e.ux - e.uy) * (e.ux + e.uy)),
-          swing * (e.ux * e.uy), r};
+  return {e.cx,
+          e.cy,
+          (half * (e.a * e.a + e.b * e.b)) / r,
+          (half * swing) * ((e.ux - e.uy) * (e.ux + e.uy)),
+          swing * (e.ux * e.uy),
+          r};
 }
 
 /// Nothing that is computed of such shapes overflows: the highest degree in offsets and sizes is two.
@@ -41,8 +45,7 @@ template <class V>
 VESICA_INLINE auto checked(const Rect<V>& r) noexcept {
   Guard<V> guard;
   require_unit_axes(guard, r);
-  return both(guard.holds(), both(both(below_2_32(r.cx), below_2_32(r.cy)),
-                                  both(in_size(r.hx), in_size(r.hy))));
+  return both(guard.holds(), both(both(below_2_32(r.cx), below_2_32(r.cy)), both(in_size(r.hx), in_size(r.hy))));
 }
 template <class V>
 VESICA_INLINE auto checked(const Ellipse<V>& e) noexcept {

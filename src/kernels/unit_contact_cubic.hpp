@@ -51,18 +51,27 @@ VESICA_INLINE void require_moderate(Guard<V>& guard, const Ellipse<V>& e) noexce
   guard.within(guard_power<T, -6>(), guard_power<T, 10>(), e.a).near_in_size(e.a, e.b);
 }
 
+/// An ellipse with the squares of its half lengths.
+template <class V>
+struct SquaredEllipse {
+  V cx, cy, ux, uy, aa, bb;
+};
+template <class V>
+VESICA_INLINE SquaredEllipse<V> squared(const Ellipse<V>& e) noexcept {
+  return {e.cx, e.cy, e.ux, e.uy, e.a * e.a, e.b * e.b};
+}
+
 /// The cubic of two ellipses of which both hold what require_moderate() and require_unit_axes() ask.
 template <class V, class Usable>
-VESICA_INLINE UnitCubic<V, Usable> unit_contact_cubic(const Ellipse<V>& e, const Ellipse<V>& f,
+VESICA_INLINE UnitCubic<V, Usable> unit_contact_cubic(const SquaredEllipse<V>& e, const SquaredEllipse<V>& f,
                                                       Usable usable) noexcept {
-  const Centre<V> d = offset(place(e), place(f));
+  const V dx = f.cx - e.cx, dy = f.cy - e.cy;
   const V c = e.ux * f.ux + e.uy * f.uy, s = e.ux * f.uy - e.uy * f.ux;
-  const V x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x;
-  const V y0 = f.ux * d.x + f.uy * d.y, y1 = f.ux * d.y - f.uy * d.x;
-  const V a0 = e.a * e.a, a1 = e.b * e.b, b0 = f.a * f.a, b1 = f.b * f.b;
-  const V mu = (c * c) * (a0 * b1 + a1 * b0) + (s * s) * (a0 * b0 + a1 * b1);
-  const V al = a1 * (x0 * x0) + a0 * (x1 * x1), be = b1 * (y0 * y0) + b0 * (y1 * y1);
-  return {V(1.0f), a0 * a1, mu, b0 * b1, al, be, usable};
+  const V x0 = e.ux * dx + e.uy * dy, x1 = e.ux * dy - e.uy * dx;
+  const V y0 = f.ux * dx + f.uy * dy, y1 = f.ux * dy - f.uy * dx;
+  const V mu = (c * c) * (e.aa * f.bb + e.bb * f.aa) + (s * s) * (e.aa * f.aa + e.bb * f.bb);
+  const V al = e.bb * (x0 * x0) + e.aa * (x1 * x1), be = f.bb * (y0 * y0) + f.aa * (y1 * y1);
+  return {V(1.0f), e.aa * e.bb, mu, f.aa * f.bb, al, be, usable};
 }
 template <class V>
 VESICA_INLINE auto unit_contact_cubic(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
@@ -70,7 +79,7 @@ VESICA_INLINE auto unit_contact_cubic(const Ellipse<V>& e, const Ellipse<V>& f) 
   require_unit_axes(guard, e, f);
   require_moderate(guard, e);
   require_moderate(guard, f);
-  return unit_contact_cubic(e, f, guard.holds());
+  return unit_contact_cubic(squared(e), squared(f), guard.holds());
 }
 
 /// With x = t / r^2, times r^2: g = r^2, d1 = P Q, mu = P + Q, d2 = 1, be = |D|^2. Radii from 2^-6 to 2^10.
