@@ -22,8 +22,8 @@ namespace vesica::filter {
 ///   the difference: two of what is within r Q
 /// Of a segment that gives a wrong answer m <= w and x <= w, computed or true: 120 Q w (T + 0.4w). The ellipse then meets
 /// the segment, or the computed p00 >= 1/17 lets |ky| exceed hy by at most a + sqrt(r / p00) <= 2 max(a, b), so that
-/// T <= 2H + 3w. With 2H w <= H^2 + w^2 that is 120u Q (H^2 + 4.4 Q r), or with mean = Q / 2 u mean (240 H^2 + 2112 r mean);
-/// 320 and 2816 leave room for the second order of float while H <= 2^12 (a + b), so that T <= 11,600 w.
+/// T <= 2H + 3w. With 2H w <= H^2 + w^2 that is 120u Q (H^2 + 4.4 Q r), which is u mean (240 H^2 + 2112 r mean), mean
+/// being Q / 2; 320 and 2816 leave room for the second order of float while H <= 2^12 (a + b), so that T <= 11,600 w.
 template <class V>
 VESICA_INLINE auto checked_box_ellipse(const Rect<V>& box, const PreparedEllipse<V>& e) noexcept {
   const V dx = e.cx - box.cx, dy = e.cy - box.cy, zero(0.0f);

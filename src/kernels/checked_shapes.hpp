@@ -11,9 +11,9 @@
 
 namespace vesica::filter {
 
-/// An ellipse as rectangles are asked about it, in units of r = a b: half the trace of its matrix, and that matrix's
-/// deviator by the double angle of the axis. With c, s the axis in another frame of unit axes, p00 = r (mean + swing), and
-/// swing = mean_cos (double angle's cosine of the frame) + mean_sin (its sine).
+/// An ellipse as rectangles are asked about it: half the trace of its matrix, and the rest of that matrix by the double
+/// angle of its axis, all over r = a b. In a frame at angle t the squared half extents are r (mean + swing) and
+/// r (mean - swing), swing being swing_cos cos 2t + swing_sin sin 2t.
 template <class V>
 struct PreparedEllipse {
   V cx, cy, mean, swing_cos, swing_sin, r;
@@ -31,7 +31,8 @@ VESICA_INLINE PreparedEllipse<V> prepared(const Ellipse<V>& e) noexcept {
           r};
 }
 
-/// Nothing that is computed of such shapes overflows: the highest degree in offsets and sizes is two.
+/// Coordinates and sizes of which nothing that is computed overflows: at most the square of an offset times that of a
+/// half length, which is below 2^10.
 template <class V>
 VESICA_INLINE auto below_2_32(V x) noexcept {
   return abs(x) < guard_power<V, 32>();

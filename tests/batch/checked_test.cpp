@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows of a matrix against a block that was looked at as a whole. What such a kernel decides must be right however near to
-// contact a pair is, whatever the sizes beside it; it must leave little undecided; and a matrix must have the same bytes
-// where it cannot be asked.
+// Rows of a matrix against a block that was looked at as a whole. What such a kernel decides must be right however near
+// to contact a pair is, whatever the sizes beside it; it must leave little undecided; and a matrix must have the same
+// bytes where it cannot be asked.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -85,18 +85,28 @@ properties::Numbers resized(properties::Numbers shape, int k) {
   return shape;
 }
 
-/// Shapes that touch `a`, each then moved or grown by up to 2^`most` places of one number.
+/// A shape that a look takes: its axis as it is made, an ellipse no thinner than 1 : 12.
 template <class T>
-std::vector<Numbers<T>> at_contact(const Case& c, const properties::Numbers& a, int n, int decades, int most,
+properties::Numbers taken_shape(int kind, int spread, properties::Random& draw) {
+  properties::Numbers shape = resized(unit_shape(kind, scalar_of<T>, draw), draw.integer(-spread, spread));
+  if (kind == VESICA_ELLIPSE) shape[5] = std::max(shape[5], shape[4] / 12);
+  return properties::nearest_shape(scalar_of<T>, kind, shape);
+}
+
+/// Shapes that touch `a`, each then moved or grown by up to 2^14 places of one number.
+template <class T>
+std::vector<Numbers<T>> at_contact(const Case& c, const properties::Numbers& a, int n, int spread,
                                    properties::Random& draw) {
   std::vector<Numbers<T>> many;
   for (int i = 0; i < n; ++i) {
-    properties::Numbers b = resized(unit_shape(c.kind_b, scalar_of<T>, draw), draw.integer(-decades, decades));
+    const properties::Numbers made = taken_shape<T>(c.kind_b, spread, draw);
+    properties::Numbers b = made;
     b[0] += a[0];
     b[1] += a[1];
     b = brought_to_contact(scalar_of<T>, c, a, b, draw);
+    std::copy_n(made.begin() + 2, 4, b.begin() + 2);
     double& number = b[static_cast<std::size_t>(draw.chance(0.5) ? draw.below(2) : draw.integer(4, 5))];
-    const int places = 1 << draw.integer(0, most);
+    const int places = 1 << draw.integer(0, 14);
     number = properties::at_ordinal(
         scalar_of<T>,
         properties::ordinal(scalar_of<T>, properties::nearest(scalar_of<T>, number)) + draw.integer(-places, places));
@@ -116,13 +126,13 @@ TEST_P(Checked, DecidesNoContactWrongly) {
     int decided = 0, asked = 0, wrong = 0;
     for (int round = 0; round < 40 * properties::repeat(); ++round) {
       const int spread = round % 2 == 0 ? 0 : 3;
-      properties::Numbers a = resized(unit_shape(c.kind_a, scalar_of<T>, draw), draw.integer(-spread, spread));
+      properties::Numbers a = taken_shape<T>(c.kind_a, spread, draw);
       if (round % 4 > 1) a[0] += 1000;
       a = properties::nearest_shape(scalar_of<T>, c.kind_a, a);
       const Numbers<T> one = to_scalar<T>(a);
-      const std::vector<Numbers<T>> many = at_contact<T>(c, a, 3 * c.set->lanes(T{}), spread, 14, draw);
+      const std::vector<Numbers<T>> many = at_contact<T>(c, a, 3 * c.set->lanes(T{}), spread, draw);
       const Said<T> said = ask<T>(c, one, many);
-      if (!said.looked || !said.row_taken) continue;  // an ellipse that places made too thin
+      ASSERT_TRUE(said.looked && said.row_taken);
       for (std::size_t i = 0; i < many.size(); ++i) {
         ++asked;
         if (!said.known[i]) continue;
@@ -132,13 +142,12 @@ TEST_P(Checked, DecidesNoContactWrongly) {
       }
     }
     EXPECT_EQ(wrong, 0) << "seed " << properties::seed();
-    EXPECT_GT(asked, 500);
     EXPECT_GT(decided, asked / 20) << "of " << asked;
   });
 }
 
-/// Places and sizes of ordinary data: sides or half lengths from `least` to `most`, aspects up to 4, centres within `room`
-/// of a point.
+/// Places and sizes of ordinary data: the longer half size or length from `least` to `most`, aspects up to 4, centres
+/// within `room` of a point.
 struct Ordinary {
   const char* name;
   double least, most, room, away;
@@ -162,8 +171,8 @@ std::vector<Numbers<T>> shapes_of(const Ordinary& data, int kind, int n, propert
   return shapes;
 }
 
-/// A block of float leaves a thousandth undecided at most, of double none. Where centres are of few digits, as pixels
-/// are, contacts are no rarer.
+/// Of float a thousandth at most, of double none. But a rectangle and an ellipse a thousandth of its size have a bound that
+/// is too wide for float: such blocks are left to the other kernels.
 TEST_P(Checked, LeavesLittleUndecided) {
   in_its_scalar([this]<class T>(T) {
     const Case& c = GetParam();
@@ -178,8 +187,8 @@ TEST_P(Checked, LeavesLittleUndecided) {
         ASSERT_TRUE(said.looked && said.row_taken) << data.name;
         undecided += said.undecided();
       }
-      RecordProperty(data.name, undecided);
-      EXPECT_LE(undecided, sizeof(T) == sizeof(float) ? rows * n / 1000 : 0) << data.name;
+      const bool too_unlike = c.kind_a != c.kind_b && data.most / data.least > 100;
+      EXPECT_LE(undecided, sizeof(T) == sizeof(double) ? 0 : rows * n / (too_unlike ? 32 : 1000)) << data.name;
     }
   });
 }
@@ -214,7 +223,7 @@ TEST_P(Checked, MatrixIsRightWithOddShapes) {
     constexpr int rows = 6;
     const auto shapes = [&](int kind, int n) {
       std::vector<Numbers<T>> made;
-      for (int i = 0; i < n; ++i) made.push_back(to_scalar<T>(unit_shape(kind, scalar_of<T>, draw)));
+      for (int i = 0; i < n; ++i) made.push_back(to_scalar<T>(taken_shape<T>(kind, 0, draw)));
       return made;
     };
     for (const Odd odd : all_odd) {
@@ -227,7 +236,7 @@ TEST_P(Checked, MatrixIsRightWithOddShapes) {
         expect_matrix<T>(c, a, b, what + ", a row");
         column = made_odd(column, odd, draw);
         expect_matrix<T>(c, a, b, what + ", a row and a column");
-        row = to_scalar<T>(unit_shape(c.kind_a, scalar_of<T>, draw));
+        row = to_scalar<T>(taken_shape<T>(c.kind_a, 0, draw));
         expect_matrix<T>(c, a, b, what + ", a column");
       }
     }
@@ -242,10 +251,10 @@ TEST_P(Checked, MatrixIsRightAtEveryLength) {
     properties::Random draw(properties::seed());
     for (int n = 1; n <= 3 * c.set->lanes(T{}) + 1; ++n) {
       std::vector<Numbers<T>> rows;
-      const properties::Numbers first = unit_shape(c.kind_a, scalar_of<T>, draw);
-      const std::vector<Numbers<T>> columns = at_contact<T>(c, first, n, 1, 4, draw);
+      const properties::Numbers first = taken_shape<T>(c.kind_a, 0, draw);
+      const std::vector<Numbers<T>> columns = at_contact<T>(c, first, n, 1, draw);
       for (int i = 0; i < 3 + n % 4; ++i) {
-        rows.push_back(to_scalar<T>(i % 4 == 0 ? first : unit_shape(c.kind_a, scalar_of<T>, draw)));
+        rows.push_back(to_scalar<T>(i % 4 == 0 ? first : taken_shape<T>(c.kind_a, 0, draw)));
       }
       expect_matrix<T>(c, rows, columns, std::to_string(n) + " columns at contact");
     }
@@ -262,10 +271,10 @@ TEST_P(Checked, MatrixIsRightWithOneOfAnotherScale) {
     for (const int exponent :
          {-140 * range, -80 * range, -20 * range, -5, 5, 9, 20, 31 * range, 33 * range, 100 * range}) {
       for (const bool far_away : {false, true}) {
-        const properties::Numbers first = unit_shape(c.kind_a, scalar_of<T>, draw);
-        std::vector<Numbers<T>> rows, columns = at_contact<T>(c, first, 5 * c.set->lanes(T{}), 0, 2, draw);
+        const properties::Numbers first = taken_shape<T>(c.kind_a, 0, draw);
+        std::vector<Numbers<T>> rows, columns = at_contact<T>(c, first, 5 * c.set->lanes(T{}), 0, draw);
         for (int i = 0; i < 5; ++i) {
-          rows.push_back(to_scalar<T>(i == 0 ? first : unit_shape(c.kind_a, scalar_of<T>, draw)));
+          rows.push_back(to_scalar<T>(i == 0 ? first : taken_shape<T>(c.kind_a, 0, draw)));
         }
         for (Numbers<T>* one : {&columns.back(), &rows.back()}) {
           for (const std::size_t k : {std::size_t{0}, std::size_t{4}, std::size_t{5}}) {
