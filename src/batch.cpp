@@ -310,11 +310,8 @@ class Rows {
   }
 
   void answer(const Unaligned<T> (&shape)[max_fields], std::uint8_t* out) noexcept {
+    if (usable_ && answer_checked(shape, out)) return;
     set_row(block_, shape, out);
-    if (usable_) {
-      set_row(checked_, shape, out);
-      if (answer_checked()) return;
-    }
     answerer_.answer(block_, repeat_);
   }
 
@@ -338,14 +335,18 @@ class Rows {
 
   /// Each row adds a 512th of its elements to the allowance. Blocks that use more have contacts, or shapes so unlike in
   /// size that one bound does not suit all: they are left to the other kernels.
-  bool answer_checked() noexcept {
+  bool answer_checked(const Unaligned<T> (&shape)[max_fields], std::uint8_t* out) noexcept {
+    set_row(checked_, shape, out);
     const BlockResult result = answer_block(answerer_.question, repeat_, kernels_.answer, checked_);
     if (result.undecided == row_is_unusable) return false;
     allowance_ += checked_.count / 512 - result.undecided;
     usable_ = allowance_ >= 0;
     if (result.undecided > checked_.give_up) return false;
     answerer_.tally.overlaps += result.overlaps;
-    answerer_.finish(block_, repeat_, result.undecided, false);
+    if (result.undecided > 0) {
+      set_row(block_, shape, out);
+      answerer_.finish(block_, repeat_, result.undecided, false);
+    }
     return true;
   }
 };
