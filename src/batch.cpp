@@ -294,6 +294,63 @@ Block<T> make_block(const Numbers* first, const Numbers* second, std::int32_t n,
   return block;
 }
 
+/// Rows of a matrix against one block of columns after another, by the checked kernel where there is one that pays.
+template <class T>
+class Rows {
+ public:
+  Rows(const Question<T>& question, Repeat repeat, typename CheckedKernels<T>::Pair checked) noexcept
+      : answerer_{question, {}}, repeat_(repeat), kernels_(checked) {}
+
+  /// space: room for the columns of a block.
+  void begin(const Block<T>& block, std::int64_t rows, T* space) noexcept {
+    block_ = checked_ = block;
+    checked_.give_up = block.count / 32;
+    allowance_ = few;
+    usable_ = rows >= worth_a_look && kernels_.look != nullptr && kernels_.look(checked_, space, block_size<T>);
+  }
+
+  void answer(const Unaligned<T> (&shape)[max_fields], std::uint8_t* out) noexcept {
+    if (usable_ && answer_checked(shape, out)) return;
+    set_row(block_, shape, out);
+    answerer_.answer(block_, repeat_);
+  }
+
+  const Tally& tally() const noexcept { return answerer_.tally; }
+
+ private:
+  static constexpr std::int64_t worth_a_look = 4;
+
+  Answerer<T> answerer_;
+  Repeat repeat_;
+  typename CheckedKernels<T>::Pair kernels_;
+  Block<T> block_, checked_;
+  bool usable_ = false;
+  std::int32_t allowance_ = 0;  // elements of this block that checked kernels may still leave undecided
+
+  void set_row(Block<T>& block, const Unaligned<T> (&shape)[max_fields], std::uint8_t* out) noexcept {
+    auto& field = repeat_ == Repeat::first ? block.first : block.second;
+    for (int k = 0; k < max_fields; ++k) field[k] = shape[k];
+    block.out = out;
+  }
+
+  /// Each row adds a 512th of its elements to the allowance. Blocks that use more have contacts, or shapes so unlike in
+  /// size that one bound does not suit all: they are left to the other kernels.
+  bool answer_checked(const Unaligned<T> (&shape)[max_fields], std::uint8_t* out) noexcept {
+    set_row(checked_, shape, out);
+    const BlockResult result = answer_block(answerer_.question, repeat_, kernels_.answer, checked_);
+    if (result.undecided == row_is_unusable) return false;
+    allowance_ += checked_.count / 512 - result.undecided;
+    usable_ = allowance_ >= 0;
+    if (result.undecided > checked_.give_up) return false;
+    answerer_.tally.overlaps += result.overlaps;
+    if (result.undecided > 0) {
+      set_row(block_, shape, out);
+      answerer_.finish(block_, repeat_, result.undecided, false);
+    }
+    return true;
+  }
+};
+
 /// Calls done(begin, length, bytes) for each block of n pairs in step, answered into place(begin).
 template <class T, class Place, class Done>
 Tally in_step(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, Place place,
@@ -354,22 +411,23 @@ Tally matrix(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b,
              std::ptrdiff_t row_stride) noexcept {
   const bool in_order = a.kind <= b.kind;
   const Question<T> question(kernels, in_order ? a.kind : b.kind, in_order ? b.kind : a.kind);
-  const Repeat repeat = in_order ? Repeat::first : Repeat::second;
-  Answerer<T> answerer{question, {}};
+  Rows<T> rows(question, in_order ? Repeat::first : Repeat::second, kernels.checked(T{}).pair(a.kind, b.kind));
   Columns<T> row, columns;
   std::int32_t undecided[block_size<T>];
   // A block of b stays in cache while every row passes over it.
   for (std::int64_t begin = 0; begin < b.count; begin += block_size<T>) {
     const std::int32_t length = block_length(b.count - begin, block_size<T>);
     columns.set(b, begin, length);
+    row.set(a, 0, 1);
+    rows.begin(make_block<T>(in_order ? row.field : columns.field, in_order ? columns.field : row.field, length, out,
+                             undecided),
+               a.count, row.copy[0]);  // one shape needs no copy: there is room
     for (std::int64_t i = 0; i < a.count; ++i) {
       row.set(a, i, 1);
-      Block<T> block = make_block<T>(in_order ? row.field : columns.field, in_order ? columns.field : row.field, length,
-                                     out + i * row_stride + begin, undecided);
-      answerer.answer(block, repeat);
+      rows.answer(row.field, out + i * row_stride + begin);
     }
   }
-  return answerer.tally;
+  return rows.tally();
 }
 
 Tally overlap_block(const KernelTable& kernels, std::int32_t kind_first, const double* const* first,

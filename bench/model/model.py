@@ -16,6 +16,7 @@ SHAPES = ('Rect', 'Ellipse', 'Circle')
 PAIRS = (('Rect', 'Rect'), ('Rect', 'Ellipse'), ('Circle', 'Ellipse'), ('Ellipse', 'Ellipse'))
 SCALARS = (('float', 'f32'), ('double', 'f64'))
 KERNEL = re.compile(r'answer_vectors<.*?(\w+), vesica::(\w+), vesica::(\w+), (\w+), \(vesica::Repeat\)(\d)>')
+CHECKED = re.compile(r'answer_checked<vesica::(\w+), vesica::(\w+), (\w+)>')
 YARDSTICK = re.compile(r'answer<vesica::(\w+), vesica::(\w+), (\w+), (\w+)>')
 INSTRUCTION = re.compile(r'^\s*([0-9a-f]+):\s+(\S.*)$')
 JUMP = re.compile(r'^(?:j\w+|b|b\.\w+|cbn?z|tbn?z)\s.*?\b([0-9a-f]+) <')
@@ -39,12 +40,16 @@ def is_vector(text):
 
 
 def hot_loop(code):
-    """The instructions of the smallest loop with nearly all of the vector operations, without loops inside and jumps."""
+    """The instructions of the smallest loop with nearly all of the vector operations, without loops inside and jumps.
+
+    A jump back to a return is no loop.
+    """
     places = {address: i for i, (address, _) in enumerate(code)}
     loops = []
     for i, (_, text) in enumerate(code):
         if (match := JUMP.match(text)) and places.get(int(match[1], 16), i + 1) <= i:
             loops.append((places[int(match[1], 16)], i))
+    loops = [loop for loop in loops if not any(text == 'ret' for _, text in code[loop[0]:loop[1] + 1])]
     count = {loop: sum(is_vector(text) for _, text in code[loop[0]:loop[1] + 1]) for loop in loops}
     most = max(count.values())
     first, last = min((loop for loop in loops if count[loop] >= 0.8 * most), key=lambda loop: loop[1] - loop[0])
@@ -75,6 +80,8 @@ def main(mca, objdump, kernels, yardsticks, *processors):
     for name, code in functions(objdump, kernels).items():
         if match := KERNEL.search(name):
             library[match.groups()] = hot_loop(code)
+        elif match := CHECKED.search(name):
+            library['Checked', *match.groups(), '1'] = hot_loop(code)
     for name, code in functions(objdump, yardsticks).items():
         if match := YARDSTICK.search(name):
             plain[match.groups()] = hot_loop(code)
@@ -85,7 +92,7 @@ def main(mca, objdump, kernels, yardsticks, *processors):
                     # Yardsticks take two vectors an iteration where there are registers: bench/batch/unfiltered/loop.hpp.
                     vectors = 2 if many_registers and (one == 'true' or b == 'Ellipse') else 1
                     base, _ = cycles(mca, architecture, processor, plain[a, b, scalar, one])
-                    for policy in ('UnitAxes', 'General'):
+                    for policy in ('Checked', 'UnitAxes', 'General'):
                         loop = library.get((policy, a, b, scalar, repeat))
                         if loop is None:
                             continue

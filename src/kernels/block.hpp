@@ -3,6 +3,7 @@
 #pragma once
 
 #include "kernels/block_loop.hpp"
+#include "kernels/checked.hpp"
 
 namespace vesica {
 namespace {
@@ -59,6 +60,8 @@ consteval KernelTable make_table(const char* name, const QueryTable& queries, co
   table.widen_column = widen_column;
   fill_pairs<float>(table.f32);
   fill_pairs<double>(table.f64);
+  table.checked_f32 = make_checked_kernels<float>();
+  table.checked_f64 = make_checked_kernels<double>();
   return table;
 }
 

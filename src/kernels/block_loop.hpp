@@ -56,11 +56,12 @@ struct LaneOperand<Shape, T, true> {
 template <class Filter, class First, class Second>
 class Verdicts {
  public:
-  VESICA_INLINE Verdicts(const First& first, const Second& second, std::int32_t) noexcept
-      : first_(first), second_(second) {}
-  VESICA_INLINE auto at(std::int32_t i) noexcept { return Filter::filter(first_.at(i), second_.at(i)); }
+  VESICA_INLINE Verdicts(const Filter& filter, const First& first, const Second& second, std::int32_t) noexcept
+      : filter_(filter), first_(first), second_(second) {}
+  VESICA_INLINE auto at(std::int32_t i) noexcept { return filter_.filter(first_.at(i), second_.at(i)); }
 
  private:
+  const Filter& filter_;
   const First& first_;
   const Second& second_;
 };
@@ -68,10 +69,10 @@ class Verdicts {
 /// Software pipelining, for a filter in two halves. Each half is a long chain of dependent operations, so the first half
 /// of the next vector is computed beside the second half of this one. The processor then has two chains to work on.
 template <class Filter, class First, class Second>
-requires HalfDone<decltype(Filter::filter(std::declval<First>().at(0), std::declval<Second>().at(0)))>
+requires HalfDone<decltype(std::declval<Filter>().filter(std::declval<First>().at(0), std::declval<Second>().at(0)))>
 class Verdicts<Filter, First, Second> {
  public:
-  VESICA_INLINE Verdicts(const First& first, const Second& second, std::int32_t n) noexcept
+  VESICA_INLINE Verdicts(const Filter&, const First& first, const Second& second, std::int32_t n) noexcept
       : first_(first), second_(second), n_(n), next_(half(0)) {}
   VESICA_INLINE auto at(std::int32_t i) noexcept {
     const auto current = next_;
@@ -96,18 +97,17 @@ VESICA_INLINE std::int32_t* append(std::uint32_t open, std::int32_t i, std::int3
 }
 
 /// Answers a whole number of vectors; whoever calls takes care of a rest.
-template <class Filter, template <class> class A, template <class> class B, class T, Repeat repeat>
-[[gnu::noinline]] BlockResult answer_vectors(const Block<T>& block) noexcept {
+template <class Filter, class First, class Second, class T>
+VESICA_INLINE BlockResult answer_whole(const Filter& filter, const First& first, const Second& second,
+                                       const Block<T>& block) noexcept {
   constexpr std::int32_t width = LanesOf<T>::width;
   constexpr std::uint32_t lanes = (1u << width) - 1;
-  const LaneOperand<A, T, repeat == Repeat::first> first(block.first);
-  const LaneOperand<B, T, repeat == Repeat::second> second(block.second);
   const std::int32_t n = block.count;
   std::uint8_t* const out = block.out;
   std::int32_t* list = block.undecided;
   std::int32_t overlaps = 0;
   if (n == 0) return {0, 0};
-  Verdicts<Filter, decltype(first), decltype(second)> verdicts(first, second, n);
+  Verdicts<Filter, First, Second> verdicts(filter, first, second, n);
   for (std::int32_t i = 0; i < n; i += width) {
     const auto verdict = verdicts.at(i);
     store_bytes(verdict.overlap, out + i);
@@ -119,6 +119,13 @@ template <class Filter, template <class> class A, template <class> class B, clas
     }
   }
   return {overlaps, static_cast<std::int32_t>(list - block.undecided)};
+}
+
+template <class Filter, template <class> class A, template <class> class B, class T, Repeat repeat>
+[[gnu::noinline]] BlockResult answer_vectors(const Block<T>& block) noexcept {
+  const LaneOperand<A, T, repeat == Repeat::first> first(block.first);
+  const LaneOperand<B, T, repeat == Repeat::second> second(block.second);
+  return answer_whole(Filter{}, first, second, block);
 }
 
 }  // namespace

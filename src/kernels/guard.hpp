@@ -118,6 +118,13 @@ VESICA_INLINE Mask greater_where(Mask mask, V a, V b) noexcept {
   return both(mask, a > b);
 }
 
+/// In the place of a mask, where a look at the whole block has shown that all lanes are usable.
+struct Everywhere {};
+template <class V>
+VESICA_INLINE auto greater_where(Everywhere, V a, V b) noexcept {
+  return a > b;
+}
+
 }  // namespace
 
 namespace filter {
@@ -132,11 +139,11 @@ struct DecidedVerdict {
 /// Where `usable` is set, a gap beyond `bound` times 2^n roundoffs decides, and its sign says how: negative is overlap.
 /// The bound is 2^-100 (double: 2^-800) or more, or NaN. A gap too large to be multiplied by 2^(24 - n) (double:
 /// 2^(53 - n)) decides nothing.
-template <int n, class Mask, class V>
-VESICA_INLINE DecidedVerdict<Mask> decided_by_gap(Mask usable, V gap, V bound) noexcept {
+template <int n, class Usable, class V>
+VESICA_INLINE auto decided_by_gap(Usable usable, V gap, V bound) noexcept {
   constexpr int roundoff_exponent = std::numeric_limits<typename Element<V>::Type>::digits;
-  const Mask decided = greater_where(usable, times_power<roundoff_exponent - n>(abs(gap)), bound);
-  return {greater_where(decided, V(0.0f), gap), decided};
+  const auto decided = greater_where(usable, times_power<roundoff_exponent - n>(abs(gap)), bound);
+  return DecidedVerdict<decltype(V() < V())>{greater_where(decided, V(0.0f), gap), decided};
 }
 
 }  // namespace filter

@@ -20,6 +20,7 @@ struct Block {
   std::uint8_t* out;        // count bytes: 1 where the filter is sure of overlap, else 0
   std::int32_t* undecided;  // room for count indices, ascending
   std::int32_t give_up;     // more undecided than this, and the kernel stops: the caller then asks another way
+  T extent;                 // for checked kernels: what look() found
 };
 
 struct BlockResult {
@@ -52,6 +53,25 @@ struct TieKernels {
   BlockKernel<double> of[kind_count][kind_count];
 };
 
+/// Kernels for one shape, of a row, against a block of columns that was looked at before; by the two kinds, rectangle and
+/// ellipse. Null where there are none.
+template <class T>
+struct CheckedKernels {
+  struct Pair {
+    /// Whether answer() may be asked; checked.hpp says what else it does.
+    bool (*look)(Block<T>& block, T* space, std::int32_t stride) noexcept;
+    /// Leaves row_is_unusable undecided where the row's shape is not as it takes them.
+    BlockKernel<T> answer;
+  };
+  Pair of[2][2];  // the row's kind, the columns'
+
+  Pair pair(std::int32_t one, std::int32_t many) const noexcept {
+    constexpr auto rect = static_cast<std::int32_t>(Kind::rect);
+    return one < rect || many < rect ? Pair{} : of[one - rect][many - rect];
+  }
+};
+inline constexpr std::int32_t row_is_unusable = INT32_MAX;
+
 struct QueryTable;
 
 struct KernelTable {
@@ -62,11 +82,15 @@ struct KernelTable {
   void (*widen_column)(Unaligned<float> from, std::int32_t n, double* to) noexcept;
   ScalarKernels<float> f32;
   ScalarKernels<double> f64;
+  CheckedKernels<float> checked_f32;
+  CheckedKernels<double> checked_f64;
 
   std::int32_t width(float) const noexcept { return width_f32; }
   std::int32_t width(double) const noexcept { return width_f64; }
   const ScalarKernels<float>& of(float) const noexcept { return f32; }
   const ScalarKernels<double>& of(double) const noexcept { return f64; }
+  const CheckedKernels<float>& checked(float) const noexcept { return checked_f32; }
+  const CheckedKernels<double>& checked(double) const noexcept { return checked_f64; }
 };
 
 extern const TieKernels kernels_portable_ties;

@@ -18,11 +18,11 @@ namespace vesica::filter {
 ///   mu = c^2 P + s^2 R: 11u, and 4u |c s|(P + R). |c s| <= mu / (2 sqrt(P R)), and (P + R) / 2 <= 6.1 sqrt(P R), R / P
 ///   being from 2 / k^2 to (k^4 + 1) / (2 k^2): 36u
 ///   al = (b x0)^2 + (a x1)^2: 10u, and 6u (a^2 + b^2)|x0 x1| <= 3u (k + 1 / k) al: 62u
-template <class V>
+template <class V, class Usable>
 struct UnitCubic {
   using Lanes = V;
   V g, d1, mu, d2, al, be;
-  decltype(V() < V()) usable;
+  Usable usable;
 };
 
 /// -p(t) at a t >= 0 that nearly minimises a lower estimate of p, against its error.
@@ -31,8 +31,8 @@ struct UnitCubic {
 /// of their parts, p >= (1 - 40u) q. t minimises q but for an error that enters squared, as filter/contact_cubic.hpp
 /// shows: by 7u h, where h = (g + t)(d1 + mu t + d2 t^2) + t (al + be t). Evaluation errs by 8u h. So p(t) is at most
 /// 70u h above the value, and q nowhere more than (225 + 2 + 7 + 8)u h below it.
-template <class V>
-VESICA_INLINE auto decide(const UnitCubic<V>& p) noexcept {
+template <class V, class Usable>
+VESICA_INLINE auto decide(const UnitCubic<V, Usable>& p) noexcept {
   const V zero(0.0f), three_d2 = V(3.0f) * p.d2;
   const V l1 = (p.d1 + p.g * p.mu) - raised<112>(p.al), l2 = (p.mu + p.g * p.d2) - raised<112>(p.be);
   const V sum = abs(l2) + rough_sqrt(max(zero, l2 * l2 - three_d2 * l1));
@@ -51,25 +51,40 @@ VESICA_INLINE void require_moderate(Guard<V>& guard, const Ellipse<V>& e) noexce
   guard.within(guard_power<T, -6>(), guard_power<T, 10>(), e.a).near_in_size(e.a, e.b);
 }
 
+/// An ellipse with the squares of its half lengths.
 template <class V>
-VESICA_INLINE UnitCubic<V> unit_contact_cubic(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
-  const Centre<V> d = offset(place(e), place(f));
+struct SquaredEllipse {
+  V cx, cy, ux, uy, aa, bb;
+};
+template <class V>
+VESICA_INLINE SquaredEllipse<V> squared(const Ellipse<V>& e) noexcept {
+  return {e.cx, e.cy, e.ux, e.uy, e.a * e.a, e.b * e.b};
+}
+
+/// The cubic of two ellipses of which both hold what require_moderate() and require_unit_axes() ask.
+template <class V, class Usable>
+VESICA_INLINE UnitCubic<V, Usable> unit_contact_cubic(const SquaredEllipse<V>& e, const SquaredEllipse<V>& f,
+                                                      Usable usable) noexcept {
+  const V dx = f.cx - e.cx, dy = f.cy - e.cy;
   const V c = e.ux * f.ux + e.uy * f.uy, s = e.ux * f.uy - e.uy * f.ux;
-  const V x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x;
-  const V y0 = f.ux * d.x + f.uy * d.y, y1 = f.ux * d.y - f.uy * d.x;
-  const V a0 = e.a * e.a, a1 = e.b * e.b, b0 = f.a * f.a, b1 = f.b * f.b;
-  const V mu = (c * c) * (a0 * b1 + a1 * b0) + (s * s) * (a0 * b0 + a1 * b1);
-  const V al = a1 * (x0 * x0) + a0 * (x1 * x1), be = b1 * (y0 * y0) + b0 * (y1 * y1);
+  const V x0 = e.ux * dx + e.uy * dy, x1 = e.ux * dy - e.uy * dx;
+  const V y0 = f.ux * dx + f.uy * dy, y1 = f.ux * dy - f.uy * dx;
+  const V mu = (c * c) * (e.aa * f.bb + e.bb * f.aa) + (s * s) * (e.aa * f.aa + e.bb * f.bb);
+  const V al = e.bb * (x0 * x0) + e.aa * (x1 * x1), be = f.bb * (y0 * y0) + f.aa * (y1 * y1);
+  return {V(1.0f), e.aa * e.bb, mu, f.aa * f.bb, al, be, usable};
+}
+template <class V>
+VESICA_INLINE auto unit_contact_cubic(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
   Guard<V> guard;
   require_unit_axes(guard, e, f);
   require_moderate(guard, e);
   require_moderate(guard, f);
-  return UnitCubic<V>{V(1.0f), a0 * a1, mu, b0 * b1, al, be, guard.holds()};
+  return unit_contact_cubic(squared(e), squared(f), guard.holds());
 }
 
 /// With x = t / r^2, times r^2: g = r^2, d1 = P Q, mu = P + Q, d2 = 1, be = |D|^2. Radii from 2^-6 to 2^10.
 template <class V>
-VESICA_INLINE UnitCubic<V> unit_contact_cubic(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
+VESICA_INLINE auto unit_contact_cubic(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
   using T = typename Element<V>::Type;
   const Centre<V> d = offset(place(disc), place(e));
   const V x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x;
@@ -79,7 +94,7 @@ VESICA_INLINE UnitCubic<V> unit_contact_cubic(const Circle<V>& disc, const Ellip
   require_unit_axes(guard, e);
   require_moderate(guard, e);
   guard.within(guard_power<T, -6>(), guard_power<T, 10>(), disc.r);
-  return UnitCubic<V>{disc.r * disc.r, p * q, p + q, V(1.0f), al, be, guard.holds()};
+  return UnitCubic<V, decltype(guard.holds())>{disc.r * disc.r, p * q, p + q, V(1.0f), al, be, guard.holds()};
 }
 
 }  // namespace vesica::filter

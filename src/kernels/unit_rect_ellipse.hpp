@@ -25,32 +25,47 @@ namespace vesica::filter {
 /// With a, b in [2^-16, 2^16) (double: the 8th powers) it is at least 2^-111, all that underflows far below it,
 /// and Q at least 2^-32. If a product of the gap overflows, so does the square of the gap's error, or the square of the
 /// gap or of x alone; these are far from contact, and infinity of the right sign. NaN and infinity reach T.
-template <class V>
+template <class V, class Usable>
 struct UnitBoxEllipse {
   using Lanes = V;
   V abs_kx, abs_ky, hx, hy, p00, p01, p11, det, bound;
-  decltype(V() < V()) usable;
+  Usable usable;
 };
 
 template <class V>
-VESICA_INLINE UnitBoxEllipse<V> unit_box_ellipse(const Box<V>& box, const Ellipse<V>& ellipse,
-                                                 const Centre<V>& d) noexcept {
+VESICA_INLINE void require_sizes(Guard<V>& guard, const Box<V>& box) noexcept {
+  guard.not_negative(box.hx, box.hy);
+}
+template <class V>
+VESICA_INLINE void require_sizes(Guard<V>& guard, const Ellipse<V>& e) noexcept {
   using T = typename Element<V>::Type;
+  guard.within(guard_power<T, -16>(), guard_power<T, 16>(), e.a, e.b);
+}
+
+/// Of a box and an ellipse of which both hold what require_sizes() and require_unit_axes() ask.
+template <class V, class Usable>
+VESICA_INLINE UnitBoxEllipse<V, Usable> unit_box_ellipse(const Box<V>& box, const Ellipse<V>& ellipse,
+                                                         const Centre<V>& d, Usable usable) noexcept {
   const V kx = box.ux * d.x + box.uy * d.y, ky = box.ux * d.y - box.uy * d.x;
   const V c = box.ux * ellipse.ux + box.uy * ellipse.uy, s = box.ux * ellipse.uy - box.uy * ellipse.ux;
   const V ac = ellipse.a * c, as = ellipse.a * s, bc = ellipse.b * c, bs = ellipse.b * s;
   const V p00 = ac * ac + bs * bs, p11 = as * as + bc * bc, p01 = flip_sign(flip_sign(ac * as - bc * bs, kx), ky);
   const V root = ellipse.a * ellipse.b, sum = ellipse.a + ellipse.b;
   const V reach = (abs(kx) + abs(ky)) + ((box.hx + box.hy) + sum), qr = (p00 + p11) * reach;
-  Guard<V> guard;
-  guard.within(guard_power<T, -16>(), guard_power<T, 16>(), ellipse.a, ellipse.b).not_negative(box.hx, box.hy);
-  require_unit_axes(guard, box, ellipse);
   return {abs(kx),      abs(ky), box.hx, box.hy, p00, p01, p11, root * root, qr * (root * sum + roundoffs<V>(16) * qr),
-          guard.holds()};
+          usable};
+}
+template <class V>
+VESICA_INLINE auto unit_box_ellipse(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
+  Guard<V> guard;
+  require_sizes(guard, ellipse);
+  require_sizes(guard, box);
+  require_unit_axes(guard, box, ellipse);
+  return unit_box_ellipse(box, ellipse, d, guard.holds());
 }
 
-template <class V>
-VESICA_INLINE auto decide(const UnitBoxEllipse<V>& f) noexcept {
+template <class V, class Usable>
+VESICA_INLINE auto decide(const UnitBoxEllipse<V, Usable>& f) noexcept {
   const V x = positive_part(f.abs_kx - f.hx), y = positive_part(f.abs_ky - f.hy);
   const V m = gap_along_segment(f.p00, f.p01, x, f.abs_ky, f.hy);
   const V n = gap_along_segment(f.p11, f.p01, y, f.abs_kx, f.hx);

@@ -35,10 +35,12 @@ struct Floats {
   Floats(__m256 x) : v(x) {}
   explicit Floats(float x) : v(_mm256_set1_ps(x)) {}
   static Floats load(Unaligned<float> p) { return _mm256_loadu_ps(reinterpret_cast<const float*>(p.bytes())); }
+  void store(float* p) const { _mm256_storeu_ps(p, v); }
 };
 inline Floats operator+(Floats a, Floats b) { return _mm256_add_ps(a.v, b.v); }
 inline Floats operator-(Floats a, Floats b) { return _mm256_sub_ps(a.v, b.v); }
 inline Floats operator*(Floats a, Floats b) { return _mm256_mul_ps(a.v, b.v); }
+inline Floats operator/(Floats a, Floats b) { return _mm256_div_ps(a.v, b.v); }
 inline Floats operator-(Floats a) { return _mm256_xor_ps(a.v, _mm256_set1_ps(-0.0f)); }
 inline Floats abs(Floats a) { return _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v); }
 inline Floats max(Floats a, Floats b) { return _mm256_max_ps(a.v, b.v); }

@@ -62,10 +62,12 @@ struct Floats {
   Floats(__m512 x) : v(x) {}
   explicit Floats(float x) : v(_mm512_set1_ps(x)) {}
   static Floats load(Unaligned<float> p) { return _mm512_loadu_ps(reinterpret_cast<const float*>(p.bytes())); }
+  void store(float* p) const { _mm512_storeu_ps(p, v); }
 };
 inline Floats operator+(Floats a, Floats b) { return _mm512_add_ps(a.v, b.v); }
 inline Floats operator-(Floats a, Floats b) { return _mm512_sub_ps(a.v, b.v); }
 inline Floats operator*(Floats a, Floats b) { return _mm512_mul_ps(a.v, b.v); }
+inline Floats operator/(Floats a, Floats b) { return _mm512_div_ps(a.v, b.v); }
 inline Floats operator-(Floats a) { return _mm512_xor_ps(a.v, _mm512_set1_ps(-0.0f)); }
 inline Floats abs(Floats a) { return _mm512_abs_ps(a.v); }
 inline Floats max(Floats a, Floats b) { return _mm512_max_ps(a.v, b.v); }

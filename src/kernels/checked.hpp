@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// Kernels for a row of a matrix against a block of columns that was looked at as a whole (checked_shapes.hpp): for a pair
+// next to nothing is left to do but its arithmetic and one comparison. After the lanes of an instruction set.
+#pragma once
+
+#include <cstdint>
+
+#include "kernels/block_loop.hpp"
+#include "kernels/checked_rect_ellipse.hpp"
+#include "kernels/checked_rect_rect.hpp"
+
+namespace vesica {
+namespace {
+
+/// One shape in every lane, that of the row.
+template <class Shape>
+struct RowOperand {
+  Shape shape;
+  VESICA_INLINE const Shape& at(std::int32_t) const noexcept { return shape; }
+};
+
+struct CheckedMixed {
+  template <class V>
+  VESICA_INLINE static auto filter(const Rect<V>& r, const filter::PreparedEllipse<V>& e) noexcept {
+    return filter::checked_box_ellipse(r, e);
+  }
+};
+struct CheckedEllipses {
+  template <class V>
+  VESICA_INLINE static auto filter(const filter::SquaredEllipse<V>& e, const filter::SquaredEllipse<V>& f) noexcept {
+    return filter::unit_contact_cubic(e, f, Everywhere{});
+  }
+};
+
+template <template <class> class Shape>
+inline constexpr bool is_ellipse = kind_of<Shape> == Kind::ellipse;
+
+/// Whether the row's shape and a block of that extent may be asked, see checked_rect_ellipse.hpp.
+template <template <class> class One, template <class> class Many, class V>
+VESICA_INLINE bool askable(const One<V>& one, V extent_of_many) noexcept {
+  if (!all(filter::checked(one))) return false;
+  if constexpr (is_ellipse<One> == is_ellipse<Many>) return true;
+  const V of_rect = is_ellipse<One> ? extent_of_many : filter::extent(one);
+  const V of_ellipse = is_ellipse<One> ? filter::extent(one) : extent_of_many;
+  return all(of_rect <= V(4096.0f) * of_ellipse);
+}
+
+/// Answers a whole number of vectors of a block that look() found usable.
+template <template <class> class One, template <class> class Many, class T>
+[[gnu::noinline]] BlockResult answer_checked(const Block<T>& block) noexcept {
+  using V = LanesOf<T>;
+  constexpr bool in_order = kind_of<One> <= kind_of<Many>;
+  const Unaligned<T>* const many = in_order ? block.second : block.first;
+  const One<V> one = LaneOperand<One, T, true>(in_order ? block.first : block.second).shape;
+  if (!askable<One, Many>(one, V(block.extent))) return {0, row_is_unusable};
+  if constexpr (is_ellipse<One> && is_ellipse<Many>) {
+    return answer_whole(CheckedEllipses{}, RowOperand<filter::SquaredEllipse<V>>{filter::squared(one)},
+                        LaneOperand<filter::SquaredEllipse, T, false>(many), block);
+  } else if constexpr (is_ellipse<Many>) {
+    return answer_whole(CheckedMixed{}, RowOperand<Rect<V>>{one}, LaneOperand<filter::PreparedEllipse, T, false>(many),
+                        block);
+  } else if constexpr (is_ellipse<One>) {
+    return answer_whole(CheckedMixed{}, LaneOperand<Rect, T, false>(many),
+                        RowOperand<filter::PreparedEllipse<V>>{filter::prepared(one)}, block);
+  } else {
+    return answer_whole(filter::CheckedBoxBox<V>(one, V(block.extent)), RowOperand<Rect<V>>{one},
+                        LaneOperand<Rect, T, false>(many), block);
+  }
+}
+
+template <class V>
+VESICA_INLINE typename V::Element widest(V x, bool greatest) noexcept {
+  typename V::Element lane[V::width];
+  x.store(lane);
+  for (int i = 1; i < V::width; ++i) lane[0] = (lane[i] > lane[0]) == greatest ? lane[i] : lane[0];
+  return lane[0];
+}
+
+template <class T, class... V>
+VESICA_INLINE void store_columns(T* to, std::int32_t stride, V... column) noexcept {
+  ((column.store(to), to += stride), ...);
+}
+
+/// Looks at the columns of a block of at least a vector: whether a checked kernel may be asked of them. It then writes
+/// their extent to the block. Columns of prepared ellipses go to `space`, one after each `stride` numbers, and the block
+/// has them in place of its own.
+template <template <class> class One, template <class> class Many, class T>
+[[gnu::noinline]] bool look(Block<T>& block, T* space, std::int32_t stride) noexcept {
+  using V = LanesOf<T>;
+  constexpr int prepared_columns = !is_ellipse<Many> ? 0 : is_ellipse<One> ? 2 : 4;
+  Unaligned<T>* const field = kind_of<One> <= kind_of<Many> ? block.second : block.first;
+  const LaneOperand<Many, T, false> many(field);
+  if (block.count < V::width) return false;
+  V extent = filter::extent(many.at(0));
+  for (std::int32_t next = 0; next < block.count; next += V::width) {
+    const std::int32_t i = next < block.count - V::width ? next : block.count - V::width;
+    const auto shape = many.at(i);
+    if (!all(filter::checked(shape))) return false;
+    extent = is_ellipse<Many> ? min(extent, filter::extent(shape)) : max(extent, filter::extent(shape));
+    if constexpr (prepared_columns == 2) {
+      const auto e = filter::squared(shape);
+      store_columns(space + i, stride, e.aa, e.bb);
+    } else if constexpr (prepared_columns == 4) {
+      const auto e = filter::prepared(shape);
+      store_columns(space + i, stride, e.mean, e.swing_cos, e.swing_sin, e.r);
+    }
+  }
+  block.extent = widest(extent, !is_ellipse<Many>);
+  for (int k = 0; k < prepared_columns; ++k) field[6 - prepared_columns + k] = space + k * stride;
+  return true;
+}
+
+template <template <class> class One, template <class> class Many, class T>
+consteval typename CheckedKernels<T>::Pair checked_pair() noexcept {
+  return {look<One, Many, T>, answer_checked<One, Many, T>};
+}
+
+/// For vectors of 32 bytes and more: narrower ones were not measured.
+template <class T>
+consteval CheckedKernels<T> make_checked_kernels() noexcept {
+  if constexpr (LanesOf<T>::width * sizeof(T) >= 32) {
+    return {{{checked_pair<Rect, Rect, T>(), checked_pair<Rect, Ellipse, T>()},
+             {checked_pair<Ellipse, Rect, T>(), checked_pair<Ellipse, Ellipse, T>()}}};
+  } else {
+    return {};
+  }
+}
+
+}  // namespace
+}  // namespace vesica

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rectangles of unit axes but for rounding, in blocks that were looked at as a whole: one bound serves a row of them.
+#pragma once
+
+#include <vesica/filter/estimate.hpp>
+
+#include "kernels/guard.hpp"
+
+namespace vesica::filter {
+
+/// The separating axes of unit_rect_rect.hpp, with squared axes taken to be 1.
+///
+/// Let H be the sum of the four half extents, so that no r_i exceeds H, in units of u and to first order. Of the axis
+/// that gives a wrong answer p and r are within H, and both projections on it: |D| <= sqrt(2) H. Then p errs by
+/// 3 |D| <= 4.3 H, hx U by 14 hx as U is within 14u of 1, (gx c) and (gy s) by 3 (gx + gy), and three subtractions of
+/// what is within H by 3 H: 21.3u H. 32u H leaves room for second order. It grows with H, so that of the largest of a
+/// block serves all of it, and neither centres nor their differences are part of it.
+///
+/// Sizes and coordinates below 2^32 (double: 2^256) let nothing overflow; what underflows is far below 2^-100.
+template <class V>
+class CheckedBoxBox {
+ public:
+  /// reach: the greatest sum of half extents among the boxes that `one` is asked with.
+  VESICA_INLINE CheckedBoxBox(const Rect<V>& one, V reach) noexcept
+      : bound_(roundoffs<V>(32) * ((one.hx + one.hy) + reach) + guard_power<V, -100>()) {}
+
+  VESICA_INLINE auto filter(const Rect<V>& a, const Rect<V>& b) const noexcept {
+    const V dx = b.cx - a.cx, dy = b.cy - a.cy;
+    const V c = abs(a.ux * b.ux + a.uy * b.uy), s = abs(a.ux * b.uy - a.uy * b.ux);
+    const V p0 = abs(a.ux * dx + a.uy * dy) - a.hx, p1 = abs(a.ux * dy - a.uy * dx) - a.hy;
+    const V q0 = abs(b.ux * dx + b.uy * dy) - b.hx, q1 = abs(b.ux * dy - b.uy * dx) - b.hy;
+    const V gap_a = max((p0 - b.hx * c) - b.hy * s, (p1 - b.hx * s) - b.hy * c);
+    const V gap_b = max((q0 - a.hx * c) - a.hy * s, (q1 - a.hx * s) - a.hy * c);
+    const V gap = max(gap_a, gap_b);
+    return Verdict<decltype(gap > bound_)>{gap<V(0.0f) - bound_, gap> bound_};
+  }
+
+ private:
+  V bound_;
+};
+
+}  // namespace vesica::filter
