@@ -128,7 +128,7 @@ constexpr double or_bits(double a, double b) noexcept {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(a) | std::bit_cast<std::uint64_t>(b));
 }
 
-#if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__ARM_FEATURE_FMA)
+#if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__ARM_FEATURE_FMA) || defined(__CUDA_ARCH__)
 #define VESICA_HAS_FUSED 1
 /// a b - c, rounded once; only where it is one instruction.
 VESICA_DEVICE inline double fused_difference(double a, double b, double c) noexcept { return std::fma(a, b, -c); }

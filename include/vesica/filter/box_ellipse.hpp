@@ -41,7 +41,8 @@ struct BoxFrame {
 
 /// d: from the box's centre to the ellipse's.
 template <class V>
-VESICA_INLINE constexpr BoxFrame<V> box_frame(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
+VESICA_INLINE constexpr BoxFrame<V> box_frame(const Box<V>& box, const Ellipse<V>& ellipse,
+                                              const Centre<V>& d) noexcept {
   const V uu = box.ux * box.ux + box.uy * box.uy, vv = ellipse.ux * ellipse.ux + ellipse.uy * ellipse.uy;
   const V kx = box.ux * d.x + box.uy * d.y, ky = box.ux * d.y - box.uy * d.x;
   const V c = box.ux * ellipse.ux + box.uy * ellipse.uy, s = box.ux * ellipse.uy - box.uy * ellipse.ux;
@@ -64,7 +65,8 @@ VESICA_INLINE constexpr BoxEllipse<V> visible_edges(const BoxFrame<V>& f, const 
 
 /// d: from the box's centre to the ellipse's.
 template <class V>
-VESICA_INLINE constexpr BoxEllipse<V> visible_edges(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
+VESICA_INLINE constexpr BoxEllipse<V> visible_edges(const Box<V>& box, const Ellipse<V>& ellipse,
+                                                    const Centre<V>& d) noexcept {
   return visible_edges(box_frame(box, ellipse, d), ellipse);
 }
 
@@ -90,8 +92,8 @@ VESICA_INLINE constexpr Estimate<V> ellipse_out_of_box(const BoxFrame<V>& f) noe
 /// coordinates of a corner, |X0| <= b L, the squared distance errs by 24u (b X0 + a X1) L + 144u^2 (a^2 + b^2) L^2 and
 /// seven roundings of X0^2 + X1^2, (a b V)^2 by 9u and the difference by one.
 template <class V>
-VESICA_INLINE constexpr Estimate<V> box_out_of_ellipse(const BoxFrame<V>& f, const Box<V>& box, const Ellipse<V>& ellipse,
-                                             const Centre<V>& d) noexcept {
+VESICA_INLINE constexpr Estimate<V> box_out_of_ellipse(const BoxFrame<V>& f, const Box<V>& box,
+                                                       const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
   const V x0 = ellipse.ux * d.x + ellipse.uy * d.y, x1 = ellipse.ux * d.y - ellipse.uy * d.x;
   const V m0 = ellipse.b * x0, m1 = ellipse.a * x1;
   const V g0 = box.hx * f.bc, g1 = box.hx * f.as, h0 = box.hy * f.bs, h1 = box.hy * f.ac;
@@ -111,7 +113,7 @@ VESICA_INLINE constexpr Estimate<V> box_out_of_ellipse(const BoxFrame<V>& f, con
 /// what underflows in k or T is far below the part of the bound that det Q carries.
 template <class V>
 VESICA_INLINE constexpr auto box_ellipse_usable(const BoxEllipse<V>& edges, const Box<V>& box,
-                                      const Ellipse<V>& ellipse) noexcept {
+                                                const Ellipse<V>& ellipse) noexcept {
   const V low = guard_power<V, -5>(), high = guard_power<V, 15>();
   const auto axes = both(in_range(edges.uu, low, high), in_range(edges.vv, low, high));
   const auto sizes = both(at_least(guard_power<V, -10>(), ellipse.a, ellipse.b), at_least(V(0.0f), box.hx, box.hy));
@@ -129,7 +131,7 @@ VESICA_INLINE constexpr auto box_ellipse(const Box<V>& box, const Ellipse<V>& el
 /// bound, and X0^2, X1^2 and the squared room are below 2^20 times bounds that are finite.
 template <class V>
 VESICA_INLINE constexpr auto box_ellipse_certain_facts(const Box<V>& box, const Ellipse<V>& ellipse,
-                                             const Centre<V>& d) noexcept {
+                                                       const Centre<V>& d) noexcept {
   const BoxFrame<V> frame = box_frame(box, ellipse, d);
   const BoxEllipse<V> edges = visible_edges(frame, ellipse);
   const Estimate<V> least{min(edges.misses_x, edges.misses_y), edges.error};

@@ -33,7 +33,7 @@ VESICA_INLINE constexpr CertainFacts<Mask> guarded(Mask guard, const CertainFact
 /// Of three estimates: the gap between a and b, how far a reaches out of b, and b out of a.
 template <class V>
 VESICA_INLINE constexpr auto certain_facts(const Estimate<V>& gap, const Estimate<V>& a_out_of_b,
-                                 const Estimate<V>& b_out_of_a) noexcept {
+                                           const Estimate<V>& b_out_of_a) noexcept {
   const auto not_inside = certainly_positive(a_out_of_b), not_contains = certainly_positive(b_out_of_a);
   return CertainFacts<decltype(gap.value > gap.error)>{certainly_positive(gap),
                                                        certainly_negative(gap),
@@ -47,7 +47,7 @@ VESICA_INLINE constexpr auto certain_facts(const Estimate<V>& gap, const Estimat
 /// Where at most one shape can contain the other, and which of the two is known: `nested` and `neither` say whether.
 template <class Mask>
 VESICA_INLINE constexpr CertainFacts<Mask> certain_facts(const Verdict<Mask>& v, Mask nested, Mask neither,
-                                               Mask first_greater) noexcept {
+                                                         Mask first_greater) noexcept {
   const Mask inside = and_not(nested, first_greater), contains = both(nested, first_greater);
   return {v.disjoint, v.overlap, inside, contains, neither, either(neither, contains), either(neither, inside)};
 }

@@ -69,7 +69,8 @@ VESICA_INLINE constexpr auto totals_in_range(const ContactCubic<V>& p) noexcept 
 /// al when x0 is nearly zero, (2u N)^2 (a0^2 + a1^2)(b0^2 + b1^2) in mu when c or s is. The u^2 terms in the totals
 /// cover them.
 template <class V>
-VESICA_INLINE constexpr Pencil<V> pencil(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d, V vv, V ww) noexcept {
+VESICA_INLINE constexpr Pencil<V> pencil(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d, V vv,
+                                         V ww) noexcept {
   const V c = e.ux * f.ux + e.uy * f.uy, s = e.ux * f.uy - e.uy * f.ux;
   const V x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x;
   const V y0 = f.ux * d.x + f.uy * d.y, y1 = f.ux * d.y - f.uy * d.x;
@@ -91,16 +92,16 @@ VESICA_INLINE constexpr Pencil<V> pencil(const Ellipse<V>& e, const Ellipse<V>& 
 }
 
 template <class V>
-VESICA_INLINE constexpr ContactCubic<V> contact_cubic(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d, V vv,
-                                            V ww) noexcept {
+VESICA_INLINE constexpr ContactCubic<V> contact_cubic(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d,
+                                                      V vv, V ww) noexcept {
   return pencil(e, f, d, vv, ww).contact;
 }
 
 /// Guard: half lengths and squared axes at least 2^-6 (double: 2^-48), so that d1 and d2 are at least 2^-36 (2^-288)
 /// and all that underflows is negligible beside them.
 template <class V>
-VESICA_INLINE constexpr auto ellipse_ellipse_usable(const ContactCubic<V>& p, const Ellipse<V>& e, const Ellipse<V>& f, V vv,
-                                          V ww) noexcept {
+VESICA_INLINE constexpr auto ellipse_ellipse_usable(const ContactCubic<V>& p, const Ellipse<V>& e, const Ellipse<V>& f,
+                                                    V vv, V ww) noexcept {
   return both(at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww), totals_in_range(p));
 }
 
@@ -123,7 +124,8 @@ VESICA_INLINE constexpr auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<
 /// (r^2 + t)(P + t)(Q + t) - t (al + |D|^2 t), P = V a^2 and Q = V b^2 the squared half lengths. Of lower degree, so
 /// cheaper and of wider range. Errors: r^2 P Q 11u; c1: 12u and 6u of (a^2 + b^2) |x0 x1|; c2: 7u.
 template <class V>
-VESICA_INLINE constexpr Pencil<V> pencil(const Circle<V>& disc, const Ellipse<V>& e, const Centre<V>& d, V vv) noexcept {
+VESICA_INLINE constexpr Pencil<V> pencil(const Circle<V>& disc, const Ellipse<V>& e, const Centre<V>& d,
+                                         V vv) noexcept {
   const V x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x;
   const V aa = e.a * e.a, bb = e.b * e.b, rr = disc.r * disc.r;
   const V p = aa * vv, q = bb * vv, pq = p * q, sum = p + q;
@@ -136,7 +138,7 @@ VESICA_INLINE constexpr Pencil<V> pencil(const Circle<V>& disc, const Ellipse<V>
 
 template <class V>
 VESICA_INLINE constexpr ContactCubic<V> contact_cubic(const Circle<V>& disc, const Ellipse<V>& e, const Centre<V>& d,
-                                            V vv) noexcept {
+                                                      V vv) noexcept {
   return pencil(disc, e, d, vv).contact;
 }
 

@@ -28,9 +28,13 @@ class ErrorFree {
 
   VESICA_INLINE constexpr V sum(V a, V b) noexcept { return high_of(detail::arithmetic::two_sum(a, b)); }
   VESICA_INLINE constexpr V difference(V a, V b) noexcept { return high_of(detail::arithmetic::two_difference(a, b)); }
-  VESICA_INLINE constexpr V product(V a, V b) noexcept { return high_of(detail::arithmetic::two_product_uncontracted(a, b)); }
+  VESICA_INLINE constexpr V product(V a, V b) noexcept {
+    return high_of(detail::arithmetic::two_product_uncontracted(a, b));
+  }
   VESICA_INLINE constexpr V dot(V ux, V uy, V wx, V wy) noexcept { return sum(product(ux, wx), product(uy, wy)); }
-  VESICA_INLINE constexpr V cross(V ux, V uy, V wx, V wy) noexcept { return difference(product(ux, wy), product(uy, wx)); }
+  VESICA_INLINE constexpr V cross(V ux, V uy, V wx, V wy) noexcept {
+    return difference(product(ux, wy), product(uy, wx));
+  }
   VESICA_INLINE constexpr auto held() const noexcept { return lost_ == V(0.0); }
 
  private:
@@ -83,7 +87,7 @@ VESICA_INLINE constexpr WholeOffset<V> offset(const Centre<V>& a, const Centre<V
 /// Half the sum of two differences.
 template <class V>
 VESICA_INLINE constexpr detail::arithmetic::Pair<V> mean_difference(V to0, V from0, V to1, V from1,
-                                                          ErrorFree<V>& exactly) noexcept {
+                                                                    ErrorFree<V>& exactly) noexcept {
   const auto first = detail::arithmetic::two_difference(to0, from0),
              second = detail::arithmetic::two_difference(to1, from1),
              sum = detail::arithmetic::two_sum(first.high, second.high);
@@ -91,7 +95,8 @@ VESICA_INLINE constexpr detail::arithmetic::Pair<V> mean_difference(V to0, V fro
   return {half * sum.high, half * low};
 }
 template <class PlaceA, class PlaceB, class V>
-VESICA_INLINE constexpr WholeOffset<V> offset(const PlaceA& place_a, const PlaceB& place_b, ErrorFree<V>& exactly) noexcept {
+VESICA_INLINE constexpr WholeOffset<V> offset(const PlaceA& place_a, const PlaceB& place_b,
+                                              ErrorFree<V>& exactly) noexcept {
   const Corners<V> a = detail::form::corners(place_a), b = detail::form::corners(place_b);
   const auto x = mean_difference(b.x0, a.x0, b.x1, a.x1, exactly), y = mean_difference(b.y0, a.y0, b.y1, a.y1, exactly);
   return {{x.high, y.high}, {x.low, y.low}};
@@ -113,7 +118,7 @@ VESICA_INLINE constexpr auto has_extent(const Box<V>& b, V uu) noexcept {
 /// The greater gap along the axes of a; uu, c and s as in separating_axes().
 template <class V>
 VESICA_INLINE constexpr V widest_gap_along(const Box<V>& a, const Box<V>& b, const WholeOffset<V>& d, V uu, V c, V s,
-                                 ErrorFree<V>& exactly) noexcept {
+                                           ErrorFree<V>& exactly) noexcept {
   const auto reach = [&](V h, V along, V across) {
     return exactly.sum(exactly.product(h, uu), exactly.dot(b.hx, b.hy, along, across));
   };
@@ -126,7 +131,8 @@ VESICA_INLINE constexpr V widest_gap_along(const Box<V>& a, const Box<V>& b, con
 
 /// Separating axes, as exact/box_box.hpp. Degree 3.
 template <class V>
-VESICA_INLINE constexpr auto box_box(const Box<V>& a, const Box<V>& b, const WholeOffset<V>& d, ErrorFree<V>& exactly) noexcept {
+VESICA_INLINE constexpr auto box_box(const Box<V>& a, const Box<V>& b, const WholeOffset<V>& d,
+                                     ErrorFree<V>& exactly) noexcept {
   const V uu = exactly.dot(a.ux, a.uy, a.ux, a.uy), ww = exactly.dot(b.ux, b.uy, b.ux, b.uy);
   const V c = abs(exactly.dot(a.ux, a.uy, b.ux, b.uy)), s = abs(exactly.cross(a.ux, a.uy, b.ux, b.uy));
   const V gap = max(widest_gap_along(a, b, d, uu, c, s, exactly), widest_gap_along(b, a, d, ww, c, s, exactly));
@@ -135,7 +141,8 @@ VESICA_INLINE constexpr auto box_box(const Box<V>& a, const Box<V>& b, const Who
 
 /// Is the disc's centre at most a radius from the box? As exact/disc.hpp. Degree 6.
 template <class V>
-VESICA_INLINE constexpr auto box_disc(const Box<V>& box, const WholeOffset<V>& d, V radius, ErrorFree<V>& exactly) noexcept {
+VESICA_INLINE constexpr auto box_disc(const Box<V>& box, const WholeOffset<V>& d, V radius,
+                                      ErrorFree<V>& exactly) noexcept {
   const V dx = exactly.sum(d.high.x, d.low.x), dy = exactly.sum(d.high.y, d.low.y);
   const V uu = exactly.dot(box.ux, box.uy, box.ux, box.uy);
   const V kx = abs(exactly.dot(box.ux, box.uy, dx, dy)), ky = abs(exactly.cross(box.ux, box.uy, dx, dy));
@@ -147,7 +154,8 @@ VESICA_INLINE constexpr auto box_disc(const Box<V>& box, const WholeOffset<V>& d
 }
 
 template <class V>
-VESICA_INLINE constexpr auto disc_disc(const WholeOffset<V>& d, V radius_a, V radius_b, ErrorFree<V>& exactly) noexcept {
+VESICA_INLINE constexpr auto disc_disc(const WholeOffset<V>& d, V radius_a, V radius_b,
+                                       ErrorFree<V>& exactly) noexcept {
   const V dx = exactly.sum(d.high.x, d.low.x), dy = exactly.sum(d.high.y, d.low.y);
   const V reach = exactly.sum(radius_a, radius_b);
   const V distance = exactly.dot(dx, dy, dx, dy), reached = exactly.product(reach, reach);
