@@ -20,13 +20,11 @@ struct LimbPair {
 
 /// Moves n limbs, in place only downwards.
 constexpr void move_limbs(const Limb* from, int n, Limb* to) noexcept {
-#if !defined(__CUDA_ARCH__)  // a device moves single bytes
-  if (!std::is_constant_evaluated()) {
+  if (std::is_constant_evaluated()) {
+    for (int i = 0; i < n; ++i) to[i] = from[i];
+  } else {
     std::memmove(to, from, static_cast<std::size_t>(n) * sizeof(Limb));
-    return;
   }
-#endif
-  for (int i = 0; i < n; ++i) to[i] = from[i];
 }
 
 /// a * b + c + d, which cannot overflow two limbs.
