@@ -209,7 +209,8 @@ cudaError_t launch(void (*kernel)(Parameters...), unsigned blocks, unsigned thre
 
 /// Threads of each kernel. The first one's blocks depend on the batch, the others' not: how many pairs they find is known
 /// to the device alone.
-inline constexpr unsigned block = 256, most_blocks = 16384, blocks_in_double = 512, exact_block = 32, exact_blocks = 128;
+inline constexpr unsigned block = 256, most_blocks = 16384, blocks_in_double = 512, exact_block = 32,
+                          exact_blocks = 128;
 
 template <class Pairs, class Out>
 cudaError_t run(const Pairs& pairs, const Out& out, const Work& work, cudaStream_t stream) noexcept {
