@@ -4,8 +4,8 @@
 ///
 /// A batch is three kernels. The first one runs the pair's filter in the arrays' own scalar, float or double, and lists
 /// what that leaves open. The second one decides the listed pairs in double, and those where nothing is rounded; what is
-/// still open it lists anew. The third one decides these few exactly, in few threads, since each needs up to 40 kB. A list
-/// has no particular order, but each answer has its place: the results are always the same.
+/// still open it lists anew. The third one decides these few exactly, in few threads, since each needs up to 40 kB of
+/// local memory. A list has no particular order, but each answer has its place: the results are always the same.
 ///
 /// For programs compiled with nvcc's --expt-relaxed-constexpr and without --use_fast_math. docs/cuda.md has an example.
 /// In a kernel of one's own, overlap_or_error() and the other constexpr functions need only <vesica/vesica.hpp>.
@@ -29,6 +29,14 @@ struct Shapes {
   std::ptrdiff_t stride;  ///< bytes from one element to the next; 0 repeats one shape
   const T* field[6];      ///< where each number of the first element is
 };
+
+/// An array of structs in device memory.
+template <template <class> class Shape, class T>
+Shapes<T> records(const Shape<T>* first, std::int64_t count) noexcept {
+  Shapes<T> shapes{static_cast<std::int32_t>(kind_of<Shape>), 0, count, sizeof(Shape<T>), {}};
+  for (int k = 0; k < ShapeTraits<Shape<T>>::fields; ++k) shapes.field[k] = reinterpret_cast<const T*>(first) + k;
+  return shapes;
+}
 
 /// Elements [first, first + count) of an array: so a matrix is done in tiles, or by several devices.
 template <class T>

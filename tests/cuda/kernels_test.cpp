@@ -212,7 +212,7 @@ TEST(CudaKernels, EveryWorkloadAndInvalidShapes) {
 }
 
 TEST(CudaKernels, NearTies) {
-  const int count = 1000 * properties::repeat();
+  const int count = 2000 * properties::repeat();
   std::int64_t asked = 0;
   with_each_pair_of_kinds([&](int a, int b, Scalar scalar) {
     properties::Stream stream(properties::Workload::near_contact, a, b, scalar, properties::seed(), library_overlap);

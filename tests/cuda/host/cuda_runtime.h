@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Stands in for CUDA's header where a kernel is compiled as plain C++: a grid is two loops, and a launch has ended when it
-/// returns. What vesica/cuda.cuh uses, and no more.
+/// returns. What vesica/cuda.cuh and the program of docs/cuda.md use, and no more.
 #pragma once
 
 #include <cstddef>
+#include <cstdlib>
 #include <cstring>
 
 #define __global__
@@ -33,6 +34,17 @@ T atomicAdd(T* at, T added) {
 
 inline cudaError_t cudaMemsetAsync(void* at, int value, std::size_t size, cudaStream_t) {
   std::memset(at, value, size);
+  return cudaSuccess;
+}
+
+template <class T>
+cudaError_t cudaMallocManaged(T** at, std::size_t size) {
+  *at = static_cast<T*>(std::malloc(size));
+  return cudaSuccess;
+}
+inline cudaError_t cudaDeviceSynchronize() { return cudaSuccess; }
+inline cudaError_t cudaFree(void* at) {
+  std::free(at);
   return cudaSuccess;
 }
 
