@@ -8,8 +8,8 @@ namespace vesica {
 
 namespace cuda {
 
-#define VESICA_IN_STEP(a, A, b, B)                                                                               \
-  template cudaError_t overlap_many<A, B, float>(const Shapes<float>&, const Shapes<float>&, std::uint8_t*,      \
+#define VESICA_IN_STEP(a, A, b, B)                                                                          \
+  template cudaError_t overlap_many<A, B, float>(const Shapes<float>&, const Shapes<float>&, std::uint8_t*, \
                                                  const Work&, cudaStream_t) noexcept;
 VESICA_EACH_PAIR(VESICA_IN_STEP)
 #undef VESICA_IN_STEP

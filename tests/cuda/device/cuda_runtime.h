@@ -46,4 +46,5 @@ struct cudaLaunchConfig_t {
 };
 cudaError_t cudaMemsetAsync(void* at, int value, std::size_t size, cudaStream_t stream);
 template <class... Parameters, class... Arguments>
-cudaError_t cudaLaunchKernelEx(const cudaLaunchConfig_t* config, void (*kernel)(Parameters...), Arguments&&... arguments);
+cudaError_t cudaLaunchKernelEx(const cudaLaunchConfig_t* config, void (*kernel)(Parameters...),
+                               Arguments&&... arguments);
