@@ -24,6 +24,7 @@ PAGES = [
     ("benchmarks", ROOT / "docs/benchmarks.md", "accuracy and speed"),
     ("join", ROOT / "docs/join.md", "index and join"),
     ("motion", ROOT / "docs/motion.md", "shapes that move"),
+    ("cuda", ROOT / "docs/cuda.md", "at compile time and on a GPU"),
     ("hosts", ROOT / "docs/hosts.md", "from other languages"),
     ("platforms", ROOT / "docs/platforms.md", "platforms"),
     ("abi", ROOT / "capi/ABI.md", "what may change, and when"),
@@ -31,7 +32,7 @@ PAGES = [
 NAVIGATION = [
     ("playground/", "Playground"), ("functions.html", "Functions"), ("guide.html", "Guide"),
     ("reference/index.html", "Reference"), ("methods.html", "Methods"), ("benchmarks.html", "Speed"), ("join.html", "Join"), ("motion.html", "Motion"),
-    ("hosts.html", "Languages"), ("platforms.html", "Platforms"), ("abi.html", "ABI"),
+    ("cuda.html", "CUDA"), ("hosts.html", "Languages"), ("platforms.html", "Platforms"), ("abi.html", "ABI"),
 ]
 TO_PAGE = {source: f"{name}.html" for name, source, _ in PAGES}
 

@@ -38,14 +38,31 @@ namespace vesica {
 
 namespace detail {
 
+/// By the pair's filter, for kinds in order: 1, 0, or -1 for undecided; by arithmetic, since a jump on the answer could not
+/// be predicted.
+template <class A, class B>
+VESICA_INLINE constexpr std::int32_t decide_by_filter(const A& a, const B& b) noexcept {
+  const auto verdict = detail::overlap::filter(a, b);
+  return 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
+}
+
+/// The same where nothing is rounded.
+template <class A, class B>
+VESICA_INLINE constexpr std::int32_t decide_without_errors(const A& a, const B& b) noexcept {
+  if constexpr (filter::HasErrorFree<A, B>) {
+    const auto verdict = filter::error_free(a, b);
+    return 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
+  } else {
+    return -1;
+  }
+}
+
 /// For pairs in double that a filter left undecided. Invalid shapes get their error here, valid ones their exact answer.
 template <class A, class B>
 VESICA_COLD constexpr std::int32_t decide_undecided(const A& a, const B& b) noexcept {
-  if constexpr (filter::HasErrorFree<A, B>) {
-    if (!std::is_constant_evaluated()) {
-      const auto verdict = filter::error_free(a, b);
-      if (verdict.overlap || verdict.disjoint) return verdict.overlap ? 1 : 0;
-    }
+  if (!std::is_constant_evaluated()) {
+    const std::int32_t answer = decide_without_errors(a, b);
+    if (answer >= 0) return answer;
   }
   if (check(a) != 0 || check(b) != 0) return error_shape;
   return detail::overlap::exact(a, b) ? 1 : 0;
@@ -69,9 +86,7 @@ VESICA_INLINE constexpr std::int32_t overlap_or_error(const A<T>& a, const B<T>&
     return overlap_or_error(b, a);
   } else {
     if (std::is_constant_evaluated()) return detail::decide_undecided(a, b);
-    const auto verdict = detail::overlap::filter(widen(a), widen(b));
-    // 1, 0, or -1 for undecided; by arithmetic, since a jump on the answer could not be predicted.
-    const std::int32_t answer = 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
+    const std::int32_t answer = detail::decide_by_filter(widen(a), widen(b));
     if (answer >= 0) [[likely]]
       return answer;
     return detail::decide_undecided(a, b);

@@ -74,7 +74,7 @@ VESICA_COLD constexpr std::int32_t decide_containment(const A<float>& a, const B
 
 /// What the pair's filter knows for certain about a and b, of kinds in either order.
 template <class A, class B>
-VESICA_INLINE auto certain_facts(const A& a, const B& b) noexcept {
+VESICA_INLINE constexpr auto certain_facts(const A& a, const B& b) noexcept {
   if constexpr (in_order<A, B>) {
     return detail::relation::certain_facts(widen(a), widen(b));
   } else {

@@ -39,6 +39,13 @@
 #define VESICA_CALLED
 #endif
 
+/// What is constexpr runs on a GPU too (docs/cuda.md). This marks the few functions of the filters that cannot be.
+#if defined(__CUDACC__)
+#define VESICA_DEVICE __host__ __device__
+#else
+#define VESICA_DEVICE
+#endif
+
 namespace vesica {
 
 /// Constants of a scalar type that error bounds are made of.
@@ -74,12 +81,12 @@ constexpr double max(double a, double b) noexcept { return a > b ? a : b; }
 constexpr double min(double a, double b) noexcept { return a < b ? a : b; }
 constexpr float max(float a, float b) noexcept { return a > b ? a : b; }
 constexpr float min(float a, float b) noexcept { return a < b ? a : b; }
-inline double abs(double a) noexcept { return std::fabs(a); }
-inline float abs(float a) noexcept { return std::fabs(a); }
+VESICA_DEVICE inline double abs(double a) noexcept { return std::fabs(a); }
+VESICA_DEVICE inline float abs(float a) noexcept { return std::fabs(a); }
 
 // Within 2^-13 (float) or 2^-26 (double) of the true value, which is all their callers need; lanes may be that rough.
-inline double rough_sqrt(double a) noexcept { return std::sqrt(a); }
-inline float rough_sqrt(float a) noexcept { return std::sqrt(a); }
+VESICA_DEVICE inline double rough_sqrt(double a) noexcept { return std::sqrt(a); }
+VESICA_DEVICE inline float rough_sqrt(float a) noexcept { return std::sqrt(a); }
 constexpr double rough_quotient(double a, double b) noexcept { return a / b; }
 constexpr float rough_quotient(float a, float b) noexcept { return a / b; }
 
@@ -93,38 +100,38 @@ constexpr bool either(bool a, bool b) noexcept { return static_cast<bool>(static
 constexpr bool and_not(bool a, bool b) noexcept { return both(a, !b); }
 
 // By bit masks: a compiler may turn a ternary into a branch, which is mispredicted on fresh data.
-inline double select(bool m, double yes, double no) noexcept {
+constexpr double select(bool m, double yes, double no) noexcept {
   const std::uint64_t mask = std::uint64_t{0} - static_cast<std::uint64_t>(m);
   return std::bit_cast<double>((std::bit_cast<std::uint64_t>(yes) & mask) | (std::bit_cast<std::uint64_t>(no) & ~mask));
 }
-inline float select(bool m, float yes, float no) noexcept {
+constexpr float select(bool m, float yes, float no) noexcept {
   const std::uint32_t mask = std::uint32_t{0} - static_cast<std::uint32_t>(m);
   return std::bit_cast<float>((std::bit_cast<std::uint32_t>(yes) & mask) | (std::bit_cast<std::uint32_t>(no) & ~mask));
 }
 
 /// max(x, 0); exact. Lanes may turn NaN into 0.
-inline double positive_part(double x) noexcept { return 0.5 * (x + abs(x)); }
-inline float positive_part(float x) noexcept { return 0.5f * (x + abs(x)); }
+VESICA_DEVICE inline double positive_part(double x) noexcept { return 0.5 * (x + abs(x)); }
+VESICA_DEVICE inline float positive_part(float x) noexcept { return 0.5f * (x + abs(x)); }
 
 /// x, or -x where the sign bit of y is set.
-inline double flip_sign(double x, double y) noexcept {
+constexpr double flip_sign(double x, double y) noexcept {
   const std::uint64_t sign = std::bit_cast<std::uint64_t>(y) & 0x8000000000000000u;
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^ sign);
 }
-inline float flip_sign(float x, float y) noexcept {
+constexpr float flip_sign(float x, float y) noexcept {
   const std::uint32_t sign = std::bit_cast<std::uint32_t>(y) & 0x80000000u;
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) ^ sign);
 }
 
 /// The bits set in either: 0, of any sign, where both are.
-inline double or_bits(double a, double b) noexcept {
+constexpr double or_bits(double a, double b) noexcept {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(a) | std::bit_cast<std::uint64_t>(b));
 }
 
-#if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__ARM_FEATURE_FMA)
+#if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__ARM_FEATURE_FMA) || defined(__CUDA_ARCH__)
 #define VESICA_HAS_FUSED 1
 /// a b - c, rounded once; only where it is one instruction.
-inline double fused_difference(double a, double b, double c) noexcept { return std::fma(a, b, -c); }
+VESICA_DEVICE inline double fused_difference(double a, double b, double c) noexcept { return std::fma(a, b, -c); }
 #endif
 
 }  // namespace lane

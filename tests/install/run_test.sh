@@ -41,7 +41,7 @@ check 'help by option' "$("$run" help)" "$("$run" --help)"
 status=0
 complaint=$("$run" test --everything 2>&1) || status=$?
 check 'status of an unknown size of test' 2 $status
-check 'its complaint' 'run: test takes --all, --engines, --slow, --cross or nothing' "$complaint"
+check 'its complaint' 'run: test takes --all, --cuda, --engines, --slow, --cross or nothing' "$complaint"
 
 # pretend: within a subshell, only `here` and `twice` are installed, and nothing beyond this script is run.
 pretend() {
@@ -121,6 +121,13 @@ ctest --preset rest" "$(steps test --all)"
 check 'the engines' 'cmake --preset test
 cmake --build --preset engines
 ctest --preset engines' "$(steps test --engines)"
+
+status=0
+complaint=$(PATH=/usr/bin:/bin "$run" test --cuda 2>&1) || status=$?
+if ! PATH=/usr/bin:/bin command -v nvcc >/dev/null; then
+  check 'status of CUDA without nvcc' 2 $status
+  check 'its complaint' 'run: test --cuda needs nvcc, which is not on the PATH; nothing was compiled' "$complaint"
+fi
 
 # `./run test` asks for nothing of npm, and for no language but C, C++ and Python.
 check 'packages of the tests' 'cmake g++ libgmp-dev libgtest-dev libmpfr-dev libxml2-utils ninja-build pkg-config python3-cffi python3-numpy' \

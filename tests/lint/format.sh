@@ -9,7 +9,7 @@ command -v $tool >/dev/null || { echo "format: no $tool: nothing can be checked"
 # The public headers are C, laid out by hand: one operand a line where it helps.
 mapfile -d '' -t files < <(find include src capi engines tests bench docs -name build -prune -o -type f \
   ! -path 'capi/vesica*.h' \
-  \( -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.hpp' \) -print0)
+  \( -name '*.c' -o -name '*.h' -o -name '*.cpp' -o -name '*.hpp' -o -name '*.cu' -o -name '*.cuh' \) -print0)
 [ ${#files[@]} -gt 400 ] || { echo "format: only ${#files[@]} files found" >&2; exit 2; }
 if [ "${1:-}" = --fix ]; then
   printf '%s\0' "${files[@]}" | xargs -0 $tool -i

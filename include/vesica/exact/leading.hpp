@@ -115,7 +115,8 @@ constexpr Leading<limbs> operator+(const Leading<limbs>& a, const Leading<limbs>
     sum.set(order < 0 ? b.sign : a.sign, {limb, low, n});
     if (a.low < low || b.low < low) sum.lose(std::int64_t{64} * low);
   }
-  for (const std::int64_t error : {a.error, b.error}) {
+  const std::int64_t errors[] = {a.error, b.error};
+  for (const std::int64_t error : errors) {
     if (error != Leading<limbs>::nothing) sum.lose(error);
   }
   return sum;

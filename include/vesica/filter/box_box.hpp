@@ -10,7 +10,7 @@ namespace vesica::filter {
 /// Axes between 2^-25 and 2^25 long (double: 2^-200 and 2^200): what their products lose by underflow is then
 /// negligible beside them.
 template <class V>
-VESICA_INLINE auto box_axis_in_range(V squared_length) noexcept {
+VESICA_INLINE constexpr auto box_axis_in_range(V squared_length) noexcept {
   return in_range(squared_length, guard_power<V, -50>(), guard_power<V, 50>());
 }
 
@@ -22,7 +22,7 @@ VESICA_INLINE auto box_axis_in_range(V squared_length) noexcept {
 ///   |error r_i| <= 8u (r0 + r1)                 (U: 4u; c, s: 4u |u||w| <= 4u (|c| + |s|); sizes u; 3 roundings)
 /// and |u||D| <= |p0| + |p1|. With the subtraction's u: 6u (|p0| + |p1|) + 11u (r0 + r1) <= 12u of the sum of all.
 template <class V>
-VESICA_INLINE Estimate<V> widest_gap(V p0, V p1, V r0, V r1) noexcept {
+VESICA_INLINE constexpr Estimate<V> widest_gap(V p0, V p1, V r0, V r1) noexcept {
   return {max(p0 - r0, p1 - r1), roundoffs<V>(12) * ((p0 + p1) + (r0 + r1)) + underflow_allowance<V>()};
 }
 
@@ -32,7 +32,7 @@ VESICA_INLINE Estimate<V> widest_gap(V p0, V p1, V r0, V r1) noexcept {
 /// there is one addition more, of magnitudes p + e: 7u (|p0| + |p1|) + 12u (h0 + h1 + e0 + e1) <= 14u of the sum of
 /// all.
 template <class V>
-VESICA_INLINE Estimate<V> farthest_out(V p0, V p1, V h0, V h1, V e0, V e1) noexcept {
+VESICA_INLINE constexpr Estimate<V> farthest_out(V p0, V p1, V h0, V h1, V e0, V e1) noexcept {
   return {max((p0 + e0) - h0, (p1 + e1) - h1),
           roundoffs<V>(14) * ((p0 + p1) + ((h0 + e0) + (h1 + e1))) + underflow_allowance<V>()};
 }
@@ -45,7 +45,7 @@ struct BoxBox {
 };
 
 template <class V>
-VESICA_INLINE BoxBox<V> separating_axes(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
+VESICA_INLINE constexpr BoxBox<V> separating_axes(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
   const V uu = a.ux * a.ux + a.uy * a.uy, ww = b.ux * b.ux + b.uy * b.uy;
   const V c = abs(a.ux * b.ux + a.uy * b.uy), s = abs(a.ux * b.uy - a.uy * b.ux);
   const V p0 = abs(a.ux * d.x + a.uy * d.y), p1 = abs(a.ux * d.y - a.uy * d.x);
@@ -57,12 +57,12 @@ VESICA_INLINE BoxBox<V> separating_axes(const Box<V>& a, const Box<V>& b, const 
 }
 
 template <class V>
-VESICA_INLINE auto box_box_usable(const BoxBox<V>& axes, const Box<V>& a, const Box<V>& b) noexcept {
+VESICA_INLINE constexpr auto box_box_usable(const BoxBox<V>& axes, const Box<V>& a, const Box<V>& b) noexcept {
   return both(both(box_axis_in_range(axes.uu), box_axis_in_range(axes.ww)), at_least(V(0.0f), a.hx, a.hy, b.hx, b.hy));
 }
 
 template <class V>
-VESICA_INLINE auto box_box(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
+VESICA_INLINE constexpr auto box_box(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
   const BoxBox<V> axes = separating_axes(a, b, d);
   return guarded(box_box_usable(axes, a, b), both(certainly_negative(axes.gap_a), certainly_negative(axes.gap_b)),
                  either(certainly_positive(axes.gap_a), certainly_positive(axes.gap_b)));
@@ -70,7 +70,7 @@ VESICA_INLINE auto box_box(const Box<V>& a, const Box<V>& b, const Centre<V>& d)
 
 /// The gap tells whether the boxes cross or are disjoint; each box's own axes tell how far the other reaches out of it.
 template <class V>
-VESICA_INLINE auto box_box_certain_facts(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
+VESICA_INLINE constexpr auto box_box_certain_facts(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
   const BoxBox<V> axes = separating_axes(a, b, d);
   auto s = certain_facts(axes.gap_a, axes.a_out_of_b, axes.b_out_of_a);
   s.disjoint = either(s.disjoint, certainly_positive(axes.gap_b));
@@ -80,13 +80,13 @@ VESICA_INLINE auto box_box_certain_facts(const Box<V>& a, const Box<V>& b, const
 
 /// d: from the box's centre to the point.
 template <class V>
-VESICA_INLINE Estimate<V> point_gap(const Box<V>& b, const Centre<V>& d, V uu) noexcept {
+VESICA_INLINE constexpr Estimate<V> point_gap(const Box<V>& b, const Centre<V>& d, V uu) noexcept {
   const V p0 = abs(b.ux * d.x + b.uy * d.y), p1 = abs(b.ux * d.y - b.uy * d.x);
   return widest_gap(p0, p1, b.hx * uu, b.hy * uu);
 }
 
 template <class V>
-VESICA_INLINE auto point_box(const Box<V>& b, const Centre<V>& d) noexcept {
+VESICA_INLINE constexpr auto point_box(const Box<V>& b, const Centre<V>& d) noexcept {
   const V uu = b.ux * b.ux + b.uy * b.uy;
   const auto usable = both(box_axis_in_range(uu), at_least(V(0.0f), b.hx, b.hy));
   return guarded(usable, point_gap(b, d, uu));

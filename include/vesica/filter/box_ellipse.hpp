@@ -28,7 +28,7 @@ struct BoxEllipse {
 /// so m^2 is off by error_m (2m + error_m) + u m^2, the product by det (33u Q + 42u x T) and the difference by u of
 /// each. Summed over both segments this bounds either.
 template <class V>
-VESICA_INLINE V gap_along_segment(V p00, V p01, V x, V y, V e) noexcept {
+VESICA_INLINE constexpr V gap_along_segment(V p00, V p01, V x, V y, V e) noexcept {
   return positive_part(abs(p00 * y - p01 * x) - p00 * e);
 }
 
@@ -41,7 +41,8 @@ struct BoxFrame {
 
 /// d: from the box's centre to the ellipse's.
 template <class V>
-VESICA_INLINE BoxFrame<V> box_frame(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
+VESICA_INLINE constexpr BoxFrame<V> box_frame(const Box<V>& box, const Ellipse<V>& ellipse,
+                                              const Centre<V>& d) noexcept {
   const V uu = box.ux * box.ux + box.uy * box.uy, vv = ellipse.ux * ellipse.ux + ellipse.uy * ellipse.uy;
   const V kx = box.ux * d.x + box.uy * d.y, ky = box.ux * d.y - box.uy * d.x;
   const V c = box.ux * ellipse.ux + box.uy * ellipse.uy, s = box.ux * ellipse.uy - box.uy * ellipse.ux;
@@ -50,7 +51,7 @@ VESICA_INLINE BoxFrame<V> box_frame(const Box<V>& box, const Ellipse<V>& ellipse
 }
 
 template <class V>
-VESICA_INLINE BoxEllipse<V> visible_edges(const BoxFrame<V>& f, const Ellipse<V>& ellipse) noexcept {
+VESICA_INLINE constexpr BoxEllipse<V> visible_edges(const BoxFrame<V>& f, const Ellipse<V>& ellipse) noexcept {
   // Folding the centre into the first quadrant flips the sign of p01 with that of kx ky, which must not underflow.
   const V p01 = flip_sign(flip_sign(f.ac * f.as - f.bc * f.bs, f.kx), f.ky);
   const V root = (ellipse.a * ellipse.b) * (f.uu * f.vv), det = root * root;
@@ -64,7 +65,8 @@ VESICA_INLINE BoxEllipse<V> visible_edges(const BoxFrame<V>& f, const Ellipse<V>
 
 /// d: from the box's centre to the ellipse's.
 template <class V>
-VESICA_INLINE BoxEllipse<V> visible_edges(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
+VESICA_INLINE constexpr BoxEllipse<V> visible_edges(const Box<V>& box, const Ellipse<V>& ellipse,
+                                                    const Centre<V>& d) noexcept {
   return visible_edges(box_frame(box, ellipse, d), ellipse);
 }
 
@@ -74,7 +76,7 @@ VESICA_INLINE BoxEllipse<V> visible_edges(const Box<V>& box, const Ellipse<V>& e
 /// With T and Q as above, the room errs by e = 10u T, its square by e (2 room + e) and a rounding, p by 12u Q; the
 /// difference by u of either. 12u and 14u taken.
 template <class V>
-VESICA_INLINE Estimate<V> ellipse_out_of_box(const BoxFrame<V>& f) noexcept {
+VESICA_INLINE constexpr Estimate<V> ellipse_out_of_box(const BoxFrame<V>& f) noexcept {
   const V kx = abs(f.kx), ky = abs(f.ky);
   const V x = positive_part(f.ex - kx), y = positive_part(f.ey - ky);
   const V e = roundoffs<V>(12) * ((kx + ky) + (f.ex + f.ey));
@@ -90,8 +92,8 @@ VESICA_INLINE Estimate<V> ellipse_out_of_box(const BoxFrame<V>& f) noexcept {
 /// coordinates of a corner, |X0| <= b L, the squared distance errs by 24u (b X0 + a X1) L + 144u^2 (a^2 + b^2) L^2 and
 /// seven roundings of X0^2 + X1^2, (a b V)^2 by 9u and the difference by one.
 template <class V>
-VESICA_INLINE Estimate<V> box_out_of_ellipse(const BoxFrame<V>& f, const Box<V>& box, const Ellipse<V>& ellipse,
-                                             const Centre<V>& d) noexcept {
+VESICA_INLINE constexpr Estimate<V> box_out_of_ellipse(const BoxFrame<V>& f, const Box<V>& box,
+                                                       const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
   const V x0 = ellipse.ux * d.x + ellipse.uy * d.y, x1 = ellipse.ux * d.y - ellipse.uy * d.x;
   const V m0 = ellipse.b * x0, m1 = ellipse.a * x1;
   const V g0 = box.hx * f.bc, g1 = box.hx * f.as, h0 = box.hy * f.bs, h1 = box.hy * f.ac;
@@ -110,8 +112,8 @@ VESICA_INLINE Estimate<V> box_out_of_ellipse(const BoxFrame<V>& f, const Box<V>&
 /// below 2^100. Then det Q >= 2^-90 stays normal, no product of either side overflows while its bound does not, and
 /// what underflows in k or T is far below the part of the bound that det Q carries.
 template <class V>
-VESICA_INLINE auto box_ellipse_usable(const BoxEllipse<V>& edges, const Box<V>& box,
-                                      const Ellipse<V>& ellipse) noexcept {
+VESICA_INLINE constexpr auto box_ellipse_usable(const BoxEllipse<V>& edges, const Box<V>& box,
+                                                const Ellipse<V>& ellipse) noexcept {
   const V low = guard_power<V, -5>(), high = guard_power<V, 15>();
   const auto axes = both(in_range(edges.uu, low, high), in_range(edges.vv, low, high));
   const auto sizes = both(at_least(guard_power<V, -10>(), ellipse.a, ellipse.b), at_least(V(0.0f), box.hx, box.hy));
@@ -119,7 +121,7 @@ VESICA_INLINE auto box_ellipse_usable(const BoxEllipse<V>& edges, const Box<V>& 
 }
 
 template <class V>
-VESICA_INLINE auto box_ellipse(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
+VESICA_INLINE constexpr auto box_ellipse(const Box<V>& box, const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
   const BoxEllipse<V> edges = visible_edges(box, ellipse, d);
   const Estimate<V> least{min(edges.misses_x, edges.misses_y), edges.error};
   return guarded(box_ellipse_usable(edges, box, ellipse), least);
@@ -128,8 +130,8 @@ VESICA_INLINE auto box_ellipse(const Box<V>& box, const Ellipse<V>& ellipse, con
 /// The same guard, and errors of the same limit. Then (a b V)^2 >= 2^-50 and p00 + p11 >= 2^-30 are normal in every
 /// bound, and X0^2, X1^2 and the squared room are below 2^20 times bounds that are finite.
 template <class V>
-VESICA_INLINE auto box_ellipse_certain_facts(const Box<V>& box, const Ellipse<V>& ellipse,
-                                             const Centre<V>& d) noexcept {
+VESICA_INLINE constexpr auto box_ellipse_certain_facts(const Box<V>& box, const Ellipse<V>& ellipse,
+                                                       const Centre<V>& d) noexcept {
   const BoxFrame<V> frame = box_frame(box, ellipse, d);
   const BoxEllipse<V> edges = visible_edges(frame, ellipse);
   const Estimate<V> least{min(edges.misses_x, edges.misses_y), edges.error};

@@ -25,15 +25,15 @@ struct CertainFacts {
 
 /// Nothing outside the guard.
 template <class Mask>
-VESICA_INLINE CertainFacts<Mask> guarded(Mask guard, const CertainFacts<Mask>& s) noexcept {
+VESICA_INLINE constexpr CertainFacts<Mask> guarded(Mask guard, const CertainFacts<Mask>& s) noexcept {
   return {both(guard, s.disjoint), both(guard, s.crossing),   both(guard, s.inside),      both(guard, s.contains),
           both(guard, s.neither),  both(guard, s.not_inside), both(guard, s.not_contains)};
 }
 
 /// Of three estimates: the gap between a and b, how far a reaches out of b, and b out of a.
 template <class V>
-VESICA_INLINE auto certain_facts(const Estimate<V>& gap, const Estimate<V>& a_out_of_b,
-                                 const Estimate<V>& b_out_of_a) noexcept {
+VESICA_INLINE constexpr auto certain_facts(const Estimate<V>& gap, const Estimate<V>& a_out_of_b,
+                                           const Estimate<V>& b_out_of_a) noexcept {
   const auto not_inside = certainly_positive(a_out_of_b), not_contains = certainly_positive(b_out_of_a);
   return CertainFacts<decltype(gap.value > gap.error)>{certainly_positive(gap),
                                                        certainly_negative(gap),
@@ -46,15 +46,15 @@ VESICA_INLINE auto certain_facts(const Estimate<V>& gap, const Estimate<V>& a_ou
 
 /// Where at most one shape can contain the other, and which of the two is known: `nested` and `neither` say whether.
 template <class Mask>
-VESICA_INLINE CertainFacts<Mask> certain_facts(const Verdict<Mask>& v, Mask nested, Mask neither,
-                                               Mask first_greater) noexcept {
+VESICA_INLINE constexpr CertainFacts<Mask> certain_facts(const Verdict<Mask>& v, Mask nested, Mask neither,
+                                                         Mask first_greater) noexcept {
   const Mask inside = and_not(nested, first_greater), contains = both(nested, first_greater);
   return {v.disjoint, v.overlap, inside, contains, neither, either(neither, contains), either(neither, inside)};
 }
 
 /// Of a point, first, and a solid shape, which it never contains.
 template <class Mask>
-VESICA_INLINE CertainFacts<Mask> of_point(const Verdict<Mask>& v) noexcept {
+VESICA_INLINE constexpr CertainFacts<Mask> of_point(const Verdict<Mask>& v) noexcept {
   const Mask never = both(v.overlap, v.disjoint), certain = either(v.overlap, v.disjoint);
   return {v.disjoint, v.overlap, v.overlap, never, v.disjoint, v.disjoint, certain};
 }
@@ -66,13 +66,13 @@ struct CertainRelation {
 };
 
 template <class Mask>
-VESICA_INLINE CertainRelation<Mask> certain_relation(const CertainFacts<Mask>& s) noexcept {
+VESICA_INLINE constexpr CertainRelation<Mask> certain_relation(const CertainFacts<Mask>& s) noexcept {
   return {s.disjoint, both(s.crossing, s.neither), s.inside, s.contains};
 }
 
 /// Whether a contains b: `overlap` where it certainly does, `disjoint` where it certainly does not.
 template <class Mask>
-VESICA_INLINE Verdict<Mask> certain_containment(const CertainFacts<Mask>& s) noexcept {
+VESICA_INLINE constexpr Verdict<Mask> certain_containment(const CertainFacts<Mask>& s) noexcept {
   return {s.contains, either(s.disjoint, s.not_contains)};
 }
 

@@ -17,7 +17,7 @@ struct Circles {
 };
 
 /// For the squares of half lengths and of the axis's length.
-VESICA_INLINE Circles circles(double aa, double bb, double axis) noexcept {
+VESICA_INLINE constexpr Circles circles(double aa, double bb, double axis) noexcept {
   return {max(aa, bb) * axis, min(aa, bb) * axis};
 }
 
@@ -25,8 +25,8 @@ VESICA_INLINE Circles circles(double aa, double bb, double axis) noexcept {
 /// axes are at least 2^-48 (discs: their powers are, as in the contact cubic's guards), so that nothing underflows that
 /// counts, and all errors together are below 16u of each side (u = 2^-53). With R and S the outer radii
 /// (R + S)^2 <= 2 (R^2 + S^2), and with p <= q the inner ones (p + q)^2 >= 3 p^2 + q^2.
-VESICA_INLINE Verdict<bool> by_circles(const Centre<double>& d, const Circles& a, const Circles& b, double sum,
-                                       bool usable) noexcept {
+VESICA_INLINE constexpr Verdict<bool> by_circles(const Centre<double>& d, const Circles& a, const Circles& b,
+                                                 double sum, bool usable) noexcept {
   constexpr double finite = std::numeric_limits<double>::max(), slack = 0x1p-40;
   const double distance = d.x * d.x + d.y * d.y, about = a.about + b.about;
   const double within = (a.within + b.within) + 2 * min(a.within, b.within);

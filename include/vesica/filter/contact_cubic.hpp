@@ -35,7 +35,7 @@ struct Pencil {
 ///     for double's 2^-26. 39u h in all.
 /// 40u h serves both.
 template <class V>
-VESICA_INLINE Estimate<V> least_value(const ContactCubic<V>& p) noexcept {
+VESICA_INLINE constexpr Estimate<V> least_value(const ContactCubic<V>& p) noexcept {
   const V zero(0.0f), three(3.0f), shift = roundoffs<V>(16);
   const V l1 = p.c1 - shift * p.total1, l2 = p.c2 - shift * p.total2;
   const V root = rough_sqrt(positive_part(l2 * l2 - three * (p.d2 * l1)));
@@ -49,14 +49,14 @@ VESICA_INLINE Estimate<V> least_value(const ContactCubic<V>& p) noexcept {
 }
 
 template <class V>
-VESICA_INLINE auto decide(const ContactCubic<V>& p) noexcept {
+VESICA_INLINE constexpr auto decide(const ContactCubic<V>& p) noexcept {
   const Estimate<V> least = least_value(p);
   return Verdict<decltype(least.value > least.error)>{certainly_positive(least), certainly_negative(least)};
 }
 
 /// Totals and leading terms together below 2^62 (double: 2^496): no square in least_value() overflows.
 template <class V>
-VESICA_INLINE auto totals_in_range(const ContactCubic<V>& p) noexcept {
+VESICA_INLINE constexpr auto totals_in_range(const ContactCubic<V>& p) noexcept {
   return (p.d1 + p.d2) + (p.total1 + p.total2) <= guard_power<V, 62>();
 }
 
@@ -69,7 +69,8 @@ VESICA_INLINE auto totals_in_range(const ContactCubic<V>& p) noexcept {
 /// al when x0 is nearly zero, (2u N)^2 (a0^2 + a1^2)(b0^2 + b1^2) in mu when c or s is. The u^2 terms in the totals
 /// cover them.
 template <class V>
-VESICA_INLINE Pencil<V> pencil(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d, V vv, V ww) noexcept {
+VESICA_INLINE constexpr Pencil<V> pencil(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d, V vv,
+                                         V ww) noexcept {
   const V c = e.ux * f.ux + e.uy * f.uy, s = e.ux * f.uy - e.uy * f.ux;
   const V x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x;
   const V y0 = f.ux * d.x + f.uy * d.y, y1 = f.ux * d.y - f.uy * d.x;
@@ -91,21 +92,21 @@ VESICA_INLINE Pencil<V> pencil(const Ellipse<V>& e, const Ellipse<V>& f, const C
 }
 
 template <class V>
-VESICA_INLINE ContactCubic<V> contact_cubic(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d, V vv,
-                                            V ww) noexcept {
+VESICA_INLINE constexpr ContactCubic<V> contact_cubic(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d,
+                                                      V vv, V ww) noexcept {
   return pencil(e, f, d, vv, ww).contact;
 }
 
 /// Guard: half lengths and squared axes at least 2^-6 (double: 2^-48), so that d1 and d2 are at least 2^-36 (2^-288)
 /// and all that underflows is negligible beside them.
 template <class V>
-VESICA_INLINE auto ellipse_ellipse_usable(const ContactCubic<V>& p, const Ellipse<V>& e, const Ellipse<V>& f, V vv,
-                                          V ww) noexcept {
+VESICA_INLINE constexpr auto ellipse_ellipse_usable(const ContactCubic<V>& p, const Ellipse<V>& e, const Ellipse<V>& f,
+                                                    V vv, V ww) noexcept {
   return both(at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww), totals_in_range(p));
 }
 
 template <class V>
-VESICA_INLINE auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
+VESICA_INLINE constexpr auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy, ww = f.ux * f.ux + f.uy * f.uy;
   const Centre<V> d = offset(place(e), place(f));
   if constexpr (looks<V>) {
@@ -123,7 +124,8 @@ VESICA_INLINE auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<V>& f) noe
 /// (r^2 + t)(P + t)(Q + t) - t (al + |D|^2 t), P = V a^2 and Q = V b^2 the squared half lengths. Of lower degree, so
 /// cheaper and of wider range. Errors: r^2 P Q 11u; c1: 12u and 6u of (a^2 + b^2) |x0 x1|; c2: 7u.
 template <class V>
-VESICA_INLINE Pencil<V> pencil(const Circle<V>& disc, const Ellipse<V>& e, const Centre<V>& d, V vv) noexcept {
+VESICA_INLINE constexpr Pencil<V> pencil(const Circle<V>& disc, const Ellipse<V>& e, const Centre<V>& d,
+                                         V vv) noexcept {
   const V x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x;
   const V aa = e.a * e.a, bb = e.b * e.b, rr = disc.r * disc.r;
   const V p = aa * vv, q = bb * vv, pq = p * q, sum = p + q;
@@ -135,15 +137,15 @@ VESICA_INLINE Pencil<V> pencil(const Circle<V>& disc, const Ellipse<V>& e, const
 }
 
 template <class V>
-VESICA_INLINE ContactCubic<V> contact_cubic(const Circle<V>& disc, const Ellipse<V>& e, const Centre<V>& d,
-                                            V vv) noexcept {
+VESICA_INLINE constexpr ContactCubic<V> contact_cubic(const Circle<V>& disc, const Ellipse<V>& e, const Centre<V>& d,
+                                                      V vv) noexcept {
   return pencil(disc, e, d, vv).contact;
 }
 
 /// Guard: radius and half lengths at least 2^-8 and the squared axis 2^-16 (double: the 8th powers), so that
 /// r^2 P Q >= 2^-80 stays normal.
 template <class V>
-VESICA_INLINE auto circle_ellipse(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
+VESICA_INLINE constexpr auto circle_ellipse(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy;
   const V low = guard_power<V, -8>();
   const auto sizes = both(at_least(low, e.a, e.b, disc.r), vv >= guard_power<V, -16>());

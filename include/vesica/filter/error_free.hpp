@@ -22,24 +22,28 @@ template <class V>
 class ErrorFree {
  public:
   template <class... X>
-  VESICA_INLINE explicit ErrorFree(X... stored) noexcept {
+  VESICA_INLINE constexpr explicit ErrorFree(X... stored) noexcept {
     ((lost_ = or_bits(lost_, rounded(stored))), ...);
   }
 
-  VESICA_INLINE V sum(V a, V b) noexcept { return high_of(detail::arithmetic::two_sum(a, b)); }
-  VESICA_INLINE V difference(V a, V b) noexcept { return high_of(detail::arithmetic::two_difference(a, b)); }
-  VESICA_INLINE V product(V a, V b) noexcept { return high_of(detail::arithmetic::two_product_uncontracted(a, b)); }
-  VESICA_INLINE V dot(V ux, V uy, V wx, V wy) noexcept { return sum(product(ux, wx), product(uy, wy)); }
-  VESICA_INLINE V cross(V ux, V uy, V wx, V wy) noexcept { return difference(product(ux, wy), product(uy, wx)); }
-  VESICA_INLINE auto held() const noexcept { return lost_ == V(0.0); }
+  VESICA_INLINE constexpr V sum(V a, V b) noexcept { return high_of(detail::arithmetic::two_sum(a, b)); }
+  VESICA_INLINE constexpr V difference(V a, V b) noexcept { return high_of(detail::arithmetic::two_difference(a, b)); }
+  VESICA_INLINE constexpr V product(V a, V b) noexcept {
+    return high_of(detail::arithmetic::two_product_uncontracted(a, b));
+  }
+  VESICA_INLINE constexpr V dot(V ux, V uy, V wx, V wy) noexcept { return sum(product(ux, wx), product(uy, wy)); }
+  VESICA_INLINE constexpr V cross(V ux, V uy, V wx, V wy) noexcept {
+    return difference(product(ux, wy), product(uy, wx));
+  }
+  VESICA_INLINE constexpr auto held() const noexcept { return lost_ == V(0.0); }
 
  private:
   /// What x loses below 2^-152.
-  VESICA_INLINE static V rounded(V x) noexcept {
+  VESICA_INLINE static constexpr V rounded(V x) noexcept {
     constexpr int e = 1074 - 152;
     return (x * V(ScalarTraits<double>::power(-e))) * V(ScalarTraits<double>::power(e)) - x;
   }
-  VESICA_INLINE V high_of(const detail::arithmetic::Pair<V>& pair) noexcept {
+  VESICA_INLINE constexpr V high_of(const detail::arithmetic::Pair<V>& pair) noexcept {
     lost_ = or_bits(lost_, pair.low);
     return pair.high;
   }
@@ -52,17 +56,17 @@ struct ErrorFreeNumber : detail::form::AsStored<V> {
   using detail::form::AsStored<V>::operator();
   ErrorFree<V>* exactly;
 
-  VESICA_INLINE explicit ErrorFreeNumber(ErrorFree<V>& arithmetic) noexcept : exactly(&arithmetic) {}
-  VESICA_INLINE V operator()(const detail::form::Difference<V>& d) const noexcept {
+  VESICA_INLINE constexpr explicit ErrorFreeNumber(ErrorFree<V>& arithmetic) noexcept : exactly(&arithmetic) {}
+  VESICA_INLINE constexpr V operator()(const detail::form::Difference<V>& d) const noexcept {
     return exactly->difference(d.to, d.from);
   }
-  VESICA_INLINE V operator()(const detail::form::HalfWidth<V>& w) const noexcept {
+  VESICA_INLINE constexpr V operator()(const detail::form::HalfWidth<V>& w) const noexcept {
     return exactly->difference(w.to, w.from);
   }
 };
 
 template <template <class> class Shape, class V>
-VESICA_INLINE Box<V> box(const Shape<V>& s, ErrorFree<V>& exactly) noexcept {
+VESICA_INLINE constexpr Box<V> box(const Shape<V>& s, ErrorFree<V>& exactly) noexcept {
   const ErrorFreeNumber<V> number(exactly);
   const auto f = detail::form::of(s);
   return {number(f.ux), number(f.uy), number(f.hx), number(f.hy)};
@@ -75,15 +79,15 @@ struct WholeOffset {
 };
 
 template <class V>
-VESICA_INLINE WholeOffset<V> offset(const Centre<V>& a, const Centre<V>& b, ErrorFree<V>&) noexcept {
+VESICA_INLINE constexpr WholeOffset<V> offset(const Centre<V>& a, const Centre<V>& b, ErrorFree<V>&) noexcept {
   const auto x = detail::arithmetic::two_difference(b.x, a.x), y = detail::arithmetic::two_difference(b.y, a.y);
   return {{x.high, y.high}, {x.low, y.low}};
 }
 
 /// Half the sum of two differences.
 template <class V>
-VESICA_INLINE detail::arithmetic::Pair<V> mean_difference(V to0, V from0, V to1, V from1,
-                                                          ErrorFree<V>& exactly) noexcept {
+VESICA_INLINE constexpr detail::arithmetic::Pair<V> mean_difference(V to0, V from0, V to1, V from1,
+                                                                    ErrorFree<V>& exactly) noexcept {
   const auto first = detail::arithmetic::two_difference(to0, from0),
              second = detail::arithmetic::two_difference(to1, from1),
              sum = detail::arithmetic::two_sum(first.high, second.high);
@@ -91,7 +95,8 @@ VESICA_INLINE detail::arithmetic::Pair<V> mean_difference(V to0, V from0, V to1,
   return {half * sum.high, half * low};
 }
 template <class PlaceA, class PlaceB, class V>
-VESICA_INLINE WholeOffset<V> offset(const PlaceA& place_a, const PlaceB& place_b, ErrorFree<V>& exactly) noexcept {
+VESICA_INLINE constexpr WholeOffset<V> offset(const PlaceA& place_a, const PlaceB& place_b,
+                                              ErrorFree<V>& exactly) noexcept {
   const Corners<V> a = detail::form::corners(place_a), b = detail::form::corners(place_b);
   const auto x = mean_difference(b.x0, a.x0, b.x1, a.x1, exactly), y = mean_difference(b.y0, a.y0, b.y1, a.y1, exactly);
   return {{x.high, y.high}, {x.low, y.low}};
@@ -99,21 +104,21 @@ VESICA_INLINE WholeOffset<V> offset(const PlaceA& place_a, const PlaceB& place_b
 
 /// |p + low| - reach, rounded once at the end, where that cannot change a sign.
 template <class V>
-VESICA_INLINE V gap_beyond(V p, V low, V reach, ErrorFree<V>& exactly) noexcept {
+VESICA_INLINE constexpr V gap_beyond(V p, V low, V reach, ErrorFree<V>& exactly) noexcept {
   const auto distance = detail::arithmetic::two_sum(p, low);
   return exactly.difference(abs(distance.high), reach) + flip_sign(distance.low, distance.high);
 }
 
 /// A guard that fails for an invalid box, and for the segment of no length, which has no axis.
 template <class V>
-VESICA_INLINE auto has_extent(const Box<V>& b, V uu) noexcept {
+VESICA_INLINE constexpr auto has_extent(const Box<V>& b, V uu) noexcept {
   return both(uu > V(0.0), at_least(V(0.0), b.hx, b.hy));
 }
 
 /// The greater gap along the axes of a; uu, c and s as in separating_axes().
 template <class V>
-VESICA_INLINE V widest_gap_along(const Box<V>& a, const Box<V>& b, const WholeOffset<V>& d, V uu, V c, V s,
-                                 ErrorFree<V>& exactly) noexcept {
+VESICA_INLINE constexpr V widest_gap_along(const Box<V>& a, const Box<V>& b, const WholeOffset<V>& d, V uu, V c, V s,
+                                           ErrorFree<V>& exactly) noexcept {
   const auto reach = [&](V h, V along, V across) {
     return exactly.sum(exactly.product(h, uu), exactly.dot(b.hx, b.hy, along, across));
   };
@@ -126,7 +131,8 @@ VESICA_INLINE V widest_gap_along(const Box<V>& a, const Box<V>& b, const WholeOf
 
 /// Separating axes, as exact/box_box.hpp. Degree 3.
 template <class V>
-VESICA_INLINE auto box_box(const Box<V>& a, const Box<V>& b, const WholeOffset<V>& d, ErrorFree<V>& exactly) noexcept {
+VESICA_INLINE constexpr auto box_box(const Box<V>& a, const Box<V>& b, const WholeOffset<V>& d,
+                                     ErrorFree<V>& exactly) noexcept {
   const V uu = exactly.dot(a.ux, a.uy, a.ux, a.uy), ww = exactly.dot(b.ux, b.uy, b.ux, b.uy);
   const V c = abs(exactly.dot(a.ux, a.uy, b.ux, b.uy)), s = abs(exactly.cross(a.ux, a.uy, b.ux, b.uy));
   const V gap = max(widest_gap_along(a, b, d, uu, c, s, exactly), widest_gap_along(b, a, d, ww, c, s, exactly));
@@ -135,7 +141,8 @@ VESICA_INLINE auto box_box(const Box<V>& a, const Box<V>& b, const WholeOffset<V
 
 /// Is the disc's centre at most a radius from the box? As exact/disc.hpp. Degree 6.
 template <class V>
-VESICA_INLINE auto box_disc(const Box<V>& box, const WholeOffset<V>& d, V radius, ErrorFree<V>& exactly) noexcept {
+VESICA_INLINE constexpr auto box_disc(const Box<V>& box, const WholeOffset<V>& d, V radius,
+                                      ErrorFree<V>& exactly) noexcept {
   const V dx = exactly.sum(d.high.x, d.low.x), dy = exactly.sum(d.high.y, d.low.y);
   const V uu = exactly.dot(box.ux, box.uy, box.ux, box.uy);
   const V kx = abs(exactly.dot(box.ux, box.uy, dx, dy)), ky = abs(exactly.cross(box.ux, box.uy, dx, dy));
@@ -147,7 +154,8 @@ VESICA_INLINE auto box_disc(const Box<V>& box, const WholeOffset<V>& d, V radius
 }
 
 template <class V>
-VESICA_INLINE auto disc_disc(const WholeOffset<V>& d, V radius_a, V radius_b, ErrorFree<V>& exactly) noexcept {
+VESICA_INLINE constexpr auto disc_disc(const WholeOffset<V>& d, V radius_a, V radius_b,
+                                       ErrorFree<V>& exactly) noexcept {
   const V dx = exactly.sum(d.high.x, d.low.x), dy = exactly.sum(d.high.y, d.low.y);
   const V reach = exactly.sum(radius_a, radius_b);
   const V distance = exactly.dot(dx, dy, dx, dy), reached = exactly.product(reach, reach);
@@ -168,7 +176,7 @@ concept HasErrorFree = (is_straight<A> || is_disc<A>)&&(is_straight<B> || is_dis
 
 /// Whether two shapes overlap, where nothing is rounded in finding out.
 template <template <class> class A, template <class> class B, class V>
-requires HasErrorFree<A<V>, B<V>> VESICA_INLINE auto error_free(const A<V>& a, const B<V>& b) noexcept {
+requires HasErrorFree<A<V>, B<V>> VESICA_INLINE constexpr auto error_free(const A<V>& a, const B<V>& b) noexcept {
   ErrorFree<V> exactly = detail::with_numbers(a, [&](auto... of_a) {
     return detail::with_numbers(b, [&](auto... of_b) { return ErrorFree<V>(of_a..., of_b...); });
   });

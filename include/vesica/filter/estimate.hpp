@@ -26,12 +26,12 @@ struct Estimate {
 };
 
 template <class V>
-VESICA_INLINE auto certainly_positive(const Estimate<V>& e) noexcept {
+VESICA_INLINE constexpr auto certainly_positive(const Estimate<V>& e) noexcept {
   return e.value > e.error;
 }
 
 template <class V>
-VESICA_INLINE auto certainly_negative(const Estimate<V>& e) noexcept {
+VESICA_INLINE constexpr auto certainly_negative(const Estimate<V>& e) noexcept {
   return e.value < -e.error;
 }
 
@@ -44,13 +44,13 @@ struct Verdict {
 
 /// No answer outside the guard.
 template <class Mask>
-VESICA_INLINE Verdict<Mask> guarded(Mask guard, Mask overlap, Mask disjoint) noexcept {
+VESICA_INLINE constexpr Verdict<Mask> guarded(Mask guard, Mask overlap, Mask disjoint) noexcept {
   return {both(guard, overlap), both(guard, disjoint)};
 }
 
 /// Two shapes overlap where the estimate is certainly negative and are disjoint where it is certainly positive.
 template <class Mask, class V>
-VESICA_INLINE Verdict<Mask> guarded(Mask guard, const Estimate<V>& gap) noexcept {
+VESICA_INLINE constexpr Verdict<Mask> guarded(Mask guard, const Estimate<V>& gap) noexcept {
   return guarded(guard, certainly_negative(gap), certainly_positive(gap));
 }
 
@@ -70,27 +70,27 @@ struct Element<float> {
 
 /// n units of roundoff.
 template <class V>
-VESICA_INLINE V roundoffs(int n) noexcept {
+VESICA_INLINE constexpr V roundoffs(int n) noexcept {
   using T = typename Element<V>::Type;
   return V(static_cast<T>(n) * ScalarTraits<T>::roundoff);
 }
 
 /// 2^e for float, 2^(8 e) for double: a guard chosen by float's narrower range serves both.
 template <class V, int e>
-VESICA_INLINE V guard_power() noexcept {
+VESICA_INLINE constexpr V guard_power() noexcept {
   using Traits = ScalarTraits<typename Element<V>::Type>;
   return V(Traits::power(Traits::range * e));
 }
 
 /// Covers what underflow can add to the errors of degree-3 filters, with axes no longer than 2^25 (double: 2^200).
 template <class V>
-VESICA_INLINE V underflow_allowance() noexcept {
+VESICA_INLINE constexpr V underflow_allowance() noexcept {
   return guard_power<V, -87>();
 }
 
 /// All values >= bound. Not by min(): of numbers widened from float g++ makes branches.
 template <class V, class... W>
-VESICA_INLINE auto at_least(V bound, V first, W... rest) noexcept {
+VESICA_INLINE constexpr auto at_least(V bound, V first, W... rest) noexcept {
   if constexpr (sizeof...(rest) == 0) {
     return first >= bound;
   } else {
@@ -99,7 +99,7 @@ VESICA_INLINE auto at_least(V bound, V first, W... rest) noexcept {
 }
 
 template <class V>
-VESICA_INLINE auto in_range(V x, V low, V high) noexcept {
+VESICA_INLINE constexpr auto in_range(V x, V low, V high) noexcept {
   return both(x >= low, x <= high);
 }
 

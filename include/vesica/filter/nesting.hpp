@@ -9,7 +9,7 @@ namespace vesica::filter {
 
 /// 64 sqrt(u): 2^-6 for float, 2^-20 for double.
 template <class V>
-VESICA_INLINE V coarse() noexcept {
+VESICA_INLINE constexpr V coarse() noexcept {
   using T = typename Element<V>::Type;
   return V(sizeof(T) == 4 ? T(0x1p-6) : T(0x1p-20));
 }
@@ -24,12 +24,12 @@ struct Nesting {
 };
 
 template <class V>
-VESICA_INLINE auto certainly_nested(const Nesting<V>& n) noexcept {
+VESICA_INLINE constexpr auto certainly_nested(const Nesting<V>& n) noexcept {
   return both(certainly_positive(n.top), certainly_positive(n.beyond));
 }
 
 template <class V>
-VESICA_INLINE auto certainly_not_nested(const Nesting<V>& n) noexcept {
+VESICA_INLINE constexpr auto certainly_not_nested(const Nesting<V>& n) noexcept {
   return either(certainly_negative(n.top), n.beyond.value + n.slack < -n.beyond.error);
 }
 
@@ -66,7 +66,7 @@ VESICA_INLINE auto certainly_not_nested(const Nesting<V>& n) noexcept {
 /// (If q' has no root, q falls everywhere; then too one of the two holds, but for rounding: at the inflection y either
 /// y < y+, or q(y) <= q(y+) <= 0.)
 template <class V>
-VESICA_INLINE Nesting<V> nesting(const Pencil<V>& s) noexcept {
+VESICA_INLINE constexpr Nesting<V> nesting(const Pencil<V>& s) noexcept {
   const ContactCubic<V>& p = s.contact;
   const V shift = roundoffs<V>(128);
   const V l1 = p.c1 - shift * p.total1, h2 = p.c2 + shift * p.total2, triple = V(3.0f) * p.d2;
@@ -86,13 +86,13 @@ VESICA_INLINE Nesting<V> nesting(const Pencil<V>& s) noexcept {
 
 /// a and b exchanged where the mask says so.
 template <class Mask, class V>
-VESICA_INLINE void exchange_where(Mask mask, V& a, V& b) noexcept {
+VESICA_INLINE constexpr void exchange_where(Mask mask, V& a, V& b) noexcept {
   const V first = select(mask, b, a);
   b = select(mask, a, b);
   a = first;
 }
 /// By bits, as select() of scalars, but once for both.
-VESICA_INLINE void exchange_where(bool mask, double& a, double& b) noexcept {
+VESICA_INLINE constexpr void exchange_where(bool mask, double& a, double& b) noexcept {
   const auto bits_a = std::bit_cast<std::uint64_t>(a), bits_b = std::bit_cast<std::uint64_t>(b);
   const std::uint64_t change = (bits_a ^ bits_b) & (std::uint64_t{0} - static_cast<std::uint64_t>(mask));
   a = std::bit_cast<double>(bits_a ^ change);
@@ -101,7 +101,7 @@ VESICA_INLINE void exchange_where(bool mask, double& a, double& b) noexcept {
 
 /// The pencil with its two ellipses exchanged where the mask says so: x turns into 1 / x.
 template <class Mask, class V>
-VESICA_INLINE Pencil<V> exchanged_where(Mask mask, Pencil<V> s) noexcept {
+VESICA_INLINE constexpr Pencil<V> exchanged_where(Mask mask, Pencil<V> s) noexcept {
   exchange_where(mask, s.contact.d1, s.contact.d2);
   exchange_where(mask, s.contact.c1, s.contact.c2);
   exchange_where(mask, s.contact.total1, s.contact.total2);
@@ -111,7 +111,7 @@ VESICA_INLINE Pencil<V> exchanged_where(Mask mask, Pencil<V> s) noexcept {
 
 /// first_greater: the pencil's first ellipse has the greater area.
 template <class Mask, class V>
-VESICA_INLINE CertainFacts<Mask> certain_facts(const Pencil<V>& s, Mask first_greater) noexcept {
+VESICA_INLINE constexpr CertainFacts<Mask> certain_facts(const Pencil<V>& s, Mask first_greater) noexcept {
   const Nesting<V> n = nesting(exchanged_where(first_greater, s));
   return certain_facts(decide(s.contact), certainly_nested(n), certainly_not_nested(n), first_greater);
 }
@@ -120,7 +120,7 @@ VESICA_INLINE CertainFacts<Mask> certain_facts(const Pencil<V>& s, Mask first_gr
 /// vanish but for rounding, their squares and products with d2 are normal; y+ is at least sqrt(det1 / det2), beside
 /// which what underflows in y otherwise is below 2^-38.
 template <class V>
-VESICA_INLINE auto ellipse_ellipse_certain_facts(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
+VESICA_INLINE constexpr auto ellipse_ellipse_certain_facts(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy, ww = f.ux * f.ux + f.uy * f.uy;
   const Pencil<V> s = pencil(e, f, offset(place(e), place(f)), vv, ww);
   return guarded(ellipse_ellipse_usable(s.contact, e, f, vv, ww), certain_facts(s, s.det1 > s.det2));
@@ -129,7 +129,7 @@ VESICA_INLINE auto ellipse_ellipse_certain_facts(const Ellipse<V>& e, const Elli
 /// a: the circle; b: the ellipse, which is the pencil's first. Guard: radius and half lengths at least 2^-5, the
 /// squared axis 2^-8 (double: the 8th powers), so that the terms of c1 and c2 are again 2^-36 and more.
 template <class V>
-VESICA_INLINE auto circle_ellipse_certain_facts(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
+VESICA_INLINE constexpr auto circle_ellipse_certain_facts(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy, rr = disc.r * disc.r;
   const Pencil<V> s = pencil(disc, e, offset(place(disc), place(e)), vv);
   const auto sizes = both(at_least(guard_power<V, -5>(), e.a, e.b, disc.r), vv >= guard_power<V, -8>());

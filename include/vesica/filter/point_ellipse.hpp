@@ -10,7 +10,7 @@ namespace vesica::filter {
 /// 6u (a^2 + b^2) (|x0 x1| + 2u (x0^2 + x1^2)), as al in filter/contact_cubic.hpp; (a b V)^2: 9u; the difference u of
 /// either.
 template <class V>
-VESICA_INLINE Estimate<V> outside_ellipse(const Ellipse<V>& e, const Centre<V>& d, V vv) noexcept {
+VESICA_INLINE constexpr Estimate<V> outside_ellipse(const Ellipse<V>& e, const Centre<V>& d, V vv) noexcept {
   const V x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x;
   const V m0 = e.b * x0, m1 = e.a * x1, root = (e.a * e.b) * vv;
   const V al = m0 * m0 + m1 * m1, det = root * root;
@@ -21,7 +21,7 @@ VESICA_INLINE Estimate<V> outside_ellipse(const Ellipse<V>& e, const Centre<V>& 
 /// Guard: half lengths and the squared axis at least 2^-12 (double: 2^-96), so (a b V)^2 >= 2^-72 is normal; errors
 /// below 2^100, where no term has overflowed.
 template <class V>
-VESICA_INLINE auto point_ellipse(const Ellipse<V>& e, const Centre<V>& d) noexcept {
+VESICA_INLINE constexpr auto point_ellipse(const Ellipse<V>& e, const Centre<V>& d) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy;
   const Estimate<V> gap = outside_ellipse(e, d, vv);
   const auto usable = both(at_least(guard_power<V, -12>(), e.a, e.b, vv), gap.error <= guard_power<V, 100>());

@@ -19,7 +19,7 @@ struct LeastSquare {
 /// 6u and their difference by u T. So x and y err by at most 11u T, of which 14u are taken as e. Squares and their sum err by
 /// 2e (x + y) + 2e^2 and 2u (x^2 + y^2) <= 2u T (x + y), which the 3u to spare cover.
 template <class V>
-VESICA_INLINE LeastSquare<V> least_square(V p0, V p1, V g0, V g1, V h0, V h1, V e0, V e1, V total) noexcept {
+VESICA_INLINE constexpr LeastSquare<V> least_square(V p0, V p1, V g0, V g1, V h0, V h1, V e0, V e1, V total) noexcept {
   const V e = roundoffs<V>(14) * total;
   const auto of_corner = [&](V k0, V k1) -> LeastSquare<V> {
     const V x = positive_part(abs(k0) - e0), y = positive_part(abs(k1) - e1);
@@ -33,7 +33,7 @@ VESICA_INLINE LeastSquare<V> least_square(V p0, V p1, V g0, V g1, V h0, V h1, V 
 
 /// Of a single point.
 template <class V>
-VESICA_INLINE LeastSquare<V> least_square(V p0, V p1, V e0, V e1) noexcept {
+VESICA_INLINE constexpr LeastSquare<V> least_square(V p0, V p1, V e0, V e1) noexcept {
   const V x = positive_part(abs(p0) - e0), y = positive_part(abs(p1) - e1);
   const V e = roundoffs<V>(14) * ((abs(p0) + abs(p1)) + (e0 + e1));
   const V square = x * x + y * y, error = (e + e) * ((x + y) + e);
@@ -45,7 +45,7 @@ template <class V>
 struct Reached {
   V low, high;
 
-  VESICA_INLINE Reached(V reach, V uu) noexcept {
+  VESICA_INLINE constexpr Reached(V reach, V uu) noexcept {
     const V square = reach * reach * uu, error = roundoffs<V>(14) * square + guard_power<V, -60>();
     low = square - error;
     high = square + error;
@@ -54,14 +54,14 @@ struct Reached {
 
 /// Axes as those of disc_box, whose words on underflow hold here too.
 template <class V>
-VESICA_INLINE auto within_usable(V uu, V high, V reached) noexcept {
+VESICA_INLINE constexpr auto within_usable(V uu, V high, V reached) noexcept {
   const auto moderate = both(high <= guard_power<V, 100>(), reached <= guard_power<V, 100>());
   return both(in_range(uu, guard_power<V, -20>(), guard_power<V, 20>()), moderate);
 }
 
 /// A box and a point, d from the box's centre. `overlap` stands for at most `reach` apart, `disjoint` for farther.
 template <class V>
-VESICA_INLINE auto point_box_within(const Box<V>& b, const Centre<V>& d, V reach) noexcept {
+VESICA_INLINE constexpr auto point_box_within(const Box<V>& b, const Centre<V>& d, V reach) noexcept {
   const V uu = b.ux * b.ux + b.uy * b.uy;
   const LeastSquare<V> least = least_square(b.ux * d.x + b.uy * d.y, b.ux * d.y - b.uy * d.x, b.hx * uu, b.hy * uu);
   const Reached<V> reached(reach, uu);
@@ -71,7 +71,7 @@ VESICA_INLINE auto point_box_within(const Box<V>& b, const Centre<V>& d, V reach
 
 /// Two boxes, d from the centre of a to that of b.
 template <class V>
-VESICA_INLINE auto box_box_within(const Box<V>& a, const Box<V>& b, const Centre<V>& d, V reach) noexcept {
+VESICA_INLINE constexpr auto box_box_within(const Box<V>& a, const Box<V>& b, const Centre<V>& d, V reach) noexcept {
   const BoxBox<V> axes = separating_axes(a, b, d);
   const V c = a.ux * b.ux + a.uy * b.uy, s = a.ux * b.uy - a.uy * b.ux;
   const V h0 = a.hx * axes.uu, h1 = a.hy * axes.uu, k0 = b.hx * axes.ww, k1 = b.hy * axes.ww;

@@ -122,9 +122,9 @@ inline Direction best_face(const Scene& s, const Pose& at) noexcept {
   const PlaneVector& in_frame = of_b ? in_b : in_a;
   const double sign = lane::flip_sign(1, second ? in_frame.y : in_frame.x);
   const Kept kept = of_b ? Kept::with_b : Kept::with_a;
-  const Heading heading{{}, kept, second ? PlaneVector{0, sign} : PlaneVector{sign, 0}};
-  const PlaneVector n = at_pose(heading, at);
-  return {{n, kept, heading.in_frame}, separation(s, at, n, kept)};
+  const PlaneVector normal = second ? PlaneVector{0, sign} : PlaneVector{sign, 0};
+  const PlaneVector n = at_pose({{}, kept, normal}, at);
+  return {{n, kept, normal}, separation(s, at, n, kept)};
 }
 
 /// The normal of a round outline beside a point, which is given from its centre.

@@ -8,7 +8,7 @@
 namespace vesica::detail::overlap {
 
 template <class V>
-VESICA_INLINE auto filter(const Aabb<V>& aabb, const Ellipse<V>& ellipse) noexcept {
+VESICA_INLINE constexpr auto filter(const Aabb<V>& aabb, const Ellipse<V>& ellipse) noexcept {
   return filter::box_ellipse(filter::box(aabb), ellipse, filter::offset(filter::place(aabb), filter::place(ellipse)));
 }
 

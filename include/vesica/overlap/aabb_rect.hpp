@@ -8,7 +8,7 @@
 namespace vesica::detail::overlap {
 
 template <class V>
-VESICA_INLINE auto filter(const Aabb<V>& aabb, const Rect<V>& rect) noexcept {
+VESICA_INLINE constexpr auto filter(const Aabb<V>& aabb, const Rect<V>& rect) noexcept {
   return filter::box_box(filter::box(aabb), filter::box(rect),
                          filter::offset(filter::place(aabb), filter::place(rect)));
 }

@@ -8,7 +8,7 @@
 namespace vesica::detail::overlap {
 
 template <class V>
-VESICA_INLINE auto filter(const Circle<V>& circle, const Aabb<V>& aabb) noexcept {
+VESICA_INLINE constexpr auto filter(const Circle<V>& circle, const Aabb<V>& aabb) noexcept {
   return filter::disc_aabb(circle, aabb);
 }
 

@@ -8,7 +8,7 @@
 namespace vesica::detail::overlap {
 
 template <class V>
-VESICA_INLINE auto filter(const Circle<V>& a, const Circle<V>& b) noexcept {
+VESICA_INLINE constexpr auto filter(const Circle<V>& a, const Circle<V>& b) noexcept {
   return filter::disc_disc(filter::offset(filter::place(a), filter::place(b)), a.r, b.r);
 }
 

@@ -8,7 +8,7 @@
 namespace vesica::detail::overlap {
 
 template <class V>
-VESICA_INLINE auto filter(const Circle<V>& circle, const Ellipse<V>& ellipse) noexcept {
+VESICA_INLINE constexpr auto filter(const Circle<V>& circle, const Ellipse<V>& ellipse) noexcept {
   return filter::circle_ellipse(circle, ellipse);
 }
 

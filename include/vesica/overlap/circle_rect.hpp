@@ -8,7 +8,7 @@
 namespace vesica::detail::overlap {
 
 template <class V>
-VESICA_INLINE auto filter(const Circle<V>& circle, const Rect<V>& rect) noexcept {
+VESICA_INLINE constexpr auto filter(const Circle<V>& circle, const Rect<V>& rect) noexcept {
   return filter::disc_box(filter::box(rect), filter::offset(filter::place(rect), filter::place(circle)), circle.r);
 }
 

@@ -8,7 +8,7 @@
 namespace vesica::detail::overlap {
 
 template <class V>
-VESICA_INLINE auto filter(const Ellipse<V>& a, const Ellipse<V>& b) noexcept {
+VESICA_INLINE constexpr auto filter(const Ellipse<V>& a, const Ellipse<V>& b) noexcept {
   return filter::ellipse_ellipse(a, b);
 }
 

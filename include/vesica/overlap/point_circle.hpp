@@ -8,7 +8,7 @@
 namespace vesica::detail::overlap {
 
 template <class V>
-VESICA_INLINE auto filter(const Point<V>& point, const Circle<V>& circle) noexcept {
+VESICA_INLINE constexpr auto filter(const Point<V>& point, const Circle<V>& circle) noexcept {
   return filter::point_disc(filter::offset(filter::place(point), filter::place(circle)), circle.r);
 }
 

@@ -8,7 +8,7 @@
 namespace vesica::detail::overlap {
 
 template <class V>
-VESICA_INLINE auto filter(const Point<V>& point, const Ellipse<V>& ellipse) noexcept {
+VESICA_INLINE constexpr auto filter(const Point<V>& point, const Ellipse<V>& ellipse) noexcept {
   return filter::point_ellipse(ellipse, filter::offset(filter::place(ellipse), filter::place(point)));
 }
 

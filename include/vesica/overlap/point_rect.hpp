@@ -8,7 +8,7 @@
 namespace vesica::detail::overlap {
 
 template <class V>
-VESICA_INLINE auto filter(const Point<V>& point, const Rect<V>& rect) noexcept {
+VESICA_INLINE constexpr auto filter(const Point<V>& point, const Rect<V>& rect) noexcept {
   return filter::point_box(filter::box(rect), filter::offset(filter::place(rect), filter::place(point)));
 }
 

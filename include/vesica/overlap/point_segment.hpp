@@ -8,7 +8,7 @@
 namespace vesica::detail::overlap {
 
 template <class V>
-VESICA_INLINE auto filter(const Point<V>& point, const Segment<V>& segment) noexcept {
+VESICA_INLINE constexpr auto filter(const Point<V>& point, const Segment<V>& segment) noexcept {
   // Only "off the segment" can be certain: a filter cannot know that a cross product is exactly zero.
   return filter::point_box(filter::box(segment), filter::offset(filter::place(segment), filter::place(point)));
 }

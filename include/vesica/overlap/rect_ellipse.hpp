@@ -8,7 +8,7 @@
 namespace vesica::detail::overlap {
 
 template <class V>
-VESICA_INLINE auto filter(const Rect<V>& rect, const Ellipse<V>& ellipse) noexcept {
+VESICA_INLINE constexpr auto filter(const Rect<V>& rect, const Ellipse<V>& ellipse) noexcept {
   return filter::box_ellipse(filter::box(rect), ellipse, filter::offset(filter::place(rect), filter::place(ellipse)));
 }
 

@@ -8,7 +8,7 @@
 namespace vesica::detail::overlap {
 
 template <class V>
-VESICA_INLINE auto filter(const Segment<V>& segment, const Aabb<V>& aabb) noexcept {
+VESICA_INLINE constexpr auto filter(const Segment<V>& segment, const Aabb<V>& aabb) noexcept {
   return filter::box_box(filter::box(segment), filter::box(aabb),
                          filter::offset(filter::place(segment), filter::place(aabb)));
 }

@@ -8,7 +8,7 @@
 namespace vesica::detail::overlap {
 
 template <class V>
-VESICA_INLINE auto filter(const Segment<V>& segment, const Circle<V>& circle) noexcept {
+VESICA_INLINE constexpr auto filter(const Segment<V>& segment, const Circle<V>& circle) noexcept {
   return filter::disc_box(filter::box(segment), filter::offset(filter::place(segment), filter::place(circle)),
                           circle.r);
 }

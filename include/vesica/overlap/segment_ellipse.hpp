@@ -8,7 +8,7 @@
 namespace vesica::detail::overlap {
 
 template <class V>
-VESICA_INLINE auto filter(const Segment<V>& segment, const Ellipse<V>& ellipse) noexcept {
+VESICA_INLINE constexpr auto filter(const Segment<V>& segment, const Ellipse<V>& ellipse) noexcept {
   return filter::box_ellipse(filter::box(segment), ellipse,
                              filter::offset(filter::place(segment), filter::place(ellipse)));
 }

@@ -8,7 +8,7 @@
 namespace vesica::detail::overlap {
 
 template <class V>
-VESICA_INLINE auto filter(const Segment<V>& segment, const Rect<V>& rect) noexcept {
+VESICA_INLINE constexpr auto filter(const Segment<V>& segment, const Rect<V>& rect) noexcept {
   return filter::box_box(filter::box(segment), filter::box(rect),
                          filter::offset(filter::place(segment), filter::place(rect)));
 }

@@ -8,7 +8,7 @@
 namespace vesica::detail::overlap {
 
 template <class V>
-VESICA_INLINE auto filter(const Segment<V>& a, const Segment<V>& b) noexcept {
+VESICA_INLINE constexpr auto filter(const Segment<V>& a, const Segment<V>& b) noexcept {
   return filter::box_box(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
 }
 

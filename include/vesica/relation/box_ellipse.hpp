@@ -9,24 +9,24 @@
 namespace vesica::detail::relation {
 
 template <class V>
-VESICA_INLINE auto certain_facts(const Point<V>& point, const Ellipse<V>& ellipse) noexcept {
+VESICA_INLINE constexpr auto certain_facts(const Point<V>& point, const Ellipse<V>& ellipse) noexcept {
   return filter::of_point(filter::point_ellipse(ellipse, filter::offset(filter::place(ellipse), filter::place(point))));
 }
 
 template <class V>
-VESICA_INLINE auto certain_facts(const Segment<V>& segment, const Ellipse<V>& ellipse) noexcept {
+VESICA_INLINE constexpr auto certain_facts(const Segment<V>& segment, const Ellipse<V>& ellipse) noexcept {
   return filter::box_ellipse_certain_facts(filter::box(segment), ellipse,
                                            filter::offset(filter::place(segment), filter::place(ellipse)));
 }
 
 template <class V>
-VESICA_INLINE auto certain_facts(const Aabb<V>& aabb, const Ellipse<V>& ellipse) noexcept {
+VESICA_INLINE constexpr auto certain_facts(const Aabb<V>& aabb, const Ellipse<V>& ellipse) noexcept {
   return filter::box_ellipse_certain_facts(filter::box(aabb), ellipse,
                                            filter::offset(filter::place(aabb), filter::place(ellipse)));
 }
 
 template <class V>
-VESICA_INLINE auto certain_facts(const Rect<V>& rect, const Ellipse<V>& ellipse) noexcept {
+VESICA_INLINE constexpr auto certain_facts(const Rect<V>& rect, const Ellipse<V>& ellipse) noexcept {
   return filter::box_ellipse_certain_facts(filter::box(rect), ellipse,
                                            filter::offset(filter::place(rect), filter::place(ellipse)));
 }

@@ -45,12 +45,12 @@ constexpr Relation aabb_aabb(const Aabb<T>& a, const Aabb<T>& b) noexcept {
 }
 
 template <class V>
-VESICA_INLINE auto certain_facts(const Point<V>& point, const Aabb<V>& aabb) noexcept {
+VESICA_INLINE constexpr auto certain_facts(const Point<V>& point, const Aabb<V>& aabb) noexcept {
   return filter::point_aabb_certain_facts(point, aabb);
 }
 
 template <class V>
-VESICA_INLINE auto certain_facts(const Aabb<V>& a, const Aabb<V>& b) noexcept {
+VESICA_INLINE constexpr auto certain_facts(const Aabb<V>& a, const Aabb<V>& b) noexcept {
   return filter::aabb_aabb_certain_facts(a, b);
 }
 

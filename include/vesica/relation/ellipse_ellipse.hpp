@@ -8,12 +8,12 @@
 namespace vesica::detail::relation {
 
 template <class V>
-VESICA_INLINE auto certain_facts(const Circle<V>& circle, const Ellipse<V>& ellipse) noexcept {
+VESICA_INLINE constexpr auto certain_facts(const Circle<V>& circle, const Ellipse<V>& ellipse) noexcept {
   return filter::circle_ellipse_certain_facts(circle, ellipse);
 }
 
 template <class V>
-VESICA_INLINE auto certain_facts(const Ellipse<V>& a, const Ellipse<V>& b) noexcept {
+VESICA_INLINE constexpr auto certain_facts(const Ellipse<V>& a, const Ellipse<V>& b) noexcept {
   return filter::ellipse_ellipse_certain_facts(a, b);
 }
 

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Stands in for CUDA's header where a kernel is compiled as plain C++: a grid is two loops, and a launch has ended when it
+/// returns. What vesica/cuda.cuh and the program of docs/cuda.md use, and no more.
+#pragma once
+
+#include <cstddef>
+#include <cstdlib>
+#include <cstring>
+
+#define __global__
+#define __device__
+#define __host__
+
+struct dim3 {
+  unsigned x = 1, y = 1, z = 1;
+  dim3() = default;
+  explicit dim3(unsigned size) : x(size) {}
+};
+inline dim3 gridDim, blockDim, blockIdx, threadIdx;
+
+enum cudaError_t { cudaSuccess = 0, cudaErrorInvalidValue = 1 };
+using cudaStream_t = struct CUstream_st*;
+struct cudaLaunchConfig_t {
+  dim3 gridDim, blockDim;
+  cudaStream_t stream;
+};
+
+template <class T>
+T atomicAdd(T* at, T added) {
+  const T before = *at;
+  *at += added;
+  return before;
+}
+
+inline cudaError_t cudaMemsetAsync(void* at, int value, std::size_t size, cudaStream_t) {
+  std::memset(at, value, size);
+  return cudaSuccess;
+}
+
+template <class T>
+cudaError_t cudaMallocManaged(T** at, std::size_t size) {
+  *at = static_cast<T*>(std::malloc(size));
+  return cudaSuccess;
+}
+inline cudaError_t cudaDeviceSynchronize() { return cudaSuccess; }
+inline cudaError_t cudaFree(void* at) {
+  std::free(at);
+  return cudaSuccess;
+}
+
+/// Threads may run in any order; so tests ask for both.
+inline bool last_thread_first = false;
+
+template <class... Parameters, class... Arguments>
+cudaError_t cudaLaunchKernelEx(const cudaLaunchConfig_t* config, void (*kernel)(Parameters...),
+                               Arguments&&... arguments) {
+  gridDim = config->gridDim;
+  blockDim = config->blockDim;
+  const unsigned count = gridDim.x * blockDim.x;
+  for (unsigned i = 0; i < count; ++i) {
+    const unsigned thread = last_thread_first ? count - 1 - i : i;
+    blockIdx = dim3(thread / blockDim.x);
+    threadIdx = dim3(thread % blockDim.x);
+    kernel(arguments...);
+  }
+  return cudaSuccess;
+}

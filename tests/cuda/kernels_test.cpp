@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+// The kernels of vesica/cuda.cuh, compiled as plain C++ through host/cuda_runtime.h, give the library's answers: for the
+// hosts' vectors, the corpus, every workload and near ties, in every form of a batch and in two orders of threads.
+#include <gtest/gtest.h>
+#include <vesica.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "compiled_once.hpp"
+#include "corpus/corpus.hpp"
+#include "properties/generators.hpp"
+// after it: the library's own exact stage
+#include <vesica/cuda.cuh>
+
+namespace {
+
+using properties::Pair;
+using properties::Scalar;
+
+static_assert(sizeof(vesica::cuda::Shapes<double>) == sizeof(vesica_shapes_f64));
+static_assert(offsetof(vesica::cuda::Shapes<float>, count) == offsetof(vesica_shapes_f32, count));
+static_assert(offsetof(vesica::cuda::Shapes<float>, stride) == offsetof(vesica_shapes_f32, stride));
+static_assert(offsetof(vesica::cuda::Shapes<double>, field) == offsetof(vesica_shapes_f64, field));
+
+bool library_overlap(int kind_a, const double* a, int kind_b, const double* b) {
+  return vesica_overlap_f64(kind_a, a, kind_b, b) == 1;
+}
+std::int32_t answer(int kind_a, const double* a, int kind_b, const double* b) {
+  return vesica_overlap_f64(kind_a, a, kind_b, b);
+}
+std::int32_t answer(int kind_a, const float* a, int kind_b, const float* b) {
+  return vesica_overlap_f32(kind_a, a, kind_b, b);
+}
+
+/// Shapes of one kind, a record of six numbers each; as records or as columns.
+template <class T>
+struct Array {
+  int kind;
+  std::vector<std::array<T, 6>> records;
+  std::vector<T> columns;
+
+  std::int64_t count() const { return static_cast<std::int64_t>(records.size()); }
+  vesica::cuda::Shapes<T> as_records() const {
+    vesica::cuda::Shapes<T> s{kind, 0, count(), sizeof(std::array<T, 6>), {}};
+    for (std::size_t k = 0; k < 6; ++k) s.field[k] = records[0].data() + k;
+    return s;
+  }
+  vesica::cuda::Shapes<T> as_columns() {
+    columns.clear();
+    for (std::size_t k = 0; k < 6; ++k) {
+      for (const auto& record : records) columns.push_back(record[k]);
+    }
+    vesica::cuda::Shapes<T> s{kind, 0, count(), sizeof(T), {}};
+    for (std::size_t k = 0; k < 6; ++k) s.field[k] = columns.data() + k * records.size();
+    return s;
+  }
+};
+
+/// Memory of exactly the size that a batch asks for: sanitizers see what lies beyond.
+struct Memory {
+  std::vector<std::uint32_t> words;
+  vesica::cuda::Work of(std::int64_t pairs) {
+    words.assign(vesica::cuda::work_bytes(pairs) / 4, 0xa5a5a5a5);
+    return {words.data(), words.size() * 4};
+  }
+  std::uint32_t invalid() const { return words[0]; }
+};
+
+constexpr std::int64_t rows = 24, columns = 37;
+
+template <template <class> class A, template <class> class B, class T>
+struct Batch {
+  Array<T> a, b;
+  Memory memory;
+
+  std::int32_t expected(std::int64_t i, std::int64_t j) const {
+    return answer(a.kind, a.records[static_cast<std::size_t>(i)].data(), b.kind,
+                  b.records[static_cast<std::size_t>(j)].data());
+  }
+
+  void expect_many() {
+    const std::int64_t n = a.count();
+    std::vector<std::uint8_t> out(static_cast<std::size_t>(n), 9), swapped = out;
+    ASSERT_EQ((vesica::cuda::overlap_many<A, B>(a.as_columns(), b.as_records(), out.data(), memory.of(n))),
+              cudaSuccess);
+    const std::uint32_t invalid = memory.invalid();
+    ASSERT_EQ((vesica::cuda::overlap_many<B, A>(b.as_columns(), a.as_records(), swapped.data(), memory.of(n))),
+              cudaSuccess);
+    std::uint32_t errors = 0;
+    for (std::int64_t i = 0; i < n; ++i) {
+      const std::int32_t code = expected(i, i);
+      errors += code < 0;
+      EXPECT_EQ(out[static_cast<std::size_t>(i)], code == 1) << describe(i, i);
+      EXPECT_EQ(swapped[static_cast<std::size_t>(i)], code == 1) << describe(i, i);
+    }
+    EXPECT_EQ(invalid, errors);
+    EXPECT_EQ(memory.invalid(), errors);
+  }
+
+  /// A tile in a greater matrix, its counts, and its first row as one shape against many.
+  void expect_tile(std::int64_t row, std::int64_t column) {
+    const auto tile_a = vesica::cuda::part(a.as_columns(), row, rows);
+    const auto tile_b = vesica::cuda::part(b.as_records(), column, columns);
+    constexpr std::int64_t size = columns + 3;
+    std::vector<std::uint8_t> out(static_cast<std::size_t>(rows * size), 9), one(static_cast<std::size_t>(columns), 9);
+    std::vector<std::uint32_t> counts(static_cast<std::size_t>(columns), 7);
+    ASSERT_EQ((vesica::cuda::overlap_matrix<A, B>(tile_a, tile_b, out.data(), size, memory.of(rows * columns))),
+              cudaSuccess);
+    ASSERT_EQ((vesica::cuda::overlap_counts<A, B>(tile_a, tile_b, counts.data(), memory.of(rows * columns))),
+              cudaSuccess);
+    A<T> first;
+    std::memcpy(&first, a.records[static_cast<std::size_t>(row)].data(), sizeof first);
+    ASSERT_EQ((vesica::cuda::overlap_one<A, B>(first, tile_b, one.data(), memory.of(columns))), cudaSuccess);
+    for (std::int64_t j = 0; j < columns; ++j) {
+      std::uint32_t count = 7;
+      for (std::int64_t i = 0; i < rows; ++i) {
+        const bool overlap = expected(row + i, column + j) == 1;
+        count += overlap;
+        EXPECT_EQ(out[static_cast<std::size_t>(i * size + j)], overlap) << describe(row + i, column + j);
+      }
+      EXPECT_EQ(counts[static_cast<std::size_t>(j)], count);
+      EXPECT_EQ(one[static_cast<std::size_t>(j)], out[static_cast<std::size_t>(j)]);
+    }
+    for (std::int64_t i = 0; i < rows; ++i) EXPECT_EQ(out[static_cast<std::size_t>(i * size + columns)], 9);
+  }
+
+  std::string describe(std::int64_t i, std::int64_t j) const {
+    Pair pair{a.kind, b.kind, {}, {}};
+    for (std::size_t k = 0; k < 6; ++k) {
+      pair.a[k] = static_cast<double>(a.records[static_cast<std::size_t>(i)][k]);
+      pair.b[k] = static_cast<double>(b.records[static_cast<std::size_t>(j)][k]);
+    }
+    return properties::describe(pair);
+  }
+};
+
+template <template <class> class A, template <class> class B, class T>
+void expect_answers(const std::vector<Pair>& pairs) {
+  Batch<A, B, T> batch;
+  batch.a.kind = pairs[0].kind_a;
+  batch.b.kind = pairs[0].kind_b;
+  for (const Pair& pair : pairs) {
+    std::array<T, 6> a, b;
+    for (std::size_t k = 0; k < 6; ++k) {
+      a[k] = static_cast<T>(pair.a[k]);
+      b[k] = static_cast<T>(pair.b[k]);
+    }
+    batch.a.records.push_back(a);
+    batch.b.records.push_back(b);
+  }
+  batch.expect_many();
+  if (batch.a.count() < rows + columns) return;
+  batch.expect_tile(0, 0);
+  batch.expect_tile(batch.a.count() - rows, batch.a.count() - columns);
+}
+
+/// Asks pairs of two kinds in order, in one scalar type.
+void ask(Scalar scalar, const std::vector<Pair>& pairs) {
+  const bool f32 = scalar == Scalar::f32;
+  const int kind_a = pairs[0].kind_a, kind_b = pairs[0].kind_b;
+#define VESICA_ASK(a, A, b, B)                                                                      \
+  if (kind_a == static_cast<int>(vesica::Kind::a) && kind_b == static_cast<int>(vesica::Kind::b)) { \
+    return f32 ? expect_answers<vesica::A, vesica::B, float>(pairs)                                 \
+               : expect_answers<vesica::A, vesica::B, double>(pairs);                               \
+  }
+  VESICA_EACH_PAIR(VESICA_ASK)
+#undef VESICA_ASK
+  FAIL() << "no pair of kinds " << kind_a << " and " << kind_b;
+}
+
+template <class Action>
+void with_each_pair_of_kinds(const Action& action) {
+  for (int a = 0; a < properties::kinds; ++a) {
+    for (int b = a; b < properties::kinds; ++b) {
+      for (const Scalar scalar : {Scalar::f32, Scalar::f64}) action(a, b, scalar);
+    }
+  }
+}
+
+/// A negative size, an axis of 0, or a number that is none.
+void spoil(Pair& pair, int how) {
+  const auto last = static_cast<std::size_t>(properties::field_count(pair.kind_b)) - 1;
+  if (how == 0) pair.b[last] = -1;
+  if (how == 1) pair.b[2] = pair.b[3] = 0;
+  if (how == 2) pair.a[0] = std::numeric_limits<double>::quiet_NaN();
+  if (how == 3) pair.b[last] = std::numeric_limits<double>::infinity();
+}
+
+TEST(CudaKernels, EveryWorkloadAndInvalidShapes) {
+  for (const bool order : {false, true}) {
+    last_thread_first = order;
+    with_each_pair_of_kinds([](int a, int b, Scalar scalar) {
+      std::vector<Pair> pairs;
+      for (const properties::Workload workload : properties::all_workloads) {
+        properties::Stream stream(workload, a, b, scalar, properties::seed(), library_overlap);
+        for (int i = 0; i < 20; ++i) {
+          pairs.push_back(stream.next());
+          if (i < 4) spoil(pairs.back(), i);
+        }
+      }
+      ask(scalar, pairs);
+    });
+  }
+  last_thread_first = false;
+}
+
+TEST(CudaKernels, NearTies) {
+  const int count = 2000 * properties::repeat();
+  std::int64_t asked = 0;
+  with_each_pair_of_kinds([&](int a, int b, Scalar scalar) {
+    properties::Stream stream(properties::Workload::near_contact, a, b, scalar, properties::seed(), library_overlap);
+    for (int rest = count; rest > 0; rest -= 10'000) {
+      std::vector<Pair> pairs;
+      for (int i = 0; i < rest && i < 10'000; ++i) pairs.push_back(stream.next());
+      ask(scalar, pairs);
+      asked += static_cast<std::int64_t>(pairs.size());
+    }
+  });
+  RecordProperty("near_ties", std::to_string(asked));
+  std::printf("%lld near ties\n", static_cast<long long>(asked));
+}
+
+TEST(CudaKernels, Corpus) {
+  const std::vector<corpus::Row> rows_of_corpus = corpus::rows("overlap");
+  ASSERT_GE(rows_of_corpus.size(), 119U);
+  for (const corpus::Row& row : rows_of_corpus) {
+    Pair pair = row.pair;
+    if (pair.kind_a > pair.kind_b) pair = {pair.kind_b, pair.kind_a, pair.b, pair.a};
+    ASSERT_EQ(vesica_overlap_f64(pair.kind_a, pair.a.data(), pair.kind_b, pair.b.data()), row.expected);
+    ask(Scalar::f64, {pair});
+  }
+}
+
+TEST(CudaKernels, Vectors) {
+  std::ifstream file(VESICA_VECTORS);
+  int asked = 0;
+  for (std::string line, what; std::getline(file, line);) {
+    std::istringstream words(line);
+    Pair pair{};
+    int expected = 0;
+    const auto read = [&](int& kind, properties::Numbers& numbers) {
+      words >> kind;
+      for (double& x : numbers) {
+        std::uint64_t bits = 0;
+        words >> std::hex >> bits >> std::dec;
+        x = std::bit_cast<double>(bits);
+      }
+    };
+    if (!(words >> what) || (what != "f64" && what != "f32")) continue;
+    words >> expected;
+    read(pair.kind_a, pair.a);
+    read(pair.kind_b, pair.b);
+    ASSERT_TRUE(words) << line;
+    if (std::min(pair.kind_a, pair.kind_b) < 0 || std::max(pair.kind_a, pair.kind_b) >= properties::kinds) continue;
+    if (pair.kind_a > pair.kind_b) pair = {pair.kind_b, pair.kind_a, pair.b, pair.a};
+    ask(what == "f64" ? Scalar::f64 : Scalar::f32, {pair});
+    ++asked;
+  }
+  EXPECT_GE(asked, 150);
+}
+
+TEST(CudaKernels, Arguments) {
+  using vesica::Circle, vesica::Point;
+  namespace cuda = vesica::cuda;
+  Array<double> points{VESICA_POINT, {}, {}}, discs{VESICA_CIRCLE, {{0, 0, 5, 0, 0, 0}}, {}};
+  for (int i = 0; i < 8; ++i) points.records.push_back({1.0 * i, 0, 0, 0, 0, 0});
+  const auto a = points.as_records(), b = discs.as_records();
+  std::vector<std::uint8_t> out(64, 9);
+  Memory memory;
+  // A count of 1 repeats, whatever its stride.
+  EXPECT_EQ((cuda::overlap_many<Point, Circle>(a, b, out.data(), memory.of(8))), cudaSuccess);
+  EXPECT_EQ(std::vector<std::uint8_t>(out.begin(), out.begin() + 9),
+            (std::vector<std::uint8_t>{1, 1, 1, 1, 1, 1, 0, 0, 9}));
+  // Nothing at all is a batch too.
+  EXPECT_EQ((cuda::overlap_matrix<Point, Circle>(cuda::part(a, 0, 0), b, out.data(), 1, memory.of(0))), cudaSuccess);
+  EXPECT_EQ(memory.invalid(), 0U);
+  // Another kind, other counts, too little memory, a row too short, too many pairs.
+  EXPECT_EQ((cuda::overlap_many<Circle, Point>(a, b, out.data(), memory.of(8))), cudaErrorInvalidValue);
+  EXPECT_EQ((cuda::overlap_many<Point, Point>(a, cuda::part(a, 0, 7), out.data(), memory.of(8))),
+            cudaErrorInvalidValue);
+  EXPECT_EQ((cuda::overlap_many<Point, Circle>(a, b, out.data(), memory.of(7))), cudaErrorInvalidValue);
+  EXPECT_EQ((cuda::overlap_one<Circle, Circle>(Circle<double>{0, 0, 1}, a, out.data(), memory.of(8))),
+            cudaErrorInvalidValue);
+  EXPECT_EQ((cuda::overlap_matrix<Point, Point>(a, a, out.data(), 7, memory.of(64))), cudaErrorInvalidValue);
+  std::uint32_t count = 0;
+  auto many = a;
+  many.count = cuda::most_pairs / 7;
+  EXPECT_EQ((cuda::overlap_counts<Point, Point>(many, a, &count, memory.of(8))), cudaErrorInvalidValue);
+  many.count = -1;
+  EXPECT_EQ((cuda::overlap_many<Point, Circle>(many, b, out.data(), memory.of(8))), cudaErrorInvalidValue);
+}
+
+}  // namespace
