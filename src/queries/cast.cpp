@@ -3,6 +3,7 @@
 
 #include <vesica/impact_time.hpp>
 
+#include "kernels/table.hpp"
 #include "query.hpp"
 
 namespace vesica {
@@ -15,6 +16,20 @@ using detail::cast::Motion;
 std::int32_t answer(const Query& query, const Body& a, const Body& b, void* out) noexcept {
   return query.doubles.of[static_cast<int>(a.kind)][static_cast<int>(b.kind)](a.number, b.number, out);
 }
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(VESICA_HAS_FUSED)
+/// All that it calls is compiled into it, for processors that fuse; what exists beside it is for any.
+[[gnu::target("fma"), gnu::flatten]] bool find_meeting_fused(const detail::cast::Scene& scene,
+                                                             detail::cast::Meeting& out) noexcept {
+  return detail::cast::find_meeting<detail::cast::FusedProducts>(scene, out);
+}
+/// Kernels of four lanes and more are for processors that fuse.
+detail::cast::FindMeeting fused_meeting() noexcept {
+  return kernels().width_f64 >= 4 ? find_meeting_fused : nullptr;
+}
+#else
+detail::cast::FindMeeting fused_meeting() noexcept { return detail::cast::fused_meeting; }
+#endif
 
 /// For shapes that overlap at the start.
 std::int32_t start(const Body& a, const Body& b, Impact<double>& out) noexcept {
@@ -33,7 +48,7 @@ namespace queries {
 
 [[gnu::noinline]] std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<double>& out) noexcept {
   const std::int32_t code = detail::cast::cast_bodies(
-      a, b, motion, [&] { return answer(overlap, a, b, nullptr); }, out);
+      a, b, motion, [&] { return answer(overlap, a, b, nullptr); }, fused_meeting(), out);
   return code == cast_start ? start(a, b, out) : code;
 }
 
