@@ -116,15 +116,25 @@ inline bool is_moderate(const Side& s) noexcept {
 inline double reach(const Side& s) noexcept { return (s.hx.high + s.hy.high) * (abs(s.u.x.high) + abs(s.u.y.high)); }
 
 /// As they are, where all numbers are moderate. All that is computed of a scene is the same then, times powers of two.
-inline Scene scene(const Body& a, const Body& b, const Motion& motion) noexcept {
-  const nearest::UnscaledShape fa = form_times(a, 1), fb = form_times(b, 1);
-  const auto x = form::twice_offset_x(fa.place, fb.place, 1), y = form::twice_offset_y(fa.place, fb.place, 1);
-  Scene s{side(fa), side(fb), {{0.5 * x.high, 0.5 * x.low}, {0.5 * y.high, 0.5 * y.low}}, motion.vx, motion.vy, 0, 0,
-          0,        true};
+/// Written number by number: a structure that is copied right after waits until its parts have reached the memory.
+inline void set_scene(const Body& a, const Body& b, const Motion& motion, Scene& s) noexcept {
+  const auto place = [](const Body& body, Side& side) {
+    return with_shape(body, [&side](const auto& shape) {
+      side = cast::side(nearest::form_times(shape, 1));
+      return form::corners(form::of(shape).place);
+    });
+  };
+  const form::Corners<double> pa = place(a, s.a), pb = place(b, s.b);
+  const auto x = form::twice_offset_x(pa, pb, 1), y = form::twice_offset_y(pa, pb, 1);
+  s.d = {{0.5 * x.high, 0.5 * x.low}, {0.5 * y.high, 0.5 * y.low}};
+  s.vx = motion.vx;
+  s.vy = motion.vy;
+  s.length = s.time = 0;
+  s.faithful = true;
   const double distance = abs(x.high) + abs(y.high);
   s.size = distance + (reach(s.a) + reach(s.b));
   const bool moderate = is_moderate(s.a) && is_moderate(s.b) && is_moderate(s.speed()) && is_moderate(distance);
-  return moderate ? s : scaled_scene(a, b, motion);
+  if (!moderate) s = scaled_scene(a, b, motion);
 }
 
 /// t0 is at least `value` - `error`, and if that is certain, at most `value` + `error` + `gain`. To within rounding, s

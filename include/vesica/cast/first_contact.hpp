@@ -42,7 +42,8 @@ inline double known_floor(const Scene& scene, const TimeBounds& time) noexcept {
   const Twofold<double> t = arithmetic::renormalised(time.value);
   const double above = time.error + time.gain;
   if (!scene.faithful || !time.tells() || !time.certain || !(above < 0x1p-56 * t.high)) return -1;
-  const int exponent = form::length_exponent(t.high, scene.time);
+  const bool usual = scene.time == 0 && t.high >= 0x1p-1000 && t.high <= 0x1p1000;
+  const int exponent = usual ? 0 : form::length_exponent(t.high, scene.time);
   if (exponent < -1000 || exponent > 1020) return -1;
   if (t.low - time.error <= 0 && t.low + above >= 0) return -1;
   const double nearest = arithmetic::scale_far(t.high, scene.time);
@@ -100,15 +101,13 @@ inline constexpr FindMeeting fused_meeting = find_meeting<FusedProducts>;
 inline constexpr FindMeeting fused_meeting = nullptr;
 #endif
 
-inline Meeting meeting(const Scene& scene, const Graze& graze, FindMeeting fused) noexcept {
-  Meeting m;
+inline void meet(const Scene& scene, const Graze& graze, FindMeeting fused, Meeting& m) noexcept {
   if (graze.grazes) {
     m.found = grazing(scene, graze.side);
     look_along_normal<SplitProducts>(scene, m);
   } else if (fused == nullptr || !has_fused_products(scene) || !fused(scene, m)) {
     find_meeting<SplitProducts>(scene, m);
   }
-  return m;
 }
 
 // What asks exact numbers is in functions of its own, so that no two of them are on the stack at a time.
@@ -165,8 +164,10 @@ inline Impact<double> impact(const Body& a, const Scene& scene, const Meeting& m
 [[gnu::noinline]] inline std::int32_t first_contact(const Body& a, const Body& b, const Motion& motion, bool late,
                                                     const Graze& graze, FindMeeting fused,
                                                     Impact<double>& out) noexcept {
-  const Scene seen = scene(a, b, motion);
-  const Meeting met = meeting(seen, graze, fused);
+  Scene seen;
+  set_scene(a, b, motion, seen);
+  Meeting met;
+  meet(seen, graze, fused, met);
   const Found& found = met.found;
   double t = graze.grazes ? -1 : known_floor(seen, found.time);
   if (t < 0) {
