@@ -153,7 +153,10 @@ FirstHit cast_first(const Shapes<T>& many, const Shapes<T>& one, const Motion& m
     // What comes later than the best so far is a miss.
     const Motion rest{motion.vx, motion.vy, first.index == many.count ? motion.end : static_cast<double>(best.t)};
     Impact<T> impact;
-    const std::int32_t code = queries::cast(body_at(many, i), moving, rest, impact);
+    const Body still = body_at(many, i);
+    std::int32_t code = queries::cast(still, moving, rest, impact);
+    // A place at the best time may have more digits than any place that the whole motion asks for.
+    if (code == error_range && rest.end < motion.end) code = queries::cast(still, moving, motion, impact);
     note(code, first.error);
     if (code <= 0 || (first.index != many.count && !(impact.t < best.t))) continue;
     best = impact;

@@ -3,7 +3,10 @@
 /// miss.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <climits>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 
 #include "cast/motions.hpp"
@@ -19,12 +22,32 @@ bool meets(const Pair& p, const Motion& m, double time, int less = 0) {
   return oracle::meets(p.kind_a, p.a.data(), p.kind_b, p.b.data(), {m.vx, m.vy, time, less});
 }
 
-/// Of two such the oracle is slow.
+/// Of two such with an area the oracle is slow.
 bool is_round(int kind) { return kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE; }
-bool is_slow(const Pair& p) { return is_round(p.kind_a) && is_round(p.kind_b); }
+bool has_round_outline(int kind, const Numbers& n) {
+  return kind == VESICA_CIRCLE ? n[2] > 0 : kind == VESICA_ELLIPSE && n[4] > 0 && n[5] > 0;
+}
 
-/// Contact before t. A time of contact that is so near to t is t: of boxes whatever the exponents.
-bool meets_before(const Pair& p, const Motion& m, double t) { return t > 0 && meets(p, m, t, is_slow(p) ? 300 : 6500); }
+/// By how many powers of two the numbers of a moving pair differ, zeros left out.
+int spread(const Pair& p, const Motion& m, double t) {
+  int least = INT_MAX, most = INT_MIN;
+  const auto look = [&](double x) {
+    if (x == 0) return;
+    least = std::min(least, std::ilogb(x));
+    most = std::max(most, std::ilogb(x));
+  };
+  for (int i = 0; i < vesica_field_count(p.kind_a); ++i) look(p.a[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < vesica_field_count(p.kind_b); ++i) look(p.b[static_cast<std::size_t>(i)]);
+  for (const double x : {m.vx, m.vy, t}) look(x);
+  return most - least;
+}
+
+/// Contact before t. A time of contact that is nearer to t than 2^-less of it is taken for t. Lengths whose ratio is
+/// 2^-k change a time by 2^-k or, where they cancel to first order, by 2^-2k of it and less.
+bool meets_before(const Pair& p, const Motion& m, double t) {
+  const bool is_slow = has_round_outline(p.kind_a, p.a) && has_round_outline(p.kind_b, p.b);
+  return t > 0 && meets(p, m, t, is_slow ? 300 + 4 * spread(p, m, t) : 6500);
+}
 
 class Decision : public testing::TestWithParam<properties::Kinds> {
  protected:
