@@ -29,7 +29,6 @@ inline double scale(double x, int exponent) noexcept {
 
 /// The same for any x and an exponent of at most +-4000: from one end of the range of double to the other and beyond.
 inline double scale_far(double x, int exponent) noexcept {
-  if (exponent == 0) return x;
   return scale(scale(x, exponent / 2), exponent - exponent / 2);
 }
 

@@ -99,34 +99,6 @@ VESICA_INLINE Twofold<V> operator-(const Twofold<V>& x, const Twofold<V>& y) noe
   return x + -y;
 }
 
-/// A vector of such numbers, and one as factors.
-template <class V>
-struct Vector {
-  Twofold<V> x, y;
-};
-template <class F>
-struct VectorFactor {
-  F x, y;
-};
-template <class V>
-VESICA_INLINE VectorFactor<TwofoldFactor<V>> factor(const Vector<V>& v) noexcept {
-  return {factor(v.x), factor(v.y)};
-}
-template <class V>
-VESICA_INLINE VectorFactor<Factor<V>> factor(V x, V y) noexcept {
-  return {factor(x), factor(y)};
-}
-/// Which factors products are made of: these here, or those of fused.hpp, whose products are quicker and the same where
-/// nothing underflows.
-struct SplitProducts {
-  template <class X>
-  VESICA_INLINE static auto factor(const X& x) noexcept {
-    return arithmetic::factor(x);
-  }
-  /// Whether a number that was not stored may be a factor.
-  static constexpr bool holds(double) noexcept { return true; }
-};
-
 /// A square root and 1 / high of it, which is the one division that it takes.
 template <class V>
 struct Root {
@@ -135,22 +107,22 @@ struct Root {
 };
 
 /// sqrt(x) for x > 0: one Newton step from the rounded root.
-template <class Products = SplitProducts, class V>
+template <class V>
 VESICA_INLINE Root<V> root(const Twofold<V>& x) noexcept {
   const V high = sqrt(x.high), inverse = V(1.0) / high;
-  const Twofold<V> s = square(Products::factor(high));
+  const Twofold<V> s = square(factor(high));
   return {{high, ((x.high - s.high) + (x.low - s.low)) * (V(0.5) * inverse)}, inverse};
 }
 
 /// 1 / x, from a rounded 1 / x.high.
-template <class Products = SplitProducts, class V>
+template <class V>
 VESICA_INLINE Twofold<V> inverse(const Twofold<V>& x, V high) noexcept {
-  const Twofold<V> p = Products::factor(high) * Products::factor(x.high);
+  const Twofold<V> p = factor(high) * factor(x.high);
   return {high, ((V(1.0) - p.high) - (p.low + high * x.low)) * high};
 }
-template <class Products = SplitProducts, class V>
+template <class V>
 VESICA_INLINE Twofold<V> inverse(const Twofold<V>& x) noexcept {
-  return inverse<Products>(x, V(1.0) / x.high);
+  return inverse(x, V(1.0) / x.high);
 }
 template <class V>
 VESICA_INLINE Twofold<V> inverse(const Root<V>& r) noexcept {
@@ -173,6 +145,23 @@ VESICA_INLINE Twofold<V> flipped(const Twofold<V>& x, V y) noexcept {
   return {flip_sign(x.high, y), flip_sign(x.low, y)};
 }
 
+/// A vector of such numbers, and one as factors.
+template <class V>
+struct Vector {
+  Twofold<V> x, y;
+};
+template <class F>
+struct VectorFactor {
+  F x, y;
+};
+template <class V>
+VESICA_INLINE VectorFactor<TwofoldFactor<V>> factor(const Vector<V>& v) noexcept {
+  return {factor(v.x), factor(v.y)};
+}
+template <class V>
+VESICA_INLINE VectorFactor<Factor<V>> factor(V x, V y) noexcept {
+  return {factor(x), factor(y)};
+}
 template <class V>
 VESICA_INLINE Vector<V> operator+(const Vector<V>& a, const Vector<V>& b) noexcept {
   return {a.x + b.x, a.y + b.y};

@@ -13,7 +13,7 @@
 ///     within 2d and t0 <= T(n) + slope^2 / (bend v.v).
 #pragma once
 
-#include <vesica/arithmetic/fused.hpp>
+#include <vesica/arithmetic/products.hpp>
 #include <vesica/cast/body.hpp>
 #include <vesica/nearest/scaled_pair.hpp>
 
@@ -211,8 +211,8 @@ SideSupport support_of(const Side& s, const VectorFactor<Products>& n, const Vec
     add(q, hc, c);
     return out;
   }
-  const Twofold<double> h = renormalised(arithmetic::root<Products>(square(Products::factor(hp)) + square(Products::factor(hq))).value);
-  const Twofold<double> over_h = arithmetic::inverse<Products>(h);
+  const Twofold<double> h = renormalised(Products::root(square(Products::factor(hp)) + square(Products::factor(hq))).value);
+  const Twofold<double> over_h = Products::inverse(h);
   const Twofold<double> beside = Products::factor(Products::factor(hp) * Products::factor(hk) + Products::factor(hq) * Products::factor(hc)) * Products::factor(over_h);
   const double area = (s.hx.high * s.hy.high) * (s.u.x.high * s.u.x.high + s.u.y.high * s.u.y.high);
   const double vv = v.x.high * v.x.high + v.y.high * v.y.high, ratio = area * vv * over_h.high;

@@ -104,7 +104,7 @@ Twofold<double> reach_across(const Scene& scene, const Side& e) noexcept {
   const DotAndCross of_v = dot_and_cross<Products>(e.u, factor_of_v<Products>(scene));
   const Twofold<double> p = Products::factor(e.hx) * Products::factor(of_v.cross);
   const Twofold<double> q = Products::factor(e.hy) * Products::factor(of_v.dot);
-  return renormalised(arithmetic::root<Products>(square(Products::factor(p)) + square(Products::factor(q))).value);
+  return renormalised(Products::root(square(Products::factor(p)) + square(Products::factor(q))).value);
 }
 
 /// How far the line stays within the reach: at least 2^-106 of that, for what rounding makes of nothing.

@@ -46,7 +46,7 @@ inline double known_floor(const Scene& scene, const TimeBounds& time) noexcept {
   const int exponent = usual ? 0 : form::length_exponent(t.high, scene.time);
   if (exponent < -1000 || exponent > 1020) return -1;
   if (t.low - time.error <= 0 && t.low + above >= 0) return -1;
-  const double nearest = arithmetic::scale_far(t.high, scene.time);
+  const double nearest = in_units(t.high, scene.time);
   return t.low < 0 ? arithmetic::at_rank<double>(arithmetic::rank(nearest) - 1) : nearest;
 }
 
@@ -151,7 +151,7 @@ VESICA_COLD inline LineMeeting exact_line(const Body& a, const Body& b, const Mo
 
 /// The time in units of the scene, and what it means.
 inline Impact<double> impact(const Body& a, const Scene& scene, const Meeting& m, double t) noexcept {
-  const double in_scene = arithmetic::scale_far(t, -scene.time);
+  const double in_scene = in_units(t, -scene.time);
   const Offset offset{scene.d.x.high + in_scene * scene.vx, scene.d.y.high + in_scene * scene.vy};
   const Offset at = located(a, touching_point(m.of_a, m.of_b, offset), scene.length);
   const Vector& normal = m.found.normal;

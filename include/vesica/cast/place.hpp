@@ -59,12 +59,17 @@ inline Offset touching_point(const Foremost& a, const Foremost& b, const Offset&
   return {a.middle.x + at * a.half.x, a.middle.y + at * a.half.y};
 }
 
+/// x * 2^exponent. The unit mostly is 1.
+inline double in_units(double x, int exponent) noexcept {
+  return exponent == 0 ? x : arithmetic::scale_far(x, exponent);
+}
+
 /// The point at an offset, in units of 2^exponent, from a body's centre.
 inline Offset located(const Body& body, const Offset& offset, int exponent) noexcept {
   return with_shape(body, [&](const auto& s) {
     const auto p = form::corners(form::of(s).place);
-    return Offset{support_minimum::located_coordinate(p.x0, p.x1, arithmetic::scale_far(offset.x, exponent)) + 0.0,
-                  support_minimum::located_coordinate(p.y0, p.y1, arithmetic::scale_far(offset.y, exponent)) + 0.0};
+    return Offset{support_minimum::located_coordinate(p.x0, p.x1, in_units(offset.x, exponent)) + 0.0,
+                  support_minimum::located_coordinate(p.y0, p.y1, in_units(offset.y, exponent)) + 0.0};
   });
 }
 
