@@ -13,6 +13,8 @@
 ///     within 2d and t0 <= T(n) + slope^2 / (bend v.v).
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <vesica/arithmetic/products.hpp>
 #include <vesica/cast/body.hpp>
 #include <vesica/nearest/scaled_pair.hpp>
@@ -53,20 +55,27 @@ struct Scene {
 /// 2^40. s is a multiple of 2^-102, and n = -v + s perp(v) of 2^-194. The longest products are squares of a size times
 /// u.n, multiples of 2^-836, and what is divided by the root of one, at most 2^136. So none is above 0 and below 2^-960.
 inline bool has_fused_products(const Scene& s) noexcept {
-  constexpr double least = 0x1p-40, most = 0x1p40;
-  int out = 0;
-  const auto look = [&out](double x, double low) {
-    const double size = abs(x), rest = abs(low);
-    out |= static_cast<int>(size > most) | static_cast<int>((size < least) & (size != 0)) |
-           static_cast<int>((rest < 0x1p-60) & (rest != 0));
+  std::uint64_t out = 0;
+  // 0, or between two powers of two: by bits, for on ordinary numbers all is looked at.
+  const auto look = [&out](double x, double least) {
+    const std::uint64_t size = std::bit_cast<std::uint64_t>(abs(x)), from = std::bit_cast<std::uint64_t>(least);
+    out |= static_cast<std::uint64_t>(size - from > std::bit_cast<std::uint64_t>(0x1p40) - from) &
+           static_cast<std::uint64_t>(size != 0);
+  };
+  const auto look_at = [&look](const Twofold<double>& x) {
+    look(x.high, 0x1p-40);
+    look(x.low, 0x1p-60);
   };
   for (const Side* side : {&s.a, &s.b}) {
-    for (const Twofold<double>* x : {&side->u.x, &side->u.y, &side->hx, &side->hy}) look(x->high, x->low);
+    look_at(side->u.x);
+    look_at(side->u.y);
+    look_at(side->hx);
+    look_at(side->hy);
   }
-  look(s.d.x.high, s.d.x.low);
-  look(s.d.y.high, s.d.y.low);
-  look(s.vx, 0);
-  look(s.vy, 0);
+  look_at(s.d.x);
+  look_at(s.d.y);
+  look(s.vx, 0x1p-40);
+  look(s.vy, 0x1p-40);
   return out == 0;
 }
 

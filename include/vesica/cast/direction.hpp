@@ -256,20 +256,16 @@ Found latest_axis(const Scene& scene) noexcept {
 /// Where a curve is met: the slope that is left over is removed by Newton's method until the gain no longer counts.
 template <class Products>
 Found polished(const Scene& scene, double s) noexcept {
-  if (!Products::holds(s)) return {};
-  Found found{direction<Products>(scene, s), {}};
-  found.time = time_bounds<Products>(scene, found.normal);
-  for (int i = 0; i < 3; ++i) {
-    const TimeBounds& t = found.time;
-    if (!finite(t.step) || (t.certain && t.gain <= 0x1p-70 * abs(t.value.high))) break;
-    s += t.step;
+  Found found{};
+  for (int i = 0;; ++i) {
     if (!Products::holds(s)) return {};
     const Vector n = direction<Products>(scene, s);
-    const TimeBounds next = time_bounds<Products>(scene, n);
-    if (!next.tells() || (t.certain && !next.certain)) break;
-    found = {n, next};
+    const TimeBounds t = time_bounds<Products>(scene, n);
+    if (i > 0 && (!t.tells() || (found.time.certain && !t.certain))) return found;
+    found = {n, t};
+    if (i == 3 || !finite(t.step) || (t.certain && t.gain <= 0x1p-70 * abs(t.value.high))) return found;
+    s += t.step;
   }
-  return found;
 }
 
 /// steps: how many the search of two ellipses took, which tests look at.
@@ -277,13 +273,18 @@ template <class Products>
 Found latest_direction(const Scene& scene, int& steps) noexcept {
   steps = 0;
   if (!scene.a.round && !scene.b.round) return latest_axis<Products>(scene);
-  if (scene.a.round && scene.b.round) return polished<Products>(scene, maximum_of_ellipses<Products>(scene, steps));
-  const Side &round = scene.a.round ? scene.a : scene.b, &box = scene.a.round ? scene.b : scene.a;
-  const Curve e = curve(scene, round);
-  const Feature met = feature<Products>(scene, box, e);
-  if (met.face) return {met.normal, time_bounds<Products>(scene, met.normal)};
-  const Twofold<double> w = arithmetic::renormalised(met.w);
-  return polished<Products>(scene, maximum_of_one(e, w.high, gap_of(reach_across<Products>(scene, round), w)));
+  double s;
+  if (scene.a.round && scene.b.round) {
+    s = maximum_of_ellipses<Products>(scene, steps);
+  } else {
+    const Side &round = scene.a.round ? scene.a : scene.b, &box = scene.a.round ? scene.b : scene.a;
+    const Curve e = curve(scene, round);
+    const Feature met = feature<Products>(scene, box, e);
+    if (met.face) return {met.normal, time_bounds<Products>(scene, met.normal)};
+    const Twofold<double> w = arithmetic::renormalised(met.w);
+    s = maximum_of_one(e, w.high, gap_of(reach_across<Products>(scene, round), w));
+  }
+  return polished<Products>(scene, s);
 }
 
 }  // namespace vesica::detail::cast
