@@ -2767,7 +2767,8 @@ final class Native {
    *
    * <p>Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.
    *
-   * <p>Errors: as above. An invalid shape anywhere is one.
+   * <p>Errors: as above. An invalid shape anywhere is one. VESICA_E_RANGE only if vesica_cast_f64 returns it for one of
+   * the shapes, and that might be touched first: where another one is certainly touched before, there is no error.
    *
    * <p>Since: 0.1.
    */
@@ -2817,7 +2818,7 @@ final class Native {
    *
    * <p>Returns: the item, or the index's count if there is none. *out is its contact, the normal pointing to `one`.
    *
-   * <p>Errors: those of vesica_index_cast_f64.
+   * <p>Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as of vesica_cast_first_f64.
    *
    * <p>Since: 0.1.
    */
@@ -2918,7 +2919,8 @@ final class Native {
    *
    * <p>Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.
    *
-   * <p>Errors: as above. An invalid shape anywhere is one.
+   * <p>Errors: as above. An invalid shape anywhere is one. VESICA_E_RANGE only if vesica_cast_f32 returns it for one of
+   * the shapes, and that might be touched first: where another one is certainly touched before, there is no error.
    *
    * <p>Since: 0.1.
    */
@@ -2968,7 +2970,7 @@ final class Native {
    *
    * <p>Returns: the item, or the index's count if there is none. *out is its contact, the normal pointing to `one`.
    *
-   * <p>Errors: those of vesica_index_cast_f32.
+   * <p>Errors: those of vesica_index_cast_f32; VESICA_E_RANGE only as of vesica_cast_first_f32.
    *
    * <p>Since: 0.1.
    */
