@@ -46,7 +46,7 @@ int spread(const Pair& p, const Motion& m, double t) {
 /// 2^-k change a time by 2^-k or, where they cancel to first order, by 2^-2k of it and less.
 bool meets_before(const Pair& p, const Motion& m, double t) {
   const bool is_slow = has_round_outline(p.kind_a, p.a) && has_round_outline(p.kind_b, p.b);
-  return t > 0 && meets(p, m, t, is_slow ? 300 + 4 * spread(p, m, t) : 6500);
+  return t > 0 && meets(p, m, t, is_slow ? 300 + 2 * spread(p, m, t) : 6500);
 }
 
 class Decision : public testing::TestWithParam<properties::Kinds> {
