@@ -61,7 +61,7 @@ typedef struct {
  * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
  * Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along that
  * it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.
- * Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can decide;
+ * Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; 0.7 to 20 us for contact that only exact arithmetic can decide;
  * at worst 2 ms, where exponents are wildly unlike.
  */
 VESICA_API int32_t vesica_cast_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,

@@ -2237,8 +2237,8 @@ export interface C {
    * wildly unlike). Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's
    * outline; along that it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
-   * centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one. Cost: 30 to 60 ns
-   * for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms,
+   * centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one. Cost: 30 to 50 ns
+   * for a miss, 0.2 to 0.6 us for a hit; 0.7 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms,
    * where exponents are wildly unlike. Since: 0.1.
    */
   vesica_cast_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, vx: number, vy: number,
@@ -2338,8 +2338,8 @@ export interface C {
    * wildly unlike). Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's
    * outline; along that it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
-   * centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one. Cost: 30 to 60 ns
-   * for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms,
+   * centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one. Cost: 30 to 50 ns
+   * for a miss, 0.2 to 0.6 us for a hit; 0.7 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms,
    * where exponents are wildly unlike. Since: 0.1.
    */
   vesica_cast_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, vx: number, vy: number,

@@ -24,9 +24,7 @@ std::int32_t answer(const Query& query, const Body& a, const Body& b, void* out)
   return detail::cast::find_meeting<detail::cast::FusedProducts>(scene, out);
 }
 /// Kernels of four lanes and more are for processors that fuse.
-detail::cast::FindMeeting fused_meeting() noexcept {
-  return kernels().width_f64 >= 4 ? find_meeting_fused : nullptr;
-}
+detail::cast::FindMeeting fused_meeting() noexcept { return kernels().width_f64 >= 4 ? find_meeting_fused : nullptr; }
 #else
 detail::cast::FindMeeting fused_meeting() noexcept { return detail::cast::fused_meeting; }
 #endif

@@ -172,8 +172,7 @@ TEST(FirstHits, AgreeWithSingleCastsAboutTheRange) {
           vesica_impact_f64 expected{};
           for (std::size_t i = 0; i < s.a.size(); ++i) {
             vesica_impact_f64 one;
-            const std::int32_t code =
-                vesica_cast_f64(kind_a, s.a[i].data(), kind_b, s.b[k].data(), vx, vy, end, &one);
+            const std::int32_t code = vesica_cast_f64(kind_a, s.a[i].data(), kind_b, s.b[k].data(), vx, vy, end, &one);
             some_range = some_range || code == VESICA_E_RANGE;
             if (code <= 0 || (earliest != s.shapes_a.count && !(one.t < expected.t))) continue;
             earliest = static_cast<std::int64_t>(i);

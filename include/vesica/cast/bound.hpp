@@ -201,7 +201,8 @@ SideSupport support_of(const Side& s, const VectorFactor<Products>& n, const Vec
   // u.n and u x n; u.perp(v) = -(u x v), and perp(u).perp(v) = u.v.
   const DotAndCross of_n = dot_and_cross<Products>(s.u, n), of_v = dot_and_cross<Products>(s.u, v);
   const Twofold<double> p = renormalised(of_n.dot), q = renormalised(of_n.cross), k = -of_v.cross, c = of_v.dot;
-  const Twofold<double> hp = hx * Products::factor(p), hq = hy * Products::factor(q), hk = hx * Products::factor(k), hc = hy * Products::factor(c);
+  const Twofold<double> hp = hx * Products::factor(p), hq = hy * Products::factor(q), hk = hx * Products::factor(k),
+                        hc = hy * Products::factor(c);
   const double size = abs(s.hx.high) + abs(s.hy.high), speed = abs(v.x.high) + abs(v.y.high);
   if (!s.round) {
     // cross(u, n) = perp(u).n
@@ -220,9 +221,12 @@ SideSupport support_of(const Side& s, const VectorFactor<Products>& n, const Vec
     add(q, hc, c);
     return out;
   }
-  const Twofold<double> h = renormalised(Products::root(square(Products::factor(hp)) + square(Products::factor(hq))).value);
+  const Twofold<double> h =
+      renormalised(Products::root(square(Products::factor(hp)) + square(Products::factor(hq))).value);
   const Twofold<double> over_h = Products::inverse(h);
-  const Twofold<double> beside = Products::factor(Products::factor(hp) * Products::factor(hk) + Products::factor(hq) * Products::factor(hc)) * Products::factor(over_h);
+  const Twofold<double> beside =
+      Products::factor(Products::factor(hp) * Products::factor(hk) + Products::factor(hq) * Products::factor(hc)) *
+      Products::factor(over_h);
   const double area = (s.hx.high * s.hy.high) * (s.u.x.high * s.u.x.high + s.u.y.high * s.u.y.high);
   const double vv = v.x.high * v.x.high + v.y.high * v.y.high, ratio = area * vv * over_h.high;
   const double across = sqrt(hk.high * hk.high + hc.high * hc.high);
@@ -238,7 +242,8 @@ template <class Products>
 TimeBounds lower_bound(const Scene& scene, const VectorFactor<Products>& n, const VectorFactor<Products>& v,
                        const Twofold<double>& height) noexcept {
   const double n_size = abs(n.x.high) + abs(n.y.high), speed = scene.speed(), unit = 0x1p-97 * n_size;
-  const Twofold<double> room = renormalised(dot(n, Products::factor(scene.d)) - height), approach = renormalised(-dot(n, v));
+  const Twofold<double> room = renormalised(dot(n, Products::factor(scene.d)) - height),
+                        approach = renormalised(-dot(n, v));
   TimeBounds out{{0, 0}, 0, 0, 0, is_zero(approach)};
   if (!(approach.high > 0x1p-80 * n_size * speed)) return out;
   const double first = room.high / approach.high;

@@ -10,6 +10,7 @@
 ///     a box: p = hx |k| at s = -c / k, the normal perp(u), and p = hy |c| at s = k / c, the normal u.
 #pragma once
 
+#include <bit>
 #include <limits>
 #include <vesica/cast/bound.hpp>
 
@@ -51,12 +52,18 @@ inline Curve curve(const Scene& scene, const Side& e) noexcept {
 inline Vector perpendicular(const Vector& u) noexcept { return {-u.y, u.x}; }
 inline Vector opposite(const Vector& u) noexcept { return {-u.x, -u.y}; }
 
-/// The normal turned against v.
+/// The normal turned against v. Double mostly knows whether it must be; nobody can foresee it, so there is no branch.
 template <class Products>
 Vector against(const Scene& scene, const Vector& n) noexcept {
-  const Twofold<double> forward = arithmetic::renormalised(Products::factor(n.x) * Products::factor(scene.vx) +
-                                                           Products::factor(n.y) * Products::factor(scene.vy));
-  return forward.high > 0 ? opposite(n) : n;
+  const double x = n.x.high * scene.vx, y = n.y.high * scene.vy;
+  double forward = x + y;
+  if (!(abs(forward) > 0x1p-48 * (abs(x) + abs(y)) + 0x1p-900)) {
+    forward = arithmetic::renormalised(Products::factor(n.x) * Products::factor(scene.vx) +
+                                       Products::factor(n.y) * Products::factor(scene.vy))
+                  .high;
+  }
+  const double turn = lane::select(forward > 0, -1.0, 1.0);
+  return {{turn * n.x.high, turn * n.x.low}, {turn * n.y.high, turn * n.y.low}};
 }
 
 /// -v + s perp(v).
@@ -155,7 +162,8 @@ inline double maximum_of_two(const Curve& a, const Curve& b, double gap, int& st
 template <class Products>
 double maximum_of_ellipses(const Scene& scene, int& steps) noexcept {
   const Twofold<double> w = arithmetic::renormalised(cross(factor_of_v<Products>(scene), Products::factor(scene.d)));
-  const double gap = gap_of(arithmetic::renormalised(reach_across<Products>(scene, scene.a) + reach_across<Products>(scene, scene.b)), w);
+  const double gap = gap_of(
+      arithmetic::renormalised(reach_across<Products>(scene, scene.a) + reach_across<Products>(scene, scene.b)), w);
   Curve a = curve(scene, scene.a), b = curve(scene, scene.b);
   a.s = lane::flip_sign(a.s, w.high);
   b.s = lane::flip_sign(b.s, w.high);
@@ -232,11 +240,15 @@ Found latest_axis(const Scene& scene) noexcept {
   bool found = false, certain = true;
   double error = 0;
   const auto v = factor_of_v<Products>(scene);
-  for (int i = 0; i < count; ++i) {
-    if (axes[i].most < least) continue;
+  // By bits: mostly one is left, and which cannot be foreseen.
+  unsigned left = 0;
+  for (int i = 0; i < count; ++i) left |= static_cast<unsigned>(!(axes[i].most < least)) << i;
+  for (; left != 0; left &= left - 1) {
+    const int i = std::countr_zero(left);
     const Vector& normal = axes[i].normal;
     const auto n = Products::factor(normal);
-    const TimeBounds time = lower_bound<Products>(scene, n, v, height_of<Products>(scene.a, n) + height_of<Products>(scene.b, n));
+    const TimeBounds time =
+        lower_bound<Products>(scene, n, v, height_of<Products>(scene.a, n) + height_of<Products>(scene.b, n));
     if (!time.tells()) {
       certain = certain && time.certain;
       if (!found && !time.certain) best.normal = normal;

@@ -2728,7 +2728,7 @@ final class Native {
    * numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their
    * half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
-   * <p>Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can
+   * <p>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; 0.7 to 20 us for contact that only exact arithmetic can
    * decide; at worst 2 ms, where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
@@ -2880,7 +2880,7 @@ final class Native {
    * numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their
    * half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
-   * <p>Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can
+   * <p>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; 0.7 to 20 us for contact that only exact arithmetic can
    * decide; at worst 2 ms, where exponents are wildly unlike.
    *
    * <p>Since: 0.1.

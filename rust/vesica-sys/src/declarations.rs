@@ -3180,7 +3180,7 @@ extern "C" {
     /// computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres
     /// and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
     ///
-    /// Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can
+    /// Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; 0.7 to 20 us for contact that only exact arithmetic can
     /// decide; at worst 2 ms, where exponents are wildly unlike.
     ///
     /// Since: 0.1.
@@ -3310,7 +3310,7 @@ extern "C" {
     /// computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres
     /// and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
     ///
-    /// Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can
+    /// Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; 0.7 to 20 us for contact that only exact arithmetic can
     /// decide; at worst 2 ms, where exponents are wildly unlike.
     ///
     /// Since: 0.1.
