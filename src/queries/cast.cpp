@@ -17,8 +17,9 @@ std::int32_t answer(const Query& query, const Body& a, const Body& b, void* out)
   return query.doubles.of[static_cast<int>(a.kind)][static_cast<int>(b.kind)](a.number, b.number, out);
 }
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(VESICA_HAS_FUSED)
-/// All that it calls is compiled into it, for processors that fuse; what exists beside it is for any.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(_WIN32) && !defined(VESICA_HAS_FUSED)
+/// All that it calls is compiled into it, for processors that fuse; what exists beside it is for any. Not for Windows,
+/// whose stack g++ takes to be aligned for wide vectors (src/CMakeLists.txt).
 [[gnu::target("fma"), gnu::flatten]] bool find_meeting_fused(const detail::cast::Scene& scene,
                                                              detail::cast::Meeting& out) noexcept {
   return detail::cast::find_meeting<detail::cast::FusedProducts>(scene, out);
