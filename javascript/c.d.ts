@@ -2237,8 +2237,8 @@ export interface C {
    * wildly unlike). Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's
    * outline; along that it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
-   * centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one. Cost: 30 to 60 ns
-   * for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms,
+   * centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one. Cost: 30 to 50 ns
+   * for a miss, 0.2 to 0.6 us for a hit; 0.7 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms,
    * where exponents are wildly unlike. Since: 0.1.
    */
   vesica_cast_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, vx: number, vy: number,
@@ -2264,10 +2264,10 @@ export interface C {
    * Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
    * number.
    *
-   * Requires: one, the shape that moves, is a single one (count 1).
-   * Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.
-   * Errors: as above. An invalid shape anywhere is one.
-   * Since: 0.1.
+   * Requires: one, the shape that moves, is a single one (count 1). Returns: its number, or the count of `many` if
+   * there is none. *out is its contact, the normal pointing to `one`. Errors: as above. An invalid shape anywhere is
+   * one. VESICA_E_RANGE only if vesica_cast_f64 returns it for one of the shapes, and that might be touched first:
+   * where another one is certainly touched before, there is no error. Since: 0.1.
    */
   vesica_cast_first_f64(one: number, many: number, vx: number, vy: number, t_end: number, out: number): bigint;
   /**
@@ -2294,7 +2294,7 @@ export interface C {
    *
    * Requires: sets are those of the index. one is a single shape (count 1).
    * Returns: the item, or the index's count if there is none. *out is its contact, the normal pointing to `one`.
-   * Errors: those of vesica_index_cast_f64.
+   * Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as of vesica_cast_first_f64.
    * Since: 0.1.
    */
   vesica_index_cast_first_f64(index: number, sets: number, set_count: number, one: number, vx: number, vy: number,
@@ -2338,8 +2338,8 @@ export interface C {
    * wildly unlike). Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's
    * outline; along that it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
-   * centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one. Cost: 30 to 60 ns
-   * for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms,
+   * centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one. Cost: 30 to 50 ns
+   * for a miss, 0.2 to 0.6 us for a hit; 0.7 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms,
    * where exponents are wildly unlike. Since: 0.1.
    */
   vesica_cast_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, vx: number, vy: number,
@@ -2365,10 +2365,10 @@ export interface C {
    * Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
    * number.
    *
-   * Requires: one, the shape that moves, is a single one (count 1).
-   * Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.
-   * Errors: as above. An invalid shape anywhere is one.
-   * Since: 0.1.
+   * Requires: one, the shape that moves, is a single one (count 1). Returns: its number, or the count of `many` if
+   * there is none. *out is its contact, the normal pointing to `one`. Errors: as above. An invalid shape anywhere is
+   * one. VESICA_E_RANGE only if vesica_cast_f32 returns it for one of the shapes, and that might be touched first:
+   * where another one is certainly touched before, there is no error. Since: 0.1.
    */
   vesica_cast_first_f32(one: number, many: number, vx: number, vy: number, t_end: number, out: number): bigint;
   /**
@@ -2395,7 +2395,7 @@ export interface C {
    *
    * Requires: sets are those of the index. one is a single shape (count 1).
    * Returns: the item, or the index's count if there is none. *out is its contact, the normal pointing to `one`.
-   * Errors: those of vesica_index_cast_f32.
+   * Errors: those of vesica_index_cast_f32; VESICA_E_RANGE only as of vesica_cast_first_f32.
    * Since: 0.1.
    */
   vesica_index_cast_first_f32(index: number, sets: number, set_count: number, one: number, vx: number, vy: number,

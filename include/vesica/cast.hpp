@@ -60,7 +60,8 @@ std::int32_t cast_or_error(const A<T>& a, const B<T>& b, T vx, T vy, T t_end, Im
   if (!detail::cast::is_sound(motion)) return error_argument;
   Impact<double> found;
   std::int32_t answer = detail::cast::cast_bodies(
-      detail::cast::body(a), detail::cast::body(b), motion, [&] { return overlap_or_error(a, b); }, found);
+      detail::cast::body(a), detail::cast::body(b), motion, [&] { return overlap_or_error(a, b); },
+      detail::cast::fused_meeting, found);
   if (answer == cast_miss) out = detail::cast::no_impact<T>();
   if (answer == cast_hit && !detail::cast::rounded_to(found, out)) answer = error_range;
   if (answer == cast_start) {

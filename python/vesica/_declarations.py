@@ -3140,8 +3140,8 @@ than 2000 bits, which takes exponents that are wildly unlike). Accuracy: the ans
 is rounded down. The point is within 8 u scale of a's outline; along that it may be off by 8 u scale over
 |n.v|, n and v of unit length. The normal is unit to 4 u. Bounds on computed numbers use u = 2^-53. The
 scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
-aspect ratio is a shape's longer size over its shorter one. Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for
-a hit; 1 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms, where exponents are
+aspect ratio is a shape's longer size over its shorter one. Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for
+a hit; 0.7 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms, where exponents are
 wildly unlike. Since: 0.1.""",
     ),
     "vesica_cast_many_f64": (
@@ -3172,7 +3172,8 @@ lowest number.
 
 Requires: one, the shape that moves, is a single one (count 1). Returns: its number, or the count of `many`
 if there is none. *out is its contact, the normal pointing to `one`. Errors: as above. An invalid shape
-anywhere is one. Since: 0.1.""",
+anywhere is one. VESICA_E_RANGE only if vesica_cast_f64 returns it for one of the shapes, and that might be
+touched first: where another one is certainly touched before, there is no error. Since: 0.1.""",
     ),
     "vesica_sweep_bounds_f64": (
         c_int32,
@@ -3209,7 +3210,7 @@ number.
 
 Requires: sets are those of the index. one is a single shape (count 1).
 Returns: the item, or the index's count if there is none. *out is its contact, the normal pointing to `one`.
-Errors: those of vesica_index_cast_f64.
+Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as of vesica_cast_first_f64.
 Since: 0.1.""",
     ),
     "vesica_impact_time_f64": (
@@ -3259,8 +3260,8 @@ than 2000 bits, which takes exponents that are wildly unlike). Accuracy: the ans
 is rounded down. The point is within 8 u scale of a's outline; along that it may be off by 8 u scale over
 |n.v|, n and v of unit length. The normal is unit to 4 u. Bounds on computed numbers use u = 2^-53. The
 scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
-aspect ratio is a shape's longer size over its shorter one. Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for
-a hit; 1 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms, where exponents are
+aspect ratio is a shape's longer size over its shorter one. Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for
+a hit; 0.7 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms, where exponents are
 wildly unlike. Since: 0.1.""",
     ),
     "vesica_cast_many_f32": (
@@ -3290,7 +3291,8 @@ lowest number.
 
 Requires: one, the shape that moves, is a single one (count 1). Returns: its number, or the count of `many`
 if there is none. *out is its contact, the normal pointing to `one`. Errors: as above. An invalid shape
-anywhere is one. Since: 0.1.""",
+anywhere is one. VESICA_E_RANGE only if vesica_cast_f32 returns it for one of the shapes, and that might be
+touched first: where another one is certainly touched before, there is no error. Since: 0.1.""",
     ),
     "vesica_sweep_bounds_f32": (
         c_int32,
@@ -3327,7 +3329,7 @@ number.
 
 Requires: sets are those of the index. one is a single shape (count 1).
 Returns: the item, or the index's count if there is none. *out is its contact, the normal pointing to `one`.
-Errors: those of vesica_index_cast_f32.
+Errors: those of vesica_index_cast_f32; VESICA_E_RANGE only as of vesica_cast_first_f32.
 Since: 0.1.""",
     ),
     "vesica_impact_time_f32": (

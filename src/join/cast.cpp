@@ -2,6 +2,7 @@
 #include "join/cast.hpp"
 
 #include <limits>
+#include <vesica/shapes.hpp>
 
 #include "index/frame.hpp"
 
@@ -183,7 +184,9 @@ class First {
   void ask(std::uint32_t item) noexcept {
     const bool some = best_.item != view_.items();
     double t;
-    const std::int32_t code = cast_.targets.ask(cast_.targets.context, item, limit_, t);
+    std::int32_t code = cast_.targets.ask(cast_.targets.context, item, limit_, t);
+    // A place at the limit may have more digits than any place that the whole motion asks for.
+    if (code == error_range && limit_ < cast_.end) code = cast_.targets.ask(cast_.targets.context, item, cast_.end, t);
     if (code < 0) best_.error = code;
     if (code <= 0 || (some && (t > best_.t || (t == best_.t && item > best_.item)))) return;
     best_.item = item;

@@ -3,6 +3,7 @@
 
 #include <vesica/impact_time.hpp>
 
+#include "kernels/table.hpp"
 #include "query.hpp"
 
 namespace vesica {
@@ -15,6 +16,19 @@ using detail::cast::Motion;
 std::int32_t answer(const Query& query, const Body& a, const Body& b, void* out) noexcept {
   return query.doubles.of[static_cast<int>(a.kind)][static_cast<int>(b.kind)](a.number, b.number, out);
 }
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(_WIN32) && !defined(VESICA_HAS_FUSED)
+/// All that it calls is compiled into it, for processors that fuse; what exists beside it is for any. Not for Windows,
+/// whose stack g++ takes to be aligned for wide vectors (src/CMakeLists.txt).
+[[gnu::target("fma"), gnu::flatten]] bool find_meeting_fused(const detail::cast::Scene& scene,
+                                                             detail::cast::Meeting& out) noexcept {
+  return detail::cast::find_meeting<detail::cast::FusedProducts>(scene, out);
+}
+/// Kernels of four lanes and more are for processors that fuse.
+detail::cast::FindMeeting fused_meeting() noexcept { return kernels().width_f64 >= 4 ? find_meeting_fused : nullptr; }
+#else
+detail::cast::FindMeeting fused_meeting() noexcept { return detail::cast::fused_meeting; }
+#endif
 
 /// For shapes that overlap at the start.
 std::int32_t start(const Body& a, const Body& b, Impact<double>& out) noexcept {
@@ -33,7 +47,7 @@ namespace queries {
 
 [[gnu::noinline]] std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<double>& out) noexcept {
   const std::int32_t code = detail::cast::cast_bodies(
-      a, b, motion, [&] { return answer(overlap, a, b, nullptr); }, out);
+      a, b, motion, [&] { return answer(overlap, a, b, nullptr); }, fused_meeting(), out);
   return code == cast_start ? start(a, b, out) : code;
 }
 
@@ -138,7 +152,10 @@ FirstHit cast_first(const Shapes<T>& many, const Shapes<T>& one, const Motion& m
     // What comes later than the best so far is a miss.
     const Motion rest{motion.vx, motion.vy, first.index == many.count ? motion.end : static_cast<double>(best.t)};
     Impact<T> impact;
-    const std::int32_t code = queries::cast(body_at(many, i), moving, rest, impact);
+    const Body still = body_at(many, i);
+    std::int32_t code = queries::cast(still, moving, rest, impact);
+    // A place at the best time may have more digits than any place that the whole motion asks for.
+    if (code == error_range && rest.end < motion.end) code = queries::cast(still, moving, motion, impact);
     note(code, first.error);
     if (code <= 0 || (first.index != many.count && !(impact.t < best.t))) continue;
     best = impact;

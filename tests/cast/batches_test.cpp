@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "capi/face.hpp"
@@ -123,6 +126,82 @@ TYPED_TEST(Batches, FirstIsTheEarliestOfAll) {
     EXPECT_TRUE(same_bits(&first, &expected, sizeof first));
   }
   EXPECT_GT(found, 2);
+}
+
+/// An index of one set of shapes.
+class Index {
+ public:
+  explicit Index(const vesica_shapes_f64& set) : set_(set), bytes_(rounded(vesica_index_size(set.count))) {
+    std::vector<Chunk> scratch(rounded(vesica_index_scratch(set.count)));
+    EXPECT_GT(vesica_index_build_f64(&set_, 1, bytes_.data(), 64 * static_cast<std::int64_t>(bytes_.size()),
+                                     scratch.data(), 64 * static_cast<std::int64_t>(scratch.size())),
+              0);
+  }
+  std::int64_t cast_first(const vesica_shapes_f64& one, double vx, double vy, double end,
+                          vesica_impact_f64& out) const {
+    return vesica_index_cast_first_f64(bytes_.data(), &set_, 1, &one, vx, vy, end, &out);
+  }
+
+ private:
+  struct alignas(64) Chunk {
+    unsigned char bytes[64];
+  };
+  static std::size_t rounded(std::int64_t size) { return static_cast<std::size_t>((size + 63) / 64); }
+
+  vesica_shapes_f64 set_;
+  std::vector<Chunk> bytes_;
+};
+
+/// Exponents that are wildly unlike: a first hit is out of range only where the cast of an item is, and else it is the
+/// earliest of all casts.
+TEST(FirstHits, AgreeWithSingleCastsAboutTheRange) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  int out_of_range = 0, beside_out_of_range = 0, found = 0;
+  for (const properties::Workload workload :
+       {properties::Workload::mixed_scale, properties::Workload::axis_length, properties::Workload::near_contact}) {
+    for (int kind_a = 0; kind_a < properties::kinds; ++kind_a) {
+      for (int kind_b = 0; kind_b < properties::kinds; ++kind_b) {
+        Arrays<double> s(workload, kind_a, kind_b, 24);
+        const Index index(s.shapes_a);
+        for (std::size_t k = 0; k < 4; ++k) {
+          vesica_shapes_f64 moving;
+          vesica_shapes_from_records_f64(kind_b, 1, s.b[k].data(), 0, &moving);
+          const double vx = s.v[k][0], vy = s.v[k][1], end = k % 2 == 0 ? infinity : 2;
+          bool some_range = false;
+          std::int64_t earliest = s.shapes_a.count;
+          vesica_impact_f64 expected{};
+          for (std::size_t i = 0; i < s.a.size(); ++i) {
+            vesica_impact_f64 one;
+            const std::int32_t code = vesica_cast_f64(kind_a, s.a[i].data(), kind_b, s.b[k].data(), vx, vy, end, &one);
+            some_range = some_range || code == VESICA_E_RANGE;
+            if (code <= 0 || (earliest != s.shapes_a.count && !(one.t < expected.t))) continue;
+            earliest = static_cast<std::int64_t>(i);
+            expected = one;
+          }
+          vesica_impact_f64 of_all{}, of_index{};
+          const std::int64_t all = vesica_cast_first_f64(&moving, &s.shapes_a, vx, vy, end, &of_all),
+                             through = index.cast_first(moving, vx, vy, end, of_index);
+          for (const auto& [answer, impact] : {std::pair(all, of_all), std::pair(through, of_index)}) {
+            if (answer == VESICA_E_RANGE) {
+              EXPECT_TRUE(some_range);
+              ++out_of_range;
+              continue;
+            }
+            EXPECT_EQ(answer, earliest);
+            beside_out_of_range += some_range;
+            found += answer != s.shapes_a.count;
+            if (answer != s.shapes_a.count) {
+              EXPECT_TRUE(same_bits(&impact, &expected, sizeof impact));
+            }
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(out_of_range, 10);
+  EXPECT_GT(found, 100);
+  std::printf("%d found, %d out of range, %d answered beside casts that are\n", found, out_of_range,
+              beside_out_of_range);
 }
 
 TEST(BatchArguments, Refused) {

@@ -13,6 +13,9 @@
 ///     within 2d and t0 <= T(n) + slope^2 / (bend v.v).
 #pragma once
 
+#include <bit>
+#include <cstdint>
+#include <vesica/arithmetic/products.hpp>
 #include <vesica/cast/body.hpp>
 #include <vesica/nearest/scaled_pair.hpp>
 
@@ -20,7 +23,14 @@ namespace vesica::detail::cast {
 
 using nearest::Twofold;
 using Vector = arithmetic::Vector<double>;
-using VectorFactor = arithmetic::VectorFactor<arithmetic::TwofoldFactor<double>>;
+using arithmetic::FusedProducts;
+using arithmetic::SplitProducts;
+
+/// What products are made of: SplitProducts or FusedProducts.
+template <class Products>
+using TwofoldFactor = decltype(Products::factor(Twofold<double>{}));
+template <class Products>
+using VectorFactor = arithmetic::VectorFactor<TwofoldFactor<Products>>;
 
 /// A shape of a pair at the common scale; a circle is an ellipse with an axis of length 1.
 struct Side {
@@ -40,6 +50,34 @@ struct Scene {
 
   double speed() const noexcept { return abs(vx) + abs(vy); }
 };
+
+/// Whether FusedProducts give the bits of SplitProducts: all numbers of the scene are 0, or multiples of 2^-112 up to
+/// 2^40. s is a multiple of 2^-102, and n = -v + s perp(v) of 2^-194. The longest products are squares of a size times
+/// u.n, multiples of 2^-836, and what is divided by the root of one, at most 2^136. So none is above 0 and below 2^-960.
+inline bool has_fused_products(const Scene& s) noexcept {
+  std::uint64_t out = 0;
+  // 0, or between two powers of two: by bits, for on ordinary numbers all is looked at.
+  const auto look = [&out](double x, double least) {
+    const std::uint64_t size = std::bit_cast<std::uint64_t>(abs(x)), from = std::bit_cast<std::uint64_t>(least);
+    out |= static_cast<std::uint64_t>(size - from > std::bit_cast<std::uint64_t>(0x1p40) - from) &
+           static_cast<std::uint64_t>(size != 0);
+  };
+  const auto look_at = [&look](const Twofold<double>& x) {
+    look(x.high, 0x1p-40);
+    look(x.low, 0x1p-60);
+  };
+  for (const Side* side : {&s.a, &s.b}) {
+    look_at(side->u.x);
+    look_at(side->u.y);
+    look_at(side->hx);
+    look_at(side->hy);
+  }
+  look_at(s.d.x);
+  look_at(s.d.y);
+  look(s.vx, 0x1p-40);
+  look(s.vy, 0x1p-40);
+  return out == 0;
+}
 
 inline nearest::UnscaledShape form_times(const Body& body, double k) noexcept {
   return with_shape(body, [k](const auto& s) { return nearest::form_times(s, k); });
@@ -87,15 +125,25 @@ inline bool is_moderate(const Side& s) noexcept {
 inline double reach(const Side& s) noexcept { return (s.hx.high + s.hy.high) * (abs(s.u.x.high) + abs(s.u.y.high)); }
 
 /// As they are, where all numbers are moderate. All that is computed of a scene is the same then, times powers of two.
-inline Scene scene(const Body& a, const Body& b, const Motion& motion) noexcept {
-  const nearest::UnscaledShape fa = form_times(a, 1), fb = form_times(b, 1);
-  const auto x = form::twice_offset_x(fa.place, fb.place, 1), y = form::twice_offset_y(fa.place, fb.place, 1);
-  Scene s{side(fa), side(fb), {{0.5 * x.high, 0.5 * x.low}, {0.5 * y.high, 0.5 * y.low}}, motion.vx, motion.vy, 0, 0,
-          0,        true};
+/// Written number by number: a structure that is copied right after waits until its parts have reached the memory.
+inline void set_scene(const Body& a, const Body& b, const Motion& motion, Scene& s) noexcept {
+  const auto place = [](const Body& body, Side& side) {
+    return with_shape(body, [&side](const auto& shape) {
+      side = cast::side(nearest::form_times(shape, 1));
+      return form::corners(form::of(shape).place);
+    });
+  };
+  const form::Corners<double> pa = place(a, s.a), pb = place(b, s.b);
+  const auto x = form::twice_offset_x(pa, pb, 1), y = form::twice_offset_y(pa, pb, 1);
+  s.d = {{0.5 * x.high, 0.5 * x.low}, {0.5 * y.high, 0.5 * y.low}};
+  s.vx = motion.vx;
+  s.vy = motion.vy;
+  s.length = s.time = 0;
+  s.faithful = true;
   const double distance = abs(x.high) + abs(y.high);
   s.size = distance + (reach(s.a) + reach(s.b));
   const bool moderate = is_moderate(s.a) && is_moderate(s.b) && is_moderate(s.speed()) && is_moderate(distance);
-  return moderate ? s : scaled_scene(a, b, motion);
+  if (!moderate) s = scaled_scene(a, b, motion);
 }
 
 /// t0 is at least `value` - `error`, and if that is certain, at most `value` + `error` + `gain`. To within rounding, s
@@ -125,33 +173,36 @@ inline bool has_no_size(const Side& s) noexcept { return s.hx.high == 0 && s.hy.
 struct DotAndCross {
   Twofold<double> dot, cross;
 };
-inline DotAndCross dot_and_cross(const Vector& u, const VectorFactor& n) noexcept {
+template <class Products>
+DotAndCross dot_and_cross(const Vector& u, const VectorFactor<Products>& n) noexcept {
   if (u.x.high == 1 && u.y.high == 0 && u.x.low == 0 && u.y.low == 0) {
     return {{n.x.high, n.x.low}, {n.y.high, n.y.low}};
   }
-  const auto f = arithmetic::factor(u);
+  const auto f = Products::factor(u);
   return {arithmetic::dot(f, n), arithmetic::cross(f, n)};
 }
 
 /// Of a box.
-inline Twofold<double> height_of(const Side& s, const VectorFactor& n) noexcept {
-  using arithmetic::factor;
+template <class Products>
+Twofold<double> height_of(const Side& s, const VectorFactor<Products>& n) noexcept {
   if (has_no_size(s)) return {0, 0};
-  const DotAndCross of_n = dot_and_cross(s.u, n);
-  const Twofold<double> p = factor(s.hx) * factor(renormalised(of_n.dot));
-  const Twofold<double> q = factor(s.hy) * factor(renormalised(of_n.cross));
+  const DotAndCross of_n = dot_and_cross<Products>(s.u, n);
+  const Twofold<double> p = Products::factor(s.hx) * Products::factor(renormalised(of_n.dot));
+  const Twofold<double> q = Products::factor(s.hy) * Products::factor(renormalised(of_n.cross));
   return magnitude(p) + magnitude(q);
 }
 
 /// Right to 2^-99 of |n| size, and `beside` to `error`.
-inline SideSupport support_of(const Side& s, const VectorFactor& n, const VectorFactor& v, double n_size) noexcept {
-  using arithmetic::factor;
+template <class Products>
+SideSupport support_of(const Side& s, const VectorFactor<Products>& n, const VectorFactor<Products>& v,
+                       double n_size) noexcept {
   if (has_no_size(s)) return {{0, 0}, {0, 0}, 0, 0, 0, 0, 0x1p1000};
-  const auto hx = factor(s.hx), hy = factor(s.hy);
+  const auto hx = Products::factor(s.hx), hy = Products::factor(s.hy);
   // u.n and u x n; u.perp(v) = -(u x v), and perp(u).perp(v) = u.v.
-  const DotAndCross of_n = dot_and_cross(s.u, n), of_v = dot_and_cross(s.u, v);
+  const DotAndCross of_n = dot_and_cross<Products>(s.u, n), of_v = dot_and_cross<Products>(s.u, v);
   const Twofold<double> p = renormalised(of_n.dot), q = renormalised(of_n.cross), k = -of_v.cross, c = of_v.dot;
-  const Twofold<double> hp = hx * factor(p), hq = hy * factor(q), hk = hx * factor(k), hc = hy * factor(c);
+  const Twofold<double> hp = hx * Products::factor(p), hq = hy * Products::factor(q), hk = hx * Products::factor(k),
+                        hc = hy * Products::factor(c);
   const double size = abs(s.hx.high) + abs(s.hy.high), speed = abs(v.x.high) + abs(v.y.high);
   if (!s.round) {
     // cross(u, n) = perp(u).n
@@ -170,9 +221,12 @@ inline SideSupport support_of(const Side& s, const VectorFactor& n, const Vector
     add(q, hc, c);
     return out;
   }
-  const Twofold<double> h = renormalised(root(square(factor(hp)) + square(factor(hq))).value);
-  const Twofold<double> over_h = inverse(h);
-  const Twofold<double> beside = factor(factor(hp) * factor(hk) + factor(hq) * factor(hc)) * factor(over_h);
+  const Twofold<double> h =
+      renormalised(Products::root(square(Products::factor(hp)) + square(Products::factor(hq))).value);
+  const Twofold<double> over_h = Products::inverse(h);
+  const Twofold<double> beside =
+      Products::factor(Products::factor(hp) * Products::factor(hk) + Products::factor(hq) * Products::factor(hc)) *
+      Products::factor(over_h);
   const double area = (s.hx.high * s.hy.high) * (s.u.x.high * s.u.x.high + s.u.y.high * s.u.y.high);
   const double vv = v.x.high * v.x.high + v.y.high * v.y.high, ratio = area * vv * over_h.high;
   const double across = sqrt(hk.high * hk.high + hc.high * hc.high);
@@ -184,34 +238,36 @@ inline SideSupport support_of(const Side& s, const VectorFactor& n, const Vector
 inline bool finite(double x) noexcept { return x - x == 0; }
 
 /// T(n) by the support function of both shapes.
-inline TimeBounds lower_bound(const Scene& scene, const VectorFactor& n, const VectorFactor& v,
-                              const Twofold<double>& height) noexcept {
-  using arithmetic::factor;
+template <class Products>
+TimeBounds lower_bound(const Scene& scene, const VectorFactor<Products>& n, const VectorFactor<Products>& v,
+                       const Twofold<double>& height) noexcept {
   const double n_size = abs(n.x.high) + abs(n.y.high), speed = scene.speed(), unit = 0x1p-97 * n_size;
-  const Twofold<double> room = renormalised(dot(n, factor(scene.d)) - height), approach = renormalised(-dot(n, v));
+  const Twofold<double> room = renormalised(dot(n, Products::factor(scene.d)) - height),
+                        approach = renormalised(-dot(n, v));
   TimeBounds out{{0, 0}, 0, 0, 0, is_zero(approach)};
   if (!(approach.high > 0x1p-80 * n_size * speed)) return out;
   const double first = room.high / approach.high;
-  const Twofold<double> rest = room - factor(first) * factor(approach);
+  const Twofold<double> rest = room - Products::factor(first) * Products::factor(approach);
   out.value = {first, arithmetic::rounded(rest) / approach.high};
   out.error = 2 * (unit * scene.size + unit * speed * abs(first)) / approach.high + 0x1p-100 * abs(first) + 0x1p-800;
   return out;
 }
 
-inline VectorFactor factor_of_v(const Scene& scene) noexcept {
-  return {arithmetic::factor(Twofold<double>{scene.vx, 0}), arithmetic::factor(Twofold<double>{scene.vy, 0})};
+template <class Products>
+VectorFactor<Products> factor_of_v(const Scene& scene) noexcept {
+  return Products::factor(Vector{{scene.vx, 0}, {scene.vy, 0}});
 }
 
 /// t0 as n tells it. n: -v + s perp(v), or any multiple where it is the normal of an edge.
-inline TimeBounds time_bounds(const Scene& scene, const Vector& normal) noexcept {
-  const auto n = arithmetic::factor(normal);
-  const VectorFactor v = factor_of_v(scene);
+template <class Products>
+TimeBounds time_bounds(const Scene& scene, const Vector& normal) noexcept {
+  const auto n = Products::factor(normal), v = factor_of_v<Products>(scene);
   const double n_size = abs(n.x.high) + abs(n.y.high);
-  const SideSupport a = support_of(scene.a, n, v, n_size), b = support_of(scene.b, n, v, n_size);
-  TimeBounds out = lower_bound(scene, n, v, a.h + b.h);
+  const SideSupport a = support_of<Products>(scene.a, n, v, n_size), b = support_of<Products>(scene.b, n, v, n_size);
+  TimeBounds out = lower_bound<Products>(scene, n, v, a.h + b.h);
   if (!out.tells()) return out;
   out.certain = false;
-  const Twofold<double> w = cross(v, arithmetic::factor(scene.d));
+  const Twofold<double> w = cross(v, Products::factor(scene.d));
   const double beside = arithmetic::rounded(w - (a.beside + b.beside)), speed = scene.speed();
   const double slope = abs(beside) + a.error + b.error + 0x1p-96 * speed * scene.size, edge = a.edge + b.edge;
   if (edge > 0) {

@@ -10,6 +10,7 @@
 ///     a box: p = hx |k| at s = -c / k, the normal perp(u), and p = hy |c| at s = k / c, the normal u.
 #pragma once
 
+#include <bit>
 #include <limits>
 #include <vesica/cast/bound.hpp>
 
@@ -51,24 +52,33 @@ inline Curve curve(const Scene& scene, const Side& e) noexcept {
 inline Vector perpendicular(const Vector& u) noexcept { return {-u.y, u.x}; }
 inline Vector opposite(const Vector& u) noexcept { return {-u.x, -u.y}; }
 
-/// The normal turned against v.
-inline Vector against(const Scene& scene, const Vector& n) noexcept {
-  const Twofold<double> forward = arithmetic::renormalised(arithmetic::factor(n.x) * arithmetic::factor(scene.vx) +
-                                                           arithmetic::factor(n.y) * arithmetic::factor(scene.vy));
-  return forward.high > 0 ? opposite(n) : n;
+/// The normal turned against v. Double mostly knows whether it must be; nobody can foresee it, so there is no branch.
+template <class Products>
+Vector against(const Scene& scene, const Vector& n) noexcept {
+  const double x = n.x.high * scene.vx, y = n.y.high * scene.vy;
+  double forward = x + y;
+  if (!(abs(forward) > 0x1p-48 * (abs(x) + abs(y)) + 0x1p-900)) {
+    forward = arithmetic::renormalised(Products::factor(n.x) * Products::factor(scene.vx) +
+                                       Products::factor(n.y) * Products::factor(scene.vy))
+                  .high;
+  }
+  const double turn = lane::select(forward > 0, -1.0, 1.0);
+  return {{turn * n.x.high, turn * n.x.low}, {turn * n.y.high, turn * n.y.low}};
 }
 
 /// -v + s perp(v).
-inline Vector direction(const Scene& scene, double s) noexcept {
-  const auto by = arithmetic::factor(s);
-  const Twofold<double> x = by * arithmetic::factor(scene.vy), y = by * arithmetic::factor(scene.vx);
+template <class Products>
+Vector direction(const Scene& scene, double s) noexcept {
+  const auto by = Products::factor(s);
+  const Twofold<double> x = by * Products::factor(scene.vy), y = by * Products::factor(scene.vx);
   return {renormalised(-(x + Twofold<double>{scene.vx, 0})), renormalised(y - Twofold<double>{scene.vy, 0})};
 }
 
 /// Which vertex or face of a box a curve meets.
-inline Feature feature(const Scene& scene, const Side& box, const Curve& e) noexcept {
-  const VectorFactor v = factor_of_v(scene);
-  const auto [c, k] = dot_and_cross(box.u, v);
+template <class Products>
+Feature feature(const Scene& scene, const Side& box, const Curve& e) noexcept {
+  const auto v = factor_of_v<Products>(scene);
+  const auto [c, k] = dot_and_cross<Products>(box.u, v);
   const bool sized = !has_no_size(box);
   constexpr Twofold<double> none{0, 0};
   struct Kink {
@@ -76,8 +86,8 @@ inline Feature feature(const Scene& scene, const Side& box, const Curve& e) noex
     double at;
     Vector normal;
   };
-  const Twofold<double> along = sized ? magnitude(arithmetic::factor(box.hx) * arithmetic::factor(k)) : none;
-  const Twofold<double> across = sized ? magnitude(arithmetic::factor(box.hy) * arithmetic::factor(c)) : none;
+  const Twofold<double> along = sized ? magnitude(Products::factor(box.hx) * Products::factor(k)) : none;
+  const Twofold<double> across = sized ? magnitude(Products::factor(box.hy) * Products::factor(c)) : none;
   Kink first{along, k.high != 0 ? -c.high / k.high : -0x1p600, perpendicular(box.u)};
   Kink second{across, c.high != 0 ? k.high / c.high : 0x1p600, box.u};
   if (second.at < first.at) {
@@ -85,22 +95,23 @@ inline Feature feature(const Scene& scene, const Side& box, const Curve& e) noex
     first = second;
     second = other;
   }
-  const Twofold<double> w = cross(v, arithmetic::factor(scene.d));
+  const Twofold<double> w = cross(v, Products::factor(scene.d));
   const Twofold<double> left = w + first.p + second.p, middle = w - first.p + second.p, right = w - first.p - second.p;
   const double at_first = e.slope(first.at), at_second = e.slope(second.at);
   if (left.high < at_first) return {false, {}, left};
-  if (middle.high <= at_first) return {true, against(scene, first.normal), {}};
+  if (middle.high <= at_first) return {true, against<Products>(scene, first.normal), {}};
   if (middle.high < at_second) return {false, {}, middle};
-  if (right.high <= at_second) return {true, against(scene, second.normal), {}};
+  if (right.high <= at_second) return {true, against<Products>(scene, second.normal), {}};
   return {false, {}, right};
 }
 
 /// How far the ellipse reaches across v.
-inline Twofold<double> reach_across(const Scene& scene, const Side& e) noexcept {
-  const DotAndCross of_v = dot_and_cross(e.u, factor_of_v(scene));
-  const Twofold<double> p = arithmetic::factor(e.hx) * arithmetic::factor(of_v.cross);
-  const Twofold<double> q = arithmetic::factor(e.hy) * arithmetic::factor(of_v.dot);
-  return renormalised(root(square(arithmetic::factor(p)) + square(arithmetic::factor(q))).value);
+template <class Products>
+Twofold<double> reach_across(const Scene& scene, const Side& e) noexcept {
+  const DotAndCross of_v = dot_and_cross<Products>(e.u, factor_of_v<Products>(scene));
+  const Twofold<double> p = Products::factor(e.hx) * Products::factor(of_v.cross);
+  const Twofold<double> q = Products::factor(e.hy) * Products::factor(of_v.dot);
+  return renormalised(Products::root(square(Products::factor(p)) + square(Products::factor(q))).value);
 }
 
 /// How far the line stays within the reach: at least 2^-106 of that, for what rounding makes of nothing.
@@ -148,19 +159,23 @@ inline double maximum_of_two(const Curve& a, const Curve& b, double gap, int& st
 }
 
 /// Of two ellipses: seen in a mirror where w < 0.
-inline double maximum_of_ellipses(const Scene& scene, int& steps) noexcept {
-  const Twofold<double> w = arithmetic::renormalised(cross(factor_of_v(scene), arithmetic::factor(scene.d)));
-  const double gap = gap_of(arithmetic::renormalised(reach_across(scene, scene.a) + reach_across(scene, scene.b)), w);
+template <class Products>
+double maximum_of_ellipses(const Scene& scene, int& steps) noexcept {
+  const Twofold<double> w = arithmetic::renormalised(cross(factor_of_v<Products>(scene), Products::factor(scene.d)));
+  const double gap = gap_of(
+      arithmetic::renormalised(reach_across<Products>(scene, scene.a) + reach_across<Products>(scene, scene.b)), w);
   Curve a = curve(scene, scene.a), b = curve(scene, scene.b);
   a.s = lane::flip_sign(a.s, w.high);
   b.s = lane::flip_sign(b.s, w.high);
   return lane::flip_sign(maximum_of_two(a, b, gap, steps), w.high);
 }
 
-/// A direction and what it tells of t0.
+/// A direction and what it tells of t0; no direction where the products that were asked for do not suffice.
 struct Found {
   Vector normal;
   TimeBounds time;
+
+  bool has_direction() const noexcept { return normal.x.high != 0 || normal.y.high != 0; }
 };
 
 inline double difference(const Twofold<double>& a, const Twofold<double>& b) noexcept {
@@ -186,8 +201,9 @@ struct Axis {
 };
 
 /// 16u covers four products and as many sums of each term.
-inline Axis axis(const Scene& scene, const Vector& normal) noexcept {
-  const Vector n = against(scene, normal);
+template <class Products>
+Axis axis(const Scene& scene, const Vector& normal) noexcept {
+  const Vector n = against<Products>(scene, normal);
   const double nx = n.x.high, ny = n.y.high, approach = -(nx * scene.vx + ny * scene.vy), n_size = abs(nx) + abs(ny);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (!(approach > 0x1p-40 * n_size * scene.speed())) return {n, -infinity, infinity};
@@ -203,7 +219,8 @@ inline Axis axis(const Scene& scene, const Vector& normal) noexcept {
 
 /// Two boxes: the latest of the times at which an axis separates no more. An axis across v separates always or never,
 /// and the line test has told which. Double tells which axes may be the latest, mostly one.
-inline Found latest_axis(const Scene& scene) noexcept {
+template <class Products>
+Found latest_axis(const Scene& scene) noexcept {
   Axis axes[4];
   int count = 0;
   double least = 0;
@@ -215,19 +232,23 @@ inline Found latest_axis(const Scene& scene) noexcept {
   for (const Side* side : {&scene.a, &scene.b}) {
     if (side == &scene.a ? only_b : only_a) continue;
     for (const Vector& n : {side->u, perpendicular(side->u)}) {
-      axes[count] = axis(scene, n);
+      axes[count] = axis<Products>(scene, n);
       least = lane::max(axes[count++].least, least);
     }
   }
   Found best{};
   bool found = false, certain = true;
   double error = 0;
-  const VectorFactor v = factor_of_v(scene);
-  for (int i = 0; i < count; ++i) {
-    if (axes[i].most < least) continue;
+  const auto v = factor_of_v<Products>(scene);
+  // By bits: mostly one is left, and which cannot be foreseen.
+  unsigned left = 0;
+  for (int i = 0; i < count; ++i) left |= static_cast<unsigned>(!(axes[i].most < least)) << i;
+  for (; left != 0; left &= left - 1) {
+    const int i = std::countr_zero(left);
     const Vector& normal = axes[i].normal;
-    const auto n = arithmetic::factor(normal);
-    const TimeBounds time = lower_bound(scene, n, v, height_of(scene.a, n) + height_of(scene.b, n));
+    const auto n = Products::factor(normal);
+    const TimeBounds time =
+        lower_bound<Products>(scene, n, v, height_of<Products>(scene.a, n) + height_of<Products>(scene.b, n));
     if (!time.tells()) {
       certain = certain && time.certain;
       if (!found && !time.certain) best.normal = normal;
@@ -245,32 +266,37 @@ inline Found latest_axis(const Scene& scene) noexcept {
 }
 
 /// Where a curve is met: the slope that is left over is removed by Newton's method until the gain no longer counts.
-inline Found polished(const Scene& scene, double s) noexcept {
-  Found found{direction(scene, s), {}};
-  found.time = time_bounds(scene, found.normal);
-  for (int i = 0; i < 3; ++i) {
-    const TimeBounds& t = found.time;
-    if (!finite(t.step) || (t.certain && t.gain <= 0x1p-70 * abs(t.value.high))) break;
+template <class Products>
+Found polished(const Scene& scene, double s) noexcept {
+  Found found{};
+  for (int i = 0;; ++i) {
+    if (!Products::holds(s)) return {};
+    const Vector n = direction<Products>(scene, s);
+    const TimeBounds t = time_bounds<Products>(scene, n);
+    if (i > 0 && (!t.tells() || (found.time.certain && !t.certain))) return found;
+    found = {n, t};
+    if (i == 3 || !finite(t.step) || (t.certain && t.gain <= 0x1p-70 * abs(t.value.high))) return found;
     s += t.step;
-    const Vector n = direction(scene, s);
-    const TimeBounds next = time_bounds(scene, n);
-    if (!next.tells() || (t.certain && !next.certain)) break;
-    found = {n, next};
   }
-  return found;
 }
 
 /// steps: how many the search of two ellipses took, which tests look at.
-inline Found latest_direction(const Scene& scene, int& steps) noexcept {
+template <class Products>
+Found latest_direction(const Scene& scene, int& steps) noexcept {
   steps = 0;
-  if (!scene.a.round && !scene.b.round) return latest_axis(scene);
-  if (scene.a.round && scene.b.round) return polished(scene, maximum_of_ellipses(scene, steps));
-  const Side &round = scene.a.round ? scene.a : scene.b, &box = scene.a.round ? scene.b : scene.a;
-  const Curve e = curve(scene, round);
-  const Feature met = feature(scene, box, e);
-  if (met.face) return {met.normal, time_bounds(scene, met.normal)};
-  const Twofold<double> w = arithmetic::renormalised(met.w);
-  return polished(scene, maximum_of_one(e, w.high, gap_of(reach_across(scene, round), w)));
+  if (!scene.a.round && !scene.b.round) return latest_axis<Products>(scene);
+  double s;
+  if (scene.a.round && scene.b.round) {
+    s = maximum_of_ellipses<Products>(scene, steps);
+  } else {
+    const Side &round = scene.a.round ? scene.a : scene.b, &box = scene.a.round ? scene.b : scene.a;
+    const Curve e = curve(scene, round);
+    const Feature met = feature<Products>(scene, box, e);
+    if (met.face) return {met.normal, time_bounds<Products>(scene, met.normal)};
+    const Twofold<double> w = arithmetic::renormalised(met.w);
+    s = maximum_of_one(e, w.high, gap_of(reach_across<Products>(scene, round), w));
+  }
+  return polished<Products>(scene, s);
 }
 
 }  // namespace vesica::detail::cast

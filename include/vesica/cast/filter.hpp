@@ -33,14 +33,12 @@ VESICA_INLINE Sketch sketch(const Body& body) noexcept {
   });
 }
 
-/// Reach across v and x.v as in exact.hpp, the reach along v, and errors.
+/// Reach across v as in exact.hpp, the reach along v, and errors.
 ///
 /// c and k have an error of 3u A V, A and V being the sums of components, so of a box h has one of 6u R, R = (hx + hy)
-/// A V. The sign of k or c may be wrong. Then the point x lies at the other end of an edge that is nearly along v: the
-/// true reach of that end is within 6u R of h. That end will do, so this counts in the error of h alone. Of an ellipse
-/// h has an error of 8u R, m one of 8u R^2.
+/// A V; of an ellipse h has one of 8u R.
 struct Reach {
-  double h, h_error, along, along_error, forward, size;
+  double c, k, h, h_error, forward, size;
 };
 
 VESICA_INLINE Reach reach(const Sketch& s, const Motion& v, double speed) noexcept {
@@ -48,13 +46,24 @@ VESICA_INLINE Reach reach(const Sketch& s, const Motion& v, double speed) noexce
   const double c = s.ux * v.vx + s.uy * v.vy, k = s.ux * v.vy - s.uy * v.vx;
   const double size = (s.hx + s.hy) * ((abs(s.ux) + abs(s.uy)) * speed);
   const double p = s.hx * k, q = s.hy * c, p_along = s.hx * c, q_along = s.hy * k;
+  if (!s.round) return {c, k, abs(p) + abs(q), 16 * u * size, abs(p_along) + abs(q_along), size};
+  return {c, k, sqrt(p * p + q * q), 12 * u * size, sqrt(p_along * p_along + q_along * q_along), size};
+}
+
+/// x.v of exact.hpp and its error. The sign of k or c of a box may be wrong. Then the point x lies at the other end of an
+/// edge that is nearly along v: the true reach of that end is within 6u R of h. That end will do, so this counts in the
+/// error of h alone. Of an ellipse m has an error of 8u R^2.
+struct Along {
+  double x, error;
+};
+
+VESICA_INLINE Along along(const Sketch& s, const Reach& r) noexcept {
+  constexpr double u = 0x1p-53;
   if (!s.round) {
-    const double along = lane::flip_sign(-p_along, k) + lane::flip_sign(q_along, c);
-    return {abs(p) + abs(q), 16 * u * size, along, 8 * u * size, abs(p_along) + abs(q_along), size};
+    return {lane::flip_sign(-(s.hx * r.c), r.k) + lane::flip_sign(s.hy * r.k, r.c), 8 * u * r.size};
   }
-  const double h = sqrt(p * p + q * q), along = ((s.hy - s.hx) * (s.hy + s.hx)) * (c * k) / h;
-  const double along_error = u * (10 * size * size + 16 * size * abs(along)) / h + 2 * u * abs(along);
-  return {h, 12 * u * size, along, along_error, sqrt(p_along * p_along + q_along * q_along), size};
+  const double x = ((s.hy - s.hx) * (s.hy + s.hx)) * (r.c * r.k) / r.h;
+  return {x, u * (10 * r.size * r.size + 16 * r.size * abs(x)) / r.h + 2 * u * abs(x)};
 }
 
 /// What the filter knows for certain. `reached` is contact within the time, `missed` none after the start, `passed`
@@ -67,9 +76,10 @@ struct Filtered {
   bool apart;
 };
 
-/// Offset of the centres. Of shapes that store two points it is rounded too; the error is below u |D| + u R / V.
-inline double offset(double to0, double to1, double from0, double from1) noexcept {
-  return 0.5 * form::twice_offset(to0, to1, from0, from1, 1).high;
+/// Offset of the centres along a coordinate: the mean of two differences, each rounded, and none larger than |D| + R / V.
+/// So the error is below 2u |D| + u R / V.
+VESICA_INLINE double offset(double to0, double to1, double from0, double from1) noexcept {
+  return 0.5 * ((to0 - from0) + (to1 - from1));
 }
 
 VESICA_INLINE Filtered filter(const Sketch& a, const Sketch& b, const Motion& v) noexcept {
@@ -86,18 +96,19 @@ VESICA_INLINE Filtered filter(const Sketch& a, const Sketch& b, const Motion& v)
 
   const double w = v.vx * dy - v.vy * dx, q = v.vx * dx + v.vy * dy, d_error = u * (6 * d_size + 2 * size);
   const double h = ra.h + rb.h, h_error = ra.h_error + rb.h_error + 4 * u * h, gap = abs(w) - h;
-  if (gap > d_error + h_error) return {Verdict::missed, true};
-  // Moving away: the shapes are apart along v, or before they could meet the end comes.
-  const double forward = ra.forward + rb.forward, forward_error = h_error + 4 * u * forward;
-  if (q - forward > d_error + forward_error) return {Verdict::missed, true};
-  const bool apart = -q - forward > d_error + forward_error;
-  const auto answer = [apart](Verdict verdict) { return Filtered{verdict, apart}; };
-  const double vv = v.vx * v.vx + v.vy * v.vy, whole = v.end <= most_usable ? v.end * vv : 0;
+  const double forward = ra.forward + rb.forward, forward_error = d_error + h_error + 4 * u * forward;
   const bool has_end = v.end <= most_usable;
-  if (has_end && -q - forward - whole > d_error + forward_error + 8 * u * whole) return answer(Verdict::passed);
+  const double vv = v.vx * v.vx + v.vy * v.vy, whole = has_end ? v.end * vv : 0;
+  // Beside the line; moving away; out of reach at the end. One of them, which cannot be foreseen, mostly holds of misses.
+  const bool beside = gap > d_error + h_error, away = q - forward > forward_error;
+  const bool short_of = -q - forward - whole > forward_error + 8 * u * whole;
+  if (lane::either(lane::either(beside, away), lane::both(has_end, short_of))) return {Verdict::missed, true};
+  const bool apart = -q - forward > forward_error;
+  const auto answer = [apart](Verdict verdict) { return Filtered{verdict, apart}; };
   if (!(gap < -(d_error + h_error))) return answer(Verdict::undecided);
 
-  const double along = ra.along + rb.along, along_error = ra.along_error + rb.along_error + 2 * u * abs(along);
+  const Along xa = along(a, ra), xb = along(b, rb);
+  const double along = xa.x + xb.x, along_error = xa.error + xb.error + 2 * u * abs(along);
   const double first = w * along, second = q * h;
   const double error = 1.25 * ((abs(w) + d_error) * along_error + abs(along) * d_error + abs(q) * h_error +
                                (h + h_error) * d_error + 4 * u * (abs(first) + abs(second)));

@@ -42,24 +42,26 @@ inline double known_floor(const Scene& scene, const TimeBounds& time) noexcept {
   const Twofold<double> t = arithmetic::renormalised(time.value);
   const double above = time.error + time.gain;
   if (!scene.faithful || !time.tells() || !time.certain || !(above < 0x1p-56 * t.high)) return -1;
-  const int exponent = form::length_exponent(t.high, scene.time);
+  const bool usual = scene.time == 0 && t.high >= 0x1p-1000 && t.high <= 0x1p1000;
+  const int exponent = usual ? 0 : form::length_exponent(t.high, scene.time);
   if (exponent < -1000 || exponent > 1020) return -1;
   if (t.low - time.error <= 0 && t.low + above >= 0) return -1;
-  const double nearest = arithmetic::scale_far(t.high, scene.time);
+  const double nearest = in_units(t.high, scene.time);
   return t.low < 0 ? arithmetic::at_rank<double>(arithmetic::rank(nearest) - 1) : nearest;
 }
 
 /// Where a line that grazes enters: the point of M farthest across v, of an edge along v the end that comes first.
 inline Found grazing(const Scene& scene, int side) noexcept {
+  using Products = SplitProducts;
   using arithmetic::factor;
   const double sign = side < 0 ? -1 : 1;
   const Vector across{{-sign * scene.vy, 0}, {sign * scene.vx, 0}};
   // Turned by a quarter `beside` is x.v, and `edge` what lies along v.
-  const VectorFactor turned{factor(Twofold<double>{scene.vy, 0}), factor(Twofold<double>{-scene.vx, 0})};
+  const VectorFactor<Products> turned{factor(Twofold<double>{scene.vy, 0}), factor(Twofold<double>{-scene.vx, 0})};
   const auto n = factor(across);
-  const SideSupport a = support_of(scene.a, n, turned, scene.speed()),
-                    b = support_of(scene.b, n, turned, scene.speed());
-  const VectorFactor v = factor_of_v(scene);
+  const SideSupport a = support_of<Products>(scene.a, n, turned, scene.speed()),
+                    b = support_of<Products>(scene.b, n, turned, scene.speed());
+  const auto v = factor_of_v<Products>(scene);
   const Twofold<double> way = a.beside + b.beside - dot(factor(scene.d), v);
   const double vv = scene.vx * scene.vx + scene.vy * scene.vy;
   const double first = (way.high - (a.edge + b.edge)) / vv;
@@ -67,6 +69,45 @@ inline Found grazing(const Scene& scene, int side) noexcept {
                                factor(Twofold<double>{first, 0}) * factor(renormalised(dot(v, v)));
   const Vector back{{-scene.vx, 0}, {-scene.vy, 0}};
   return {side == 0 ? back : across, {{first, arithmetic::rounded(left) / vv}, 0, 0, 0, false}};
+}
+
+/// How the shapes meet first, and what of them lies farthest along the normal: of b where a meets by an edge.
+struct Meeting {
+  Found found;
+  Foremost of_a, of_b;
+};
+
+template <class Products>
+void look_along_normal(const Scene& scene, Meeting& m) noexcept {
+  m.of_a = foremost<Products>(scene.a, m.found.normal);
+  if (m.of_a.is_edge()) m.of_b = foremost<Products>(scene.b, opposite(m.found.normal));
+}
+
+/// False where these products do not suffice.
+template <class Products>
+bool find_meeting(const Scene& scene, Meeting& out) noexcept {
+  int steps;
+  out.found = latest_direction<Products>(scene, steps);
+  if (!out.found.has_direction()) return false;
+  look_along_normal<Products>(scene, out);
+  return true;
+}
+
+/// find_meeting by fused products, or null where the processor has none.
+using FindMeeting = bool (*)(const Scene&, Meeting&);
+#if defined(VESICA_HAS_FUSED)
+inline constexpr FindMeeting fused_meeting = find_meeting<FusedProducts>;
+#else
+inline constexpr FindMeeting fused_meeting = nullptr;
+#endif
+
+inline void meet(const Scene& scene, const Graze& graze, FindMeeting fused, Meeting& m) noexcept {
+  if (graze.grazes) {
+    m.found = grazing(scene, graze.side);
+    look_along_normal<SplitProducts>(scene, m);
+  } else if (fused == nullptr || !has_fused_products(scene) || !fused(scene, m)) {
+    find_meeting<SplitProducts>(scene, m);
+  }
 }
 
 // What asks exact numbers is in functions of its own, so that no two of them are on the stack at a time.
@@ -109,10 +150,11 @@ VESICA_COLD inline LineMeeting exact_line(const Body& a, const Body& b, const Mo
 }
 
 /// The time in units of the scene, and what it means.
-inline Impact<double> impact(const Body& a, const Scene& scene, const Vector& normal, double t) noexcept {
-  const double in_scene = arithmetic::scale_far(t, -scene.time);
+inline Impact<double> impact(const Body& a, const Scene& scene, const Meeting& m, double t) noexcept {
+  const double in_scene = in_units(t, -scene.time);
   const Offset offset{scene.d.x.high + in_scene * scene.vx, scene.d.y.high + in_scene * scene.vy};
-  const Offset at = located(a, touching_point(scene, normal, offset), scene.length);
+  const Offset at = located(a, touching_point(m.of_a, m.of_b, offset), scene.length);
+  const Vector& normal = m.found.normal;
   const double x = normal.x.high, y = normal.y.high, length = sqrt(x * x + y * y);
   return {t, at.x, at.y, x / length + 0.0, y / length + 0.0};
 }
@@ -120,10 +162,13 @@ inline Impact<double> impact(const Body& a, const Scene& scene, const Vector& no
 /// For shapes that do not overlap at the start, and a line that meets M after it. late: whether the witness comes after
 /// the end, so that there may be contact only then.
 [[gnu::noinline]] inline std::int32_t first_contact(const Body& a, const Body& b, const Motion& motion, bool late,
-                                                    const Graze& graze, Impact<double>& out) noexcept {
-  int steps;
-  const Scene seen = scene(a, b, motion);
-  const Found found = graze.grazes ? grazing(seen, graze.side) : latest_direction(seen, steps);
+                                                    const Graze& graze, FindMeeting fused,
+                                                    Impact<double>& out) noexcept {
+  Scene seen;
+  set_scene(a, b, motion, seen);
+  Meeting met;
+  meet(seen, graze, fused, met);
+  const Found& found = met.found;
   double t = graze.grazes ? -1 : known_floor(seen, found.time);
   if (t < 0) {
     if (late) {
@@ -137,7 +182,7 @@ inline Impact<double> impact(const Body& a, const Scene& scene, const Vector& no
     const std::int32_t at_end = t > motion.end ? 0 : exact_contact_at(a, b, motion, t);
     if (at_end <= 0) return at_end;
   }
-  const Impact<double> impact = cast::impact(a, seen, found.normal, t);
+  const Impact<double> impact = cast::impact(a, seen, met, t);
   if (!all_finite(impact.x, impact.y, impact.nx, impact.ny)) return error_range;
   out = impact;
   return cast_hit;
@@ -147,7 +192,8 @@ inline Impact<double> impact(const Body& a, const Scene& scene, const Vector& no
 /// overlap_or_error() does.
 template <class Overlap>
 VESICA_INLINE std::int32_t cast_bodies(const Body& a, const Body& b, const Motion& motion,
-                                       const Overlap& overlap_at_start, Impact<double>& out) noexcept {
+                                       const Overlap& overlap_at_start, FindMeeting fused,
+                                       Impact<double>& out) noexcept {
   const auto [verdict, apart] = filter(sketch(a), sketch(b), motion);
   if (verdict == Verdict::missed) return cast_miss;
   const std::int32_t overlapping = apart ? 0 : overlap_at_start();
@@ -155,7 +201,8 @@ VESICA_INLINE std::int32_t cast_bodies(const Body& a, const Body& b, const Motio
   if (verdict == Verdict::passed || motion.is_still()) return cast_miss;
   LineMeeting line{true, verdict == Verdict::late, {false, 0}};
   if (verdict == Verdict::undecided) line = exact_line(a, b, motion);
-  return line.meets ? first_contact(a, b, motion, line.late, line.graze, out) : static_cast<std::int32_t>(cast_miss);
+  return line.meets ? first_contact(a, b, motion, line.late, line.graze, fused, out)
+                    : static_cast<std::int32_t>(cast_miss);
 }
 
 }  // namespace detail::cast

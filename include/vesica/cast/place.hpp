@@ -17,8 +17,8 @@ struct Foremost {
 };
 
 /// From the shape's own centre.
-inline Foremost foremost(const Side& s, const Vector& normal) noexcept {
-  using arithmetic::factor;
+template <class Products>
+Foremost foremost(const Side& s, const Vector& normal) noexcept {
   const Offset along{s.u.x.high, s.u.y.high}, across{-s.u.y.high, s.u.x.high};
   const double a = s.hx.high, b = s.hy.high;
   if (a == 0 && b == 0) return {{0, 0}, {0, 0}};
@@ -31,7 +31,7 @@ inline Foremost foremost(const Side& s, const Vector& normal) noexcept {
       return {lane::flip_sign(a, p) * along + lane::flip_sign(b, q) * across, {0, 0}};
     }
   }
-  const auto u = factor(s.u), n = factor(normal);
+  const auto u = Products::factor(s.u), n = Products::factor(normal);
   const Twofold<double> p = arithmetic::renormalised(dot(u, n)), q = arithmetic::renormalised(cross(u, n));
   if (s.round) {
     const double h = sqrt((a * p.high) * (a * p.high) + (b * q.high) * (b * q.high));
@@ -46,11 +46,10 @@ inline Foremost foremost(const Side& s, const Vector& normal) noexcept {
 }
 
 /// The point of the first shape where the second, at an offset, touches it: its vertex or the point of its round
-/// outline; on an edge of it the other's vertex, or the middle of the stretch that two edges share.
-inline Offset touching_point(const Scene& scene, const Vector& normal, const Offset& offset) noexcept {
-  const Foremost a = foremost(scene.a, normal);
+/// outline; on an edge of it the other's vertex, or the middle of the stretch that two edges share. b counts there
+/// alone.
+inline Offset touching_point(const Foremost& a, const Foremost& b, const Offset& offset) noexcept {
   if (!a.is_edge()) return a.middle;
-  const Foremost b = foremost(scene.b, {-normal.x, -normal.y});
   const double length = a.half.x * a.half.x + a.half.y * a.half.y;
   const auto share = [&](double x, double y) { return (x * a.half.x + y * a.half.y) / length; };
   const double middle = share(offset.x + b.middle.x - a.middle.x, offset.y + b.middle.y - a.middle.y);
@@ -60,12 +59,17 @@ inline Offset touching_point(const Scene& scene, const Vector& normal, const Off
   return {a.middle.x + at * a.half.x, a.middle.y + at * a.half.y};
 }
 
+/// x * 2^exponent. The unit mostly is 1.
+inline double in_units(double x, int exponent) noexcept {
+  return exponent == 0 ? x : arithmetic::scale_far(x, exponent);
+}
+
 /// The point at an offset, in units of 2^exponent, from a body's centre.
 inline Offset located(const Body& body, const Offset& offset, int exponent) noexcept {
   return with_shape(body, [&](const auto& s) {
     const auto p = form::corners(form::of(s).place);
-    return Offset{support_minimum::located_coordinate(p.x0, p.x1, arithmetic::scale_far(offset.x, exponent)) + 0.0,
-                  support_minimum::located_coordinate(p.y0, p.y1, arithmetic::scale_far(offset.y, exponent)) + 0.0};
+    return Offset{support_minimum::located_coordinate(p.x0, p.x1, in_units(offset.x, exponent)) + 0.0,
+                  support_minimum::located_coordinate(p.y0, p.y1, in_units(offset.y, exponent)) + 0.0};
   });
 }
 

@@ -2728,7 +2728,7 @@ final class Native {
    * numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their
    * half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
-   * <p>Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can
+   * <p>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; 0.7 to 20 us for contact that only exact arithmetic can
    * decide; at worst 2 ms, where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
@@ -2767,7 +2767,8 @@ final class Native {
    *
    * <p>Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.
    *
-   * <p>Errors: as above. An invalid shape anywhere is one.
+   * <p>Errors: as above. An invalid shape anywhere is one. VESICA_E_RANGE only if vesica_cast_f64 returns it for one of
+   * the shapes, and that might be touched first: where another one is certainly touched before, there is no error.
    *
    * <p>Since: 0.1.
    */
@@ -2817,7 +2818,7 @@ final class Native {
    *
    * <p>Returns: the item, or the index's count if there is none. *out is its contact, the normal pointing to `one`.
    *
-   * <p>Errors: those of vesica_index_cast_f64.
+   * <p>Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as of vesica_cast_first_f64.
    *
    * <p>Since: 0.1.
    */
@@ -2879,7 +2880,7 @@ final class Native {
    * numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their
    * half lengths. An aspect ratio is a shape's longer size over its shorter one.
    *
-   * <p>Cost: 30 to 60 ns for a miss, 0.3 to 0.7 us for a hit; 1 to 20 us for contact that only exact arithmetic can
+   * <p>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; 0.7 to 20 us for contact that only exact arithmetic can
    * decide; at worst 2 ms, where exponents are wildly unlike.
    *
    * <p>Since: 0.1.
@@ -2918,7 +2919,8 @@ final class Native {
    *
    * <p>Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.
    *
-   * <p>Errors: as above. An invalid shape anywhere is one.
+   * <p>Errors: as above. An invalid shape anywhere is one. VESICA_E_RANGE only if vesica_cast_f32 returns it for one of
+   * the shapes, and that might be touched first: where another one is certainly touched before, there is no error.
    *
    * <p>Since: 0.1.
    */
@@ -2968,7 +2970,7 @@ final class Native {
    *
    * <p>Returns: the item, or the index's count if there is none. *out is its contact, the normal pointing to `one`.
    *
-   * <p>Errors: those of vesica_index_cast_f32.
+   * <p>Errors: those of vesica_index_cast_f32; VESICA_E_RANGE only as of vesica_cast_first_f32.
    *
    * <p>Since: 0.1.
    */
