@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <cstdlib>
 #include <random>
@@ -15,11 +16,25 @@ inline std::uint64_t seed() {
   return text != nullptr ? std::strtoull(text, nullptr, 0) : 20240229;
 }
 
-/// VESICA_REPEAT, a factor on the number of cases of every random test; unset or below 1, 1.
-inline int repeat() {
-  const char* text = std::getenv("VESICA_REPEAT");
-  const long value = text != nullptr ? std::strtol(text, nullptr, 0) : 1;
-  return value < 1 ? 1 : static_cast<int>(value);
+/// A factor on the number of cases of a random test, which it leaves at least one of.
+struct Factor {
+  double value;
+
+  template <std::integral Count>
+  friend Count operator*(Count cases, Factor factor) {
+    const double scaled = static_cast<double>(cases) * factor.value;
+    return scaled < 1 ? Count{1} : static_cast<Count>(scaled);
+  }
+};
+
+/// VESICA_REPEAT, such as 10 or 0.25: the factor for every random test; unset or not above 0, 1.
+inline Factor repeat() {
+  static const double value = [] {
+    const char* text = std::getenv("VESICA_REPEAT");
+    const double given = text != nullptr ? std::strtod(text, nullptr) : 1;
+    return given > 0 ? given : 1;
+  }();
+  return {value};
 }
 
 /// Draws from one seed. The engine's sequence is fixed by the C++ standard; its distributions are not, hence these.
