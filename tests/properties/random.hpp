@@ -2,6 +2,7 @@
 /// Random numbers that are the same on every platform, and the two environment variables random tests obey.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -16,14 +17,14 @@ inline std::uint64_t seed() {
   return text != nullptr ? std::strtoull(text, nullptr, 0) : 20240229;
 }
 
-/// A factor on the number of cases of a random test, which it leaves at least one of.
+/// A factor on the number of cases of a random test. What is few already does not become fewer.
 struct Factor {
   double value;
 
   template <std::integral Count>
   friend Count operator*(Count cases, Factor factor) {
-    const double scaled = static_cast<double>(cases) * factor.value;
-    return scaled < 1 ? Count{1} : static_cast<Count>(scaled);
+    const auto scaled = static_cast<Count>(static_cast<double>(cases) * factor.value);
+    return std::max(scaled, std::min(cases, Count{8}));
   }
 };
 
@@ -36,6 +37,9 @@ inline Factor repeat() {
   }();
   return {value};
 }
+
+/// Whether random tests draw all of their cases, so that the rare ones must be among them.
+inline bool draws_all() { return repeat().value >= 1; }
 
 /// Draws from one seed. The engine's sequence is fixed by the C++ standard; its distributions are not, hence these.
 class Random {
