@@ -5,8 +5,8 @@
 # that the README prints under "Two commands", word for word. Needs root and the network; run by hand, for it takes
 # minutes. The root is packed into CACHE (build/bare unless told) and kept; what runs is a fresh copy every time.
 # After each command it prints how long that took, of the clock and of processors, the installation of packages
-# included, and what has been installed beyond the bare root. VESICA_MIRROR names
-# another Debian mirror. Exit status 0 when every command's is.
+# included, and what has been installed beyond the bare root. VESICA_MIRROR names another Debian mirror. Exit status 0
+# when every command's is.
 set -euo pipefail
 
 # shellcheck source=/dev/null
