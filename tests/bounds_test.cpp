@@ -220,7 +220,7 @@ TYPED_TEST(RandomBounds, SmallestOnEveryWorkload) {
     SCOPED_TRACE(name(workload));
     if (workload != Workload::near_contact) this->check_workload(workload, 200, random);
   }
-  EXPECT_GT(this->met_.boxes, 10000);
+  EXPECT_GT(this->met_.boxes, 10000 * repeat());
 }
 
 // Every number with an exponent of its own; half of these boxes are out of range.
@@ -239,8 +239,8 @@ TYPED_TEST(RandomBounds, SmallestAtMixedExponents) {
     n[2] = std::fabs(n[2]);
     this->check(VESICA_CIRCLE, n);
   }
-  EXPECT_GT(this->met_.boxes, 1000);
-  EXPECT_GT(this->met_.out_of_range, 1000);
+  EXPECT_GT(this->met_.boxes, 1000 * repeat());
+  EXPECT_GT(this->met_.out_of_range, 1000 * repeat());
 }
 
 // A centre that cancels the extent leaves a side near 0, far below the roundings of both.
@@ -260,7 +260,7 @@ TYPED_TEST(RandomBounds, SmallestWhenCentreCancelsExtent) {
       this->check(kind, n);
     }
   }
-  EXPECT_GT(this->met_.boxes, 5000);
+  EXPECT_GT(this->met_.boxes, 5000 * repeat());
 }
 
 // Pythagorean ellipses: irrational in general, here with representable sides, one place in one number off, or between.
@@ -281,7 +281,7 @@ TYPED_TEST(RandomBounds, SmallestNearRepresentableRoots) {
     number = at_ordinal(this->scalar, ordinal(this->scalar, number) + random.integer(-2, 2));
     this->check(VESICA_ELLIPSE, nearest_shape(this->scalar, VESICA_ELLIPSE, n));
   }
-  EXPECT_GT(this->met_.boxes, 5000);
+  EXPECT_GT(this->met_.boxes, 5000 * repeat());
 }
 
 }  // namespace

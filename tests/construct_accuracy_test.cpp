@@ -183,8 +183,8 @@ TYPED_TEST(ConstructAccuracy, CovarianceAndMatrix) {
     this->check_covariance(matrix, this->any(-reach, reach - 1));
     this->check_matrix(matrix);
   }
-  EXPECT_GT(this->made_, 4000);
-  EXPECT_GT(this->refused_, 400);
+  EXPECT_GT(this->made_, 4000 * repeat());
+  EXPECT_GT(this->refused_, 400 * repeat());
 }
 
 // Every entry with an exponent of its own: mostly no covariance, and to be refused; else far from any scale.
@@ -196,8 +196,8 @@ TYPED_TEST(ConstructAccuracy, CovarianceAtMixedExponents) {
     this->check_covariance({x, off, y}, 1);
     this->check_matrix({x, off, y});
   }
-  EXPECT_GT(this->made_, 1000);
-  EXPECT_GT(this->refused_, 1000);
+  EXPECT_GT(this->made_, 1000 * repeat());
+  EXPECT_GT(this->refused_, 1000 * repeat());
 }
 
 // (p, q) times its transpose, in few digits: singular exactly, and one place from it.
@@ -210,7 +210,7 @@ TYPED_TEST(ConstructAccuracy, SingularCovariance) {
     this->check_covariance({p * p * scale, p * q * scale, std::nextafter(q * q * scale, T{0})}, 1);
     this->check_matrix({p * p * scale, p * q * scale, std::nextafter(q * q * scale, T{1e30f})});
   }
-  EXPECT_GT(this->singular_, 1900);
+  EXPECT_GT(this->singular_, 1900 * repeat());
 }
 
 /// Twice the mean of the edges from corner 0 to 1 and 3 to 2 (first), and from 0 to 3 and 1 to 2 (second).
@@ -297,7 +297,7 @@ TYPED_TEST(ConstructAccuracy, CornersOfRectangles) {
     }
     this->check_corners(p);
   }
-  EXPECT_GT(this->made_, 3000);
+  EXPECT_GT(this->made_, 3000 * repeat());
 }
 
 // Any four points, in any order, at one scale or at one each.
@@ -312,7 +312,7 @@ TYPED_TEST(ConstructAccuracy, CornersOfNothingInParticular) {
     }
     this->check_corners(p);
   }
-  EXPECT_GT(this->made_, 3500);
+  EXPECT_GT(this->made_, 3500 * repeat());
 }
 
 // A rectangle whose centre and half extents are representable comes back exactly from its corners.

@@ -147,7 +147,14 @@ void expect_the_rule() {
     expect_the_rule<First<double>, Second<double>>();  \
     expect_the_rule<First<float>, Second<float>>();    \
   }
+#ifdef VESICA_TEST_EVERY_PAIR
 VESICA_EACH_PAIR(VESICA_TEST_PAIR)
+#else
+// Every shape, and every query. All pairs are the whole core, compiled once more.
+VESICA_TEST_PAIR(point, Point, segment, Segment)
+VESICA_TEST_PAIR(circle, Circle, aabb, Aabb)
+VESICA_TEST_PAIR(rect, Rect, ellipse, Ellipse)
+#endif
 #undef VESICA_TEST_PAIR
 
 template <class Shape>

@@ -130,7 +130,7 @@ TEST_F(AreaLaws, OnWorkloads) {
       }
     }
   }
-  EXPECT_GT(asked_, 100000);
+  EXPECT_GT(asked_, 100000 * repeat());
 }
 
 TEST_F(AreaLaws, OnHardPairs) {
@@ -142,7 +142,7 @@ TEST_F(AreaLaws, OnHardPairs) {
       }
     }
   }
-  EXPECT_GT(asked_, 50000);
+  EXPECT_GT(asked_, 50000 * repeat());
 }
 
 TEST_F(AreaLaws, OnNestedShapes) {
@@ -156,7 +156,7 @@ TEST_F(AreaLaws, OnNestedShapes) {
       }
     }
   }
-  EXPECT_GT(asked_, 30000);
+  EXPECT_GT(asked_, 30000 * repeat());
 }
 
 /// A shape with itself, and with itself in other numbers and as other kinds.
@@ -188,7 +188,7 @@ TEST_F(AreaLaws, OfAShapeWithItself) {
       }
     }
   }
-  EXPECT_GT(asked_, 10000);
+  EXPECT_GT(asked_, 10000 * repeat());
 }
 
 /// One shape in another, each step a superset, until they are equal but for a place: areas never decrease.
@@ -204,7 +204,7 @@ TEST_F(AreaLaws, AShapeInAnotherHasNoGreaterArea) {
              shape_area(kind, larger->numbers).value, shape_area(kind, p.a).value);
     }
   }
-  EXPECT_GT(asked_, 5000);
+  EXPECT_GT(asked_, 5000 * repeat());
 }
 
 /// Floats: the same shapes in double, and the result rounded.
@@ -236,7 +236,7 @@ TEST_F(AreaLaws, OfFloats) {
       }
     }
   }
-  EXPECT_GT(asked_, 10000);
+  EXPECT_GT(asked_, 10000 * repeat());
 }
 
 }  // namespace

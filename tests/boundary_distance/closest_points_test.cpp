@@ -114,7 +114,7 @@ TEST(OutlinePoints, CommonPointsAtEveryAspect) {
     EXPECT_LE(common_point_off(p), 4) << properties::describe(p);
     ++crossing;
   }
-  EXPECT_GT(crossing, 2000);
+  EXPECT_GT(crossing, 2000 * properties::repeat());
   RecordProperty("worst_in_u_scale", std::to_string(worst));
 }
 
@@ -160,7 +160,7 @@ TEST(OutlinePoints, OfNestedEllipsesAreAsFarApartAsTheDistance) {
     EXPECT_LE(gap_off(p), 16) << properties::describe(p);
     ++nested;
   }
-  EXPECT_GT(nested, 500);
+  EXPECT_GT(nested, 500 * properties::repeat());
   RecordProperty("worst_in_u_scale", std::to_string(worst));
 }
 

@@ -69,7 +69,7 @@ void run(int outer, int inner, int pairs_a_style, int limit) {
     EXPECT_EQ(tally.missed, 0);
     EXPECT_EQ(tally.limits_met, 0);
     EXPECT_LE(tally.most_evaluations, limit);
-    EXPECT_GT(tally.pairs, pairs_a_style / 3);
+    EXPECT_GT(tally.pairs, pairs_a_style / 3 * properties::repeat());
     std::printf("%s in %s, %s: %d pairs, %d missed", vesica_kind_name(inner), vesica_kind_name(outer), name(style),
                 tally.pairs, tally.missed);
     if (searched) {

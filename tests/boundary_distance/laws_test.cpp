@@ -140,7 +140,7 @@ TEST(BoundaryDistance, ExactTranslationsChangeNoBit) {
       }
     }
   }
-  EXPECT_GT(nested, 300);
+  EXPECT_GT(nested, 300 * properties::repeat());
 }
 
 }  // namespace

@@ -114,7 +114,9 @@ TEST_P(Decision, EveryWorkload) {
       if (HasFailure()) FAIL() << properties::name(workload);
     }
   }
-  EXPECT_GT(hits_, cases_ / 20);
+  if (properties::draws_all()) {
+    EXPECT_GT(hits_, cases_ / 20);
+  }
   std::printf("%d cases, %d hits\n", cases_, hits_);
 }
 

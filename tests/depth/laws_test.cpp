@@ -99,7 +99,7 @@ TEST(Depth, MovingByItEndsTheOverlap) {
       }
     }
   }
-  EXPECT_GT(pairs, 2000);
+  EXPECT_GT(pairs, 2000 * properties::repeat());
 }
 
 /// No shorter move in any other direction ends it.

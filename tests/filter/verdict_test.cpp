@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
+#include <vesica/each_shape.hpp>
 #include <vesica/overlap.hpp>
 
 #include "filter/any_numbers.hpp"
@@ -49,43 +51,59 @@ struct UnitAxesFilter {
 constexpr const char* kind_names[] = {"point", "segment", "circle", "aabb", "rect", "ellipse"};
 constexpr int most_printed = 3;
 
-template <template <class> class A, template <class> class B, class V, class Filter = PairFilter>
-struct PairOf {
-  using First = A<V>;
-  using Second = B<V>;
-  using Scalar = V;
-  using Tested = Filter;
+struct Said {
+  bool overlap, disjoint;
+};
 
-  static std::string name() {
-    const auto kind = [](Kind k) { return std::string(kind_names[static_cast<int>(k)]); };
-    return kind(ShapeTraits<First>::kind) + "_" + kind(ShapeTraits<Second>::kind) +
-           (std::is_same_v<Filter, PairFilter> ? "" : "_unit_axes") + (sizeof(V) == 4 ? "_f32" : "_f64");
+/// A pair with the filter that is tested on it, as functions of its numbers: the tests are compiled once a scalar.
+template <class V>
+struct Tested {
+  std::string name;
+  Kind kind_a, kind_b;
+  bool unit_axes;
+  Said (*verdict)(const Numbers<V>& n);
+  bool (*exact)(const Numbers<V>& n);
+};
+
+template <class A, class B>
+struct Shapes {
+  using V = typename ShapeTraits<A>::Scalar;
+  static A first(const Numbers<V>& n) { return inputs::shape_at<A>(n.data()); }
+  static B second(const Numbers<V>& n) { return inputs::shape_at<B>(n.data() + ShapeTraits<A>::fields); }
+
+  template <class Filter>
+  static Said verdict(const Numbers<V>& n) {
+    const auto said = Filter::verdict(first(n), second(n));
+    return {said.overlap, said.disjoint};
   }
 
   /// Pairs that comparisons decide have no exact stage of their own: as boxes they have one.
-  static bool exact(const First& a, const Second& b) {
+  static bool exact(const Numbers<V>& n) {
     constexpr auto compared = [](Kind k) { return k == Kind::point || k == Kind::aabb; };
-    if constexpr (compared(ShapeTraits<First>::kind) && compared(ShapeTraits<Second>::kind)) {
-      return exact::overlap(exact::form(widen(a)), exact::form(widen(b)));
+    if constexpr (compared(ShapeTraits<A>::kind) && compared(ShapeTraits<B>::kind)) {
+      return exact::overlap(exact::form(widen(first(n))), exact::form(widen(second(n))));
     } else {
-      return detail::overlap::exact(widen(a), widen(b));
+      return detail::overlap::exact(widen(first(n)), widen(second(n)));
     }
   }
 };
 
-template <class Shapes>
-class Verdicts : public testing::Test {
+template <class A, class B, class Filter = PairFilter>
+Tested<typename ShapeTraits<A>::Scalar> tested() {
+  constexpr bool unit_axes = std::is_same_v<Filter, UnitAxesFilter>;
+  constexpr Kind a = ShapeTraits<A>::kind, b = ShapeTraits<B>::kind;
+  return {std::string(kind_names[static_cast<int>(a)]) + "_" + kind_names[static_cast<int>(b)] +
+              (unit_axes ? "_unit_axes" : "") + (sizeof(typename ShapeTraits<A>::Scalar) == 4 ? "_f32" : "_f64"),
+          a,
+          b,
+          unit_axes,
+          Shapes<A, B>::template verdict<Filter>,
+          Shapes<A, B>::exact};
+}
+
+template <class V>
+class Verdicts : public testing::TestWithParam<Tested<V>> {
  protected:
-  using V = typename Shapes::Scalar;
-  using First = typename Shapes::First;
-  using Second = typename Shapes::Second;
-  static constexpr int fields_a = ShapeTraits<First>::fields, fields_b = ShapeTraits<Second>::fields;
-  static constexpr int count = fields_a + fields_b;
-
-  static First first(const Numbers<V>& n) { return inputs::shape_at<First>(n.data()); }
-  static Second second(const Numbers<V>& n) { return inputs::shape_at<Second>(n.data() + fields_a); }
-  static bool exact(const Numbers<V>& n) { return Shapes::exact(first(n), second(n)); }
-
   static bool valid(Kind kind, const V* n, int fields) {
     const std::string_view role = inputs::roles[static_cast<int>(kind)];
     for (int i = 0; i < fields; ++i) {
@@ -95,21 +113,20 @@ class Verdicts : public testing::Test {
     if (fields == 6 && n[2] == 0 && n[3] == 0) return false;
     return kind != Kind::aabb || (n[0] <= n[2] && n[1] <= n[3]);
   }
-  static bool valid(const Numbers<V>& n) {
-    return valid(ShapeTraits<First>::kind, n.data(), fields_a) &&
-           valid(ShapeTraits<Second>::kind, n.data() + fields_a, fields_b);
+  bool valid(const Numbers<V>& n) const {
+    return valid(pair_.kind_a, n.data(), fields_a_) && valid(pair_.kind_b, n.data() + fields_a_, fields_b_);
   }
 
   void check(const Numbers<V>& n) {
     ++cases_;
-    const auto verdict = Shapes::Tested::verdict(first(n), second(n));
+    const Said verdict = pair_.verdict(n);
     if (!verdict.overlap && !verdict.disjoint) return;
     ++decided_;
-    const bool right = valid(n) && verdict.overlap != verdict.disjoint && verdict.overlap == exact(n);
+    const bool right = valid(n) && verdict.overlap != verdict.disjoint && verdict.overlap == pair_.exact(n);
     if (right || ++wrong_ > most_printed) return;
-    ADD_FAILURE() << Shapes::name() << " decides " << (verdict.overlap ? "overlap" : "disjoint")
+    ADD_FAILURE() << pair_.name << " decides " << (verdict.overlap ? "overlap" : "disjoint")
                   << (valid(n) ? "" : " on an invalid shape") << ", seed " << properties::seed() << ": "
-                  << inputs::describe(n, fields_a, count);
+                  << inputs::describe(n, fields_a_, count_);
   }
 
   /// Ranges of exponents about every filter's guard.
@@ -117,13 +134,13 @@ class Verdicts : public testing::Test {
     constexpr int range = ScalarTraits<V>::range;
     constexpr Exponents narrow{-3, 5, -6, 10}, middle{-10, 10, -30, 40}, wide{-25, 25, -90, 75};
     constexpr Exponents unit{-1, 0, -30, 40}, unit_ellipse{-1, 0, -9, 12};
-    const Exponents& e = unit_axes    ? (has_ellipse ? unit_ellipse : unit)
-                         : which == 0 ? narrow
-                         : which == 1 ? middle
-                                      : wide;
-    const int axes = unit_axes ? 1 : range;
-    return {ShapeTraits<First>::kind,
-            ShapeTraits<Second>::kind,
+    const Exponents& e = pair_.unit_axes ? (has_ellipse_ ? unit_ellipse : unit)
+                         : which == 0    ? narrow
+                         : which == 1    ? middle
+                                         : wide;
+    const int axes = pair_.unit_axes ? 1 : range;
+    return {pair_.kind_a,
+            pair_.kind_b,
             {axes * e.axis_low, axes * e.axis_high, range * e.size_low, range * e.size_high},
             random_};
   }
@@ -131,9 +148,9 @@ class Verdicts : public testing::Test {
   /// A pair, its axes of unit length but for a few places where the tested filter asks for that.
   Numbers<V> drawn(inputs::Inputs<V>& pairs) {
     Numbers<V> n = pairs.draw();
-    if (!unit_axes || !has_ellipse) return n;
-    make_unit(ShapeTraits<First>::kind, n.data());
-    make_unit(ShapeTraits<Second>::kind, n.data() + fields_a);
+    if (!pair_.unit_axes || !has_ellipse_) return n;
+    make_unit(pair_.kind_a, n.data());
+    make_unit(pair_.kind_b, n.data() + fields_a_);
     return n;
   }
   void make_unit(Kind kind, V* shape) {
@@ -144,103 +161,124 @@ class Verdicts : public testing::Test {
   }
 
   void mend(Numbers<V>& n) {
-    inputs::mend(ShapeTraits<First>::kind, n.data(), random_);
-    inputs::mend(ShapeTraits<Second>::kind, n.data() + fields_a, random_);
+    inputs::mend(pair_.kind_a, n.data(), random_);
+    inputs::mend(pair_.kind_b, n.data() + fields_a_, random_);
   }
 
   void report() const {
-    std::printf("  %-24s %8d of %8d decided\n", Shapes::name().c_str(), decided_, cases_);
+    std::printf("  %-24s %8d of %8d decided\n", pair_.name.c_str(), decided_, cases_);
     // Else there was little to be wrong about.
     EXPECT_GE(decided_, cases_ / 10);
   }
 
+  static int fields(Kind kind) { return static_cast<int>(inputs::roles[static_cast<int>(kind)].size()); }
+
   static constexpr bool is_float = sizeof(V) == 4;
-  static constexpr bool unit_axes = std::is_same_v<typename Shapes::Tested, UnitAxesFilter>;
-  static constexpr bool has_ellipse = ShapeTraits<Second>::kind == Kind::ellipse;
+  const Tested<V>& pair_ = this->GetParam();
+  const int fields_a_ = fields(pair_.kind_a), fields_b_ = fields(pair_.kind_b), count_ = fields_a_ + fields_b_;
+  const bool has_ellipse_ = pair_.kind_b == Kind::ellipse;
   Random random_{properties::seed()};
   int cases_ = 0, decided_ = 0, wrong_ = 0;
+
+  void over_the_whole_range();
+  void within_the_guards();
+  void about_contact();
+  void none_on_invalid_shapes();
 };
-
-template <class V>
-using PairsOf = testing::Types<
-    PairOf<Point, Point, V>, PairOf<Point, Segment, V>, PairOf<Point, Circle, V>, PairOf<Point, Aabb, V>,
-    PairOf<Point, Rect, V>, PairOf<Point, Ellipse, V>, PairOf<Segment, Segment, V>, PairOf<Segment, Circle, V>,
-    PairOf<Segment, Aabb, V>, PairOf<Segment, Rect, V>, PairOf<Segment, Ellipse, V>, PairOf<Circle, Circle, V>,
-    PairOf<Circle, Aabb, V>, PairOf<Circle, Rect, V>, PairOf<Circle, Ellipse, V>, PairOf<Aabb, Aabb, V>,
-    PairOf<Aabb, Rect, V>, PairOf<Aabb, Ellipse, V>, PairOf<Rect, Rect, V>, PairOf<Rect, Ellipse, V>,
-    PairOf<Ellipse, Ellipse, V>, PairOf<Rect, Rect, V, UnitAxesFilter>, PairOf<Rect, Ellipse, V, UnitAxesFilter>,
-    PairOf<Circle, Ellipse, V, UnitAxesFilter>, PairOf<Ellipse, Ellipse, V, UnitAxesFilter>>;
-
-struct PairNames {
-  template <class Shapes>
-  static std::string GetName(int) {
-    return Shapes::name();
-  }
-};
-
-TYPED_TEST_SUITE_P(Verdicts);
 
 // Each number of its own magnitude, sizes and axes too: almost always out of one guard or another. This finds values
 // that overflow under a finite bound and products that underflow unnoticed.
-TYPED_TEST_P(Verdicts, OverTheWholeRange) {
-  const int cases = (this->is_float ? 60'000 : 20'000) * properties::repeat();
+template <class V>
+void Verdicts<V>::over_the_whole_range() {
+  const int cases = (is_float ? 60'000 : 20'000) * properties::repeat();
   for (int i = 0; i < cases; ++i) {
-    Numbers<typename TypeParam::Scalar> n{};
+    Numbers<V> n{};
     // A few numbers anywhere, the rest within the guards; or all anywhere.
-    const bool all = this->random_.chance(0.3);
+    const bool all = random_.chance(0.3);
     if (!all) {
-      inputs::Inputs pairs = this->pairs(this->random_.below(3));
-      n = this->drawn(pairs);
+      inputs::Inputs<V> drawn_from = pairs(random_.below(3));
+      n = drawn(drawn_from);
     }
-    for (int field = 0; field < this->count; ++field) {
-      if (all || this->random_.chance(0.15)) n[field] = inputs::any_number<typename TypeParam::Scalar>(this->random_);
+    for (int field = 0; field < count_; ++field) {
+      if (all || random_.chance(0.15)) n[field] = inputs::any_number<V>(random_);
     }
-    this->mend(n);
-    this->check(n);
+    mend(n);
+    check(n);
   }
-  std::printf("  %-24s %8d of %8d decided\n", TypeParam::name().c_str(), this->decided_, this->cases_);
+  std::printf("  %-24s %8d of %8d decided\n", pair_.name.c_str(), decided_, cases_);
 }
 
-TYPED_TEST_P(Verdicts, WithinTheGuards) {
-  const int cases = (this->is_float ? 30'000 : 8'000) * properties::repeat();
+template <class V>
+void Verdicts<V>::within_the_guards() {
+  const int cases = (is_float ? 30'000 : 8'000) * properties::repeat();
   for (int which = 0; which < 3; ++which) {
-    inputs::Inputs pairs = this->pairs(which);
-    for (int i = 0; i < cases; ++i) this->check(this->drawn(pairs));
+    inputs::Inputs<V> drawn_from = pairs(which);
+    for (int i = 0; i < cases; ++i) check(drawn(drawn_from));
   }
-  this->report();
+  report();
 }
 
-TYPED_TEST_P(Verdicts, AboutContact) {
-  const int cases = (this->is_float ? 400 : 100) * properties::repeat();
+template <class V>
+void Verdicts<V>::about_contact() {
+  const int cases = (is_float ? 400 : 100) * properties::repeat();
   for (int which = 0; which < 2; ++which) {
-    inputs::Inputs pairs = this->pairs(which);
+    inputs::Inputs<V> drawn_from = pairs(which);
     for (int i = 0; i < cases; ++i) {
-      auto n = pairs.near_contact(this->drawn(pairs), [this](const auto& m) { return this->exact(m); });
+      auto n = drawn_from.near_contact(drawn(drawn_from), pair_.exact);
       // Contact, and from there by places outwards.
       for (int k = 0; k < 10; ++k) {
-        this->check(n);
-        inputs::move_one(n, this->count, this->random_);
-        if (!this->valid(n)) break;
+        check(n);
+        inputs::move_one(n, count_, random_);
+        if (!valid(n)) break;
       }
     }
   }
-  std::printf("  %-24s %8d of %8d decided\n", TypeParam::name().c_str(), this->decided_, this->cases_);
+  std::printf("  %-24s %8d of %8d decided\n", pair_.name.c_str(), decided_, cases_);
 }
 
-TYPED_TEST_P(Verdicts, NoneOnInvalidShapes) {
-  const int cases = (this->is_float ? 15'000 : 10'000) * properties::repeat();
+template <class V>
+void Verdicts<V>::none_on_invalid_shapes() {
+  const int cases = (is_float ? 15'000 : 10'000) * properties::repeat();
   for (int which = 0; which < 3; ++which) {
-    inputs::Inputs pairs = this->pairs(which);
+    inputs::Inputs<V> drawn_from = pairs(which);
     for (int i = 0; i < cases; ++i) {
-      auto n = this->drawn(pairs);
-      inputs::spoil(n, this->fields_a, this->count, this->random_);
-      this->check(n);
+      auto n = drawn(drawn_from);
+      inputs::spoil(n, fields_a_, count_, random_);
+      check(n);
     }
   }
 }
 
-REGISTER_TYPED_TEST_SUITE_P(Verdicts, OverTheWholeRange, WithinTheGuards, AboutContact, NoneOnInvalidShapes);
-INSTANTIATE_TYPED_TEST_SUITE_P(Float, Verdicts, PairsOf<float>, PairNames);
-INSTANTIATE_TYPED_TEST_SUITE_P(Double, Verdicts, PairsOf<double>, PairNames);
+template <class V>
+std::vector<Tested<V>> all_tested() {
+  return {
+#define VESICA_TESTED(a, A, b, B) tested<A<V>, B<V>>(),
+      VESICA_EACH_PAIR(VESICA_TESTED)
+#undef VESICA_TESTED
+          tested<Rect<V>, Rect<V>, UnitAxesFilter>(),
+      tested<Rect<V>, Ellipse<V>, UnitAxesFilter>(),
+      tested<Circle<V>, Ellipse<V>, UnitAxesFilter>(),
+      tested<Ellipse<V>, Ellipse<V>, UnitAxesFilter>(),
+  };
+}
+
+template <class V>
+std::string test_name(const testing::TestParamInfo<Tested<V>>& info) {
+  return info.param.name;
+}
+
+using FloatVerdicts = Verdicts<float>;
+TEST_P(FloatVerdicts, OverTheWholeRange) { over_the_whole_range(); }
+TEST_P(FloatVerdicts, WithinTheGuards) { within_the_guards(); }
+TEST_P(FloatVerdicts, AboutContact) { about_contact(); }
+TEST_P(FloatVerdicts, NoneOnInvalidShapes) { none_on_invalid_shapes(); }
+INSTANTIATE_TEST_SUITE_P(Pairs, FloatVerdicts, testing::ValuesIn(all_tested<float>()), test_name<float>);
+
+using DoubleVerdicts = Verdicts<double>;
+TEST_P(DoubleVerdicts, OverTheWholeRange) { over_the_whole_range(); }
+TEST_P(DoubleVerdicts, WithinTheGuards) { within_the_guards(); }
+TEST_P(DoubleVerdicts, AboutContact) { about_contact(); }
+TEST_P(DoubleVerdicts, NoneOnInvalidShapes) { none_on_invalid_shapes(); }
+INSTANTIATE_TEST_SUITE_P(Pairs, DoubleVerdicts, testing::ValuesIn(all_tested<double>()), test_name<double>);
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "index/all_pairs.hpp"
+#include "properties/random.hpp"
 
 namespace index_tests {
 namespace {
@@ -18,7 +19,8 @@ std::int64_t many_of(const std::string& name, bool of_all_kinds) {
   if (name == "whole_range") return 250;
   if (name == "apart" && of_all_kinds) return 2000;
   if (name == "three_scales" && std::is_same_v<T, float>) return 2000;
-  return name == "near_ties" ? 10000 : 20000;
+  const std::int64_t most = name == "near_ties" ? 10000 : 20000;
+  return properties::draws_all() ? most : most * properties::repeat();
 }
 
 template <class T>

@@ -4,8 +4,9 @@
 # root (debootstrap and git, nothing else), clones this repository's HEAD into it, and runs there, as root, each command
 # that the README prints under "Two commands", word for word. Needs root and the network; run by hand, for it takes
 # minutes. The root is packed into CACHE (build/bare unless told) and kept; what runs is a fresh copy every time.
-# After each command it prints how long that took and what has been installed beyond the bare root. VESICA_MIRROR names
-# another Debian mirror. Exit status 0 when every command's is.
+# After each command it prints how long that took, of the clock and of processors, the installation of packages
+# included, and what has been installed beyond the bare root. VESICA_MIRROR names another Debian mirror. Exit status 0
+# when every command's is.
 set -euo pipefail
 
 # shellcheck source=/dev/null
@@ -51,12 +52,13 @@ installed() {
 }
 
 failures=0
+TIMEFORMAT='bare: %0R s, of processors %0U s and %0S s in the system'
 bare_size=$(installed)
 for command in "${commands[@]}"; do
   echo "bare: $command"
-  before=$SECONDS status=0
-  inside "$command" || status=$?
-  echo "bare: status $status after $((SECONDS - before)) s, $(($(installed) - bare_size)) MB of packages installed"
+  status=0
+  time inside "$command" || status=$?
+  echo "bare: status $status, $(($(installed) - bare_size)) MB of packages installed"
   [ $status = 0 ] || failures=$((failures + 1))
 done
 [ $failures = 0 ]

@@ -153,7 +153,7 @@ TEST(RadiusVectorEllipsesAnyAxes, AgreesWithTheStandardForm) {
       ASSERT_EQ(verdict, expected);
     }
   }
-  EXPECT_GT(overlapping, 10000);
+  EXPECT_GT(overlapping, 10000 * properties::repeat());
 }
 
 TEST(EllipseEllipseAnyAxes, Core) {

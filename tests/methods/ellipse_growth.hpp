@@ -35,8 +35,8 @@ void expect_uncertain_within_bound(Function function, const std::function<Pair(c
     const vesica_ellipse_f64 smaller{bx, by, wx, wy, b0 * (1 - growth), b1 * (1 - growth)};
     ASSERT_EQ(vesica_overlap_ellipse_ellipse_f64(&a, &smaller), 0) << properties::describe(pair);
   }
-  EXPECT_GT(uncertain, 1000);
-  EXPECT_GT(shrunk, 500);
+  EXPECT_GT(uncertain, 1000 * properties::repeat());
+  EXPECT_GT(shrunk, 500 * properties::repeat());
 }
 
 }  // namespace method_pairs

@@ -164,7 +164,7 @@ TEST(TurnedRectsSeparatingLines, AgreesAtAnyAngle) {
   }
   std::printf("turned_rects_separating_lines f64: %d overlapping, %d wrong, VESICA_SEED=%llu\n", overlapping, wrong,
               static_cast<unsigned long long>(properties::seed()));
-  EXPECT_GT(overlapping, 10000);
+  EXPECT_GT(overlapping, 10000 * properties::repeat());
 }
 
 TEST(RectRectSeparatingLines, Core) {

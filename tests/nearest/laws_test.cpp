@@ -118,8 +118,8 @@ TEST_P(Laws, EveryWorkload) {
       if (HasFailure()) FAIL() << properties::name(workload);
     }
   }
-  EXPECT_GT(moves_, 50);
-  EXPECT_GT(scales_, 50);
+  EXPECT_GT(moves_, 50 * properties::repeat());
+  EXPECT_GT(scales_, 50 * properties::repeat());
 }
 
 INSTANTIATE_TEST_SUITE_P(Nearest, Laws, testing::ValuesIn(properties::all_pairs_of_kinds()), properties::test_name);

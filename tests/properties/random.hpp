@@ -2,7 +2,9 @@
 /// Random numbers that are the same on every platform, and the two environment variables random tests obey.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <cstdlib>
 #include <random>
@@ -15,12 +17,29 @@ inline std::uint64_t seed() {
   return text != nullptr ? std::strtoull(text, nullptr, 0) : 20240229;
 }
 
-/// VESICA_REPEAT, a factor on the number of cases of every random test; unset or below 1, 1.
-inline int repeat() {
-  const char* text = std::getenv("VESICA_REPEAT");
-  const long value = text != nullptr ? std::strtol(text, nullptr, 0) : 1;
-  return value < 1 ? 1 : static_cast<int>(value);
+/// A factor on the number of cases of a random test. What is few already does not become fewer.
+struct Factor {
+  double value;
+
+  template <std::integral Count>
+  friend Count operator*(Count cases, Factor factor) {
+    const auto scaled = static_cast<Count>(static_cast<double>(cases) * factor.value);
+    return std::max(scaled, std::min(cases, Count{8}));
+  }
+};
+
+/// VESICA_REPEAT, such as 10 or 0.25: the factor for every random test; unset or not above 0, 1.
+inline Factor repeat() {
+  static const double value = [] {
+    const char* text = std::getenv("VESICA_REPEAT");
+    const double given = text != nullptr ? std::strtod(text, nullptr) : 1;
+    return given > 0 ? given : 1;
+  }();
+  return {value};
 }
+
+/// Whether random tests draw all of their cases, so that the rare ones must be among them.
+inline bool draws_all() { return repeat().value >= 1; }
 
 /// Draws from one seed. The engine's sequence is fixed by the C++ standard; its distributions are not, hence these.
 class Random {

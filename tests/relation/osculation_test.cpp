@@ -73,8 +73,8 @@ void expect_osculation(int kind_of_circle) {
     }
     if (testing::Test::HasFailure()) return;
   }
-  EXPECT_GT(four_fold, cases / 10);
-  EXPECT_GT(three_fold, cases / 10);
+  EXPECT_GT(four_fold, cases / 10 * repeat());
+  EXPECT_GT(three_fold, cases / 10 * repeat());
 }
 
 TEST(Osculation, EllipseAndCircle) { expect_osculation(VESICA_CIRCLE); }

@@ -146,7 +146,7 @@ struct Shape {
 /// Points, segments and boxes with corners on a grid, and rectangles along diagonals and knights' moves.
 std::vector<Shape> small_shapes() {
   std::vector<Shape> shapes;
-  const int n = properties::repeat() > 1 ? 4 : 3;
+  const int n = properties::repeat().value > 1 ? 4 : 3;
   for (int i = 0; i < n * n; ++i) {
     const double x = i % n, y = i / n;
     shapes.push_back({VESICA_POINT, {x, y}});

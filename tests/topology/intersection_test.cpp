@@ -260,7 +260,9 @@ TEST_P(Intersection, EveryWorkload) {
     if (HasFailure()) FAIL() << properties::name(workload);
   }
   EXPECT_GT(met_, cases_ / 5);
-  EXPECT_TRUE(corners_ > 0 || narrow() || k.b == VESICA_POINT);  // of two points none is the other's inside
+  if (properties::draws_all()) {
+    EXPECT_TRUE(corners_ > 0 || narrow() || k.b == VESICA_POINT);  // of two points none is the other's inside
+  }
   std::printf("%d cases, %d meet, %d corners, up to %d vertices\n", cases_, met_, corners_, most_);
 }
 

@@ -109,7 +109,7 @@ TEST_P(Within, EveryWorkload) {
     }
   }
   EXPECT_GT(yes_, cases_ / 20);
-  if (curved) {
+  if (curved && properties::draws_all()) {
     EXPECT_GT(nearly_, 0);
   }
   std::printf("%d cases, %d yes, %d nearly\n", cases_, yes_, nearly_);
