@@ -183,5 +183,21 @@ TEST(JoinFrames, UnlikeExponents) {
   }
 }
 
+/// Four blocks of equal weight, shared out to so many that products with their number take more than 64 bits.
+TEST(JoinParts, MoreThanCanBeMultiplied) {
+  constexpr std::int64_t block = 1024, quarter = std::int64_t{1} << 60, parts = 4 * quarter;
+  const Indexed<double> a(Records<double>{VESICA_POINT, std::vector<double>(2 * 4 * block)});
+  const Indexed<double> b(Records<double>{VESICA_POINT, std::vector<double>(2 * 3)});
+  std::vector<Pair> all;
+  for (std::int64_t g = 0; g < 4; ++g) {
+    const std::vector<Pair> some = join(VESICA_JOIN_OVERLAP, a, b, g * quarter, parts);
+    EXPECT_EQ(some.size(), std::size_t{3 * block}) << g;
+    all.insert(all.end(), some.begin(), some.end());
+    EXPECT_EQ(count(VESICA_JOIN_OVERLAP, a, b, g * quarter + 1, parts), 0) << g;
+    EXPECT_EQ(count(VESICA_JOIN_OVERLAP, a, b, (g + 1) * quarter - 1, parts), 0) << g;
+  }
+  EXPECT_TRUE(all == join(VESICA_JOIN_OVERLAP, a, b));
+}
+
 }  // namespace
 }  // namespace index_tests

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which test kills which mutant. A test is killed by a failure, a crash, or three times its usual processor time and five
-seconds more."""
+"""Which test kills which mutant. A test is cut into parts of some cases each, so that little more runs than what finds the
+fault. A part is killed by a failure, a crash, or three times its usual processor time and three seconds more."""
 
+import collections
 import concurrent.futures
 import json
 import os
+import pathlib
 import random
 import resource
 import subprocess
@@ -12,15 +14,20 @@ import tempfile
 import threading
 import time
 
+PARTS = 24
 
-class Test:
-    """A test as ctest would run it."""
 
-    def __init__(self, record):
-        self.name, self.command = record["name"], record["command"]
+class Part:
+    """A test as ctest would run it, or one of its parts: every so manieth of its cases."""
+
+    def __init__(self, record, index=0, count=1):
+        self.test, self.command = record["name"], record["command"]
+        self.name = self.test if count == 1 else f"{self.test}/{index}"
         properties = {p["name"]: p["value"] for p in record.get("properties", [])}
         self.folder = properties.get("WORKING_DIRECTORY")
         self.settings = dict(s.split("=", 1) for s in properties.get("ENVIRONMENT", []))
+        if count > 1:
+            self.settings.update(GTEST_TOTAL_SHARDS=str(count), GTEST_SHARD_INDEX=str(index))
         self.skipped = properties.get("SKIP_RETURN_CODE")
 
     def run(self, mutant, seconds, reached=None):
@@ -45,61 +52,122 @@ class Test:
         return process.returncode in (0, self.skipped), used.ru_utime + used.ru_stime
 
 
-def tests_of(build, names):
+def cases_of(record):
+    """How many cases a test has; 1 where it is no program of GoogleTest's."""
+    command = record["command"]
+    if b"GTEST_TOTAL_SHARDS" not in pathlib.Path(command[0]).read_bytes():
+        return 1
+    listing = subprocess.run([*command, "--gtest_list_tests"], check=True, capture_output=True, text=True).stdout
+    return sum(line.startswith("  ") for line in listing.split("\n"))
+
+
+def parts_of(build, names):
     listing = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], check=True, capture_output=True, text=True)
     records = {r["name"]: r for r in json.loads(listing.stdout)["tests"]}
     missing = [name for name in names if name not in records or "command" not in records[name]]
     if missing:
         raise SystemExit("mutate: no such test, or not built: " + " ".join(missing))
-    return [Test(records[name]) for name in names]
+    parts = []
+    for name in names:
+        count = max(1, min(PARTS, cases_of(records[name])))
+        parts += [Part(records[name], i, count) for i in range(count)]
+    return parts
 
 
-def reach(tests, count, kept=None):
-    """{test: [processor seconds, numbers of the mutants that it reaches]}. With no mutant every test must pass. What a
+def reach(parts, count, kept=None, workers=1):
+    """{part: [processor seconds, numbers of the mutants that it reaches]}. With no mutant every part must pass. What a
     file keeps from an earlier time is not asked again."""
     result = json.loads(kept.read_text()) if kept and kept.exists() else {}
-    for test in tests:
-        if test.name in result:
-            continue
+
+    def one(part):
         with tempfile.NamedTemporaryFile() as file:
             file.write(bytes(count + 1))
             file.flush()
-            passes, seconds = test.run(-1, 3600, file.name)
+            passes, seconds = part.run(-1, 3600, file.name)
             if not passes:
-                raise SystemExit(f"mutate: {test.name} fails without a mutant")
-            marks = open(file.name, "rb").read()
-        result[test.name] = [seconds, [i for i, mark in enumerate(marks) if mark]]
-        print(f"{test.name}: {seconds:.1f} s, reaches {len(result[test.name][1])}", flush=True)
-        if kept:
-            kept.write_text(json.dumps(result))
+                raise SystemExit(f"mutate: {part.name} fails without a mutant")
+            with open(file.name, "rb") as marks:
+                return seconds, [i for i, mark in enumerate(marks.read()) if mark]
+
+    left = [p for p in parts if p.name not in result]
+    with concurrent.futures.ThreadPoolExecutor(workers) as pool:
+        for i, (part, answer) in enumerate(zip(left, pool.map(one, left))):
+            result[part.name] = answer
+            if kept and (i % PARTS == 0 or part is left[-1]):
+                kept.write_text(json.dumps(result))
+    for test in dict.fromkeys(p.test for p in parts) if kept else ():
+        those = [result[p.name] for p in parts if p.test == test]
+        print(f"{test}: {sum(t[0] for t in those):.1f} s, reaches {len(set().union(*(t[1] for t in those)))}", flush=True)
     return result
 
 
-def verdict(number, tests, reached):
-    """(Word, the test that killed it or none)."""
-    those = sorted((t for t in tests if number in reached[t.name][1]), key=lambda t: reached[t.name][0])
-    for test in those:
-        passes, _ = test.run(number, 3 * reached[test.name][0] + 5)
-        if not passes:
-            return "killed", test.name
-    return ("survived", "-") if those else ("unreached", "-")
+class Judge:
+    """Runs the parts that reach a mutant, in the order in which they are likely to kill it soonest: by what they have
+    killed so far in its folder, and by what they take."""
+
+    def __init__(self, parts, reached):
+        self.parts = parts
+        self.seconds = {p.name: reached[p.name][0] for p in parts}
+        self.reaching = collections.defaultdict(list)
+        for part in parts:
+            for number in reached[part.name][1]:
+                self.reaching[number].append(part)
+        self.runs, self.kills = collections.Counter(), collections.Counter()
+
+    def worth(self, folder, part):
+        """Kills a second, by one kill in four runs that nobody has seen."""
+        key = (folder, part.test)
+        return (self.kills[key] + 1) / (self.runs[key] + 4) / (self.seconds[part.name] + 0.02)
+
+    def verdict(self, number, folder="", budget=float("inf")):
+        """(Word, the part that killed it or none, processor seconds). After the budget it is open."""
+        left = list(self.reaching[number])
+        if not left:
+            return "unreached", "-", 0.0
+        used = 0.0
+        while left:
+            part = max(left, key=lambda p: self.worth(folder, p))
+            if used + self.seconds[part.name] > budget:
+                return "open", "-", used
+            left.remove(part)
+            passes, seconds = part.run(number, 3 * self.seconds[part.name] + 3)
+            used += seconds
+            self.learn(folder, part.test, not passes)
+            if not passes:
+                return "killed", part.name, used
+        return "survived", "-", used
+
+    def learn(self, folder, test, killed):
+        self.runs[folder, test] += 1
+        self.kills[folder, test] += killed
 
 
-def judge(mutants, tests, reached, results, workers):
-    """Appends a line a mutant to the file of results; those that have one are not judged again. In an order that makes
-    those judged so far a fair sample."""
-    done = {int(line.split()[0]) for line in open(results)} if os.path.exists(results) else set()
-    left = [m["number"] for m in mutants if m["number"] not in done]
+def read_results(path):
+    """{number: [word, part, seconds]}: the last line of each mutant."""
+    lines = [line.split() for line in open(path)] if os.path.exists(path) else []
+    return {int(line[0]): [line[1], line[2], float(line[3])] for line in lines}
+
+
+def judge(mutants, parts, reached, results, workers, budget=float("inf")):
+    """Appends a line a mutant to the file of results; those that have one are not judged again, but for the open ones. In
+    an order that makes those judged so far a fair sample."""
+    done = read_results(results)
+    left = [m for m in mutants if done.get(m["number"], ["open"])[0] == "open"]
     random.Random(1).shuffle(left)
-    lock, began = threading.Lock(), time.time()
+    left.sort(key=lambda m: m["number"] in done)
+    judging, lock, began = Judge(parts, reached), threading.Lock(), time.time()
+    folders = {m["number"]: os.path.dirname(m["file"]) for m in mutants}
+    for number, (word, part, _) in done.items():
+        if word == "killed":
+            judging.learn(folders[number], part.split("/")[0], True)
     with open(results, "a") as out, concurrent.futures.ThreadPoolExecutor(workers) as pool:
-        def one(number):
-            word, killer = verdict(number, tests, reached)
+        def one(mutant):
+            word, killer, seconds = judging.verdict(mutant["number"], folders[mutant["number"]], budget)
             with lock:
-                out.write(f"{number} {word} {killer}\n")
+                out.write(f"{mutant['number']} {word} {killer} {seconds:.2f}\n")
                 out.flush()
 
-        for i, future in enumerate(concurrent.futures.as_completed([pool.submit(one, n) for n in left])):
+        for i, future in enumerate(concurrent.futures.as_completed([pool.submit(one, m) for m in left])):
             future.result()
             if (i + 1) % 50 == 0:
                 print(f"{i + 1} of {len(left)} judged, {time.time() - began:.0f} s", flush=True)

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""mutate.py ROOT [N] [--seed S] [--file PATH]... [--tests NAME...] [--workers W]: which faults do the tests find?
+"""mutate.py ROOT [N] [--seed S] [--file PATH]... [--tests NAME...] [--workers W] [--budget SECONDS]: which faults do
+the tests find?
 
 N (default 300) small changes of the library's sources, drawn by the seed (default 1), each switched on at run time, so that
-one build has them all; then, for each, the tests that reach it, quickest first, until one fails. Works under build/mutate
-and goes on where it was interrupted. Prints a table, and those that no test found. Exit status 1 where one of these is not
-listed in harmless.txt.
+one build has them all; then, for each, the parts of tests to which it makes a difference, those likely to find it first,
+until one fails. What is not found in the budget of processor seconds stays open, and is judged again where the same command
+has a larger one. Works under build/mutate and goes on where it was interrupted. Prints a table, and those that no test found.
+Exit status 1 where one of these is not listed in harmless.txt.
 """
 
 import argparse
@@ -33,6 +35,7 @@ def arguments():
     parser.add_argument("--file", action="append", default=[], help="only of sources whose path begins so")
     parser.add_argument("--tests", nargs="+", default=(HERE / "tests.txt").read_text().split(), metavar="NAME")
     parser.add_argument("--workers", type=int, default=2)
+    parser.add_argument("--budget", type=float, default=float("inf"), metavar="SECONDS")
     return parser.parse_args()
 
 
@@ -128,13 +131,15 @@ def targets_of(tree, names, log):
     """The programs of the named tests, the tree being configured first."""
     if subprocess.run(["cmake", "--preset", "test"], cwd=tree, stdout=log, stderr=log).returncode:
         raise SystemExit(f"mutate: cannot be configured: {log.name}")
-    programs = {}
+    programs, preloaded = {}, set()
     for file in (tree / "build/test").rglob("CTestTestfile.cmake"):
-        programs.update(re.findall(r'^add_test\((?:\[=*\[)?(\w+)(?:\]=*\])? "([^"]+)"', file.read_text(), re.M))
+        text = file.read_text()
+        programs.update(re.findall(r'^add_test\((?:\[=*\[)?(\w+)(?:\]=*\])? "([^"]+)"', text, re.M))
+        preloaded.update(re.findall(r"LD_PRELOAD=\S*/lib(\w+)\.so", text))
     missing = [name for name in names if name not in programs]
     if missing:
         raise SystemExit("mutate: no such test: " + " ".join(missing))
-    return sorted({pathlib.Path(programs[name]).name for name in names})
+    return sorted({pathlib.Path(programs[name]).name for name in names} | preloaded)
 
 
 def check(tree, targets, log):
@@ -198,27 +203,27 @@ def marked(root, c):
 def report(root, chosen, results, known):
     """The table; the number of survivors that are not known."""
     by_number = {c["number"]: c for c in chosen}
-    counts, open_ones = collections.defaultdict(collections.Counter), 0
-    killers = collections.Counter()
-    for number, word, killer in (line.split() for line in open(results)):
-        c = by_number[int(number)]
-        if word == "survived" and (c["file"], marked(root, c)) in known:
+    counts, killers, seconds = collections.defaultdict(collections.Counter), collections.Counter(), 0.0
+    for number, (word, part, used) in sorted(judge.read_results(results).items()):
+        c = by_number[number]
+        if word != "killed" and (c["file"], marked(root, c)) in known:
             word = "harmless"
         counts[c["kind"]][word] += 1
-        killers[killer] += word == "killed"
-        if word in ("survived", "unreached"):
-            open_ones += word == "survived"
+        killers[part.split("/")[0]] += word == "killed"
+        seconds += used
+        if word not in ("killed", "harmless"):
             print(f"{word} {number}: {c['file']}:{c['line']}\n  {marked(root, c)}")
-    words = ("killed", "harmless", "survived", "unreached")
+    words = ("killed", "harmless", "survived", "open", "unreached")
     print(f"\n{'':12}" + "".join(f"{w:>11}" for w in words))
     for kind in sorted(counts):
         print(f"{kind:12}" + "".join(f"{counts[kind][w]:11}" for w in words))
     total = {w: sum(counts[k][w] for k in counts) for w in words}
     print(f"{'all':12}" + "".join(f"{total[w]:11}" for w in words))
     print("\nkilled by: " + ", ".join(f"{test} {n}" for test, n in killers.most_common() if n))
-    judged = total["killed"] + total["survived"]
-    print(f"{total['killed']} of {judged} that may change an answer and are reached: {100 * total['killed'] / max(1, judged):.1f} %")
-    return open_ones
+    judged = total["killed"] + total["survived"] + total["open"]
+    print(f"{total['killed']} of {judged} that may change an answer and are reached: {100 * total['killed'] / max(1, judged):.1f} %; "
+          f"{seconds:.0f} s of processor time to judge")
+    return total["survived"] + total["open"]
 
 
 def main():
@@ -235,9 +240,9 @@ def main():
     state.mkdir(exist_ok=True)
     chosen = built(root, names, folder, state, chosen, options.tests)
     (state / "mutants.json").write_text(json.dumps(chosen, indent=1))
-    tests = judge.tests_of(folder / "tree/build/test", options.tests)
-    reached = judge.reach(tests, chosen[-1]["number"], state / "reach.json")
-    judge.judge(chosen, tests, reached, state / "results.txt", options.workers)
+    parts = judge.parts_of(folder / "tree/build/test", options.tests)
+    reached = judge.reach(parts, chosen[-1]["number"], state / "reach.json", options.workers)
+    judge.judge(chosen, parts, reached, state / "results.txt", options.workers, options.budget)
     raise SystemExit(1 if report(root, chosen, state / "results.txt", harmless(HERE / "harmless.txt")) else 0)
 
 

@@ -3,10 +3,13 @@
 
 import collections
 import random
+import re
 
 # A header of the system's gives no warnings: a mutant need not please them.
 PREFIX = b"#pragma GCC system_header\n#include <vesica_mutant.hpp>\n"
 ADDED_LINES = PREFIX.count(b"\n")
+EFFECT = re.compile(r"\+\+|--|[^=!<>]=[^=]|<<=|>>=")
+DIVISION = re.compile(r"/|%")
 
 
 def sample(candidates, count, seed):
@@ -24,6 +27,16 @@ def sample(candidates, count, seed):
     return [dict(c, number=i + 1) for i, c in enumerate(chosen)]
 
 
+def in_a_line(text):
+    return " ".join(line.split("//")[0].strip() for line in text.split("\n"))
+
+
+def can_be_evaluated_twice(c):
+    """Whether the change may be tried beside the original: it does nothing but give a value, and cannot trap."""
+    quiet = c["kind"] in ("comparison", "extremum") or c["kind"] == "arithmetic" and not DIVISION.search(c["original"] + c["mutated"])
+    return quiet and not EFFECT.search(c["original"])
+
+
 def switched(c):
     """The text that takes the place of a candidate's: no line more and none less."""
     test = f"::vesica_mutant::is({c['number']})"
@@ -31,7 +44,10 @@ def switched(c):
         return f"({test} != static_cast<bool>({c['original']}))"
     if c["form"] == "statement":
         return f"if ({test}) {{}} else {c['original']}"
-    mutated = " ".join(line.split("//")[0].strip() for line in c["mutated"].split("\n"))
+    mutated = in_a_line(c["mutated"])
+    if can_be_evaluated_twice(c):
+        both = f"[&] {{ return ::vesica_mutant::differ(({mutated}), ({in_a_line(c['original'])})); }}"
+        test = f"::vesica_mutant::is({c['number']}, {both})"
     return f"({test} ? ({mutated}) : ({c['original']}))"
 
 

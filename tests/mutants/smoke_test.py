@@ -28,8 +28,8 @@ def judged_alone(candidate, text, compiler, folder):
     mutant = dict(candidate, number=1)
     (folder / "small.hpp").write_bytes(rewrite.rewritten(text, [mutant]))
     subprocess.run([compiler, "-std=c++20", f"-I{folder}", f"-I{HERE}", "-o", folder / "main", folder / "main.cpp"], check=True)
-    tests = [judge.Test({"name": "main", "command": [str(folder / "main")]})]
-    return judge.verdict(1, tests, judge.reach(tests, 1))[0]
+    parts = [judge.Part({"name": "main", "command": [str(folder / "main")]})]
+    return judge.Judge(parts, judge.reach(parts, 1)).verdict(1)[0]
 
 
 def main(compiler, folder):

@@ -44,4 +44,25 @@ inline int active = from_environment();
   return false;
 }
 
+/// Whether a change gives another value than the original. Zeros may differ by their sign, and of classes nothing is known.
+template <class A, class B>
+constexpr bool differ(const A& a, const B& b) noexcept {
+  if constexpr (std::is_same_v<A, bool> && std::is_same_v<B, bool>) {
+    return a != b;
+  } else if constexpr (std::is_arithmetic_v<A> && std::is_arithmetic_v<B>) {
+    return !(a == b) || (std::is_floating_point_v<A> && a == 0);
+  } else {
+    return true;
+  }
+}
+
+/// The same, but a mutant is marked only where it makes a difference to the value at its place: no test can find it before.
+template <class Differs>
+[[gnu::always_inline]] inline constexpr bool is(int mutant, const Differs& differs) noexcept {
+  if (std::is_constant_evaluated()) return false;
+  if (active == mutant) return true;
+  if (active < 0 && differs()) mark(mutant);
+  return false;
+}
+
 }  // namespace vesica_mutant
