@@ -205,6 +205,9 @@ export class Vesica {
   castFirst(one, many, velocity, options) {
     return motion.castFirst(this, one, many, velocity, options);
   }
+  impactTime(a, turnA, b, turnB, tolerance) {
+    return motion.impactTime(this, a, turnA, b, turnB, tolerance);
+  }
   sweepBounds(shape, velocity, tEnd) {
     return motion.sweepBounds(this, shape, velocity, tEnd);
   }
