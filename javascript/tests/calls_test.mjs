@@ -72,7 +72,7 @@ function inC(name, scalar, args) {
   return vesica.inRoom((room) => {
     const given = args.flatMap((text) => {
       const numbers = numbersOf(text), address = room.take(numbers.length * width);
-      const isShape = kinds.includes(kindOf(text)), isTurn = name === 'impact_time' && numbers.length === 3;
+      const isShape = kinds.includes(kindOf(text)), isTurn = !isShape && numbers.length === 3 && name === 'impact_time';
       if (!isShape && !isTurn) return numbers;
       new Numbers(vesica.c.memory.buffer, address, numbers.length).set(numbers);
       return isTurn ? [address] : [kinds.indexOf(kindOf(text)), address];
