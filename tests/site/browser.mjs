@@ -77,7 +77,7 @@ export async function open(
   return page;
 }
 
-/** The playground, when the library is loaded and the tab is there. If either cannot be, the page's notice is the error. */
+/** The playground, when the library is loaded and the tab is there. If either cannot be, it says why. */
 export async function openPlayground(state = '', options = {}) {
   const page = await open(`playground/${state}`, options);
   const shown = await page.waitForFunction(() => {

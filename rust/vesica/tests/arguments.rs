@@ -112,8 +112,8 @@ fn any_arguments() {
         let (one, two) = (single(kind_a, &first), single(kind_b, &second));
         let scores = second.get(..a.len()).unwrap_or(&second);
         let (mut bools, mut out, mut items) = (vec![false; room], vec![0.0; room], vec![0; room]);
-        // One element is often missing.
-        let less = draw(3) / 2;
+        // One element is missing now and then.
+        let less = draw(6) / 5;
         let mut scratch = vec![0; nms_scratch(a.len()).unwrap().saturating_sub(less)];
         let mut soft_scratch = vec![0; suppress_soft_scratch(a.len()).unwrap().saturating_sub(less)];
         let velocity = &scores[..scores.len().min(1 + draw(40))];
