@@ -34,8 +34,8 @@ func Cast[A, B Shape](a A, b B, motion Motion) (CastResult, Impact[float64], err
 //
 // At t a centre has moved by t times (VX, VY), and a shape has turned about it by t times Angle, at most 2^20 radians.
 // The impact is the place at t: the point of a nearest to b, and the normal that separates them. The gap is how far
-// apart they are then at most: no more than the tolerance, a length above 0, but for rounding and very long searches, as
-// vesica_motion.h tells.
+// apart they are then at most: no more than the tolerance, a length above 0, but for rounding and very long searches,
+// as vesica_motion.h tells.
 //
 //   - CastMiss: proved, there is no contact from 0 to 1. The time is infinity, the rest NaN.
 //   - CastHit: proved, there is contact after t.

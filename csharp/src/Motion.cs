@@ -45,8 +45,8 @@ namespace Vesica
             return (Cast)found;
         }
 
-        /// <summary>When do two shapes that move and turn touch first, t from 0 to 1? Proved: there is no contact before
-        /// the impact's time t, however thin they are and however fast they turn.</summary>
+        /// <summary>When do two shapes that move and turn touch first, t from 0 to 1? Proved: there is no contact
+        /// before the impact's time t, however thin they are and however fast they turn.</summary>
         /// <param name="a">The first shape, in double or in float as the second.</param>
         /// <param name="turnA">What a does until t is 1: how far its centre moves, and by how much it turns about that,
         /// at most 2^20 radians; at t it has done t times that.</param>
@@ -54,7 +54,8 @@ namespace Vesica
         /// <param name="turnB">What b does.</param>
         /// <param name="tolerance">A length above 0, which the gap is not above, but for rounding and very long
         /// searches, as vesica_motion.h tells.</param>
-        /// <param name="impact">The place at t: the point of a nearest to b, and the normal that separates them.</param>
+        /// <param name="impact">The place at t: the point of a nearest to b, and the normal that separates
+        /// them.</param>
         /// <param name="gap">How far apart they are at t, at most.</param>
         /// <returns>Miss: proved, no contact from 0 to 1; t is infinity, all else NaN. Hit: proved, contact after t.
         /// Near: they come as near as the gap, and there may be contact after t, or none; of a point and a segment, or

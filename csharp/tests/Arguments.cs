@@ -318,7 +318,9 @@ internal static unsafe class Arguments
                 case 10: Boxes.Rects(second, (Angle)draw.Next(10) - 1, draw.Next(9)); break;
                 case 11: Motion.CastMany(a, b, scores, scores, Special(), output, none, none, none, none); break;
                 case 12: Distances.WithinMatrix(a, b, Special(), new Within[draw.Next(100)]); break;
-                case 13: Soft.Suppress(a, scores, new SoftSuppression((Decay)(draw.Next(3) - draw.Next(2)), Special())); break;
+                case 13:
+                    Soft.Suppress(a, scores, new SoftSuppression((Decay)(draw.Next(3) - draw.Next(2)), Special()));
+                    break;
                 default: Distances.SignedMany(a, b, output); break;
             }
         }
