@@ -84,7 +84,7 @@ export async function openPlayground(state = '', options = {}) {
     const notice = document.getElementById('notice').textContent;
     if (notice.includes('could not be loaded')) return notice;
     return document.querySelector('html[data-ready] [role=tabpanel]:not([hidden]) > *') !== null;
-  });
+  }, { polling: 'mutation' });
   const failure = await shown.jsonValue();
   if (failure === true) return page;
   const said = [failure, ...page.messages].join('\n');
