@@ -129,6 +129,12 @@ func TestAnyArguments(t *testing.T) {
 	draw := rand.New(rand.NewSource(seed)).Intn
 	values := []float64{0, math.Copysign(0, -1), 1, -1, 0.5, math.NaN(), math.Inf(1), 5e-324, 1.7e308, 1e-200}
 	special := func() float64 { return values[draw(len(values))] }
+	kind := func() Kind {
+		if draw(20) == 0 {
+			return Kind(draw(8) - 1)
+		}
+		return Kind(draw(6))
+	}
 	numbers := func(kind Kind) []float64 {
 		count := kind.Fields() * draw(6)
 		if draw(4) == 0 {
@@ -150,7 +156,7 @@ func TestAnyArguments(t *testing.T) {
 	turn := func() Turn[float64] { return Turn[float64]{float64(draw(9)) - 4, float64(draw(5)) - 2, special()} }
 	var answered [questions]int
 	for i := 0; i < calls; i++ {
-		kindA, kindB := Kind(draw(8)-1), Kind(draw(8)-1)
+		kindA, kindB := kind(), kind()
 		first, second := numbers(kindA), numbers(kindB)
 		a, errA := Records(kindA, first, kindA.Fields()+draw(3)/2)
 		b, errB := Packed(kindB, second)
@@ -192,7 +198,11 @@ func TestAnyArguments(t *testing.T) {
 		case 10:
 			err = BoxesFromShapes(a, Angle(draw(10)-1), make([][5]float64, draw(9)))
 		case 11:
-			err = RectsFromBoxes(second, draw(9)-1, Angle(draw(10)-1), make([]Rect[float64], draw(9)))
+			boxes, stride := second[:len(second)/5*5], 5
+			if draw(4) == 0 {
+				boxes, stride = second, draw(9)-1
+			}
+			err = RectsFromBoxes(boxes, stride, Angle(draw(10)-1), make([]Rect[float64], draw(9)))
 		case 12:
 			_, err = CastMany(a, b, scores, scores, motion.End, ImpactColumns[float64]{Y: out})
 		case 13:
@@ -202,7 +212,10 @@ func TestAnyArguments(t *testing.T) {
 		case 15:
 			_, err = Intersection(one, two)
 		case 16:
-			how := SoftSuppression[float64]{Decay: Decay(draw(4) - 1), Parameter: special(), Most: draw(9) - 2}
+			how := SoftSuppression[float64]{Decay: Decay(draw(2)), Parameter: 0.5, Most: draw(9) - 1}
+			if draw(2) == 0 {
+				how.Decay, how.Parameter = Decay(draw(4)-1), special()
+			}
 			_, _, err = SuppressSoft(a, scores, how)
 		case 17:
 			_, err = SignedDistanceMany(a, b, out)
