@@ -80,11 +80,14 @@ export async function open(
 /** The playground, when the library is loaded and the tab is there. If either cannot be, it says why. */
 export async function openPlayground(state = '', options = {}) {
   const page = await open(`playground/${state}`, options);
-  const shown = await page.waitForFunction(() => {
-    const notice = document.getElementById('notice').textContent;
-    if (notice.includes('could not be loaded')) return notice;
-    return document.querySelector('html[data-ready] [role=tabpanel]:not([hidden]) > *') !== null;
-  }, { polling: 'mutation' });
+  const shown = await page.waitForFunction(
+    () => {
+      const notice = document.getElementById('notice').textContent;
+      if (notice.includes('could not be loaded')) return notice;
+      return document.querySelector('html[data-ready] [role=tabpanel]:not([hidden]) > *') !== null;
+    },
+    { polling: 'mutation' },
+  );
   const failure = await shown.jsonValue();
   if (failure === true) return page;
   const said = [failure, ...page.messages].join('\n');
