@@ -118,15 +118,23 @@ func TestNothingIsCopied(t *testing.T) {
 	}
 }
 
-// Whatever is passed, there is an answer or an error.
+// Whatever is passed, there is an answer or an error. Every question is answered now and then.
 func TestAnyArguments(t *testing.T) {
+	const questions = 24
 	calls, seed := 5000, time.Now().UnixNano()
 	if text := os.Getenv("VESICA_CALLS"); text != "" {
 		calls = must(strconv.Atoi(text))
 	}
 	t.Log("seed", seed)
 	draw := rand.New(rand.NewSource(seed)).Intn
-	special := []float64{0, math.Copysign(0, -1), 1, -1, 0.5, math.NaN(), math.Inf(1), 5e-324, 1.7e308, 1e-200}
+	values := []float64{0, math.Copysign(0, -1), 1, -1, 0.5, math.NaN(), math.Inf(1), 5e-324, 1.7e308, 1e-200}
+	special := func() float64 { return values[draw(len(values))] }
+	kind := func() Kind {
+		if draw(20) == 0 {
+			return Kind(draw(8) - 1)
+		}
+		return Kind(draw(6))
+	}
 	numbers := func(kind Kind) []float64 {
 		count := kind.Fields() * draw(6)
 		if draw(4) == 0 {
@@ -135,24 +143,32 @@ func TestAnyArguments(t *testing.T) {
 		out := make([]float64, count)
 		for i := range out {
 			if out[i] = float64(draw(9)); draw(40) == 0 {
-				out[i] = special[draw(len(special))]
+				out[i] = special()
 			}
 		}
 		return out
 	}
-	answered := 0
+	single := func(kind Kind, numbers []float64) Any[float64] {
+		shape := Any[float64]{Kind: kind}
+		copy(shape.Numbers[:], numbers)
+		return shape
+	}
+	turn := func() Turn[float64] { return Turn[float64]{float64(draw(9)) - 4, float64(draw(5)) - 2, special()} }
+	var answered [questions]int
 	for i := 0; i < calls; i++ {
-		kindA, kindB := Kind(draw(8)-1), Kind(draw(8)-1)
-		second := numbers(kindB)
-		a, errA := Records(kindA, numbers(kindA), kindA.Fields()+draw(3)/2)
+		kindA, kindB := kind(), kind()
+		first, second := numbers(kindA), numbers(kindB)
+		a, errA := Records(kindA, first, kindA.Fields()+draw(3)/2)
 		b, errB := Packed(kindB, second)
 		if errA != nil || errB != nil {
 			continue
 		}
-		bools, out := make([]bool, draw(100)), make([]float64, draw(100))
+		one, two := single(kindA, first), single(kindB, second)
+		bools, out, scores := make([]bool, draw(100)), make([]float64, draw(100)), make([]float64, a.Len()+draw(3)/2)
+		motion := Motion{special(), float64(draw(5)) - 2, special()}
+		question := draw(questions)
 		var err error
-		motion := Motion{special[draw(10)], float64(draw(5)) - 2, special[draw(10)]}
-		switch draw(18) {
+		switch question {
 		case 0:
 			_, err = OverlapMany(a, b, bools)
 		case 1:
@@ -164,7 +180,7 @@ func TestAnyArguments(t *testing.T) {
 		case 4:
 			_, err = DepthMany(a, b, PenetrationColumns[float64]{X: out})
 		case 5:
-			_, err = NMS(a, out, special[draw(10)])
+			_, err = NMS(a, scores, special())
 		case 6:
 			index, failed := NewIndex(a, b)
 			if err = failed; err == nil {
@@ -173,35 +189,61 @@ func TestAnyArguments(t *testing.T) {
 		case 7:
 			index, failed := NewIndex(a)
 			if err = failed; err == nil {
-				_, _, err = index.NearestOfEach(draw(5)-1, special[draw(10)], b, a)
+				_, _, err = index.NearestOfEach(draw(5)-1, special(), b, a)
 			}
 		case 8:
 			_, err = RatioMany(Ratio(draw(10)-1), a, b, out)
 		case 9:
-			_, err = Suppress(a, out, Suppression[float64]{Threshold: special[draw(10)], Most: draw(9) - 2})
+			_, err = Suppress(a, scores, Suppression[float64]{Threshold: special(), Most: draw(9) - 2})
 		case 10:
 			err = BoxesFromShapes(a, Angle(draw(10)-1), make([][5]float64, draw(9)))
 		case 11:
-			err = RectsFromBoxes(second, draw(9)-1, Angle(draw(10)-1), make([]Rect[float64], draw(9)))
+			boxes, stride := second[:len(second)/5*5], 5
+			if draw(4) == 0 {
+				boxes, stride = second, draw(9)-1
+			}
+			err = RectsFromBoxes(boxes, stride, Angle(draw(10)-1), make([]Rect[float64], draw(9)))
 		case 12:
-			_, err = CastMany(a, b, second, out, motion.End, ImpactColumns[float64]{Y: out})
-		case 14:
-			_, err = WithinMatrix(a, b, special[draw(10)], make([]WithinResult, draw(100)))
-		case 15:
-			_, err = Intersection(Any[float64]{Kind: kindA}, Any[float64]{Kind: kindB})
-		case 16:
-			how := SoftSuppression[float64]{Decay: Decay(draw(4) - 1), Parameter: special[draw(10)], Most: draw(9) - 2}
-			_, _, err = SuppressSoft(a, out, how)
+			_, err = CastMany(a, b, scores, scores, motion.End, ImpactColumns[float64]{Y: out})
 		case 13:
-			_, _, err = CastFirst(Any[float64]{Kind: kindA}, b, motion)
+			_, _, err = CastFirst(one, b, motion)
+		case 14:
+			_, err = WithinMatrix(a, b, special(), make([]WithinResult, draw(100)))
+		case 15:
+			_, err = Intersection(one, two)
+		case 16:
+			how := SoftSuppression[float64]{Decay: Decay(draw(2)), Parameter: 0.5, Most: draw(9) - 1}
+			if draw(2) == 0 {
+				how.Decay, how.Parameter = Decay(draw(4)-1), special()
+			}
+			_, _, err = SuppressSoft(a, scores, how)
+		case 17:
+			_, err = SignedDistanceMany(a, b, out)
+		case 18:
+			matrix, failed := DE9IM(one, two)
+			if err = failed; err == nil {
+				_, err = DE9IMMatch(matrix, []string{"T*F**FFF*", "0123T*F**", "T*", "", "\x00"}[draw(5)])
+			}
+		case 19:
+			_, err = Within(one, two, special())
+		case 20:
+			_, _, err = Cast(one, two, motion)
+		case 21:
+			_, _, _, err = ImpactTime(one, turn(), two, turn(), special())
+		case 22:
+			_, err = SignedDistance(one, two)
 		default:
 			_, err = IndexFromBytes(make([]byte, draw(900)), a)
 		}
 		if err == nil {
-			answered++
+			answered[question]++
 		}
 	}
-	if answered < calls/20 {
-		t.Errorf("%d of %d answered", answered, calls)
+	t.Log("answered:", answered, "of", calls)
+	// Bytes that are 0 are no index.
+	for question, count := range answered[:questions-1] {
+		if count == 0 && calls >= 5000 {
+			t.Errorf("question %d of %v: nothing was answered", question, answered)
+		}
 	}
 }

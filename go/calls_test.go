@@ -196,6 +196,16 @@ func firstOutcome[T Float](item int, impact Impact[T], err error, items int) out
 	return whole(item, err, impactValues(impact)...)
 }
 
+func ofTurns[T Float](arguments []string) outcome {
+	turn := func(argument string) Turn[float64] {
+		n := numbers[float64](argument)
+		return Turn[float64]{n[0], n[1], n[2]}
+	}
+	found, impact, gap, err := ImpactTime(single[T](arguments[0]), turn(arguments[1]), single[T](arguments[2]),
+		turn(arguments[3]), numbers[float64](arguments[4])[0])
+	return whole(int(found), err, append(impactValues(impact), gap)...)
+}
+
 func ofMotion[T Float](function string, arguments []string) outcome {
 	if function == "cast_many" {
 		a, b := array[T](arguments[0]), array[T](arguments[1])
@@ -481,6 +491,8 @@ func answer[T Float](function string, arguments []string) outcome {
 	switch {
 	case strings.Contains(function, "boxes") || function == "corners_of_shapes" || function == "bounds_many":
 		return ofBoxes[T](function, arguments)
+	case function == "impact_time":
+		return ofTurns[T](arguments)
 	case strings.Contains(function, "cast") || function == "sweep_bounds":
 		return ofMotion[T](function, arguments)
 	case strings.HasPrefix(function, "ratio"):
@@ -566,7 +578,7 @@ func TestEveryCallIsRight(t *testing.T) {
 			t.Error(line)
 		}
 	}
-	if n := len(lines(t)); n < 670 {
+	if n := len(lines(t)); n < 700 {
 		t.Errorf("only %d calls", n)
 	}
 }
@@ -581,7 +593,7 @@ func TestWrongAnswersAreFound(t *testing.T) {
 		}
 		functions[function] = true
 	}
-	if len(functions) < 69 {
+	if len(functions) < 70 {
 		t.Errorf("only %d functions", len(functions))
 	}
 }

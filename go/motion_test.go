@@ -46,6 +46,36 @@ func TestCasts(t *testing.T) {
 	}
 }
 
+func TestShapesThatTurn(t *testing.T) {
+	bar, speck, wall := Segment[float64]{-1, 0, 1, 0}, Circle[float64]{0, 0.5, 1e-8}, AABB[float64]{10, -5, 12, 5}
+	still, by := Turn[float64]{}, func(angle float64) Turn[float64] { return Turn[float64]{Angle: angle} }
+	found, impact, gap, err := ImpactTime(bar, by(math.Pi), speck, still, 1e-7)
+	if found != CastHit || impact.T > 0.5 || impact.T < 0.499999 || gap > 1e-7 || err != nil {
+		t.Error(found, impact, gap, err)
+	}
+	found, impact, gap, err = ImpactTime(bar, by(1.57), speck, still, 1e-7)
+	if found != CastMiss || impact.T != math.Inf(1) || !math.IsNaN(gap) || err != nil {
+		t.Error(found, impact, gap, err)
+	}
+	// Without area contact is never proved.
+	if found, _, _, err = ImpactTime(bar, by(3), Point[float64]{0, 0.5}, still, 1e-7); found != CastNear || err != nil {
+		t.Error(found, err)
+	}
+	found, impact, gap, err = ImpactTime(wall, by(1), wall, still, 1)
+	if found != CastStart || impact.T != 0 || gap != 0 || err != nil {
+		t.Error(found, impact, gap, err)
+	}
+	if _, _, _, err = ImpactTime(wall, by(2e6), speck, still, 1); err != ErrArgument {
+		t.Error(err)
+	}
+	if _, _, _, err = ImpactTime(wall, still, speck, still, 0); err != ErrArgument {
+		t.Error(err)
+	}
+	if _, _, _, err = ImpactTime(wall, still, Circle[float32]{R: 1}, still, 1); Code(err) != ErrArgument {
+		t.Error(err)
+	}
+}
+
 func TestBoxes(t *testing.T) {
 	rects := make([]Rect[float64], 2)
 	rows := []float64{1, 2, 6, 4, 90, 77, 1, 2, -6, 4, 90, 77}

@@ -3,6 +3,7 @@
 
 const pageSize = 65536;
 const alignment = 64; // what an index needs; every block has it
+const scratchSize = 4096; // for the operands and results of calls about single shapes
 
 const rounded = (size) => Math.ceil(Math.max(size, 1) / alignment) * alignment;
 
@@ -10,6 +11,10 @@ const rounded = (size) => Math.ceil(Math.max(size, 1) / alignment) * alignment;
 export class Memory {
   #memory;
   #free = []; // [start, end) each, ascending, never side by side
+  #doubles = new Float64Array(0);
+
+  #scratch = 0;
+  #scratchEnd = 0;
 
   constructor(memory) {
     this.#memory = memory;
@@ -18,6 +23,33 @@ export class Memory {
   /** It changes when the memory grows: a view of it is made anew for every use. */
   get buffer() {
     return this.#memory.buffer;
+  }
+
+  /** All of it as doubles, for as long as nothing is taken. */
+  get doubles() {
+    const { buffer } = this.#memory;
+    if (this.#doubles.buffer !== buffer) this.#doubles = new Float64Array(buffer);
+    return this.#doubles;
+  }
+
+  /** From where there is more scratch: a room puts it back when it ends. */
+  get scratch() {
+    if (this.#scratchEnd === 0) {
+      this.#scratch = this.take(scratchSize);
+      this.#scratchEnd = this.#scratch + scratchSize;
+    }
+    return this.#scratch;
+  }
+  set scratch(address) {
+    this.#scratch = address;
+  }
+
+  /** The address of `size` bytes of the scratch, or 0 where no more is left. */
+  takeScratch(size) {
+    const address = this.#scratch, wanted = rounded(size);
+    if (wanted > this.#scratchEnd - address) return 0;
+    this.#scratch += wanted;
+    return address;
   }
 
   /** The address of `size` bytes. */
@@ -64,22 +96,27 @@ export class Memory {
   }
 }
 
-/** Blocks that are given back together, when a call is over. */
+/** Blocks that are given back together, when a call is over. A room that is made in another one ends before it. */
 export class Room {
   #memory;
-  #blocks = [];
+  #blocks = null;
+  #scratch;
 
   constructor(memory) {
     this.#memory = memory;
+    this.#scratch = memory.scratch;
   }
 
   take(size) {
+    const there = this.#memory.takeScratch(size);
+    if (there !== 0) return there;
     const address = this.#memory.take(size);
-    this.#blocks.push([address, size]);
+    (this.#blocks ??= []).push([address, size]);
     return address;
   }
 
   end() {
-    for (const [address, size] of this.#blocks) this.#memory.give(address, size);
+    this.#memory.scratch = this.#scratch;
+    for (const [address, size] of this.#blocks ?? []) this.#memory.give(address, size);
   }
 }

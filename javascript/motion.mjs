@@ -3,27 +3,29 @@
 import * as constants from './constants.mjs';
 import { aabb, scalars, ShapeArray } from './shapes.mjs';
 
-/** Names of what a cast finds, by its numbers. */
-export const casts = Object.freeze(['miss', 'hit', 'start']);
+/** Names of what a cast finds, by its numbers; the last is impactTime's alone. */
+export const casts = Object.freeze(['miss', 'hit', 'start', 'near']);
 
 const impactFields = ['t', 'x', 'y', 'nx', 'ny'];
 const impactOf = (numbers) => Object.fromEntries(impactFields.map((field, i) => [field, numbers[i]]));
 
-/** [vx, vy] of one motion. */
-function pair(velocity) {
-  if (velocity?.length === 2 && typeof velocity[0] === 'number' && typeof velocity[1] === 'number') return velocity;
-  throw new TypeError('a velocity is an array of two numbers, [vx, vy]');
+/** Numbers, as many as there are names. */
+function named(what, given, names) {
+  if (given?.length === names.length && names.every((_, i) => typeof given[i] === 'number')) return given;
+  throw new TypeError(`a ${what} is an array of ${names.length} numbers, [${names.join(', ')}]`);
 }
+
+const pair = (velocity) => named('velocity', velocity, ['vx', 'vy']);
 
 function time(tEnd) {
   if (typeof tEnd === 'number') return tEnd;
   throw new TypeError('tEnd is a number, which may be Infinity');
 }
 
-/** call(place of an impact) gives a code; [code, numbers of the impact], or the error. */
+/** call(place of an impact, and one number after it) gives a code; [code, these six numbers], or the error. */
 function withImpact(vesica, room, scalar, call) {
-  const Numbers = scalars[scalar], out = room.take(5 * Numbers.BYTES_PER_ELEMENT);
-  return [vesica.check(call(out)), Array.from(new Numbers(vesica.memory.buffer, out, 5))];
+  const Numbers = scalars[scalar], out = room.take(6 * Numbers.BYTES_PER_ELEMENT);
+  return [vesica.check(call(out)), Array.from(new Numbers(vesica.memory.buffer, out, 6))];
 }
 
 export function cast(vesica, a, b, velocity, { tEnd = Infinity } = {}) {
@@ -34,6 +36,21 @@ export function cast(vesica, a, b, velocity, { tEnd = Infinity } = {}) {
     const call = (out) => vesica.c.vesica_cast_f64(...shapes, vx, vy, time(tEnd), out);
     const [code, numbers] = withImpact(vesica, room, 'f64', call);
     return { outcome: casts[code], ...impactOf(numbers) };
+  });
+}
+
+export function impactTime(vesica, a, turnA, b, turnB, tolerance) {
+  const turns = [turnA, turnB].map((turn) => named('turn', turn, ['vx', 'vy', 'angle']));
+  if (typeof tolerance !== 'number') throw new TypeError('a tolerance is a number above 0');
+  return vesica.inRoom((room) => {
+    const moving = [a, b].map((shape, i) => {
+      const address = room.take(24);
+      new Float64Array(vesica.memory.buffer, address, 3).set(turns[i]);
+      return [...vesica.record(shape, room), address];
+    });
+    const call = (out) => vesica.c.vesica_impact_time_f64(...moving.flat(), tolerance, out, out + 40);
+    const [code, numbers] = withImpact(vesica, room, 'f64', call);
+    return { outcome: casts[code], ...impactOf(numbers), gap: numbers[5] };
   });
 }
 

@@ -50,8 +50,8 @@ export function kindNumber(kind) {
 export function numbersOf(shape) {
   const names = fields[kinds[kindNumber(shape?.kind)]];
   const numbers = names.map((name) => shape[name]);
+  if (numbers.every((number) => typeof number === 'number')) return numbers;
   const missing = names.filter((_, i) => typeof numbers[i] !== 'number');
-  if (missing.length === 0) return numbers;
   throw new TypeError(`a ${shape.kind} has numbers ${names.join(', ')}; missing: ${missing.join(', ')}`);
 }
 

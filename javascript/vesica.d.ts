@@ -106,10 +106,18 @@ export type Velocity = readonly [number, number];
 /** tEnd is Infinity if left out. */
 export interface Until { tEnd?: number }
 export type Outcome = 'miss' | 'hit' | 'start';
-/** Names of what a cast finds, by its numbers. */
-export const casts: readonly Outcome[];
+/** Names of what a cast finds, by its numbers; the last is impactTime's alone. */
+export const casts: readonly (Outcome | 'near')[];
 /** When and where, and the unit normal there, from a to b. After a miss t is Infinity and the rest NaN. */
 export interface Impact<N> { t: N; x: N; y: N; nx: N; ny: N }
+/** What a shape does while t runs from 0 to 1: its centre moves by (vx, vy), and it turns about that by an angle. */
+export type Turn = readonly [vx: number, vy: number, radians: number];
+/** The impact is the place at t: the point of a nearest to b, and the normal that separates them. */
+export interface ImpactTime extends Impact<number> {
+  outcome: Outcome | 'near';
+  /** They are at most so far apart at t. */
+  gap: number;
+}
 export interface FirstImpact extends Impact<number> { item: number }
 
 export type Query = 'overlap' | 'bounds' | 'contains' | 'inside';
@@ -268,6 +276,15 @@ export class Vesica {
   ): Impact<Numbers>;
   /** Which of many shapes at rest does one moving shape touch first? The lowest of several, or null. */
   castFirst(one: Shape, many: ShapeArray, velocity: Velocity, options?: Until): FirstImpact | null;
+  /**
+   * When do two shapes that move and turn touch first, t from 0 to 1? Proved: there is no contact before t, however
+   * thin they are and however fast they turn. Angles are at most 2^20, from +x towards +y. The gap is at most the
+   * tolerance, a length above 0, but for rounding and very long searches (see vesica_impact_time_f64 of `c`).
+   *
+   * 'miss': proved, no contact from 0 to 1; t is Infinity, the rest NaN. 'hit': proved, contact after t. 'near': they
+   * come as near as the gap; there may be contact after t. 'start': they overlap at t = 0, exactly; the gap is 0.
+   */
+  impactTime(a: Shape, turnA: Turn, b: Shape, turnB: Turn, tolerance: number): ImpactTime;
   /** A box that holds a shape throughout its motion. */
   sweepBounds(shape: Shape, velocity: Velocity, tEnd: number): Aabb;
 

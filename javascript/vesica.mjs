@@ -68,6 +68,7 @@ const isWritten = (name, code) =>
 export class Vesica {
   #memory;
   #collected;
+  #doubles = {}; // functions about single shapes, by the names of their questions
 
   constructor(exports) {
     this.c = exports;
@@ -205,6 +206,9 @@ export class Vesica {
   castFirst(one, many, velocity, options) {
     return motion.castFirst(this, one, many, velocity, options);
   }
+  impactTime(a, turnA, b, turnB, tolerance) {
+    return motion.impactTime(this, a, turnA, b, turnB, tolerance);
+  }
   sweepBounds(shape, velocity, tEnd) {
     return motion.sweepBounds(this, shape, velocity, tEnd);
   }
@@ -222,13 +226,11 @@ export class Vesica {
   }
 
   crossings(a, b) {
-    const out = this.#single('crossings', 8 + 16 * 8, a, b, (view) => ({
-      count: view.getInt32(0, true),
-      shared: view.getInt32(4, true) === 1,
-      numbers: new Float64Array(view.buffer.slice(view.byteOffset + 8, view.byteOffset + 8 + 128)),
-    }));
-    const places = Array.from({ length: out.count }, (_, i) => ({ x: out.numbers[i], y: out.numbers[8 + i] }));
-    return { places, shared: out.shared };
+    return this.#single('crossings', 8 + 16 * 8, a, b, (out) => {
+      const [count, shared] = new Int32Array(this.#memory.buffer, out, 2), numbers = this.#read(out + 8, 16);
+      const places = Array.from({ length: count }, (_, i) => ({ x: numbers[i], y: numbers[8 + i] }));
+      return { places, shared: shared === 1 };
+    });
   }
 
   shapeArea(shape) {
@@ -314,9 +316,8 @@ export class Vesica {
 
   /** [kind, address of its numbers] of a plain object. */
   record(shape, room) {
-    const numbers = numbersOf(shape);
-    const address = room.take(8 * numbers.length);
-    new Float64Array(this.#memory.buffer, address, numbers.length).set(numbers);
+    const numbers = numbersOf(shape), address = room.take(8 * numbers.length), { doubles } = this.#memory;
+    for (let i = 0; i < numbers.length; ++i) doubles[address / 8 + i] = numbers[i];
     return [kindNumber(shape.kind), address];
   }
 
@@ -358,8 +359,8 @@ export class Vesica {
   #codes(name, a, b, { out = undefined } = {}, meaning, ...last) {
     if (!isArray(a) && !isArray(b)) {
       return this.inRoom((room) => {
-        const code = this.c[`vesica_${name}_f64`](...this.record(a, room), ...this.record(b, room), ...last);
-        return meaning(this.check(code));
+        const [kindA, numbersA] = this.record(a, room), [kindB, numbersB] = this.record(b, room);
+        return meaning(this.check(this.#inDouble(name)(kindA, numbersA, kindB, numbersB, ...last)));
       });
     }
     return this.inRoom((room) => {
@@ -380,11 +381,13 @@ export class Vesica {
   /** leading: arguments before the shapes. */
   #numbers(name, names, a, b, ...leading) {
     const named = (columns) => {
-      return columns.length === 1 ? columns[0] : Object.fromEntries(names.map((field, i) => [field, columns[i]]));
+      if (columns.length === 1) return columns[0];
+      const result = {};
+      for (let i = 0; i < names.length; ++i) result[names[i]] = columns[i];
+      return result;
     };
     if (!isArray(a) && !isArray(b)) {
-      const read = (view) => named(names.map((_, i) => view.getFloat64(8 * i, true)));
-      return this.#single(name, 8 * names.length, a, b, read, ...leading);
+      return this.#single(name, 8 * names.length, a, b, (out) => named(this.#read(out, names.length)), ...leading);
     }
     return this.inRoom((room) => {
       const { scalar, a: first, b: second, counts } = this.operands(a, b, room);
@@ -400,17 +403,28 @@ export class Vesica {
   /** One call for two plain objects, in double. */
   #single(name, size, a, b, read, ...leading) {
     return this.inRoom((room) => {
-      const operands = [...this.record(a, room), ...this.record(b, room)], out = room.take(size);
-      this.check(this.c[`vesica_${name}_f64`](...leading, ...operands, out));
-      return read(new DataView(this.#memory.buffer, out, size));
+      const [kindA, numbersA] = this.record(a, room), [kindB, numbersB] = this.record(b, room), out = room.take(size);
+      this.check(this.#inDouble(name)(...leading, kindA, numbersA, kindB, numbersB, out));
+      return read(out);
     });
+  }
+
+  #inDouble(name) {
+    return (this.#doubles[name] ??= this.c[`vesica_${name}_f64`]);
+  }
+
+  /** Numbers at an address. */
+  #read(address, count) {
+    const { doubles } = this.#memory, numbers = [];
+    for (let i = 0; i < count; ++i) numbers.push(doubles[address / 8 + i]);
+    return numbers;
   }
 
   #ofOne(name, count, shape) {
     return this.inRoom((room) => {
       const operands = this.record(shape, room), out = room.take(8 * count);
-      this.check(this.c[`vesica_${name}_f64`](...operands, out));
-      return Array.from(new Float64Array(this.#memory.buffer, out, count));
+      this.check(this.#inDouble(name)(...operands, out));
+      return this.#read(out, count);
     });
   }
 

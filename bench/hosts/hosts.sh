@@ -42,7 +42,8 @@ java() {
 }
 csharp() {
   mkdir -p "$work/csharp"
-  mcs -langversion:latest -unsafe "-out:$work/csharp/overhead.exe" "$root"/csharp/src/*.cs "$root/csharp/overhead/Overhead.cs"
+  mcs -langversion:latest -unsafe "-out:$work/csharp/overhead.exe" "$root"/csharp/src/*.cs \
+    "$root/csharp/overhead/Overhead.cs"
   cp "$shared/libvesica.so.0" "$work/csharp/libvesica.so"
   mono "$work/csharp/overhead.exe"
 }

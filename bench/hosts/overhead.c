@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* The yardstick of the hosts: what the same calls cost from C. A line a question: ns a call of two rectangles, and ns an
- * element of arrays of 1e3 and 1e6, the least of a hundred and of seven repeats. They are short, so that other work on
- * the machine spares some. Every host has this program; all have the same rectangles. */
+/* The yardstick of the hosts: what the same calls cost from C. A line a question: ns a call of two rectangles, and ns
+ * an element of arrays of 1e3 and 1e6, the least of a hundred and of seven repeats. They are short, so that other work
+ * on the machine spares some. Every host has this program; all have the same rectangles. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>

@@ -60,7 +60,8 @@ def struct(entry, suffix):
         writes = "".join(f"            to[{i}] = {field};\n" for i, field in enumerate(names))
         wide = "true" if suffix == "f64" else "false"
         shape = (
-            f"\n        /// <inheritdoc/>\n        public Kind Kind {{ get {{ return Kind.{camel(entry.stem)}; }} }}\n\n"
+            "\n        /// <inheritdoc/>\n"
+            f"        public Kind Kind {{ get {{ return Kind.{camel(entry.stem)}; }} }}\n\n"
             f"        /// <inheritdoc/>\n        public bool IsDouble {{ get {{ return {wide}; }} }}\n\n"
             f"        unsafe void IShape.Write(void* numbers)\n        {{\n"
             f"            var to = ({number}*)numbers;\n{writes}        }}\n"

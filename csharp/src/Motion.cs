@@ -45,6 +45,45 @@ namespace Vesica
             return (Cast)found;
         }
 
+        /// <summary>When do two shapes that move and turn touch first, t from 0 to 1? Proved: there is no contact
+        /// before the impact's time t, however thin they are and however fast they turn.</summary>
+        /// <param name="a">The first shape, in double or in float as the second.</param>
+        /// <param name="turnA">What a does until t is 1: how far its centre moves, and by how much it turns about that,
+        /// at most 2^20 radians; at t it has done t times that.</param>
+        /// <param name="b">The second shape.</param>
+        /// <param name="turnB">What b does.</param>
+        /// <param name="tolerance">A length above 0, which the gap is not above, but for rounding and very long
+        /// searches, as vesica_motion.h tells.</param>
+        /// <param name="impact">The place at t: the point of a nearest to b, and the normal that separates
+        /// them.</param>
+        /// <param name="gap">How far apart they are at t, at most.</param>
+        /// <returns>Miss: proved, no contact from 0 to 1; t is infinity, all else NaN. Hit: proved, contact after t.
+        /// Near: they come as near as the gap, and there may be contact after t, or none; of a point and a segment, or
+        /// two points, contact is never proved. Start: they overlap at t = 0, exactly; the gap is 0.</returns>
+        public static Cast ImpactTime<A, B>(A a, Turn turnA, B b, Turn turnB, double tolerance, out Impact impact,
+            out double gap) where A : IShape where B : IShape
+        {
+            double* n = stackalloc double[6];
+            int found = 0;
+            Query.Measures call = (isDouble, kindA, p, kindB, q, to) =>
+            {
+                Turn doubleA = turnA, doubleB = turnB;
+                TurnF floatA = Narrow(turnA), floatB = Narrow(turnB);
+                void* byA = isDouble ? (void*)&doubleA : &floatA, byB = isDouble ? (void*)&doubleB : &floatB;
+                void* sixth = isDouble ? (void*)((double*)to + 5) : (float*)to + 5;
+                return found = Native.ImpactTime(isDouble, kindA, p, byA, kindB, q, byB, tolerance, to, sixth);
+            };
+            bool wide = Query.Measure(call, a, b, n);
+            impact = Of(wide, n);
+            gap = Query.At(wide, n, 5);
+            return (Cast)found;
+        }
+
+        private static TurnF Narrow(Turn turn)
+        {
+            return new TurnF((float)turn.VX, (float)turn.VY, (float)turn.Angle);
+        }
+
         /// <summary>Which of many shapes at rest does one moving shape touch first? The lowest of several, or -1. The
         /// normal points to the one that moves.</summary>
         public long CastFirst<S>(S one, Shapes many, out Impact impact) where S : IShape

@@ -11,6 +11,8 @@ internal sealed unsafe class Calls
 {
     private static readonly string[] Kinds = { "point", "segment", "circle", "aabb", "rect", "ellipse" };
 
+    private static readonly string[] Motions = { "sweep_bounds", "impact_time" };
+
     private static readonly string[] Topologies =
         { "de9im", "de9im_match", "intersection", "join_within", "suppress_soft" };
 
@@ -278,8 +280,26 @@ internal sealed unsafe class Calls
         }
     }
 
+    private static Turn TurnOf(double[] n)
+    {
+        return new Turn(n[0], n[1], n[2]);
+    }
+
+    private long OfTurns()
+    {
+        Impact impact;
+        double gap, tolerance = Numbers(arguments[4])[0];
+        Turn turnA = TurnOf(Numbers(arguments[1])), turnB = TurnOf(Numbers(arguments[3]));
+        AnyShape a = Single(arguments[0]), b = Single(arguments[2]);
+        var found = (long)Motion.ImpactTime(a, turnA, b, turnB, tolerance, out impact, out gap);
+        Gives(found, impact);
+        values = values.Concat(new[] { gap }).ToArray();
+        return found;
+    }
+
     private long OfMotion()
     {
+        if (function == "impact_time") return OfTurns();
         if (function == "cast_many") return CastMany();
         double[] n = Numbers(arguments[function == "cast" || function == "cast_first" ? 2 : 1]);
         var motion = new Motion(n[0], n[1], n[2]);
@@ -557,7 +577,7 @@ internal sealed unsafe class Calls
     {
         if (function.Contains("boxes") || function == "corners_of_shapes" ||
             function == "bounds_many") return OfBoxes();
-        if (function.Contains("cast") || function == "sweep_bounds") return OfMotion();
+        if (function.Contains("cast") || Motions.Contains(function)) return OfMotion();
         if (function.StartsWith("ratio")) return OfRatios();
         if (function == "suppress") return Chosen();
         if (function.StartsWith("within") || Topologies.Contains(function)) return OfTopology();
@@ -616,7 +636,7 @@ internal sealed unsafe class Calls
             if (functions.Add(line.Split(' ')[0]) && IsRight(spoilt))
                 throw new InvalidOperationException("taken for right: " + spoilt);
         }
-        if (lines.Length < 670 || functions.Count < 69) throw new InvalidOperationException("too few");
+        if (lines.Length < 700 || functions.Count < 70) throw new InvalidOperationException("too few");
         Console.WriteLine(lines.Length + " calls of " + functions.Count + " functions");
     }
 }

@@ -52,7 +52,7 @@ public final class Overhead {
     row("nearest", i -> sum += Vesica.nearest(a[i % 1000], b[i % 1000]).distance(),
         n -> {
           Shapes[] of = n == COUNT ? all : some;
-          return Vesica.nearestMany(of[0], of[1], c[0], c[1], c[2], c[3], c[4]);
+          Vesica.nearestMany(of[0], of[1], c[0], c[1], c[2], c[3], c[4]);
         });
     row("iou", i -> sum += Vesica.iou(a[i % 1000], b[i % 1000]),
         n -> Vesica.iouMany((n == COUNT ? all : some)[0], (n == COUNT ? all : some)[1], c[0]));

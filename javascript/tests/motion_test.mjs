@@ -2,7 +2,7 @@
 // Boxes, ratios, suppression and casts by numbers that are known, and what is refused.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { aabb, circle, ellipse, load, point, rect, VesicaError } from 'vesica';
+import { aabb, circle, ellipse, load, point, rect, segment, VesicaError } from 'vesica';
 
 const vesica = await load();
 const disc = circle(0, 0, 1), wall = aabb(10, -5, 12, 5);
@@ -23,6 +23,19 @@ test('casts', () => {
     assert.equal(index.castFirst(disc, [0, 1]), null);
   }
   assert.equal(vesica.contains(vesica.sweepBounds(disc, [0, 3], 2), aabb(-1, -1, 1, 7)), true);
+});
+
+test('shapes that turn', () => {
+  const bar = segment(-1, 0, 1, 0), speck = circle(0, 0.5, 1e-8), still = [0, 0, 0];
+  const hit = vesica.impactTime(bar, [0, 0, Math.PI], speck, still, 1e-7);
+  assert.equal(hit.outcome, 'hit');
+  assert.ok(hit.t <= 0.5 && hit.t > 0.499999 && hit.gap <= 1e-7);
+  const miss = vesica.impactTime(bar, [0, 0, 1.57], speck, new Float32Array(3), 1e-7);
+  assert.deepEqual(miss, { outcome: 'miss', t: Infinity, x: NaN, y: NaN, nx: NaN, ny: NaN, gap: NaN });
+  // Without area contact is never proved.
+  assert.equal(vesica.impactTime(bar, [0, 0, Math.PI], point(0, 0.5), still, 1e-7).outcome, 'near');
+  const start = vesica.impactTime(wall, [1, 2, 3], wall, [3, 2, 1], 1);
+  assert.deepEqual([start.outcome, start.t, start.gap], ['start', 0, 0]);
 });
 
 test('boxes there and back', () => {
@@ -80,6 +93,9 @@ test('what is refused', () => {
     [TypeError, () => vesica.cast(wall, disc, 3)],
     [TypeError, () => vesica.cast(walls, disc, [[1], [0]])],
     [TypeError, () => vesica.cast(freed, disc, [1, 0])],
+    [TypeError, () => vesica.impactTime(wall, [1, 2], disc, [0, 0, 0], 1)],
+    [TypeError, () => vesica.impactTime(wall, [1, 2, 3], disc, [0, 0, 0])],
+    [TypeError, () => vesica.impactTime(walls, [1, 2, 3], disc, [0, 0, 0], 1)],
     [TypeError, () => vesica.ratio('iou', wall, wall)],
     [TypeError, () => vesica.shapesFromBoxes('circle', [1, 2, 3, 4, 5])],
     [TypeError, () => vesica.boxes(walls, { degrees: true, quarters: true })],
@@ -95,6 +111,8 @@ test('what is refused', () => {
     [RangeError, () => vesica.nms(walls, [1, 2], 0.5, { labels: [1] })],
     [RangeError, () => vesica.nms(walls, [1, 2], 0.5, { most: -1 })],
     [VesicaError, () => vesica.cast(wall, disc, [Infinity, 0])],
+    [VesicaError, () => vesica.impactTime(wall, [1, 2, 3], disc, [0, 0, 0], 0)],
+    [VesicaError, () => vesica.impactTime(wall, [1, 2, 2e6], disc, [0, 0, 0], 1)],
     [VesicaError, () => vesica.boxes(disc)],
   ]) {
     assert.throws(call, error);

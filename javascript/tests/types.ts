@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a program in TypeScript may write, and what it may not: read by tsc, never run.
 import { circle, ellipse, load, rect } from 'vesica';
-import type { Crossings, FirstImpact, Outcome, Relation, ShapeArray, Within } from 'vesica';
+import type { Crossings, FirstImpact, ImpactTime, Outcome, Relation, ShapeArray, Within } from 'vesica';
 import { loadMethods } from 'vesica/methods';
 
 const vesica = await load();
@@ -30,6 +30,7 @@ const kept: number[] = vesica.nms(cars, [1, 2], 0.5, { labels: [0, 1], ratio: 'g
 const impact: FirstImpact | null = vesica.castFirst(car, cars, [1, 0], { tEnd: 3 });
 const times: Float64Array | Float32Array = vesica.cast(cars, car, [[1, 2], [0, 0]]).t;
 const outcome: Outcome = vesica.cast(car, car, [1, 0]).outcome;
+const turning: ImpactTime = vesica.impactTime(car, [0, 0, 1], car, [1, 0, -1], 1e-6);
 
 // @ts-expect-error: no such kind
 vesica.shapes('square', 1);
@@ -44,7 +45,9 @@ const wrong: boolean = vesica.overlap(cars, car);
 vesica.ratio('iou', car, car);
 // @ts-expect-error: a velocity has two numbers
 vesica.cast(car, car, 1);
+// @ts-expect-error: a turn has three numbers
+vesica.impactTime(car, [0, 0], car, [1, 0], 1e-6);
 
 export { a, b, bound, count, distance, distances, hit, hits, places, raw, relation, wrong };
 export { corners, impact, left, matrix, near, signed };
-export { kept, outcome, overSmaller, times, turned };
+export { kept, outcome, overSmaller, times, turned, turning };

@@ -211,6 +211,21 @@ test('an index of shapes that move', () => {
   assert.throws(() => index.rebuild(), TypeError);
 });
 
+test('rooms: one in another, and one that takes more than there is', () => {
+  vesica.inRoom((outer) => {
+    const kept = outer.take(8), before = vesica.memory.scratch;
+    vesica.memory.doubles[kept / 8] = 7;
+    vesica.inRoom((inner) => {
+      const places = [8, 5000, 100_000, 8].map((size) => inner.take(size));
+      for (const place of places) vesica.memory.doubles[place / 8] = 9;
+      assert.equal(new Set([kept, ...places]).size, 5);
+    });
+    assert.equal(vesica.memory.scratch, before);
+    assert.equal(vesica.overlap(circle(0, 0, 1), circle(2, 0, 1)), true);
+    assert.equal(vesica.memory.doubles[kept / 8], 7);
+  });
+});
+
 test('memory is given back', () => {
   const pages = () => vesica.c.memory.buffer.byteLength;
   const work = () => {

@@ -58,7 +58,7 @@ class Call:
         name = self.function
         if name in BOXES:
             return 0, self.of_boxes()
-        if "cast" in name or name == "sweep_bounds":
+        if "cast" in name or name in ("sweep_bounds", "impact_time"):
             return self.of_motion()
         if name.startswith("ratio"):
             return self.of_ratios()
@@ -107,6 +107,11 @@ class Call:
             velocities = numpy.array([self.numbers(2), self.numbers(3)], self.dtype).T
             velocities = velocities[0] if len(velocities) == 1 else velocities
             return None, flat(vesica.cast(a, b, velocities, *self.numbers(4)))
+        if name == "impact_time":
+            (tolerance,) = self.numbers(4)
+            turns = self.numbers(1), vesica.Turn(*self.numbers(3))
+            found, impact, gap = vesica.impact_time(self.single(0), turns[0], self.single(2), turns[1], tolerance)
+            return int(found), [*impact, gap]
         vx, vy, t_end = self.numbers(1 if name in ("sweep_bounds", "index_cast", "index_cast_first") else 2)
         if name == "cast":
             found, impact = vesica.cast(self.single(0), self.single(1), (vx, vy), t_end)
@@ -262,13 +267,13 @@ def is_right(line):
 
 class Calls(unittest.TestCase):
     def test_every_call_is_right(self):
-        self.assertGreater(len(LINES), 670)
+        self.assertGreater(len(LINES), 700)
         self.assertEqual([line for line in LINES if not is_right(line)], [])
 
     def test_wrong_answers_are_found(self):
         """The first call of each function, with its last word made what no call gives."""
         first = {line.split()[0]: line for line in reversed(LINES)}
-        self.assertGreaterEqual(len(first), 69)
+        self.assertGreaterEqual(len(first), 70)
         for line in first.values():
             self.assertFalse(is_right(line.rsplit(" ", 1)[0] + " 7.5"), line)
 

@@ -120,6 +120,8 @@ class Index(unittest.TestCase):
             (TypeError, lambda: index.select([0, 0, 1])),
             (vesica.VesicaError, lambda: index.nearest(circles[0], 1, -1)),
             (ValueError, lambda: index.nearest(circles[0], -1)),
+            (TypeError, lambda: index.nearest(circles[0], b"99")),
+            (TypeError, lambda: index.nearest_of_each(circles, k=(2, 2))),
         ):
             with self.assertRaises(error):
                 call()

@@ -50,6 +50,21 @@ class Motion(unittest.TestCase):
         self.assertTrue(vesica.contains(box, vesica.aabbs([-1, -1, 1, 7])))
         self.assertFalse(vesica.overlap(box, vesica.points([0, 7.001])))
 
+    def test_turning(self):
+        bar, disc = vesica.segments([-1, 0, 1, 0]), vesica.circles([0, 0.5, 1e-8])
+        found, impact, gap = vesica.impact_time(bar, (0, 0, math.pi), disc, vesica.Turn(), 1e-7)
+        self.assertIs(found, Cast.HIT)
+        self.assertAlmostEqual(impact.t, 0.5, 6)
+        self.assertLessEqual(impact.t, 0.5)
+        self.assertLessEqual(gap, 1e-7)
+        found, impact, gap = vesica.impact_time(bar, (0, 0, 1.57), disc, (0, 0, 0), 1e-7)
+        self.assertIs(found, Cast.MISS)
+        self.assertTrue(impact.t == math.inf and math.isnan(gap))
+        # Without area contact is never proved.
+        near = vesica.impact_time(bar, (0, 0, math.pi), vesica.points([0, 0.5]), (0, 0, 0), 1e-7)[0]
+        self.assertIs(near, Cast.NEAR)
+        self.assertEqual(vesica.impact_time(WALL, (1, 2, 3), WALL, (3, 2, 1), 1)[::2], (Cast.START, 0))
+
     def test_refused(self):
         for error, words, call in (
             (ValueError, r"\(vx, vy\)", lambda: vesica.cast(WALL, DISC, 3)),
@@ -58,6 +73,10 @@ class Motion(unittest.TestCase):
             (vesica.VesicaError, "", lambda: vesica.cast(WALL, DISC, (math.inf, 0))),
             (TypeError, "a single shape", lambda: vesica.sweep_bounds(WALLS, (1, 0), 1)),
             (vesica.VesicaError, "", lambda: vesica.cast_first(WALLS, DISC, (1, 0))),
+            (ValueError, r"\(vx, vy, angle\)", lambda: vesica.impact_time(WALL, (1, 2), DISC, (0, 0, 0), 1)),
+            (TypeError, "two single", lambda: vesica.impact_time(WALLS, (1, 2, 3), DISC, (0, 0, 0), 1)),
+            (vesica.VesicaError, "", lambda: vesica.impact_time(WALL, (1, 2, 3), DISC, (0, 0, 0), 0)),
+            (vesica.VesicaError, "", lambda: vesica.impact_time(WALL, (1, 2, 2e6), DISC, (0, 0, 0), 1)),
             (TypeError, "float64", lambda: vesica.cast(WALL, DISC.astype("f4"), (1, 0))),
         ):
             with self.assertRaisesRegex(error, words):

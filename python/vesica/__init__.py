@@ -18,7 +18,7 @@ answers of all others. `vesica.c` is the C library itself, and help(vesica.c.ves
 from ._library import VesicaError
 from ._library import library as c
 from .index import Index
-from .motion import Cast, Impact, cast, cast_first, sweep_bounds
+from .motion import Cast, Impact, Turn, cast, cast_first, impact_time, sweep_bounds
 from .queries import (
     ClosestPoints,
     Crossings,

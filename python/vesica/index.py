@@ -2,6 +2,7 @@
 """All pairs among millions: an index of shapes, joins, windows and nearest shapes."""
 import ctypes
 import math
+import operator
 
 import numpy
 
@@ -194,11 +195,12 @@ class Index:
     def nearest(self, shape, k=1, within=math.inf):
         """The k items nearest to a single shape, and their distances, nearest first; at equal distances by number."""
         same_scalar(self.sets[0], shape, "the index", "shape")
+        k = operator.index(k)
         out, distance = numpy.empty(k, numpy.int64), numpy.empty(k, shape.dtype)
         found = checked(
             _NEAREST[self._letter](
                 *(self._address(), self._sets, len(self.sets), ctypes.byref(shape.view)),
-                *(int(k), float(within), out.ctypes.data, distance.ctypes.data),
+                *(k, float(within), out.ctypes.data, distance.ctypes.data),
             )
         )
         return (out[:found], distance[:found]) if k else (out, distance)
@@ -208,11 +210,11 @@ class Index:
         for i, shapes in enumerate(sets):
             same_scalar(self.sets[0], shapes, "the index", f"sets[{i}]")
         asked = (type(self.sets[0].view) * len(sets))(*(shapes.view for shapes in sets))
-        count = sum(len(shapes.columns[0]) for shapes in sets)
+        count, k = sum(len(shapes.columns[0]) for shapes in sets), operator.index(k)
         out, distance = numpy.empty((count, k), numpy.int64), numpy.empty((count, k), self.sets[0].dtype)
         code = _JOIN_NEAREST[self._letter](
             *(asked, len(sets), self._address(), self._sets, len(self.sets)),
-            *(int(k), float(within), 0, 1, out.ctypes.data, distance.ctypes.data),
+            *(k, float(within), 0, 1, out.ctypes.data, distance.ctypes.data),
         )
         if code < 0:
             raise VesicaError(code, result=(out, distance) if code == _declarations.E_SHAPE else None)

@@ -45,6 +45,19 @@ test('a server that sends .wasm as text', async () => {
   await closeQuietly(page);
 });
 
+test('a tab or a library that cannot be loaded is told at once', async () => {
+  for (const [absent, why] of [
+    ['/playground/motion/tab.mjs', /This part could not be loaded/],
+    ['/vesica/vesica-simd.wasm', /The library could not be loaded: .*vesica-simd.wasm: 404/],
+  ]) {
+    served.absent = absent;
+    const start = performance.now();
+    await assert.rejects(openPlayground('#tab=motion'), why);
+    served.absent = null;
+    assert.ok(performance.now() - start < 25_000);
+  }
+});
+
 test('vectors where the engine has them, and the plain module elsewhere', async () => {
   served.paths.length = 0;
   const page = await openPlayground();

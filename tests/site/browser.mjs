@@ -18,14 +18,15 @@ const types = {
   '.wasm': 'application/wasm',
 };
 
-/** What was asked for, and the type that .wasm files are sent with. */
-export const served = { paths: [], wasm: 'application/wasm' };
+/** What was asked for, the type that .wasm files are sent with, and a path that is not found. */
+export const served = { paths: [], wasm: 'application/wasm', absent: null };
 
 const server = createServer(async (request, response) => {
   const { pathname } = new URL(request.url, 'http://site');
   const path = pathname.endsWith('/') ? `${pathname}index.html` : pathname;
   served.paths.push(path);
   try {
+    if (path === served.absent) throw new Error(`${path} is absent`);
     const body = await readFile(join(site, path));
     response.writeHead(200, {
       'content-type': extname(path) === '.wasm' ? served.wasm : (types[extname(path)] ?? 'application/octet-stream'),
@@ -76,12 +77,22 @@ export async function open(
   return page;
 }
 
-/** The playground, when the library is loaded and the tab is there. */
+/** The playground, when the library is loaded and the tab is there. If either cannot be, it says why. */
 export async function openPlayground(state = '', options = {}) {
   const page = await open(`playground/${state}`, options);
-  await page.waitForSelector('html[data-ready]');
-  await page.waitForSelector('[role=tabpanel]:not([hidden]) > *');
-  return page;
+  const shown = await page.waitForFunction(
+    () => {
+      const notice = document.getElementById('notice').textContent;
+      if (notice.includes('could not be loaded')) return notice;
+      return document.querySelector('html[data-ready] [role=tabpanel]:not([hidden]) > *') !== null;
+    },
+    { polling: 'mutation' },
+  );
+  const failure = await shown.jsonValue();
+  if (failure === true) return page;
+  const said = [failure, ...page.messages].join('\n');
+  await page.close();
+  throw new Error(said);
 }
 
 /** Nothing was said on the console. */

@@ -30,6 +30,36 @@ public record Motion(double vx, double vy, double end) {
    */
   public record First(long item, Impact impact) {}
 
+  /**
+   * What {@link #impactTime} finds.
+   *
+   * @param cast MISS: proved, there is no contact from 0 to 1. HIT: proved, there is contact after the time. NEAR: they
+   *     come as near as the gap, and there may be contact later, or none; of a point and a segment, or two points,
+   *     contact is never proved. START: they overlap at t = 0, exactly, and the gap is 0
+   * @param impact the time, the point of a that is then nearest to b, and the normal that separates them; after a miss
+   *     the time is infinity and the rest NaN
+   * @param gap how far apart they are at that time, at most
+   */
+  public record ImpactTime(Cast cast, Impact impact, double gap) {}
+
+  /**
+   * When do two shapes that move and turn touch first, t from 0 to 1? Proved: there is no contact before the time that
+   * is told, however thin they are and however fast they turn.
+   *
+   * @param turnA what a does until t is 1: how far its centre moves, and by how much it turns about that, at most 2^20
+   *     radians; at t it has done t times that
+   * @param tolerance a length above 0, which the gap is not above, but for rounding and very long searches, as
+   *     vesica_motion.h tells
+   */
+  public static ImpactTime impactTime(Shape a, Turn turnA, Shape b, Turn turnB, double tolerance) {
+    double[] out = new double[5], gap = new double[1];
+    int kindA = a.kind().value, kindB = b.kind().value;
+    double[] byA = {turnA.vx(), turnA.vy(), turnA.angle()}, byB = {turnB.vx(), turnB.vy(), turnB.angle()};
+    long code =
+        checked(Native.impactTimeF64(kindA, a.numbers(), byA, kindB, b.numbers(), byB, tolerance, out, gap));
+    return new ImpactTime(Cast.of((int) code), Impact.of(out), gap[0]);
+  }
+
   /** Does b touch a while it moves, when first, and where? The normal is from a to b. */
   public Contact cast(Shape a, Shape b) {
     double[] out = new double[5];

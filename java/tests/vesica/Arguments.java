@@ -125,6 +125,26 @@ final class Arguments {
     }
   }
 
+  private static void turns() {
+    Segment bar = new Segment(-1, 0, 1, 0);
+    Circle speck = new Circle(0, 0.5, 1e-8);
+    Aabb wall = new Aabb(10, -5, 12, 5);
+    Turn still = new Turn(0, 0, 0), half = new Turn(0, 0, Math.PI), less = new Turn(0, 0, 1.57);
+    Motion.ImpactTime hit = Motion.impactTime(bar, half, speck, still, 1e-7);
+    check(hit.cast() == Cast.HIT && hit.gap() <= 1e-7, "a hit");
+    check(hit.impact().t() <= 0.5 && hit.impact().t() > 0.499999, "its time");
+    Motion.ImpactTime miss = Motion.impactTime(bar, less, speck, still, 1e-7);
+    check(miss.cast() == Cast.MISS && miss.impact().t() == Double.POSITIVE_INFINITY, "a miss");
+    check(Double.isNaN(miss.gap()), "its gap");
+    // Without area contact is never proved.
+    check(Motion.impactTime(bar, half, new Point(0, 0.5), still, 1e-7).cast() == Cast.NEAR, "near");
+    Motion.ImpactTime start = Motion.impactTime(wall, half, wall, still, 1);
+    check(start.cast() == Cast.START && start.impact().t() == 0 && start.gap() == 0, "at the start");
+    refused(VesicaException.class, "", () -> Motion.impactTime(wall, still, speck, still, 0));
+    refused(VesicaException.class, "", () -> Motion.impactTime(wall, new Turn(0, 0, 2e6), speck, still, 1));
+    refused(NullPointerException.class, "null", () -> Motion.impactTime(wall, null, speck, still, 1));
+  }
+
   private static void topology() {
     Aabb a = new Aabb(0, 0, 2, 2), b = new Aabb(1, 1, 3, 3), far = new Aabb(5, 0, 7, 2);
     Circle disc = new Circle(6, 1, 1);
@@ -191,49 +211,84 @@ final class Arguments {
     check(Vesica.overlapMany(shapes, shapes, out) == count, "all");
   }
 
+  private static final int QUESTIONS = 23;
+
   private static void anyArguments(int calls) {
     long seed = System.nanoTime();
     System.out.println("seed " + seed);
     Random draw = new Random(seed);
-    double[] special = {0, -0.0, 1, -1, 0.5, Double.NaN, Double.POSITIVE_INFINITY, 5e-324, 1.7e308, 1e-200};
-    int answered = 0;
+    int[] answered = new int[QUESTIONS];
     for (int i = 0; i < calls; i++) {
-      Kind kindA = Kind.of(draw.nextInt(6)), kindB = Kind.of(draw.nextInt(6));
-      double[] first = some(draw, kindA, special), second = some(draw, kindB, special);
+      int question = draw.nextInt(QUESTIONS);
       try {
-        Shapes a = draw.nextBoolean() ? Shapes.of(kindA, first) : Shapes.columns(kindA, direct(first));
-        Shapes b = Shapes.of(kindB, second);
-        double[] out = new double[draw.nextInt(100)];
-        switch (draw.nextInt(16)) {
-          case 0 -> Vesica.overlapMany(a, b, new boolean[draw.nextInt(100)]);
-          case 1 -> Vesica.containsMatrix(a, b, new boolean[draw.nextInt(100)]);
-          case 2 -> Vesica.areaMany(a, b, draw.nextInt(5) == 0 ? second : out);
-          case 3 -> Vesica.iouMatrix(a, b, direct(out));
-          case 4 -> Vesica.depthMany(a, b, null, out, draw.nextBoolean() ? null : out);
-          case 5 -> Vesica.nms(a, out.length < 50 ? new double[(int) a.count()] : out, special[draw.nextInt(10)]);
-          case 6 -> new Index(a, b).join(new Index(b), JoinQuery.of(draw.nextInt(5)));
-          case 7 -> new Index(a).nearestOfEach(draw.nextInt(4), special[draw.nextInt(10)], b, a);
-          case 8 -> Measures.ratioMany(Ratio.of(draw.nextInt(8)), a, b, out);
-          case 9 -> Boxes.of(a, Angle.of(draw.nextInt(5)), draw.nextBoolean(), out);
-          case 10 -> Boxes.rects(second, draw.nextInt(9), Angle.of(draw.nextInt(5)), draw.nextBoolean());
-          case 11 -> Motion.castMany(a, b, first, second, special[draw.nextInt(10)], out, null, null, null, null);
-          case 12 -> new Index(a, b).cast(b, new Motion(special[draw.nextInt(10)], 1, special[draw.nextInt(10)]));
-          case 13 -> Measures.withinMatrix(a, b, special[draw.nextInt(10)], new byte[draw.nextInt(100)]);
-          case 14 -> Measures.suppressSoft(
-              a, second, new Measures.SoftSuppression(Decay.of(draw.nextInt(3)), special[draw.nextInt(10)]));
-          default -> Index.fromBytes(new byte[draw.nextInt(900)], a);
-        }
-        answered++;
+        anyCall(draw, question);
+        answered[question]++;
       } catch (IllegalArgumentException | NullPointerException e) {
         // as it should be
       }
     }
-    check(answered > calls / 20, answered + " of " + calls);
+    String told = "answered: " + Arrays.toString(answered) + " of " + calls;
+    System.out.println(told);
+    // Bytes that are 0 are no index.
+    int least = Arrays.stream(answered).limit(QUESTIONS - 1).min().getAsInt();
+    check(least > 0 || calls < 5000, told);
   }
 
-  private static double[] some(Random draw, Kind kind, double[] special) {
+  private static void anyCall(Random draw, int question) {
+    Kind kindA = Kind.of(draw.nextInt(6)), kindB = Kind.of(draw.nextInt(6));
+    double[] first = some(draw, kindA), second = some(draw, kindB);
+    Shapes a = draw.nextBoolean() ? Shapes.of(kindA, first) : Shapes.columns(kindA, direct(first));
+    Shapes b = Shapes.of(kindB, second);
+    double[] out = new double[draw.nextInt(100)], scores = new double[(int) a.count() + draw.nextInt(3) / 2];
+    double number = special(draw);
+    Motion motion = new Motion(number, draw.nextInt(5) - 2, special(draw));
+    switch (question) {
+      case 0 -> Vesica.overlapMany(a, b, new boolean[draw.nextInt(100)]);
+      case 1 -> Vesica.containsMatrix(a, b, new boolean[draw.nextInt(100)]);
+      case 2 -> Vesica.areaMany(a, b, draw.nextInt(5) == 0 ? second : out);
+      case 3 -> Vesica.iouMatrix(a, b, direct(out));
+      case 4 -> Vesica.depthMany(a, b, null, out, draw.nextBoolean() ? null : out);
+      case 5 -> Vesica.nms(a, scores, number);
+      case 6 -> new Index(a, b).join(new Index(b), JoinQuery.of(draw.nextInt(5)));
+      case 7 -> new Index(a).nearestOfEach(draw.nextInt(4), number, b, a);
+      case 8 -> Measures.ratioMany(Ratio.of(draw.nextInt(8)), a, b, out);
+      case 9 -> Boxes.of(a, Angle.of(draw.nextInt(5)), draw.nextBoolean(), out);
+      case 10 -> Boxes.rects(second, draw.nextInt(9), Angle.of(draw.nextInt(5)), draw.nextBoolean());
+      case 11 -> Motion.castMany(a, b, scores, scores, number, out, null, null, null, null);
+      case 12 -> new Index(a, b).cast(Shapes.of(kindA, single(kindA, first)), motion);
+      case 13 -> Measures.withinMatrix(a, b, number, new byte[draw.nextInt(100)]);
+      case 14 -> Measures.suppressSoft(a, scores, new Measures.SoftSuppression(Decay.of(draw.nextInt(3)), number));
+      case 15 -> Measures.signedDistanceMany(a, b, out);
+      case 16 -> Measures.within(single(kindA, first), single(kindB, second), number);
+      case 17 -> Measures.signedDistance(single(kindA, first), single(kindB, second));
+      case 18 -> Topology.intersection(single(kindA, first), single(kindB, second));
+      case 19 -> {
+        String[] patterns = {"T*F**FFF*", "0123T*F**", "T*", "", "\0", null};
+        Topology.matches(Topology.de9im(single(kindA, first), single(kindB, second)), patterns[draw.nextInt(6)]);
+      }
+      case 20 -> motion.cast(single(kindA, first), single(kindB, second));
+      case 21 -> Motion.impactTime(single(kindA, first), turn(draw), single(kindB, second), turn(draw), number);
+      default -> Index.fromBytes(new byte[draw.nextInt(900)], a);
+    }
+  }
+
+  private static double special(Random draw) {
+    double[] all = {0, -0.0, 1, -1, 0.5, Double.NaN, Double.POSITIVE_INFINITY, 5e-324, 1.7e308, 1e-200};
+    return all[draw.nextInt(all.length)];
+  }
+
+  private static Turn turn(Random draw) {
+    return draw.nextInt(20) == 0 ? null : new Turn(draw.nextInt(9) - 4, draw.nextInt(5) - 2, special(draw));
+  }
+
+  /** The first shape of some numbers, or an exception if there is none. */
+  private static Shape single(Kind kind, double[] numbers) {
+    return Shape.of(kind, Arrays.copyOf(numbers, Math.min(numbers.length, Shapes.fields(kind))));
+  }
+
+  private static double[] some(Random draw, Kind kind) {
     double[] out = new double[draw.nextInt(4) == 0 ? draw.nextInt(40) : Shapes.fields(kind) * draw.nextInt(6)];
-    Arrays.setAll(out, i -> draw.nextInt(40) == 0 ? special[draw.nextInt(special.length)] : draw.nextInt(9));
+    Arrays.setAll(out, i -> draw.nextInt(40) == 0 ? special(draw) : draw.nextInt(9));
     return out;
   }
 
@@ -241,6 +296,7 @@ final class Arguments {
     refusals();
     layouts();
     measuresAndMotion();
+    turns();
     topology();
     nothingIsCopied();
     anyArguments(arguments.length > 0 ? Integer.parseInt(arguments[0]) : 5000);

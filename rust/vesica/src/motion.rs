@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-//! Shapes that move: b by t times a velocity, t from 0 to an end that may be infinite. A ray is a point that moves.
+//! Shapes that move: b by t times a velocity, t from 0 to an end that may be infinite. A ray is a point that moves. And
+//! two that move and turn.
 use crate::batch::{column, in_step};
 use crate::error::{answer, filled};
-use crate::{Aabb, Error, Impact, Scalar, Shape, Shapes};
+use crate::{Aabb, Error, Impact, Scalar, Shape, Shapes, Turn};
 use vesica_sys as sys;
 
 /// What a cast finds.
@@ -15,7 +16,11 @@ pub enum Cast {
     Hit = sys::VESICA_CAST_HIT,
     /// The shapes overlap at the start.
     Start = sys::VESICA_CAST_START,
+    /// Of [`impact_time`] alone: no contact before the time, and perhaps none later.
+    Near = sys::VESICA_CAST_NEAR,
 }
+
+const CASTS: [Cast; 4] = [Cast::Miss, Cast::Hit, Cast::Start, Cast::Near];
 
 /// How a shape moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,7 +55,7 @@ where
     let (a, b) = (a.numbers().as_ptr(), b.numbers().as_ptr());
     let (mut out, Motion { vx, vy, t_end }) = (Impact::default(), motion);
     let code = answer(|| unsafe { A::Scalar::cast(kind_a, a, kind_b, b, vx, vy, t_end, &mut out) })?;
-    Ok(([Cast::Miss, Cast::Hit, Cast::Start][code], out))
+    Ok((CASTS[code], out))
 }
 
 /// When, and where, does `b[i]` touch `a[i]`? Returns how many touch.
@@ -91,6 +96,39 @@ pub fn cast_first<'b, S: Shape + ?Sized>(
     let (mut out, Motion { vx, vy, t_end }) = (Impact::default(), motion);
     let item = answer(|| unsafe { S::Scalar::cast_first(&one.view, &many.view, vx, vy, t_end, &mut out) })?;
     Ok(first(item, many.len(), out))
+}
+
+/// When do two shapes that move and turn touch first, t from 0 to 1? Proved: there is no contact before t, however thin
+/// they are and however fast they turn.
+///
+/// At t a centre has moved by t (vx, vy), and a shape has turned about it by t times the angle, which is at most 2^20
+/// radians. The impact is the place at t: the point of a nearest to b, and the normal that separates them. The last
+/// number, the gap, is how far apart they are then at most: no more than the tolerance, a length above 0, but for
+/// rounding and very long searches, as [`sys::vesica_impact_time_f64`] tells.
+///
+/// - [`Cast::Miss`]: proved, no contact from 0 to 1. The time is infinity, the rest NaN.
+/// - [`Cast::Hit`]: proved, contact after t.
+/// - [`Cast::Near`]: they come as near as the gap; there may be contact after t, or none. Of a point and a segment, or
+///   two points, contact is never proved.
+/// - [`Cast::Start`]: they overlap at t = 0, exactly. The gap is 0.
+pub fn impact_time<A, B>(
+    a: &A,
+    turn_a: Turn<A::Scalar>,
+    b: &B,
+    turn_b: Turn<A::Scalar>,
+    tolerance: A::Scalar,
+) -> Result<(Cast, Impact<A::Scalar>, A::Scalar), Error>
+where
+    A: Shape + ?Sized,
+    B: Shape<Scalar = A::Scalar> + ?Sized,
+{
+    let (kind_a, kind_b) = (a.kind() as i32, b.kind() as i32);
+    let (a, b) = (a.numbers().as_ptr(), b.numbers().as_ptr());
+    let (mut out, mut gap) = (Impact::default(), A::Scalar::default());
+    let code = answer(|| unsafe {
+        A::Scalar::impact_time(kind_a, a, &turn_a, kind_b, b, &turn_b, tolerance, &mut out, &mut gap)
+    })?;
+    Ok((CASTS[code], out, gap))
 }
 
 /// A box that holds a shape throughout its motion.

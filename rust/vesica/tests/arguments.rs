@@ -77,9 +77,15 @@ fn indexes_refuse_foreign_bytes_and_other_sets() {
     assert_eq!(index.join_part(&index, JoinQuery::Overlap, 2, 2), Err(Error::Argument));
 }
 
-/// Whatever is passed, there is an answer or an error.
+/// The first shape of some numbers, or an error if there is none.
+fn single(kind: Kind, numbers: &[f64]) -> Result<AnyShape<f64>, Error> {
+    AnyShape::new(kind, numbers.get(..kind.fields()).unwrap_or(numbers))
+}
+
+/// Whatever is passed, there is an answer or an error. Every question is answered now and then.
 #[test]
 fn any_arguments() {
+    const QUESTIONS: usize = 23;
     let calls: usize = std::env::var("VESICA_CALLS").map_or(5_000, |text| text.parse().unwrap());
     let special = [0.0, -0.0, 1.0, -1.0, 0.5, f64::NAN, f64::INFINITY, 5e-324, 1.7e308, 1e-200];
     let kinds = [Kind::Point, Kind::Segment, Kind::Circle, Kind::Aabb, Kind::Rect, Kind::Ellipse];
@@ -90,7 +96,7 @@ fn any_arguments() {
         state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (state >> 33) as usize % below
     };
-    let mut answered = 0;
+    let mut answered = [0; QUESTIONS];
     for _ in 0..calls {
         let (kind_a, kind_b, room, step) = (kinds[draw(6)], kinds[draw(6)], draw(100), draw(9));
         let mut numbers = |kind: Kind| -> Vec<f64> {
@@ -103,40 +109,60 @@ fn any_arguments() {
             (Ok(a), Ok(b)) => (a, b),
             _ => continue,
         };
+        let (one, two) = (single(kind_a, &first), single(kind_b, &second));
+        let scores = second.get(..a.len()).unwrap_or(&second);
         let (mut bools, mut out, mut items) = (vec![false; room], vec![0.0; room], vec![0; room]);
-        let motion = Motion { vx: special[draw(10)], vy: draw(5) as f64 - 2.0, t_end: special[draw(10)] };
-        let code = match draw(19) {
+        // One element is missing now and then.
+        let less = draw(6) / 5;
+        let mut scratch = vec![0; nms_scratch(a.len()).unwrap().saturating_sub(less)];
+        let mut soft_scratch = vec![0; suppress_soft_scratch(a.len()).unwrap().saturating_sub(less)];
+        let velocity = &scores[..scores.len().min(1 + draw(40))];
+        let (question, number, other) = (draw(QUESTIONS), special[draw(10)], special[draw(10)]);
+        let motion = Motion { vx: number, vy: draw(5) as f64 - 2.0, t_end: other };
+        let mut turn = || Turn { vx: draw(9) as f64 - 4.0, vy: draw(5) as f64 - 2.0, angle: special[draw(10)] };
+        let turns = (turn(), turn());
+        let code = match question {
             0 => overlap_many(a, b, &mut bools),
             1 => contains_matrix(a, b, &mut bools),
             2 => area_many(a, b, &mut out),
             3 => iou_matrix(a, b, &mut out),
             4 => depth_many(a, b, PenetrationColumns { depth: &mut out, ..Default::default() }),
             5 => nearest_many(a, b, ClosestPointsColumns { by: &mut out, ..Default::default() }),
-            6 => nms(a, &second, special[draw(10)], &mut vec![0; draw(500_000)], &mut items),
+            6 => nms(a, scores, number, &mut scratch, &mut items),
             7 => Index::new(&[a, b]).and_then(|index| index.join_count(&index, JoinQuery::Contains)),
             8 => Index::new(&[a]).and_then(|index| nearest_of_each(&[b], &index, step, 1e300, &mut items, &mut out)),
             9 => ratio_many(Ratio::Complete, a, b, &mut out),
             10 => depth_matrix(a, b, &mut out),
             11 => boxes_from_shapes(a, Angle::QUARTERS.reversed(), &mut vec![[0.0; 5]; room]).map(|()| 0),
-            12 => cast_many(a, b, (&second, &first), motion.t_end, ImpactColumns { y: &mut out, ..Default::default() }),
-            13 => AnyShape::new(kind_a, &first).and_then(|one| cast_first(&one, b, motion)).map(|_| 0),
-            15 => within_matrix(a, b, special[draw(10)], &mut vec![Within::No; room]),
-            16 => AnyShape::new(kind_a, &first)
-                .and_then(|one| intersection(&one, &AnyShape::new(kind_b, &second)?))
-                .map(|region| region.vertices().len()),
-            17 => {
-                let (decay, ratio) = (Decay::Gaussian(special[draw(10)]), Ratio::Generalized);
-                let how = SoftSuppression { decay, ratio, labels: &[], least_score: 0.0, most: draw(9) };
-                suppress_soft(a, &second, how, &mut vec![0; draw(500)], &mut items, &mut out)
-            }
+            12 => cast_many(a, b, (velocity, velocity), other, ImpactColumns { y: &mut out, ..Default::default() }),
+            13 => one.and_then(|one| cast_first(&one, b, motion)).map(|_| 0),
             14 => {
-                let how = Suppression { labels: &[1; 3], most: room, ..Suppression::by_iou(0.5) };
-                suppress(a, &second, how, &mut vec![0; draw(500_000)], &mut items)
+                let labels = vec![1; a.len().max(draw(4))];
+                let how = Suppression { labels: &labels, most: room, ..Suppression::by_iou(0.5) };
+                suppress(a, scores, how, &mut scratch, &mut items)
+            }
+            15 => within_matrix(a, b, number, &mut vec![Within::No; room]),
+            16 => one.and_then(|one| intersection(&one, &two?)).map(|region| region.vertices().len()),
+            17 => {
+                let (decay, ratio) = (Decay::Gaussian(number), Ratio::Generalized);
+                let how = SoftSuppression { decay, ratio, labels: &[], least_score: 0.0, most: draw(9) };
+                suppress_soft(a, scores, how, &mut soft_scratch, &mut items, &mut out)
+            }
+            18 => signed_distance_many(a, b, &mut out),
+            19 => one
+                .and_then(|one| de9im(&one, &two?))
+                .and_then(|matrix| de9im_match(&matrix, [&b"T*F**FFF*"[..], b"0123T*F**", b"T*"][draw(3)]))
+                .map(|fits| fits as usize),
+            20 => one.and_then(|one| cast(&one, &two?, motion)).map(|(found, ..)| found as usize),
+            21 => {
+                one.and_then(|one| impact_time(&one, turns.0, &two?, turns.1, number)).map(|(found, ..)| found as usize)
             }
             _ => Index::from_bytes(&vec![draw(255) as u8; draw(900)], &[a])
                 .and_then(|index| index.join_count(&index, JoinQuery::Bounds)),
         };
-        answered += code.is_ok() as usize;
+        answered[question] += code.is_ok() as usize;
     }
-    assert!(answered > calls / 20, "{answered} of {calls}");
+    println!("answered: {answered:?} of {calls}");
+    // Random bytes are no index.
+    assert!(calls < 5_000 || answered[..QUESTIONS - 1].iter().all(|&count| count > 0), "{answered:?} of {calls}");
 }

@@ -31,6 +31,25 @@ fn casts() {
 }
 
 #[test]
+fn shapes_that_turn() {
+    let bar = Segment { x0: -1.0, y0: 0.0, x1: 1.0, y1: 0.0 };
+    let (speck, still) = (Circle { cx: 0.0, cy: 0.5, r: 1e-8 }, Turn::default());
+    let by = |angle| Turn { vx: 0.0, vy: 0.0, angle };
+    let (found, impact, gap) = impact_time(&bar, by(core::f64::consts::PI), &speck, still, 1e-7).unwrap();
+    assert_eq!(found, Cast::Hit);
+    assert!(impact.t <= 0.5 && impact.t > 0.499999 && gap <= 1e-7);
+    let (found, impact, gap) = impact_time(&bar, by(1.57), &speck, still, 1e-7).unwrap();
+    assert!(found == Cast::Miss && impact.t == f64::INFINITY && gap.is_nan());
+    // Without area contact is never proved.
+    let near = impact_time(&bar, by(3.0), &Point { x: 0.0, y: 0.5 }, still, 1e-7);
+    assert_eq!(near.map(|(found, ..)| found), Ok(Cast::Near));
+    let start = impact_time(&WALL, by(1.0), &WALL, still, 1.0);
+    assert_eq!(start.map(|(found, impact, gap)| (found, impact.t, gap)), Ok((Cast::Start, 0.0, 0.0)));
+    assert_eq!(impact_time(&WALL, by(2e6), &DISC, still, 1.0).err(), Some(Error::Argument));
+    assert_eq!(impact_time(&WALL, still, &DISC, still, 0.0).err(), Some(Error::Argument));
+}
+
+#[test]
 fn boxes() {
     let rows = [[1.0, 2.0, 6.0, 4.0, 90.0, 77.0], [1.0, 2.0, -6.0, 4.0, 90.0, 77.0]];
     let mut rects = [Rect::<f64>::default(); 2];

@@ -76,6 +76,7 @@ VESICA_BOTH_SCALARS(cast_first)
 VESICA_BOTH_SCALARS(sweep_bounds)
 VESICA_BOTH_SCALARS(index_cast)
 VESICA_BOTH_SCALARS(index_cast_first)
+VESICA_BOTH_SCALARS(impact_time)
 VESICA_BOTH_SCALARS(within)
 VESICA_BOTH_SCALARS(within_many)
 VESICA_BOTH_SCALARS(within_matrix)
@@ -101,6 +102,7 @@ struct Structs;
     using CrossingPoints = vesica_crossing_points_##suffix; \
     using Penetration = vesica_penetration_##suffix;        \
     using Impact = vesica_impact_##suffix;                  \
+    using Turn = vesica_turn_##suffix;                      \
     using Shapes = vesica_shapes_##suffix;                  \
   };
 VESICA_STRUCTS(double, f64)

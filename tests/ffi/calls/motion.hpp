@@ -88,6 +88,47 @@ void index_casts(const Built<T>& built, const Array<T>& one, const Motion<T>& m)
 }
 
 template <class T>
+using Turn = typename Structs<T>::Turn;
+
+template <class T>
+void impact_time(const Array<T>& a, const Turn<T>& turn_a, const Array<T>& b, const Turn<T>& turn_b, T tolerance) {
+  typename Structs<T>::Impact out{};
+  T gap{};
+  const auto turn_argument = [](const Turn<T>& turn) {
+    numbers_argument(std::vector<T>{turn.vx, turn.vy, turn.angle});
+  };
+  begin<T>("impact_time"), argument(a), turn_argument(turn_a), argument(b), turn_argument(turn_b);
+  numbers_argument(std::vector<T>{tolerance});
+  const int code = call::impact_time(T{}, a.kind, a.data(), &turn_a, b.kind, b.data(), &turn_b, tolerance, &out, &gap);
+  result(code);
+  if (code >= 0) values(std::vector<T>{out.t, out.x, out.y, out.nx, out.ny, gap});
+  end();
+}
+
+/// Each answer and each error, both shapes turning unlike each other, so that none of the arguments can be left out.
+template <class T>
+void impact_times() {
+  constexpr T nan = std::numeric_limits<T>::quiet_NaN(), most = std::numeric_limits<T>::max();
+  const Turn<T> still{0, 0, 0}, spin{T(0.5), T(-0.25), 4};
+  for (int kind = VESICA_POINT; kind <= VESICA_ELLIPSE; ++kind) {
+    impact_time<T>(sample<T>(kind, 0, 0), spin, sample<T>(5 - kind, -9, -6), {10, T(6.5), -2}, T(0.0009765625));
+  }
+  const auto rect = sample<T>(VESICA_RECT, 0, 0), box = sample<T>(VESICA_AABB, 4, 0);
+  impact_time<T>(rect, spin, sample<T>(VESICA_POINT, 5, 5), {1, 0, 8}, T(0.0009765625));
+  impact_time<T>(sample<T>(VESICA_SEGMENT, 0, 0), spin, sample<T>(VESICA_POINT, 0, T(0.5)), still, T(0.0009765625));
+  impact_time<T>(rect, still, sample<T>(VESICA_CIRCLE, -6, T(3.5625)), {12, 0, 1}, T(0.25));
+  impact_time<T>(rect, spin, sample<T>(VESICA_CIRCLE, 2, 0), {-1, 0, 8}, T(0.0009765625));
+  impact_time<T>(rect, {0, 0, 1000}, sample<T>(VESICA_AABB, T(3.5), 2), {0, 0, -999}, T(0.0009765625));
+
+  impact_time<T>(rect, still, box, {-3, 0, 0}, 0);
+  impact_time<T>(rect, still, box, {-3, 0, 1048577}, 1);
+  impact_time<T>(rect, {0, nan, 0}, box, {-3, 0, 0}, 1);
+  impact_time<T>(rect, still, invalid<T>(VESICA_ELLIPSE), {-3, 0, 0}, 1);
+  const Array<T> far{VESICA_CIRCLE, {most / 2, 0, most / 32}}, farther{VESICA_CIRCLE, {most / 8 * 7, 0, most / 32}};
+  impact_time<T>(far, {most, 0, 1}, farther, {most / 2, 0, 1}, most / 1024);
+}
+
+template <class T>
 void motion() {
   constexpr T forever = std::numeric_limits<T>::infinity();
   for (int kind = VESICA_POINT; kind <= VESICA_ELLIPSE; ++kind) {
@@ -116,4 +157,5 @@ void motion() {
   index_casts<T>(built, sample<T>(VESICA_POINT, -9, 0), {T(0.5), T(0.03125), 24});
   index_casts<T>(built, sample<T>(VESICA_POINT, -9, 0), {-1, 0, forever});
   index_casts<T>(built, invalid<T>(VESICA_CIRCLE), {1, 0, 1});
+  impact_times<T>();
 }

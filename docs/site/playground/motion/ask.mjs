@@ -1,54 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The questions of motion, and the C that asks them.
-import { constants, fields, kinds } from '../../vesica/vesica.mjs';
 import { toHex } from '../number.mjs';
 import { numbers } from '../shape.mjs';
 
 /** How near is near, where B turns. */
 export const tolerance = 1e-6;
 
-const answers = {
-  [constants.CAST_MISS]: 'miss',
-  [constants.CAST_HIT]: 'hit',
-  [constants.CAST_START]: 'start',
-  [constants.CAST_NEAR]: 'near',
-};
-
-/** call(room, put) with put(numbers) -> their address; then { answer, t, x, y, nx, ny, gap }. */
-function ask(vesica, call) {
-  return vesica.inRoom((room) => {
-    const put = (values) => {
-      const address = room.take(8 * values.length);
-      new Float64Array(vesica.memory.buffer, address, values.length).set(values);
-      return address;
-    };
-    const out = put([0, 0, 0, 0, 0, 0]);
-    const code = vesica.check(call(put, out));
-    const [t, x, y, nx, ny, gap] = new Float64Array(vesica.memory.buffer, out, 6);
-    return { answer: answers[code], t, x, y, nx, ny, gap };
-  });
-}
-
-const shapeOf = (put, shape) => [kinds.indexOf(shape.kind), put(fields[shape.kind].map((name) => shape[name]))];
-
-/** What happens while B moves by (vx, vy) and turns by an angle, if that is not 0. */
+/** What happens while B moves by (vx, vy) and turns by an angle: { outcome, t, x, y, nx, ny }; if it turns, gap too. */
 export function firstContact(vesica, a, b, { vx, vy, angle }) {
-  if (angle === 0) {
-    return ask(vesica, (put, out) =>
-      vesica.c.vesica_cast_f64(...shapeOf(put, a), ...shapeOf(put, b), vx, vy, 1, out),
-    );
-  }
-  return ask(vesica, (put, out) =>
-    vesica.c.vesica_impact_time_f64(
-      ...shapeOf(put, a),
-      put([0, 0, 0]),
-      ...shapeOf(put, b),
-      put([vx, vy, angle]),
-      tolerance,
-      out,
-      out + 40,
-    ),
-  );
+  if (angle === 0) return vesica.cast(a, b, [vx, vy], { tEnd: 1 });
+  return vesica.impactTime(a, [0, 0, 0], b, [vx, vy, angle], tolerance);
 }
 
 const constant = (kind) => `VESICA_${kind.toUpperCase()}`;

@@ -161,11 +161,11 @@ export class MotionTab {
       found = firstContact(this.#vesica, a, b, motion);
     } catch (error) {
       if (error.code === undefined) throw error;
-      found = { answer: null, why: error.message };
+      found = { outcome: null, why: error.message };
     }
     this.#stage.show(this.#picture(a, b, motion, found));
-    this.#verdict.textContent = found.answer === null ? `No answer: ${found.why}.` : words[found.answer];
-    this.#verdict.classList.toggle('hit', found.answer !== 'miss');
+    this.#verdict.textContent = found.outcome === null ? `No answer: ${found.why}.` : words[found.outcome];
+    this.#verdict.classList.toggle('hit', found.outcome !== 'miss');
     this.#tell(found, motion);
     const input = this.#turn.querySelector('input'),
       value = Math.round((motion.angle * 180) / Math.PI);
@@ -178,8 +178,8 @@ export class MotionTab {
       { x, y } = form(b),
       goal = this.#goal();
     const steps = Array.from({ length: ghosts }, (_, i) => (i + 1) / ghosts);
-    const contact = found.answer === 'hit' || found.answer === 'near';
-    const reached = contact || found.answer === 'start';
+    const contact = found.outcome === 'hit' || found.outcome === 'near';
+    const reached = contact || found.outcome === 'start';
     const length = 60 / view.scale;
     return [
       svg('defs', {}, arrow('way-end')),
@@ -207,7 +207,7 @@ export class MotionTab {
   }
 
   #tell(found, motion) {
-    const reached = found.answer !== null && found.answer !== 'miss',
+    const reached = found.outcome !== null && found.outcome !== 'miss',
       turns = motion.angle !== 0;
     const place = (x, y) => (reached ? `(${short(x, 4)}, ${short(y, 4)})`.replaceAll('≈ ', '') : 'none');
     const hex = (...values) => (reached ? values.map(toHex).join(' ') : '');
@@ -217,11 +217,11 @@ export class MotionTab {
       li.querySelector('strong').textContent = value;
       li.querySelector('.exact').textContent = exact;
     };
-    row('answer', 'Contact on the way?', found.answer ?? 'none', turns ? 'proved, unless near' : 'exact');
+    row('answer', 'Contact on the way?', found.outcome ?? 'none', turns ? 'proved, unless near' : 'exact');
     row('t', turns ? 'No contact before t =' : 'First contact at t =', reached ? short(found.t) : 'none', hex(found.t));
     row('place', 'Where?', place(found.x, found.y), hex(found.x, found.y));
     row('normal', 'Normal from A to B', place(found.nx, found.ny), hex(found.nx, found.ny));
-    const gap = found.answer === 'start' || !turns ? 0 : found.gap;
+    const gap = found.outcome === 'start' || !turns ? 0 : found.gap;
     row('gap', 'How far apart then, at most?', reached ? short(gap) : 'none', turns ? `within ${tolerance}, or said` : '');
     const call = this.#told.querySelector('#motion-call');
     call.querySelector('.call').textContent = this.#call().split('\n').at(-1);
