@@ -42,14 +42,14 @@ def is_vector(text):
 def hot_loop(code):
     """The instructions of the smallest loop with nearly all of the vector operations, without loops inside and jumps.
 
-    A jump back to a return is no loop.
+    A jump back to a way out is no loop: such jumps are unconditional, and loops here end with a condition.
     """
     places = {address: i for i, (address, _) in enumerate(code)}
     loops = []
     for i, (_, text) in enumerate(code):
         if (match := JUMP.match(text)) and places.get(int(match[1], 16), i + 1) <= i:
             loops.append((places[int(match[1], 16)], i))
-    loops = [loop for loop in loops if not any(text == 'ret' for _, text in code[loop[0]:loop[1] + 1])]
+    loops = [loop for loop in loops if not re.match(r'(jmp|b)\s', code[loop[1]][1])] or loops
     count = {loop: sum(is_vector(text) for _, text in code[loop[0]:loop[1] + 1]) for loop in loops}
     most = max(count.values())
     first, last = min((loop for loop in loops if count[loop] >= 0.8 * most), key=lambda loop: loop[1] - loop[0])
