@@ -6,25 +6,14 @@
 #include <vesica/cast.hpp>
 
 #include "cast/motions.hpp"
+#include "properties/core_shape.hpp"
 #include "properties/generators.hpp"
 
 namespace {
 
 using namespace cast_test;
 using namespace vesica;
-
-template <class Shape, class T>
-Shape shape_of(const Numbers& n) {
-  constexpr int fields = ShapeTraits<Shape>::fields;
-  if constexpr (fields == 3) {
-    return {static_cast<T>(n[0]), static_cast<T>(n[1]), static_cast<T>(n[2])};
-  } else if constexpr (fields == 4) {
-    return {static_cast<T>(n[0]), static_cast<T>(n[1]), static_cast<T>(n[2]), static_cast<T>(n[3])};
-  } else {
-    return {static_cast<T>(n[0]), static_cast<T>(n[1]), static_cast<T>(n[2]),
-            static_cast<T>(n[3]), static_cast<T>(n[4]), static_cast<T>(n[5])};
-  }
-}
+using properties::shape_of;
 
 /// Equal, or both NaN, as after a miss.
 void expect_same(double found, double wanted) {

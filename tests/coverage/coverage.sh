@@ -52,5 +52,5 @@ export_coverage() {
     -ignore-filename-regex "^(/usr|$root/(tests|bench|docs))" 2>/dev/null
 }
 export_coverage -format=lcov >"$folder/lines"
-export_coverage -format=text -summary-only >"$folder/summary"
-python3 "$here/table.py" "$root" "$folder/lines" "$folder/summary" "$here/exceptions.txt"
+export_coverage -format=text -skip-functions -skip-expansions >"$folder/details"
+python3 "$here/table.py" "$root" "$folder/lines" "$folder/details" "$here/exceptions.txt"

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""table.py ROOT LCOV SUMMARY EXCEPTIONS: coverage by folder, and what is not covered.
+"""table.py ROOT LCOV DETAILS EXCEPTIONS: coverage by folder, and what is not covered.
 
-A line counts as reached, and a branch as taken, where any instantiation of its template does (LCOV). Conditions (MC/DC) are
-those of the instantiation that reaches most (SUMMARY), which is all that llvm-cov tells. An exception is for its line and
-for the branches that leave from it.
+A line counts as reached, and a branch as taken, where any instantiation of its template does (LCOV; branches by their
+column, DETAILS). Conditions (MC/DC) are those of the instantiation that reaches most, which is all that llvm-cov tells.
+An exception is for its line and for the branches that leave from it.
 """
 
 import collections
@@ -13,30 +13,29 @@ import sys
 
 
 def read_lcov(path, root):
-    """({file: {line: count}}, {file: {(line, branch): count}}), files relative to the root."""
-    files, branches = {}, {}
+    """{file: {line: count}}, files relative to the root."""
+    files, lines = {}, {}
     for record in open(path):
         key, _, value = record.strip().partition(":")
         if key == "SF":
-            name = str(pathlib.Path(value).relative_to(root))
-            lines, taken = files.setdefault(name, {}), branches.setdefault(name, {})
+            lines = files.setdefault(str(pathlib.Path(value).relative_to(root)), {})
         elif key == "DA":
             line, count = value.split(",")[:2]
             lines[int(line)] = lines.get(int(line), 0) + int(count)
-        elif key == "BRDA":
-            line, block, branch, count = value.split(",")
-            place = int(line), f"{block}.{branch}"
-            taken[place] = taken.get(place, 0) + (0 if count == "-" else int(count))
-    return files, branches
+    return files
 
 
-def read_summary(path, root):
-    """{file: [conditions, covered]}."""
-    files = json.load(open(path))["data"][0]["files"]
-    return {
-        str(pathlib.Path(f["filename"]).relative_to(root)): [f["summary"]["mcdc"][n] for n in ("count", "covered")]
-        for f in files
-    }
+def read_details(path, root):
+    """({file: {(line, column, way): count}}, {file: [conditions, covered]}). A branch has two ways."""
+    branches, conditions = {}, {}
+    for file in json.load(open(path))["data"][0]["files"]:
+        name = str(pathlib.Path(file["filename"]).relative_to(root))
+        taken = branches.setdefault(name, {})
+        for line, column, _, _, when_true, when_false, *_ in file["branches"]:
+            for way, count in ((True, when_true), (False, when_false)):
+                taken[line, column, way] = taken.get((line, column, way), 0) + count
+        conditions[name] = [file["summary"]["mcdc"][n] for n in ("count", "covered")]
+    return branches, conditions
 
 
 def read_exceptions(path):
@@ -55,8 +54,8 @@ def share(covered, count):
 
 
 def main():
-    root, lcov, summary, exceptions = sys.argv[1:]
-    (files, branches), summaries = read_lcov(lcov, root), read_summary(summary, root)
+    root, lcov, details, exceptions = sys.argv[1:]
+    files, (branches, conditions) = read_lcov(lcov, root), read_details(details, root)
     excused, used = read_exceptions(exceptions), set()
     tallies, missed, untaken = collections.defaultdict(lambda: [0] * 6), [], []
     for file, lines in sorted(files.items()):
@@ -65,10 +64,10 @@ def main():
         open_branches = [place for place, count in branches[file].items() if count == 0]
         n, b = len(lines), len(branches[file])
         for tally in (tallies[folder_of(file)], tallies["all"]):
-            tally[:] = map(sum, zip(tally, [n, n - len(unreached), b, b - len(open_branches), *summaries[file]]))
+            tally[:] = map(sum, zip(tally, [n, n - len(unreached), b, b - len(open_branches), *conditions[file]]))
         listed = [(line, missed) for line in unreached]
         # A line that is not reached has no branch that is taken: it is listed once.
-        listed += [(line, untaken) for line in {line for line, _ in open_branches} - set(unreached)]
+        listed += [(line, untaken) for line in {line for line, _, _ in open_branches} - set(unreached)]
         for line, those in sorted(listed, key=lambda pair: pair[0]):
             place = (file, text[line - 1].strip())
             if place in excused:

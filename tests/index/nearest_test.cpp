@@ -178,6 +178,27 @@ TYPED_TEST(NearestTest, OfEachItem) {
   }
 }
 
+TEST(NearestParts, WriteEachRowOnce) {
+  constexpr std::size_t rows = 10;
+  const Indexed<double> many(Records<double>{VESICA_POINT, {0, 0, 1, 0}});
+  const Laid<double> laid{{VESICA_POINT, std::vector<double>(2 * rows)}};
+  const Sets<double> sets(laid);
+  for (const std::int64_t parts : {std::int64_t{1}, std::int64_t{3}, std::int64_t{4}, std::int64_t{7}, std::int64_t{10},
+                                   std::int64_t{12}, std::numeric_limits<std::int64_t>::max()}) {
+    std::vector<int> written(rows);
+    std::int64_t found = 0;
+    for (std::int64_t part = 0; part < std::min<std::int64_t>(parts, 12); ++part) {
+      std::vector<std::int64_t> out(rows, -7);
+      std::vector<double> distance(rows);
+      found += vesica_join_nearest_f64(sets.data(), sets.count(), many.index.get(), many.sets.data(), many.sets.count(),
+                                       1, INFINITY, part, parts, out.data(), distance.data());
+      for (std::size_t i = 0; i < rows; ++i) written[i] += out[i] != -7;
+    }
+    EXPECT_EQ(found, static_cast<std::int64_t>(rows)) << parts;
+    EXPECT_EQ(written, std::vector<int>(rows, 1)) << parts;
+  }
+}
+
 TEST(NearestArguments, Refused) {
   const Indexed<double> many(rects<double>("uniform", 50, 1));
   const double point[2] = {NAN, 1};

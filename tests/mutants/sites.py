@@ -84,6 +84,8 @@ class Finder:
 
     def constant(self, cursor):
         start = cursor.extent.start.offset
+        if cursor.kind == K.CALL_EXPR and self.text.startswith(b"__builtin_prefetch", start):
+            return True
         if cursor.kind in FUNCTIONS:
             return b"consteval" in self.text[start:cursor.location.offset]
         if cursor.kind in (K.VAR_DECL, K.FIELD_DECL):

@@ -160,6 +160,10 @@ TEST(SoftSuppression, Errors) {
   EXPECT_EQ(code({iou, 2, 0.5, 0, 9, false}), VESICA_E_ARGUMENT);
   EXPECT_EQ(code({iou, linear, 1.5, 0, 9, false}), VESICA_E_ARGUMENT);
   EXPECT_EQ(code({iou, linear, nan, 0, 9, false}), VESICA_E_ARGUMENT);
+  EXPECT_EQ(code({iou, linear, 1, 0, 9, false}), 0);
+  EXPECT_EQ(code({iou, linear, std::nextafter(1.0, 2.0), 0, 9, false}), VESICA_E_ARGUMENT);
+  EXPECT_EQ(code({iou, gaussian, 0x1p-100, 0, 9, false}), 0);
+  EXPECT_EQ(code({iou, gaussian, std::nextafter(0x1p-100, 0.0), 0, 9, false}), VESICA_E_ARGUMENT);
   EXPECT_EQ(code({iou, gaussian, 0, 0, 9, false}), VESICA_E_ARGUMENT);
   EXPECT_EQ(code({iou, gaussian, infinity, 0, 9, false}), VESICA_E_ARGUMENT);
   EXPECT_EQ(code({iou, gaussian, 1, -0.1, 9, false}), VESICA_E_ARGUMENT);

@@ -158,6 +158,11 @@ TEST(KnownWithin, Arrays) {
   EXPECT_EQ(out[0], 1);
   EXPECT_EQ(out[1], vesica_within_f64(VESICA_CIRCLE, &circles[1].cx, VESICA_RECT, &rects[1].cx, 2));
   EXPECT_EQ(counted, out[0] + out[1]);
+  // The second pair is 1 apart, those of the matrix off the diagonal 1.6 and more.
+  EXPECT_EQ(vesica_within_many_f64(&a, &b, 0.5, out.data()), 1);
+  EXPECT_EQ(out[0], 1);
+  EXPECT_EQ(out[1], 0);
+  EXPECT_EQ(vesica_within_matrix_f64(&a, &b, 0.5, out.data(), 2), 1);
   EXPECT_EQ(vesica_within_many_f64(&a, &b, -1, out.data()), VESICA_E_ARGUMENT);
   EXPECT_EQ(vesica_within_many_f64(&a, nullptr, -1, out.data()), VESICA_E_NULL);
   EXPECT_EQ(vesica_within_matrix_f64(&a, &b, nan, out.data(), 2), VESICA_E_ARGUMENT);
