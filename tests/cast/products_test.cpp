@@ -81,7 +81,7 @@ TEST(Products, FusedOrSplitHaveTheSameBits) {
       }
     }
   }
-  EXPECT_GT(all.asked, 10000);
+  EXPECT_GT(all.asked, 10000 * properties::repeat());
   EXPECT_GT(all.fused, all.asked / 4);
   EXPECT_GT(usual.fused, usual.asked * 2 / 3);  // of velocities that differ by more from places there are some 20%
   std::printf("%d searches, %d fused; of usual numbers %d of %d\n", all.asked, all.fused, usual.fused, usual.asked);
