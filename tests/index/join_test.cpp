@@ -170,6 +170,18 @@ TYPED_TEST(JoinTest, BoundsBeyondTheRange) {
   expect_all_pairs(a, a, "both ends of the range, itself");
 }
 
+/// Where a node has no child, its sides are infinite: a box whose sides are infinite too was said to meet such.
+TYPED_TEST(JoinTest, InfiniteBoundsMeetOnlyWhatIsThere) {
+  constexpr TypeParam most = std::numeric_limits<TypeParam>::max();
+  const Indexed<TypeParam> everywhere(
+      Laid<TypeParam>{{VESICA_CIRCLE, {0, 0, most}}, {VESICA_RECT, {0, 0, most, most, most, most}}});
+  for (const int n : {1, 1000, 10000, 70000}) {
+    const Indexed<TypeParam> many(rects<TypeParam>("uniform", n, 14));
+    expect_all_pairs(everywhere, many, "over " + std::to_string(n));
+    expect_all_pairs(many, everywhere, std::to_string(n) + " below");
+  }
+}
+
 /// Grids whose exponents differ by 0, 1, 14, 15, 60 and 1000: sets of one scale against sets of another.
 TEST(JoinFrames, UnlikeExponents) {
   for (const int e : {0, 1, 13, 14, 15, 16, 27, 28, 29, 30, 60, 64, 300, 1000}) {

@@ -2,14 +2,28 @@
 // Which blocks, leaves and items meet: a window, or another block.
 #pragma once
 
+#include <limits>
+
 #include "index/frame.hpp"
 #include "index/kernels.hpp"
 
 namespace vesica::index {
 namespace {  // an instantiation of its own in each object
 
-inline std::int32_t meeting_blocks(const View& view, const double (&box)[4], std::int64_t from, std::int32_t room,
+/// Where a node has no child, its sides are infinite and the wrong way round. A box may have infinite sides too, and must
+/// not meet that. The sides of a child that is there leave no side of a finite number out.
+struct FiniteBox {
+  double side[4];
+  explicit FiniteBox(const double (&box)[4]) noexcept {
+    constexpr double most = std::numeric_limits<double>::max();
+    for (int i = 0; i < 4; ++i) side[i] = box[i] > most ? most : box[i] < -most ? -most : box[i];
+  }
+};
+
+inline std::int32_t meeting_blocks(const View& view, const double (&any_box)[4], std::int64_t from, std::int32_t room,
                                    std::int64_t* out) noexcept {
+  const FiniteBox finite(any_box);
+  const double(&box)[4] = finite.side;
   struct Step {
     std::int64_t node;
     std::uint32_t children;
