@@ -92,6 +92,12 @@ TYPED_TEST(JoinWithinTest, AllKindsOfEveryWorkload) {
   EXPECT_GT(pairs, 3000U);
 }
 
+TYPED_TEST(JoinWithinTest, AnyDistanceFindsEveryItemOnce) {
+  const Indexed<TypeParam> few(rects<TypeParam>("uniform", 3, 5)), many(rects<TypeParam>("uniform", 70000, 6));
+  EXPECT_EQ(call(few, many, infinity, 0, 1, nullptr, nullptr, 0, nullptr), 3 * 70000);
+  EXPECT_EQ(call(many, few, infinity, 0, 1, nullptr, nullptr, 0, nullptr), 3 * 70000);
+}
+
 TEST(JoinWithin, DistanceZeroIsOverlap) {
   const Indexed<double> a(rects<double>("near_ties", 3000, 1)), b(rects<double>("near_ties", 2000, 2));
   EXPECT_TRUE(sorted(pairs_within(a, b, 0, 1, 500)) == sorted(join(VESICA_JOIN_OVERLAP, a, b)));
