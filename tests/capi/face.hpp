@@ -76,6 +76,7 @@ struct Face<double> {
   static constexpr auto index_nearest = vesica_index_nearest_f64;
   static constexpr auto join = vesica_join_f64;
   static constexpr auto join_nearest = vesica_join_nearest_f64;
+  static constexpr auto join_within = vesica_join_within_f64;
   static constexpr auto cast = vesica_cast_f64;
   static constexpr auto cast_many = vesica_cast_many_f64;
   static constexpr auto cast_first = vesica_cast_first_f64;
@@ -151,6 +152,7 @@ struct Face<float> {
   static constexpr auto index_nearest = vesica_index_nearest_f32;
   static constexpr auto join = vesica_join_f32;
   static constexpr auto join_nearest = vesica_join_nearest_f32;
+  static constexpr auto join_within = vesica_join_within_f32;
   static constexpr auto cast = vesica_cast_f32;
   static constexpr auto cast_many = vesica_cast_many_f32;
   static constexpr auto cast_first = vesica_cast_first_f32;

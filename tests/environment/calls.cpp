@@ -284,8 +284,8 @@ Bytes ask_index(const Inputs& inputs) {
   return bytes;
 }
 
-/// Pairs of two indexes, by each query, and the nearest items of the second one to each of the first.
-template <class T, class Shapes, auto build, auto join, auto nearest>
+/// Pairs of two indexes, by each query and within distances, and the nearest items of the second one to each of the first.
+template <class T, class Shapes, auto build, auto join, auto within, auto nearest>
 Bytes ask_join(const Inputs& inputs) {
   const Operands<T, Shapes> operands(inputs);
   const Shapes &a = operands.a, &b = operands.b;
@@ -303,8 +303,15 @@ Bytes ask_join(const Inputs& inputs) {
     append(bytes, out_a.data(), out_a.size());
     append(bytes, out_b.data(), out_b.size());
   }
-  append(bytes, nearest(&a, 1, index_b.units.data(), &b, 1, 3, std::numeric_limits<T>::infinity(), 0, 1, out_a.data(),
-                        distance.data()));
+  constexpr T infinity = std::numeric_limits<T>::infinity();
+  for (const T most : {T{0.5}, infinity}) {
+    std::int64_t state[4] = {};
+    append(bytes, within(index_a.units.data(), &a, 1, index_b.units.data(), &b, 1, most, 0, 1, out_a.data(),
+                         out_b.data(), static_cast<std::int64_t>(out_a.size()), state));
+    append(bytes, out_a.data(), out_a.size());
+    append(bytes, out_b.data(), out_b.size());
+  }
+  append(bytes, nearest(&a, 1, index_b.units.data(), &b, 1, 3, infinity, 0, 1, out_a.data(), distance.data()));
   append(bytes, out_a.data(), out_a.size());
   append(bytes, distance.data(), distance.size());
   return bytes;
@@ -547,7 +554,8 @@ Bytes ask_soft(const Inputs& inputs) {
         {"casts", ask_casts<T, vesica_shapes_##s, vesica_impact_##s, vesica_cast_many_##s, vesica_cast_first_##s>},   \
         {"index", ask_index<T, vesica_shapes_##s, vesica_impact_##s, vesica_index_build_##s, vesica_index_select_##s, \
                             vesica_index_nearest_##s, vesica_index_cast_##s, vesica_index_cast_first_##s>},           \
-        {"join", ask_join<T, vesica_shapes_##s, vesica_index_build_##s, vesica_join_##s, vesica_join_nearest_##s>},   \
+        {"join", ask_join<T, vesica_shapes_##s, vesica_index_build_##s, vesica_join_##s, vesica_join_within_##s,      \
+                          vesica_join_nearest_##s>},                                                                  \
   }
 
 Input::Input(const properties::Pair& pair) : kind_a(pair.kind_a), kind_b(pair.kind_b), a_f64(pair.a), b_f64(pair.b) {

@@ -123,18 +123,21 @@ void ask(Bytes& bytes, Memory& memory, const Sets<T>& sets, const std::byte* ind
   }
 }
 
-/// An index with itself.
+/// An index with itself: overlaps and the like, or at most so far apart.
 template <class T>
 void join(Bytes& bytes, Memory& memory, const Sets<T>& sets, const std::byte* index) {
   static GuardedMemory room_of_scratch(1 << 20), room_of_b;
   const std::int64_t capacity = 1 + bytes.below(most), scratch_size = vesica_join_scratch();
   auto *a = room<std::int64_t>(memory.out, capacity), *b = room<std::int64_t>(room_of_b, capacity);
   const std::int64_t parts = 1 + bytes.below(4), part = bytes.below(static_cast<unsigned>(parts));
-  const std::int32_t query = static_cast<std::int32_t>(bytes.below(6)) - 1;
+  const std::int32_t query = static_cast<std::int32_t>(bytes.below(7)) - 1;
+  const T distance = query == 5 ? bytes.number<T>() : T{0};
   std::int64_t state[4] = {}, found;
   do {
-    found = Face<T>::join(query, index, sets.set, 2, index, sets.set, 2, part, parts,
-                          aligned(room_of_scratch, scratch_size), scratch_size, a, b, capacity, state);
+    found = query == 5 ? Face<T>::join_within(index, sets.set, 2, index, sets.set, 2, distance, part, parts, a, b,
+                                              capacity, state)
+                       : Face<T>::join(query, index, sets.set, 2, index, sets.set, 2, part, parts,
+                                       aligned(room_of_scratch, scratch_size), scratch_size, a, b, capacity, state);
     demand_items(a, found, capacity, sets.items);
     demand_items(b, found, capacity, sets.items);
   } while (found > 0 && state[0] >= 0);
