@@ -63,6 +63,8 @@ export async function open(
   { width = 1200, height = 900, dark = false, still = true, before = async () => {} } = {},
 ) {
   const page = await browser.newPage();
+  // What the processor has still to draw of a page before delays the next one by up to half a minute.
+  page.setDefaultTimeout(180000);
   page.messages = [];
   page.on('console', (message) => page.messages.push(message.text()));
   page.on('pageerror', (error) => page.messages.push(String(error)));
