@@ -16,6 +16,7 @@
 #include "compiled_once.hpp"
 #include "corpus/corpus.hpp"
 #include "properties/generators.hpp"
+#include "properties/spoilt.hpp"
 // after it: the library's own exact stage
 #include <vesica/cuda.cuh>
 
@@ -182,15 +183,6 @@ void with_each_pair_of_kinds(const Action& action) {
       for (const Scalar scalar : {Scalar::f32, Scalar::f64}) action(a, b, scalar);
     }
   }
-}
-
-/// A negative size, an axis of 0, or a number that is none.
-void spoil(Pair& pair, int how) {
-  const auto last = static_cast<std::size_t>(properties::field_count(pair.kind_b)) - 1;
-  if (how == 0) pair.b[last] = -1;
-  if (how == 1) pair.b[2] = pair.b[3] = 0;
-  if (how == 2) pair.a[0] = std::numeric_limits<double>::quiet_NaN();
-  if (how == 3) pair.b[last] = std::numeric_limits<double>::infinity();
 }
 
 TEST(CudaKernels, EveryWorkloadAndInvalidShapes) {

@@ -6,13 +6,13 @@
 
 #include <cstdio>
 #include <cstring>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
 
 #include "oracle/oracle.hpp"
 #include "properties/generators.hpp"
+#include "properties/spoilt.hpp"
 #include "query.hpp"
 
 namespace {
@@ -77,15 +77,6 @@ class Comparison {
     return (found[0] == 0) == (expected[0] == 0);
   }
 };
-
-/// A negative size, an axis of 0, or a number that is none.
-void spoil(Pair& pair, int how) {
-  const auto last = static_cast<std::size_t>(properties::field_count(pair.kind_b)) - 1;
-  if (how == 0) pair.b[last] = -1;
-  if (how == 1) pair.b[2] = pair.b[3] = 0;
-  if (how == 2) pair.a[0] = std::numeric_limits<double>::quiet_NaN();
-  if (how == 3) pair.b[last] = std::numeric_limits<double>::infinity();
-}
 
 template <class T>
 void ask_all(Comparison& comparison, Scalar scalar) {
