@@ -18,8 +18,9 @@ fi
 
 mkdir "$work/package" "$work/program"
 cp "$here"/*.mjs "$here"/*.d.ts "$here/package.json" "$here/README.md" "$work/package"
-cp "$modules/vesica.wasm" "$modules/vesica-methods.wasm" "$work/package"
+cp "$modules/vesica.wasm" "$modules/vesica-overlap.wasm" "$modules/vesica-methods.wasm" "$work/package"
 cp "$modules/simd/vesica.wasm" "$work/package/vesica-simd.wasm"
+cp "$modules/simd/vesica-overlap.wasm" "$work/package/vesica-overlap-simd.wasm"
 rm -f "$directory"/vesica-*.tgz
 (cd "$work/package" && npm pack --silent --pack-destination "$directory")
 

@@ -317,6 +317,12 @@ export class Vesica {
 
 /**
  * Loads the library: vesica-simd.wasm beside this file, or vesica.wasm where the engine has no vectors or `simd` is
- * false; or `module`, bytes or a compiled module from elsewhere.
+ * false; or `module`, bytes or a compiled module from elsewhere. With `only: 'overlap'` it is vesica-overlap-simd.wasm or
+ * vesica-overlap.wasm, of little more than a third of the size: `overlap`, `relation`, `contains`, their matrices,
+ * `overlapSelect`, `bounds`, `boundsMany`, and an index with `join` and `select`. All else then throws an Error.
  */
-export function load(options?: { module?: BufferSource | WebAssembly.Module; simd?: boolean }): Promise<Vesica>;
+export function load(options?: {
+  only?: 'overlap';
+  module?: BufferSource | WebAssembly.Module;
+  simd?: boolean;
+}): Promise<Vesica>;

@@ -46,9 +46,20 @@ const vectorModule = new Uint8Array([
   10, 8, 1, 6, 0, 0x41, 0, 0xfd, 0x0f, 0x0b, // code
 ]);
 
+/** The exports of a module that may have some of the library's functions only: others throw, and say so. */
+const withWords = (exports) =>
+  Object.setPrototypeOf({ ...exports }, new Proxy(Object.prototype, {
+    get(target, name) {
+      if (typeof name !== 'string' || !name.startsWith('vesica_')) return target[name];
+      throw new Error(`this module does not have ${name}: load() without \`only\` has all functions`);
+    },
+  }));
+
 /** Loads vesica-simd.wasm, or vesica.wasm where there are no vectors: that beside this file, or `module`. */
-export async function load({ module = undefined, simd = WebAssembly.validate(vectorModule) } = {}) {
-  const source = module ?? (await bytesBeside(new URL(simd ? './vesica-simd.wasm' : './vesica.wasm', import.meta.url)));
+export async function load({ only = undefined, module = undefined, simd = WebAssembly.validate(vectorModule) } = {}) {
+  if (only !== undefined && only !== 'overlap') throw new TypeError(`only is 'overlap', not ${JSON.stringify(only)}`);
+  const name = ['vesica', ...(only ? [only] : []), ...(simd ? ['simd'] : [])].join('-');
+  const source = module ?? (await bytesBeside(new URL(`./${name}.wasm`, import.meta.url)));
   const compiled = source instanceof WebAssembly.Module ? source : await WebAssembly.compile(source);
   const { exports } = await WebAssembly.instantiate(compiled);
   const version = exports.vesica_version();
@@ -56,7 +67,7 @@ export async function load({ module = undefined, simd = WebAssembly.validate(vec
     const words = `vesica ${version} is older than ${constants.VERSION}, which this package needs`;
     throw new Error(`${words}: load the module that came with it`);
   }
-  return new Vesica(exports);
+  return new Vesica(withWords(exports));
 }
 
 const isArray = (shapes) => shapes instanceof ShapeArray;

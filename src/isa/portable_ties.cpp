@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// clang-format off
-#include "lanes/portable.hpp"
-// clang-format on
-#include "kernels/ties.hpp"
+#include "kernels/table.hpp"
 
 namespace vesica {
 
-constinit const TieKernels kernels_portable_ties = make_tie_kernels();
+// The scalar functions decide exact contacts as one lane would.
+constinit const TieKernels kernels_portable_ties{};
 
 }  // namespace vesica

@@ -137,8 +137,8 @@ constexpr void fill_distances(QueryTable& table) noexcept {
   enter<A, B>(table.boundary_distance, answer_in_turn<nearest, nested>);
 }
 
-/// Everything this instruction set offers, laid down at compile time.
-consteval QueryTable make_query_table() noexcept {
+/// The kernels whose results are codes. Others may stay away: a module with them alone is small.
+consteval QueryTable make_relation_table() noexcept {
   QueryTable table{};
   fill<RelationCore, Rect, Rect>(table.relation);
   fill<RelationCore, Rect, Ellipse>(table.relation);
@@ -149,6 +149,13 @@ consteval QueryTable make_query_table() noexcept {
   fill<RelationCore, Aabb, Aabb>(table.relation);
   fill<RelationCore, Point, Rect>(table.relation);
   fill<RelationCore, Point, Ellipse>(table.relation);
+  table.apart = find_apart;
+  return table;
+}
+
+/// Everything this instruction set offers, laid down at compile time.
+consteval QueryTable make_query_table() noexcept {
+  QueryTable table = make_relation_table();
   constexpr QueryKernel nested_ellipses = answer_vectors<NestedCore, Ellipse, Ellipse, Doubles>;
   fill_distances<Rect, Rect, Doubles, answer_vectors<NestedCore, Rect, Rect, Doubles>>(table);
   fill_distances<Rect, Ellipse, LongVector, answer_vectors<NestedCore, Rect, Ellipse, Doubles>>(table);
@@ -160,7 +167,6 @@ consteval QueryTable make_query_table() noexcept {
   fill<DepthCore, Ellipse, Ellipse>(table.depth);
   fill<AreaCore, Rect, Rect>(table.area);
   fill<IouCore, Rect, Rect>(table.iou);
-  table.apart = find_apart;
   return table;
 }
 

@@ -14,7 +14,9 @@ limit() {
 }
 
 modules=$1
-limit "$modules/vesica.wasm" 1290 435
+limit "$modules/vesica.wasm" 1180 390
 limit "$modules/simd/vesica.wasm" 1380 450
+limit "$modules/vesica-overlap.wasm" 450 150
+limit "$modules/simd/vesica-overlap.wasm" 600 180
 limit "$modules/vesica-methods.wasm" 125 57
 [ $failures = 0 ]

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// What src/isa/simd128_queries.cpp offers, for a module that is asked for relations alone.
+// clang-format off
+#include "lanes/simd128.hpp"
+// clang-format on
+#include "kernels/query_loop.hpp"
+
+namespace vesica {
+
+constinit const QueryTable kernels_simd128_queries = make_relation_table();
+
+}  // namespace vesica
