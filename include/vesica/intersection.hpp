@@ -97,14 +97,15 @@ bool is_later(const Shape& a, const Shape& b) noexcept {
   });
 }
 
-/// Rounds to T, from the lowest vertex on. Returns the count, or error_range.
+/// Rounds to T, from the lowest vertex on. A zero is +0: which shape's own zero it is depends on their order. Returns the
+/// count, or error_range.
 template <class T>
 std::int32_t store(const Vertices& v, SharedRegion<T>& out) noexcept {
   T x[10], y[10];
   int first = 0;
   for (int i = 0; i < v.count; ++i) {
-    x[i] = static_cast<T>(v.at[i].x);
-    y[i] = static_cast<T>(v.at[i].y);
+    x[i] = static_cast<T>(v.at[i].x) + T{0};
+    y[i] = static_cast<T>(v.at[i].y) + T{0};
     if (!all_finite(x[i], y[i])) return error_range;
     if (y[i] < y[first] || (y[i] == y[first] && x[i] < x[first])) first = i;
   }

@@ -199,6 +199,7 @@ class Climb {
       if (workload == properties::Workload::near_contact) workload = properties::Workload::mixed_scale;
       Case c{query_, Scalar::f64, changed(properties::draw(workload, kind_a_, kind_b_, Scalar::f64, random_), random_)};
       if (of_motion(query_)) c.motion = cast_test::draw_motion(c.pair, Scalar::f64, random_);
+      if (query_ == Query::within) c.distance = hammer::draw_distance(Scalar::f64, c.pair, random_);
       const double cost = cost_of(c, calls);
       if (cost > best.cost) best = {c, cost, 0};
     }
@@ -213,6 +214,7 @@ class Climb {
     } else {
       p.pair = changed(p.pair, random_);
     }
+    if (query_ == Query::within) p.distance = hammer::draw_distance(Scalar::f64, p.pair, random_);
     const double cost = cost_of(p, calls);
     if (cost < c.cost * 0.99) {
       if (++c.patience > patience) c = begun();

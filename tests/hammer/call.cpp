@@ -2,11 +2,13 @@
 #include "hammer/call.hpp"
 
 #include <bit>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 
 #include "capi/face.hpp"
 #include "hammer/deliberate.hpp"
+#include "properties/exact_changes.hpp"
 
 namespace hammer {
 namespace {
@@ -43,12 +45,23 @@ void read_crossings(const Out& out, Answer& answer) {
   }
 }
 
+/// Characters in place of a struct of numbers.
+struct Matrix {
+  std::array<char, VESICA_DE9IM_SIZE> characters;
+};
+void read_matrix(const Matrix& out, Answer& answer) {
+  for (std::size_t i = 0; i + 1 < out.characters.size(); ++i) {
+    answer.numbers[i] = out.characters[i] == 'F' ? -1 : out.characters[i] - '0';
+  }
+}
+
 /// One call. A and B: the numbers.
 template <class T>
 struct Caller {
   int kind_a, kind_b;
   const T *a, *b;
   const Motion& motion;
+  double distance;
   const Environment& environment;
 
   Answer code(std::int32_t (*function)(std::int32_t, const T*, std::int32_t, const T*)) const {
@@ -95,6 +108,21 @@ struct Caller {
     return finish(marked, [&] { return Face<T>::sweep_bounds(kind_a, a, vx, vy, end, &marked.out); });
   }
 
+  Answer within() const {
+    Answer answer;
+    const auto call = [&] { return Face<T>::within(kind_a, a, kind_b, b, static_cast<T>(distance)); };
+    answer.code = run_in(environment, answer.environment_changed, call);
+    return answer;
+  }
+  Answer de9im() const {
+    Marked<Matrix> marked;
+    return finish(marked, [&] { return Face<T>::de9im(kind_a, a, kind_b, b, marked.out.characters.data()); });
+  }
+  Answer intersection() const {
+    Marked<std::array<T, 2 * std::size_t{VESICA_MOST_VERTICES}>> marked;
+    return finish(marked, [&] { return Face<T>::intersection(kind_a, a, kind_b, b, marked.out.data()); });
+  }
+
   template <class Out, class Call>
   Answer finish(const Marked<Out>& marked, Call call) const {
     Answer answer;
@@ -103,6 +131,8 @@ struct Caller {
     if (answer.code < 0) return answer;
     if constexpr (std::is_same_v<Out, typename Face<T>::Crossings>) {
       read_crossings(marked.out, answer);
+    } else if constexpr (std::is_same_v<Out, Matrix>) {
+      read_matrix(marked.out, answer);
     } else {
       read_numbers<T>(marked.out, answer);
     }
@@ -140,6 +170,14 @@ Answer call(Query query, const Caller<T>& caller) {
       return caller.ratios();
     case Query::cast:
       return caller.cast();
+    case Query::within:
+      return caller.within();
+    case Query::signed_distance:
+      return caller.numbers(F::signed_distance);
+    case Query::de9im:
+      return caller.de9im();
+    case Query::intersection:
+      return caller.intersection();
     default:
       return caller.sweep_bounds();
   }
@@ -160,10 +198,11 @@ Answer ask(const Case& c, const Environment& environment) {
   const Pair& p = c.pair;
   Answer answer;
   if (c.scalar == Scalar::f64) {
-    answer = call(c.query, Caller<double>{p.kind_a, p.kind_b, p.a.data(), p.b.data(), c.motion, environment});
+    answer =
+        call(c.query, Caller<double>{p.kind_a, p.kind_b, p.a.data(), p.b.data(), c.motion, c.distance, environment});
   } else {
     const auto a = as_floats(p.a), b = as_floats(p.b);
-    answer = call(c.query, Caller<float>{p.kind_a, p.kind_b, a.data(), b.data(), c.motion, environment});
+    answer = call(c.query, Caller<float>{p.kind_a, p.kind_b, a.data(), b.data(), c.motion, c.distance, environment});
   }
   if (deliberate_fault() != nullptr) deliberate_fault()(c.query, c.scalar, p, environment, answer);
   return answer;
@@ -171,6 +210,15 @@ Answer ask(const Case& c, const Environment& environment) {
 
 Answer ask(Query query, Scalar scalar, const Pair& p, const Environment& environment) {
   return ask(Case{query, scalar, p}, environment);
+}
+
+double draw_distance(Scalar scalar, const Pair& pair, properties::Random& random) {
+  const Answer nearest = ask(Query::nearest, scalar, pair);
+  double d = nearest.code == 0 && nearest.numbers[0] > 0 ? nearest.numbers[0] : std::fabs(pair.a[0]) * random.unit();
+  d = properties::nearest(scalar, d);
+  const std::int64_t away = random.chance(0.5) ? random.integer(-3, 3) : std::int64_t{1} << random.integer(0, 20);
+  d = properties::at_ordinal(scalar, properties::ordinal(scalar, d) + away);
+  return random.chance(0.05) || !(d > 0 && std::isfinite(d)) ? 0 : d;
 }
 
 std::int32_t check(Scalar scalar, int kind, const Numbers& numbers) {

@@ -7,6 +7,7 @@
 
 #include "hammer/environment.hpp"
 #include "hammer/query.hpp"
+#include "properties/random.hpp"
 
 namespace hammer {
 
@@ -17,8 +18,8 @@ inline constexpr std::size_t most_numbers = 17;
 inline constexpr std::size_t ratio_count = VESICA_RATIO_COMPLETE + 1;
 
 /// What a function returned and wrote, as doubles in the order of its struct; crossings: shared, x[8], y[8], and the
-/// count as the code; ratios: the seven numbers, then their codes, the first of which is the code. Numbers that the
-/// function does not write are 0.
+/// count as the code; ratios: the seven numbers, then their codes, the first of which is the code; de9im: -1 for F.
+/// Numbers that the function does not write are 0.
 struct Answer {
   std::int32_t code = 0;
   bool wrote = false;                ///< did it write to its output?
@@ -32,10 +33,13 @@ bool same_bits(const Answer& a, const Answer& b);
 /// The code, then the numbers that are not 0, for a message.
 std::string text(const Answer& answer);
 
-/// The queries from overlap to sweep_bounds.
+/// The queries from overlap to intersection.
 Answer ask(const Case& c, const Environment& environment = default_environment);
 /// Where nothing moves.
 Answer ask(Query query, Scalar scalar, const Pair& pair, const Environment& environment = default_environment);
+
+/// About as far as two shapes are apart, to the last place; where they overlap, anything up to their size; sometimes 0.
+double draw_distance(Scalar scalar, const Pair& pair, properties::Random& random);
 
 /// vesica_check of one shape.
 std::int32_t check(Scalar scalar, int kind, const Numbers& numbers);

@@ -56,6 +56,23 @@ void area_off(Query query, Scalar scalar, const Pair& p, const Environment&, Ans
   if (query == Query::area && scalar == Scalar::f64 && kinds) answer.numbers[0] *= 1 - 0x1p-40;
 }
 
+/// A point on the outline of a rectangle is said to be further away than any distance.
+void reach_short(Query query, Scalar, const Pair& p, const Environment&, Answer& answer) {
+  const bool kinds = p.kind_a == VESICA_RECT && p.kind_b == VESICA_POINT;
+  if (query == Query::within && kinds && ask(Query::relation, Scalar::f64, p).code == VESICA_CONTAINS_TOUCH)
+    answer.code = 0;
+}
+
+/// A shared end of two segments is forgotten.
+void end_forgotten(Query query, Scalar, const Pair& p, const Environment&, Answer& answer) {
+  if (query == Query::de9im && p.kind_a == VESICA_SEGMENT && p.kind_b == VESICA_SEGMENT) answer.numbers[4] = -1;
+}
+
+/// Regions have one vertex less.
+void vertex_lost(Query query, Scalar, const Pair&, const Environment&, Answer& answer) {
+  if (query == Query::intersection && answer.code == 6) answer.code = 5;
+}
+
 /// Under denormals-are-zero a circle of subnormal radius is a point.
 void environment_minded(Query query, Scalar, const Pair& p, const Environment& environment, Answer& answer) {
   constexpr unsigned daz = 0x40;
@@ -78,6 +95,9 @@ constexpr Named all[] = {{"touching_missed", touching_missed},
                          {"distance_off", distance_off},
                          {"depth_off", depth_off},
                          {"area_off", area_off},
+                         {"reach_short", reach_short},
+                         {"end_forgotten", end_forgotten},
+                         {"vertex_lost", vertex_lost},
                          {"environment_minded", environment_minded},
                          {"lane_flipped", lane_flipped}};
 

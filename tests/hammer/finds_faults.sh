@@ -34,6 +34,9 @@ finds converse_forgotten relation.exact_stage 120
 finds distance_off nearest.of_scale 200
 finds depth_off depth.exchanged 120
 finds area_off area.exchanged 120
+finds reach_short within.overlap_is_within 160
+finds end_forgotten de9im.relation 120
+finds vertex_lost intersection.unused_is_0 220
 finds lane_flipped batch.overlap_sse2 160
 
 # A run that is resumed goes on where it stopped.

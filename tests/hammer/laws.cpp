@@ -70,7 +70,7 @@ bool scale_exactly(const Case& c, int exponent, Case& out) {
   const auto a = properties::scaled_exactly({c.pair.kind_a, c.pair.a}, c.scalar, exponent, false);
   const auto b = properties::scaled_exactly({c.pair.kind_b, c.pair.b}, c.scalar, exponent, false);
   if (!a || !b) return false;
-  out = {c.query, c.scalar, {a->kind, b->kind, a->numbers, b->numbers}, c.motion};
+  out = {c.query, c.scalar, {a->kind, b->kind, a->numbers, b->numbers}, c.motion, c.distance};
   return true;
 }
 
@@ -82,7 +82,7 @@ std::vector<std::array<double, 2>> moves(const Pair& p) {
 }
 
 void demand_rounded(Judge& j, const Case& c, const Answer& narrow, std::size_t count) {
-  const Answer wide = ask({c.query, Scalar::f64, c.pair, c.motion});
+  const Answer wide = ask({c.query, Scalar::f64, c.pair, c.motion, c.distance});
   const bool stays_positive =
       c.query == Query::nearest || c.query == Query::boundary_distance || c.query == Query::depth;
   if (narrow.code == VESICA_E_RANGE || wide.code == VESICA_E_RANGE) return;
@@ -134,6 +134,14 @@ void judge_query(Judge& j, const Case& c, Effort effort) {
       return judge_cast(j, c, effort);
     case Query::sweep_bounds:
       return judge_sweep_bounds(j, c, effort);
+    case Query::within:
+      return judge_within(j, c, effort);
+    case Query::signed_distance:
+      return judge_signed_distance(j, c, effort);
+    case Query::de9im:
+      return judge_de9im(j, c, effort);
+    case Query::intersection:
+      return judge_intersection(j, c, effort);
     default:
       return;
   }

@@ -43,20 +43,24 @@ class Judge {
 std::vector<Fault> judge(const Case& c, const Choice& choice);
 
 // The laws of single queries, by file. The shapes are valid but for judge_invalid.
-void judge_code(Judge& j, const Case& c, Effort effort);            // laws_code.cpp
-void judge_nearest(Judge& j, const Case& c, Effort effort);         // laws_distance.cpp
-void judge_boundary(Judge& j, const Case& c, Effort effort);        // laws_distance.cpp
-void judge_depth(Judge& j, const Case& c, Effort effort);           // laws_depth.cpp
-void judge_area(Judge& j, const Case& c, Effort effort);            // laws_area.cpp
-void judge_iou(Judge& j, const Case& c, Effort effort);             // laws_area.cpp
-void judge_shape_area(Judge& j, const Case& c, Effort effort);      // laws_area.cpp
-void judge_crossings(Judge& j, const Case& c, Effort effort);       // laws_crossings.cpp
-void judge_bounds(Judge& j, const Case& c, Effort effort);          // laws_bounds.cpp
-void judge_ratio(Judge& j, const Case& c, Effort effort);           // laws_ratio.cpp
-void judge_cast(Judge& j, const Case& c, Effort effort);            // laws_motion.cpp
-void judge_sweep_bounds(Judge& j, const Case& c, Effort effort);    // laws_motion.cpp
-void judge_invalid(Judge& j, const Case& c, bool in_environments);  // laws_invalid.cpp
-void judge_environments(Judge& j, const Case& c);                   // laws.cpp
+void judge_code(Judge& j, const Case& c, Effort effort);             // laws_code.cpp
+void judge_nearest(Judge& j, const Case& c, Effort effort);          // laws_distance.cpp
+void judge_boundary(Judge& j, const Case& c, Effort effort);         // laws_distance.cpp
+void judge_depth(Judge& j, const Case& c, Effort effort);            // laws_depth.cpp
+void judge_area(Judge& j, const Case& c, Effort effort);             // laws_area.cpp
+void judge_iou(Judge& j, const Case& c, Effort effort);              // laws_area.cpp
+void judge_shape_area(Judge& j, const Case& c, Effort effort);       // laws_area.cpp
+void judge_crossings(Judge& j, const Case& c, Effort effort);        // laws_crossings.cpp
+void judge_bounds(Judge& j, const Case& c, Effort effort);           // laws_bounds.cpp
+void judge_ratio(Judge& j, const Case& c, Effort effort);            // laws_ratio.cpp
+void judge_cast(Judge& j, const Case& c, Effort effort);             // laws_motion.cpp
+void judge_sweep_bounds(Judge& j, const Case& c, Effort effort);     // laws_motion.cpp
+void judge_within(Judge& j, const Case& c, Effort effort);           // laws_within.cpp
+void judge_signed_distance(Judge& j, const Case& c, Effort effort);  // laws_within.cpp
+void judge_de9im(Judge& j, const Case& c, Effort effort);            // laws_topology.cpp
+void judge_intersection(Judge& j, const Case& c, Effort effort);     // laws_topology.cpp
+void judge_invalid(Judge& j, const Case& c, bool in_environments);   // laws_invalid.cpp
+void judge_environments(Judge& j, const Case& c);                    // laws.cpp
 
 // What several of them need.
 bool valid(const Pair& p);

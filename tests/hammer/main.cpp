@@ -78,6 +78,10 @@ constexpr Share shares[] = {{Query::overlap, 1, 64},
                             {Query::ratio, 8, 64},
                             {Query::cast, 4, 256},
                             {Query::sweep_bounds, 8, 64},
+                            {Query::within, 4, 64},
+                            {Query::signed_distance, 8, 64},
+                            {Query::de9im, 4, 64},
+                            {Query::intersection, 4, 32},
                             {Query::invalid, 16, 16}};
 constexpr std::uint64_t groups_a_batch = 8;
 constexpr std::uint64_t most_printed = 3;
@@ -168,7 +172,12 @@ class Hammer {
   bool turn(std::uint64_t every) const { return (index_ * 7 + progress_.next_group * 13) % every == 0; }
 
   void run_case(Case c, bool slow) {
+    if (c.query == Query::intersection && !has_intersection(c.pair.kind_a, c.pair.kind_b)) return;
     if (of_motion(c.query)) c.motion = motion_of(c);
+    if (c.query == Query::within) {
+      properties::Random random(progress_.seed + (progress_.next_group << 8) + index_);
+      c.distance = draw_distance(c.scalar, c.pair, random);
+    }
     if (c.query == Query::invalid) c.pair = broken(c.pair, progress_.next_group * 16 + index_);
     ++progress_.asked[c.query];
     progress_.slow[c.query] += slow;

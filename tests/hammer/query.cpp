@@ -47,6 +47,10 @@ bool read_motion(std::istream& in, Motion& m) {
          read_word(in, "end") && read_number(in, m.end);
 }
 
+bool read_distance(std::istream& in, double& distance) {
+  return read_word(in, "|") && read_word(in, "distance") && read_number(in, distance);
+}
+
 /// Reads a kind and its numbers.
 bool read_shape(std::istream& in, int& kind, Numbers& numbers) {
   std::string word;
@@ -64,8 +68,10 @@ bool read_shape(std::istream& in, int& kind, Numbers& numbers) {
 
 const char* name(Query query) {
   constexpr std::array<const char*, all_queries.size()> names{
-      "overlap",    "relation", "contains", "nearest", "boundary_distance", "depth",   "area", "iou", "crossings",
-      "shape_area", "bounds",   "ratio",    "cast",    "sweep_bounds",      "invalid", "batch"};
+      "overlap",         "relation", "contains",     "nearest",      "boundary_distance",
+      "depth",           "area",     "iou",          "crossings",    "shape_area",
+      "bounds",          "ratio",    "cast",         "sweep_bounds", "within",
+      "signed_distance", "de9im",    "intersection", "invalid",      "batch"};
   return names.at(static_cast<std::size_t>(query));
 }
 
@@ -82,6 +88,7 @@ std::string notation(const Case& c) {
   if (!of_one_shape(c.query)) text += " | " + shape_text(c.pair.kind_b, c.pair.b);
   if (of_motion(c.query))
     text += " | v" + number_text(c.motion.vx) + number_text(c.motion.vy) + " end" + number_text(c.motion.end);
+  if (c.query == Query::within) text += " | distance" + number_text(c.distance);
   return text;
 }
 
@@ -97,6 +104,7 @@ std::optional<Case> parse(const std::string& text) {
   c.query = *query;
   if (!of_one_shape(c.query) && (!read_word(in, "|") || !read_shape(in, c.pair.kind_b, c.pair.b))) return std::nullopt;
   if (of_motion(c.query) && !read_motion(in, c.motion)) return std::nullopt;
+  if (c.query == Query::within && !read_distance(in, c.distance)) return std::nullopt;
   return in >> word ? std::nullopt : std::optional(c);
 }
 

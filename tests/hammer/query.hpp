@@ -2,6 +2,8 @@
 /// What the hammer asks, and the one-line notation in which it prints and replays a case.
 #pragma once
 
+#include <vesica.h>
+
 #include <array>
 #include <optional>
 #include <string>
@@ -32,15 +34,19 @@ enum class Query {
   ratio,         ///< all ratios of shared area at once
   cast,          ///< of the second shape, moved
   sweep_bounds,  ///< of the first shape, moved
+  within,        ///< of a distance
+  signed_distance,
+  de9im,
+  intersection,  ///< of kinds that have one
   invalid,       ///< every function on a pair of which a shape is invalid
   batch,         ///< every batch function on many copies of the pair, on every instruction set
 };
 
 inline constexpr std::array all_queries{
-    Query::overlap, Query::relation, Query::contains, Query::nearest,      Query::boundary_distance,
-    Query::depth,   Query::area,     Query::iou,      Query::crossings,    Query::shape_area,
-    Query::bounds,  Query::ratio,    Query::cast,     Query::sweep_bounds, Query::invalid,
-    Query::batch};
+    Query::overlap,         Query::relation, Query::contains,     Query::nearest,      Query::boundary_distance,
+    Query::depth,           Query::area,     Query::iou,          Query::crossings,    Query::shape_area,
+    Query::bounds,          Query::ratio,    Query::cast,         Query::sweep_bounds, Query::within,
+    Query::signed_distance, Query::de9im,    Query::intersection, Query::invalid,      Query::batch};
 
 const char* name(Query query);
 std::optional<Query> find_query(const std::string& name);
@@ -52,15 +58,23 @@ constexpr bool of_one_shape(Query query) {
 /// Does a shape move?
 constexpr bool of_motion(Query query) { return query == Query::cast || query == Query::sweep_bounds; }
 
+/// Are regions of these kinds found? Both straight, or one a point or a segment.
+constexpr bool has_intersection(int kind_a, int kind_b) {
+  constexpr auto is_round = [](int kind) { return kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE; };
+  return kind_a <= VESICA_SEGMENT || kind_b <= VESICA_SEGMENT || (!is_round(kind_a) && !is_round(kind_b));
+}
+
 /// One question. For Scalar::f32 each number is a float's value.
 struct Case {
   Query query;
   Scalar scalar;
   Pair pair;
   Motion motion{0, 0, 0};  ///< where a shape moves
+  double distance = 0;     ///< of within
 };
 
-/// As in "overlap_f64 circle 0x0p+0 0x0p+0 0x1p+0 | point 0x1p+0 0x0p+0"; a motion follows as in " | v 0x1p+0 0x0p+0 end inf".
+/// As in "overlap_f64 circle 0x0p+0 0x0p+0 0x1p+0 | point 0x1p+0 0x0p+0"; a motion follows as in " | v 0x1p+0 0x0p+0 end
+/// inf", a distance as in " | distance 0x1p+0".
 std::string notation(const Case& c);
 
 /// The case of a notation; "_f64" may be left out, numbers may be decimal. Nothing where it cannot be read.

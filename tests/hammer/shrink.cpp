@@ -68,7 +68,11 @@ class Shrinking {
   }
 
  private:
-  bool try_pair(const Pair& p) { return try_case({best_.query, best_.scalar, p, best_.motion}); }
+  bool try_pair(const Pair& p) {
+    Case c = best_;
+    c.pair = p;
+    return try_case(c);
+  }
 
   bool try_case(const Case& c) {
     const Pair& p = c.pair;

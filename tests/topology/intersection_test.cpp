@@ -296,6 +296,15 @@ TEST(IntersectionKnown, Literals) {
   r = shared_region(VESICA_AABB, {0, 0, 4, 4}, VESICA_AABB, {5, 4, 6, 9});
   EXPECT_EQ(r.count, 0);
   EXPECT_EQ(r.at, (Numbers16{}));
+  for (const Scalar scalar : {Scalar::f64, Scalar::f32}) {
+    for (const int kind : {VESICA_POINT, VESICA_SEGMENT, VESICA_AABB}) {
+      const Pair zeros{kind, kind, {0, -0.0, 0, 0}, {-0.0, 0, -0.0, -0.0}};
+      for (const Answer& of_zeros : {ask(scalar, zeros), ask(scalar, swapped(zeros))}) {
+        EXPECT_EQ(of_zeros.count, 1);
+        EXPECT_FALSE(std::signbit(of_zeros.at[0]) || std::signbit(of_zeros.at[1]));
+      }
+    }
+  }
   r = shared_region(VESICA_SEGMENT, {-1, 1, 9, 1}, VESICA_AABB, {0, 0, 4, 4});
   EXPECT_EQ(r.count, 2);
   EXPECT_EQ(r.at, (Numbers16{0, 1, 4, 1}));
