@@ -16,7 +16,7 @@ namespace vesica::exact {
 /// below 2^1024, so a product of `degree` of them spans at most 2099 * degree bits; 5 bits a degree and 32 besides
 /// leave room for the sums in between (a predicate adds far fewer than 2^5 terms of a degree), and the value may
 /// start and end inside a limb; a product is formed with up to three limbs more than it may end with.
-consteval int limb_capacity(int degree) noexcept { return ((2099 + 5) * degree + 32) / 64 + 6; }
+constexpr int limb_capacity(int degree) noexcept { return ((2099 + 5) * degree + 32) / 64 + 6; }
 
 template <int Degree>
 struct Number {

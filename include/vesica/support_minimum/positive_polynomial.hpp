@@ -11,7 +11,7 @@
 
 namespace vesica::detail::support_minimum {
 
-consteval double binomial(int n, int k) noexcept {
+constexpr double binomial(int n, int k) noexcept {
   double b = 1;
   for (int i = 0; i < k; ++i) b = b * (n - i) / (i + 1);
   return b;
