@@ -10,7 +10,7 @@ using namespace vesica::capi;
 using vesica::Ratio;
 namespace queries = vesica::queries;
 
-constexpr bool is_code(Ratio ratio, int32_t code) { return static_cast<int32_t>(ratio) == code; }
+consteval bool is_code(Ratio ratio, int32_t code) { return static_cast<int32_t>(ratio) == code; }
 
 // The core's ratios are the C face's.
 static_assert(is_code(Ratio::over_union, VESICA_RATIO_OVER_UNION));

@@ -12,7 +12,7 @@ using namespace vesica::capi;
 using vesica::Relation;
 namespace queries = vesica::queries;
 
-constexpr bool is_code(Relation relation, int32_t code) { return static_cast<int32_t>(relation) == code; }
+consteval bool is_code(Relation relation, int32_t code) { return static_cast<int32_t>(relation) == code; }
 
 // The core's codes are the C face's.
 static_assert(is_code(Relation::disjoint, VESICA_DISJOINT) && is_code(Relation::touch, VESICA_TOUCH));

@@ -13,7 +13,7 @@ namespace {
 using namespace vesica::capi;
 namespace queries = vesica::queries;
 
-constexpr bool is_code(vesica::Within answer, int32_t code) { return static_cast<int32_t>(answer) == code; }
+consteval bool is_code(vesica::Within answer, int32_t code) { return static_cast<int32_t>(answer) == code; }
 
 // The core's answers are the C face's.
 static_assert(is_code(vesica::Within::no, VESICA_WITHIN_NO) && is_code(vesica::Within::yes, VESICA_WITHIN_YES));

@@ -228,10 +228,11 @@ struct Answerer {
     const BlockResult result = answer_block(question, repeat, question.pair.general[static_cast<int>(repeat)], block);
     if (result.undecided > block.give_up) {
       if constexpr (is_float) {
-        return redo_in_double(block, repeat);
+        redo_in_double(block, repeat);
       } else {
-        return answer_with_ties(block);
+        answer_with_ties(block);
       }
+      return;
     }
     tally.overlaps += result.overlaps;
     finish(block, repeat, result.undecided, !is_float && question.ties == nullptr);

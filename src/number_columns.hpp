@@ -76,7 +76,6 @@ class NumberColumns {
   }
 
   const double* area() const noexcept { return area_; }
-  const double* const* numbers() const noexcept { return number_; }
 
   QueryOperand operand() const noexcept {
     QueryOperand out{{}, area_, reach_, repeated_};

@@ -98,8 +98,9 @@ VESICA_CALLED bool settled_outlines(const A& a, const Ellipse<double>& b, Relati
     const auto lanes = lane_nested(a, b, inside, false);
     if (lanes.settled) out = {lanes.distance, lanes.ax, lanes.ay, lanes.bx, lanes.by};
     return lanes.settled;
+  } else {
+    return false;
   }
-  return false;
 }
 
 inline bool settled_outlines(const Circle<double>& a, const Ellipse<double>& b, Relation relation,

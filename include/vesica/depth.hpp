@@ -135,8 +135,9 @@ VESICA_CALLED bool settled_depth(const A& a, const Ellipse<double>& b, Penetrati
     const auto lanes = lane_depth(a, b, false);
     if (lanes.settled) out = {lanes.depth, lanes.x, lanes.y};
     return lanes.settled;
+  } else {
+    return false;
   }
-  return false;
 }
 
 inline bool settled_depth(const Circle<double>& a, const Ellipse<double>& b, Penetration<double>& out) noexcept {

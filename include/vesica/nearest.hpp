@@ -86,8 +86,9 @@ VESICA_INLINE bool settled_points(const A& a, const B& b, bool overlapping, Clos
     const LaneAnswer<double> lanes = lane_answer(a, b, overlapping);
     if (lanes.settled) out = {lanes.distance, lanes.ax, lanes.ay, lanes.bx, lanes.by};
     return lanes.settled;
+  } else {
+    return false;
   }
-  return false;
 }
 
 /// Rounds once. A distance that is not 0 stays so. Returns false where a number would exceed the finite ones.

@@ -86,7 +86,12 @@ inline double distance_share(const Facts& a, const Facts& b) noexcept {
   } else if (less > 0) {
     h.dy = arithmetic::scale_far(h.dy, -less), h.height = arithmetic::scale_far(h.height, -less);
   }
-  return (h.dx * h.dx + h.dy * h.dy) / (h.width * h.width + h.height * h.height);
+  const double diagonal = h.width * h.width + h.height * h.height;
+  if (std::fmax(std::fabs(h.dx), std::fabs(h.dy)) >= 0x1p-400 * std::fmax(h.width, h.height))
+    return (h.dx * h.dx + h.dy * h.dy) / diagonal;
+  // Squares would underflow, and lose digits that they keep at another scale.
+  const double dx = h.dx * 0x1p500, dy = h.dy * 0x1p500;
+  return (dx * dx + dy * dy) / diagonal * 0x1p-500 * 0x1p-500;
 }
 
 /// Half lengths along and across the axis; of a shape without size (0, 0).

@@ -145,9 +145,8 @@ constexpr bool has_finite_bits(double x) noexcept { return (std::bit_cast<std::u
 template <class V, class... W>
 VESICA_INLINE constexpr auto all_finite(V first, W... rest) noexcept {
   if constexpr (std::is_arithmetic_v<V>) {
-    if (std::is_constant_evaluated()) {
+    if (std::is_constant_evaluated())
       return has_finite_bits(static_cast<double>(first)) && (has_finite_bits(static_cast<double>(rest)) && ...);
-    }
   }
   return ((first - first) + ... + (rest - rest)) == V(0.0f);
 }

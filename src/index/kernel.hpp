@@ -12,7 +12,7 @@
 namespace vesica::index {
 namespace {  // an instantiation of its own in each object
 
-constexpr Kernels make_kernels(const char* name) noexcept {
+consteval Kernels make_kernels(const char* name) noexcept {
   return {name,       bounds,    assign,          finish,         meeting_blocks, meet,
           candidates, in_window, child_distances, leaf_distances, item_distances};
 }

@@ -9,7 +9,7 @@ namespace vesica {
 namespace {
 
 template <class Filter, template <class> class A, template <class> class B, class T>
-constexpr void fill(BlockKernel<T> (&kernel)[repeat_count]) noexcept {
+consteval void fill(BlockKernel<T> (&kernel)[repeat_count]) noexcept {
   kernel[static_cast<int>(Repeat::none)] = answer_vectors<Filter, A, B, T, Repeat::none>;
   kernel[static_cast<int>(Repeat::first)] = answer_vectors<Filter, A, B, T, Repeat::first>;
   if constexpr (!std::is_same_v<A<T>, B<T>>) {
@@ -18,7 +18,7 @@ constexpr void fill(BlockKernel<T> (&kernel)[repeat_count]) noexcept {
 }
 
 template <template <class> class A, template <class> class B, class T>
-constexpr void fill_pair(ScalarKernels<T>& kernels) noexcept {
+consteval void fill_pair(ScalarKernels<T>& kernels) noexcept {
   auto& pair = kernels[static_cast<int>(ShapeTraits<A<T>>::kind)][static_cast<int>(ShapeTraits<B<T>>::kind)];
   fill<General, A, B, T>(pair.general);
   fill<General, A, B, T>(pair.unit);
@@ -26,13 +26,13 @@ constexpr void fill_pair(ScalarKernels<T>& kernels) noexcept {
 
 /// Replaces the kernel for unit axes, which fill_pair() set to the general one.
 template <template <class> class A, template <class> class B, class T>
-constexpr void fill_unit_pair(ScalarKernels<T>& kernels) noexcept {
+consteval void fill_unit_pair(ScalarKernels<T>& kernels) noexcept {
   auto& pair = kernels[static_cast<int>(ShapeTraits<A<T>>::kind)][static_cast<int>(ShapeTraits<B<T>>::kind)];
   fill<UnitAxes, A, B, T>(pair.unit);
 }
 
 template <class T>
-constexpr void fill_pairs(ScalarKernels<T>& kernels) noexcept {
+consteval void fill_pairs(ScalarKernels<T>& kernels) noexcept {
 #define VESICA_FILL(a, A, b, B) fill_pair<A, B>(kernels);
   VESICA_EACH_PAIR(VESICA_FILL)
 #undef VESICA_FILL

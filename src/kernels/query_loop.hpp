@@ -114,11 +114,11 @@ inline void find_apart(const QueryColumns& columns, std::int32_t n, std::uint8_t
 }
 
 template <template <class> class A, template <class> class B>
-constexpr void enter(QueryKernels& kernels, QueryKernel kernel) noexcept {
+consteval void enter(QueryKernels& kernels, QueryKernel kernel) noexcept {
   kernels[static_cast<int>(kind_of<A>)][static_cast<int>(kind_of<B>)] = kernel;
 }
 template <class Core, template <class> class A, template <class> class B>
-constexpr void fill(QueryKernels& kernels) noexcept {
+consteval void fill(QueryKernels& kernels) noexcept {
   enter<A, B>(kernels, answer_vectors<Core, A, B, Doubles>);
 }
 
@@ -131,7 +131,7 @@ using LongVector = TwoVectors<Doubles>;
 
 /// Distances of shapes and, by a kernel that goes on from those, of outlines.
 template <template <class> class A, template <class> class B, class V, QueryKernel nested>
-constexpr void fill_distances(QueryTable& table) noexcept {
+consteval void fill_distances(QueryTable& table) noexcept {
   constexpr QueryKernel nearest = answer_vectors<NearestCore, A, B, V>;
   enter<A, B>(table.nearest, nearest);
   enter<A, B>(table.boundary_distance, answer_in_turn<nearest, nested>);

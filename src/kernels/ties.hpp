@@ -21,7 +21,7 @@ struct WithTies {
 };
 
 template <template <class> class A, template <class> class B>
-constexpr void fill_ties(TieKernels& kernels) noexcept {
+consteval void fill_ties(TieKernels& kernels) noexcept {
   if constexpr (filter::HasErrorFree<A<double>, B<double>>) {
     kernels.of[static_cast<int>(kind_of<A>)][static_cast<int>(kind_of<B>)] =
         answer_vectors<WithTies, A, B, double, Repeat::none>;

@@ -58,7 +58,7 @@ std::int32_t derive(double asked, const ShapeOfKind& a, const ShapeOfKind& b, do
 double area_of_shape(std::int32_t kind, const double* numbers) noexcept { return iou.shape_area(kind, numbers); }
 
 template <Ratio which>
-constexpr Query derived(const Query& from) noexcept {
+consteval Query derived(const Query& from) noexcept {
   return {.doubles = {},
           .floats = {},
           .reversal = Reversal::none,

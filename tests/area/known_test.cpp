@@ -52,6 +52,23 @@ TEST(KnownAreas, OfOneShape) {
   EXPECT_EQ(shape_area({VESICA_ELLIPSE, {0, 0, 0, -2, 0.5, 0.5}}), pi);
 }
 
+// Where a round shape is 2^54 times as large as a box, its outline is a straight line through the box.
+TEST(KnownAreas, OfABoxCutByAFarLargerOutline) {
+  for (const double r : {0x1p58, 0x1p60, 0x1p600}) {
+    const Kinded circle{VESICA_CIRCLE, {-5 * r, 0, 5 * r}}, oval{VESICA_ELLIPSE, {-5 * r, 0, 1, 0, 5 * r, 4 * r}};
+    const Kinded oblique{VESICA_CIRCLE, {-3 * r, -4 * r, 5 * r}};
+    for (const Kinded& round : {circle, oval}) {
+      EXPECT_EQ(area(round, {VESICA_AABB, {-1, -1, 1, 1}}), 2);
+      EXPECT_EQ(area(round, {VESICA_AABB, {-0.75, -1, 1.25, 1}}), 1.5);
+      EXPECT_EQ(area(round, {VESICA_RECT, {0, 0, 3, 4, 1, 0.5}}), 25);
+      EXPECT_EQ(area({VESICA_AABB, {0, -1, 1, 1}}, round), 0);
+      EXPECT_EQ(area({VESICA_AABB, {-1, -1, 0, 1}}, round), 2);
+    }
+    // 3x + 4y <= 0 in [-1/2, 3/2] x [-1, 1]: of 1 - 3x/4 from -1/2 to 4/3.
+    EXPECT_NEAR(area(oblique, {VESICA_AABB, {-0.5, -1, 1.5, 1}}), 121.0 / 96, 0x1p-50);
+  }
+}
+
 // Were a last place off: rounded to 53 bits first and to fewer then.
 TEST(KnownAreas, SubnormalOnesAreRoundedOnce) {
   const Kinded rect{VESICA_RECT, {0, 0, 1, 0x1.e4715p-4, 0x1p-513, 0x1.f4p-512}};

@@ -17,6 +17,7 @@ set(batch_test_sources
   batch/invalid_test.cpp
   batch/many_test.cpp
   batch/matrix_test.cpp
+  batch/queries/undecided_test.cpp
   batch/select_test.cpp
   batch/stack_test.cpp
   batch/ties_test.cpp

@@ -12,7 +12,7 @@ here=$root/tests/coverage
 folder=$root/build/coverage
 
 # Tests of other things than the library's own code.
-foreign='^(abi_|bench_|constexpr_|consumer|cross|declarations_|demo_|description_|ffi_|figures_|flags_|header_|install'
+foreign='^(abi_|bench_|constexpr_|consumer|cross|cuda_docs|declarations_|demo_|description_|ffi_|figures_|flags_|header_|install'
 foreign+='|.*isa_symbols|join_|lint_|oracle_|package_|readme_|run_|sanitize|subproject_)'
 # Of the library's own tests those that only `./run test --all` has.
 later=(batch_portable_test filter_fused_test invalid_shapes_every_pair_test relation_filter_fused_test)
@@ -24,22 +24,19 @@ flags='-fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc'
 cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DVESICA_TESTS=ON -DVESICA_LINKER_HAS_z_defs=OFF \
   -DCMAKE_C_COMPILER=clang-19 -DCMAKE_CXX_COMPILER=clang++-19 "-DCMAKE_C_FLAGS=$flags" "-DCMAKE_CXX_FLAGS=$flags" \
   -DCMAKE_C_FLAGS_RELEASE=-O1 -DCMAKE_CXX_FLAGS_RELEASE=-O1 >"$folder.log"
-if [ $# -gt 0 ]; then
-  cmake --build "$folder" --target "$@" >>"$folder.log"
-else
-  # Programs are named as their tests, but for these; no other is built.
-  mapfile -t programs < <(ninja -C "$folder" -t targets all |
-    sed -nE 's/^([a-z0-9_]+_test|fuzz_replay|near_tie_hash|vesica_portable_library): phony$/\1/p' |
-    grep -vE "$foreign|^cmake_object|^vesica_flags_test\$")
-  cmake --build "$folder" --target "${programs[@]}" >>"$folder.log"
+if [ $# = 0 ]; then
   mapfile -t tests < <(
     ctest --test-dir "$folder" -N -LE '^rest$' -E "$foreign" | sed -n 's/^ *Test *#[0-9]*: //p')
   set -- "${tests[@]}" "${later[@]}" "${later_by_environment[@]}"
 fi
+these="^($(IFS='|' && echo "$*"))\$"
+# The programs of these tests, and what is loaded before one of them; no other is built.
+mapfile -t programs < <(find "$folder" -name CTestTestfile.cmake -exec cat {} + | python3 "$here/programs.py" "$these")
+cmake --build "$folder" --target "${programs[@]}" >>"$folder.log"
 
 rm -rf "$folder/profiles"
 # Programs that run at once merge into a pool of four files each.
-LLVM_PROFILE_FILE=$folder/profiles/%4m.profraw ctest --test-dir "$folder" -R "^($(IFS='|' && echo "$*"))\$" \
+LLVM_PROFILE_FILE=$folder/profiles/%4m.profraw ctest --test-dir "$folder" -R "$these" \
   -j "$CTEST_PARALLEL_LEVEL" --output-on-failure >"$folder/tests.log" || { tail -n 40 "$folder/tests.log" >&2; exit 1; }
 llvm-profdata-19 merge -sparse "$folder"/profiles/*.profraw -o "$folder/profile"
 

@@ -9,11 +9,13 @@ An exception is for its line and for the branches that leave from it.
 import collections
 import json
 import pathlib
+import re
 import sys
 
 
 def read_lcov(path, root):
-    """{file: {line: count}}, files relative to the root."""
+    """{file: {line: count}}, files relative to the root. Without lines that nothing runs: the preprocessor's, and those of
+    functions that only the compiler may call."""
     files, lines = {}, {}
     for record in open(path):
         key, _, value = record.strip().partition(":")
@@ -22,7 +24,24 @@ def read_lcov(path, root):
         elif key == "DA":
             line, count = value.split(",")[:2]
             lines[int(line)] = lines.get(int(line), 0) + int(count)
+    for name, lines in files.items():
+        for line in never_run((pathlib.Path(root) / name).read_text().splitlines()):
+            lines.pop(line, None)
     return files
+
+
+def never_run(text):
+    """Numbers of lines."""
+    numbers, end = set(), None
+    for number, line in enumerate(text, 1):
+        indent = line[:len(line) - len(line.lstrip())]
+        if end is None and re.match(r"\s*(static |inline )*consteval ", line):
+            end = indent + "}"
+        if end is not None or line.startswith("#"):
+            numbers.add(number)
+        if end is not None and (line == end or (line.startswith(end[:-1]) and line.endswith("}") and "{" in line)):
+            end = None
+    return numbers
 
 
 def read_details(path, root):

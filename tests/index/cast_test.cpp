@@ -41,8 +41,9 @@ TYPED_TEST(CastTest, AllAndFirst) {
   using T = TypeParam;
   constexpr T infinity = std::numeric_limits<T>::infinity();
   std::int64_t found = 0, misses = 0, ties = 0;
+  const std::string several_levels = "uniform";  // blocks enough for nodes above nodes
   for (const char* name : {"uniform", "two_scales", "lattice", "points", "needles"}) {
-    const Indexed<T> many(mixed<T>(name, 700, 1, 113));
+    const Indexed<T> many(mixed<T>(name, name == several_levels ? 20000 : 700, 1, 113));
     const std::vector<Item<T>> items = items_of(many.laid);
     const Laid<T> ones = mixed<T>(name, 12, 2);
     const std::int64_t count = vesica_index_count(many.index.get());

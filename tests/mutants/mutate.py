@@ -73,7 +73,8 @@ def candidates(root, names, folder, prefixes):
     if kept.exists():
         return json.loads(kept.read_text())
     wanted = {n for n in sources if n.startswith(tuple(prefixes))}
-    finder = sites.Finder(lambda path: path[len(str(root)) + 1:] in wanted)
+    own = set(sources)
+    finder = sites.Finder(lambda path: path[len(str(root)) + 1:] in wanted, lambda path: path[len(str(root)) + 1:] in own)
     flags = ["-x", "c++", "-std=c++20", "-DNDEBUG"] + [f"-I{root}/{f}" for f in ("include", "src", "capi")]
     vectors = ["-mavx2", "-mfma", "-mbmi2", "-mpopcnt", "-mavx512f", "-mavx512vl", "-mavx512bw", "-mavx512dq"]
     headers = [n for n in sources if n.startswith("include/") and n in wanted]
@@ -84,7 +85,7 @@ def candidates(root, names, folder, prefixes):
         if name.endswith(".cpp") and reached_by(root, name, set(sources), known) & left:
             finder.parse(f"{root}/{name}", flags + (vectors if "/isa/avx" in name else []))
             left -= known[name]
-    found = sites.unique(finder.found)
+    found = finder.unique()
     for c in found:
         c["file"] = c["file"][len(str(root)) + 1:]
     kept.write_text(json.dumps(found))

@@ -34,7 +34,7 @@ def in_a_line(text):
 def can_be_evaluated_twice(c):
     """Whether the change may be tried beside the original: it does nothing but give a value, and cannot trap."""
     quiet = c["kind"] in ("comparison", "extremum") or c["kind"] == "arithmetic" and not DIVISION.search(c["original"] + c["mutated"])
-    return quiet and not EFFECT.search(c["original"])
+    return quiet and not c["changes"] and not EFFECT.search(c["original"])
 
 
 def switched(c):

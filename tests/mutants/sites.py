@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What can be mutated: every candidate in a tree of C++ sources, found in Clang's syntax tree.
 
-A candidate is a dict: file, begin and end (bytes), line, kind, form, original, mutated. Its form is "expression" (the text
-is replaced by a choice of two), "condition" (negated) or "statement" (left out). What the compiler evaluates, and what
-comes of a macro, is passed over.
+A candidate is a dict: file, begin and end (bytes), line, kind, form, original, mutated, changes. Its form is "expression"
+(the text is replaced by a choice of two), "condition" (negated) or "statement" (left out); `changes` where the text calls a
+function that may change its arguments or its object. What the compiler evaluates, and what comes of a macro, is passed over.
 """
 
 import re
@@ -21,6 +21,8 @@ TEMPLATES = {"decided_by_gap": ("{} - 3", "{} + 12"), "raised": ("{} / 8", "{} *
 # Functions whose value is a bound or a limit of a guard.
 BOUNDS = {"roundoffs", "guard_power", "underflow_allowance", "power"}
 ASSIGNMENTS = {"=", "+=", "-=", "*=", "/=", "|=", "&=", "^=", "<<=", ">>="}
+SCOPES = {K.NAMESPACE, K.LINKAGE_SPEC, K.CLASS_DECL, K.STRUCT_DECL, K.CLASS_TEMPLATE,
+          K.CLASS_TEMPLATE_PARTIAL_SPECIALIZATION}
 FUNCTIONS = {K.FUNCTION_DECL, K.CXX_METHOD, K.FUNCTION_TEMPLATE, K.CONSTRUCTOR, K.DESTRUCTOR, K.CONVERSION_FUNCTION}
 NOT_ENTERED = {K.STATIC_ASSERT, K.ENUM_DECL, K.CXX_UNARY_EXPR, K.CONCEPT_DECL, K.DECL_REF_EXPR, K.OVERLOADED_DECL_REF,
                K.TYPE_ALIAS_DECL, K.TYPEDEF_DECL, K.USING_DECLARATION, K.TYPE_REF, K.TEMPLATE_REF, K.PARM_DECL,
@@ -29,10 +31,12 @@ NUMBER = re.compile(rb"(0x[0-9a-fA-F.']+(p[+-]?\d+)?|[\d.']+(e[+-]?\d+)?)([fFuUl
 
 
 class Finder:
-    """Gathers candidates of the files for which `wanted(path)` is true."""
+    """Gathers candidates of the files for which `wanted(path)` is true; these call functions of the files for which
+    `own(path)` is."""
 
-    def __init__(self, wanted):
-        self.wanted, self.found, self.texts, self.done = wanted, [], {}, set()
+    def __init__(self, wanted, own=None):
+        self.wanted, self.own, self.found, self.texts, self.done = wanted, own or wanted, [], {}, set()
+        self.changing, self.declared = set(), set()
 
     def parse(self, path, arguments, text=None):
         """One translation unit; files that an earlier one had are not gathered again."""
@@ -41,9 +45,12 @@ class Finder:
         errors = [str(d) for d in unit.diagnostics if d.severity >= 3]
         if errors:
             raise SystemExit("mutate: " + errors[0])
-        macros, now = {}, set()
+        macros, now, declared = {}, set(), set()
         for cursor in unit.cursor.get_children():
             file = cursor.location.file
+            if file is not None and self.own(file.name) and file.name not in self.declared and not cursor.kind.is_preprocessing():
+                declared.add(file.name)
+                self.note_changing(cursor)
             if file is None or not self.wanted(file.name) or file.name in self.done:
                 continue
             if cursor.kind == K.MACRO_INSTANTIATION:
@@ -56,6 +63,27 @@ class Finder:
                 self.text = self.texts[file.name]
                 self.visit(cursor)
         self.done |= now
+        self.declared |= declared
+
+    def note_changing(self, cursor):
+        """By name: what a call in a template means is not known."""
+        if cursor.kind in SCOPES:
+            for child in cursor.get_children():
+                self.note_changing(child)
+        elif cursor.kind in FUNCTIONS:
+            of_object = cursor.semantic_parent.kind in SCOPES - {K.NAMESPACE, K.LINKAGE_SPEC} and \
+                not cursor.is_static_method() and not cursor.is_const_method()
+            parameters = [c.type for c in cursor.get_children() if c.kind == K.PARM_DECL]
+            if of_object or any(t.kind in (TypeKind.LVALUEREFERENCE, TypeKind.POINTER) and
+                                not t.get_pointee().is_const_qualified() for t in parameters):
+                self.changing.add(cursor.spelling.split("<")[0])
+
+    def unique(self):
+        """Each candidate once, in the order of the files; a template's pattern may be met twice."""
+        seen = {(c["file"], c["begin"], c["end"], c["form"], c["mutated"]): c for c in self.found}
+        called = re.compile(r"(\w+)\s*(?:<[^<>()]*>)?\(")
+        return [dict(seen[key], changes=any(name in self.changing for name in called.findall(seen[key]["original"])))
+                for key in sorted(seen)]
 
     # ---- the walk
 
@@ -232,8 +260,3 @@ class Finder:
                 self.text[cursor.extent.end.offset:cursor.extent.end.offset + 1] == b";":
             self.add(cursor, "statement", "statement", b"")
 
-
-def unique(found):
-    """Each candidate once, in the order of the files; a template's pattern may be met twice."""
-    seen = {(c["file"], c["begin"], c["end"], c["form"], c["mutated"]): c for c in found}
-    return [seen[key] for key in sorted(seen)]

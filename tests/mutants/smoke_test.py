@@ -20,6 +20,10 @@ KILLED = [
     ("Verdict::touching", "Verdict::crossing"),
     ("Verdict::apart", "Verdict::touching"),
     ("Verdict::crossing", "Verdict::apart"),
+    ("taken(left) == 2", "taken(left) != 2"),
+    ("taken(left) == 2", "!(taken(left) == 2)"),
+    ("2", "2 + 1"),
+    ("5", "5 + 1"),
 ]
 
 
@@ -29,6 +33,7 @@ def judged_alone(candidate, text, compiler, folder):
     (folder / "small.hpp").write_bytes(rewrite.rewritten(text, [mutant]))
     subprocess.run([compiler, "-std=c++20", f"-I{folder}", f"-I{HERE}", "-o", folder / "main", folder / "main.cpp"], check=True)
     parts = [judge.Part({"name": "main", "command": [str(folder / "main")]})]
+    assert parts[0].run(-1, 60)[0], candidate  # to try a change beside its original changes nothing
     return judge.Judge(parts, judge.reach(parts, 1)).verdict(1)[0]
 
 
@@ -38,7 +43,7 @@ def main(compiler, folder):
     (folder / "main.cpp").write_bytes((HERE / "smoke/main.cpp").read_bytes())
     finder = sites.Finder(lambda path: path == source)
     finder.parse(f"{folder}/unit.cpp", ["-x", "c++", "-std=c++20"], f'#include "{source}"\n')
-    found = sites.unique(finder.found)
+    found = finder.unique()
     pairs = sorted((c["original"], c["mutated"]) for c in found)
     assert pairs == sorted(SURVIVE + KILLED), pairs
 

@@ -304,4 +304,17 @@ TEST_F(Ratios, OfFloats) {
   }
 }
 
+// Centres so near that the square of their distance underflows: the same bits at every scale. At one of them 13 digits of
+// the square were kept.
+TEST(Ratio, OfNearlyConcentricShapesAtEveryScale) {
+  const double d = 0x1.84p-525;
+  for (const int exponent : {-190, -60, -8, -1, 0, 1, 40, 190}) {
+    const double k = std::ldexp(1, exponent);
+    const Pair p{VESICA_CIRCLE, VESICA_RECT, {0, 0, k}, {k * d, 0, 0, 1, 0, 0}};
+    const Answer found = ratio(VESICA_RATIO_DISTANCE, p);
+    EXPECT_EQ(found.code, 0);
+    EXPECT_EQ(found.value, -0x0.00000004982p-1022) << exponent;  // -(d / (2 sqrt 2))^2, rounded once
+  }
+}
+
 }  // namespace

@@ -53,6 +53,23 @@ Pair scaled(Pair p, double k) {
   return p;
 }
 
+// Distances beyond the range of double are compared in smaller units, in which segments shrink too.
+TEST(KnownWithin, FartherThanTheGreatestNumber) {
+  constexpr double most = std::numeric_limits<double>::max();
+  const Pair pairs[] = {{VESICA_POINT, VESICA_ELLIPSE, {most, most}, {-most, -most, 1, 0, 1, 2}},
+                        {VESICA_SEGMENT, VESICA_ELLIPSE, {most, most, most, most / 2}, {-most, -most, 1, 0, 1, 2}},
+                        {VESICA_CIRCLE, VESICA_ELLIPSE, {most, most, 1}, {-most, -most, 0x1p-9, 0, 1, 2}},
+                        {VESICA_AABB, VESICA_ELLIPSE, {most / 2, 0, most, most}, {-most, -most, 1, 0, 1, 2}}};
+  for (const Pair& p : pairs) {
+    EXPECT_EQ(within(Scalar::f64, p, most), 0) << properties::describe(p);
+    EXPECT_EQ(within(Scalar::f64, swapped(p), most), 0) << properties::describe(p);
+  }
+  // From the end (most / 4, 0) of a segment to a rim at -most / 4: half of the greatest number, beside 2^-52 of it.
+  const Pair near{VESICA_SEGMENT, VESICA_ELLIPSE, {most / 4, 0, most, most}, {-most / 2, 0, 1, 0, most / 4, 1}};
+  EXPECT_EQ(within(Scalar::f64, near, most / 2 * (1 + 0x1p-48)), 1);
+  EXPECT_EQ(within(Scalar::f64, near, most / 2 * (1 - 0x1p-48)), 0);
+}
+
 TEST(KnownWithin, ContactsAtEveryScale) {
   for (const Known& c : known) {
     for (const int exponent : {-1060, -700, -100, 0, 100, 700, 1015}) {

@@ -115,10 +115,6 @@ VESICA_INLINE FastDoubleDouble<V> quotient_by_root(const FastDoubleDouble<V>& a,
 struct AccurateRules {
   using Number = DoubleDouble<double, AccurateRules>;
 
-  static Number product(const Number& a, double b) noexcept {
-    const Pair<double> top = two_product_fused(a.high, b);
-    return Number::renormalised(top.high, top.low + a.low * b);
-  }
   static Number product(const Number& a, const Number& b) noexcept {
     const Pair<double> top = two_product_fused(a.high, b.high);
     return Number::renormalised(top.high, top.low + (a.high * b.low + a.low * b.high));
@@ -161,10 +157,6 @@ constexpr double rounded(double a) noexcept { return a; }
 /// a - b for doubles, without rounding where V allows that.
 template <class V>
 V difference(double a, double b) noexcept;
-template <>
-inline double difference<double>(double a, double b) noexcept {
-  return a - b;
-}
 template <>
 inline AccurateDoubleDouble difference<AccurateDoubleDouble>(double a, double b) noexcept {
   const Pair<double> d = two_sum(a, -b);

@@ -46,20 +46,6 @@ inline double part_of_edge(const Edge& e, const Position& x, const Position& y) 
   return quotient(exact::rounded(at - shadow.from), exact::rounded(shadow.step));
 }
 
-/// Where a point lies along an outline, from 0 to 4, or -1 where it does not lie on it.
-inline double place_along(const Corners& outline, const Position& x, const Position& y) noexcept {
-  for (int i = 0; i < outline.count; ++i) {
-    if (is_corner(outline, i, x, y)) return i;
-  }
-  for (int i = 0; i < outline.edges; ++i) {
-    const Edge e(outline, i);
-    if (side(e, x, y) != 0) continue;
-    const double t = part_of_edge(e, x, y);
-    if (t >= 0) return on_edge(i, t);
-  }
-  return -1;
-}
-
 /// An exact coordinate, with what is known of it roughly.
 struct Coordinate {
   const Position& exact_value;

@@ -111,8 +111,8 @@ VESICA_INLINE Polynomial<4, V> deflated(const Polynomial<4, V>& p, V x, MaskOf<V
 }
 
 /// Where a quarter is cut: close to its first direction, where there is a zero or a thin ellipse turns, or evenly.
-constexpr Cuts<10> cut_near_first() noexcept { return Cuts<10>({.02, .05, .09, .14, .2, .28, .38, .52, .74, 1}); }
-constexpr Cuts<7> cut_evenly() noexcept { return Cuts<7>({.08, .22, .4, .6, .8, .92, 1}); }
+consteval Cuts<10> cut_near_first() noexcept { return Cuts<10>({.02, .05, .09, .14, .2, .28, .38, .52, .74, 1}); }
+consteval Cuts<7> cut_evenly() noexcept { return Cuts<7>({.08, .22, .4, .6, .8, .92, 1}); }
 
 /// Whether on each piece of 0 <= x <= 1 the one or the other is positive.
 template <int count, class V>

@@ -158,10 +158,10 @@ inline constexpr int heron_pieces = 7;
 // Where the circle of directions is cut on either side of the minimum: tangents of half the angles (8 to 165 degrees;
 // 45 to 170), chosen by trial on random pairs. Functions, so that objects for different instruction sets share no
 // symbol.
-constexpr Cuts<11> cuts_of_sum() noexcept {
+consteval Cuts<11> cuts_of_sum() noexcept {
   return Cuts<11>({.07, .16, .28, .42, .6, .81, 1.07, 1.48, 2.14, 3.5, 7.6});
 }
-constexpr Cuts<6> cuts_of_difference() noexcept { return Cuts<6>({.36, .84, 1.43, 2.41, 4.7, 11.4}); }
+consteval Cuts<6> cuts_of_difference() noexcept { return Cuts<6>({.36, .84, 1.43, 2.41, 4.7, 11.4}); }
 
 /// For a unit vector n where h_a + h_b - n.D has a local minimum `least`.
 template <class V>

@@ -3,6 +3,6 @@
 
 int main() {
   const bool right = small::verdict(1) == small::Verdict::apart && small::verdict(0) == small::Verdict::touching &&
-                     small::verdict(-1) == small::Verdict::crossing;
+                     small::verdict(-1) == small::Verdict::crossing && small::after(2) == 1 && small::after(7) == 5;
   return right ? 0 : 1;
 }

@@ -25,4 +25,12 @@ inline Verdict verdict(double gap) {
   return Verdict::crossing;
 }
 
+/// Changes its argument: no call of it may be tried beside another.
+inline int taken(int& left) { return left--; }
+
+inline int after(int left) {
+  if (taken(left) == 2) return left;
+  return 5;
+}
+
 }  // namespace small
