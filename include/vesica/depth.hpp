@@ -143,6 +143,21 @@ inline bool settled_depth(const Circle<double>& a, const Ellipse<double>& b, Pen
   return settled_depth(as_ellipse(a), b, out);
 }
 
+/// depth_or_error() for kinds in order.
+template <class A, class B>
+VESICA_CALLED std::int32_t depth_in_order(const A& a, const B& b, Penetration<double>& out) noexcept {
+  const auto verdict = vesica::detail::overlap::filter(a, b);
+  const std::int32_t answer = 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
+  const std::int32_t overlapping = answer >= 0 ? answer : undecided_overlap(a, b);
+  if (overlapping < 0) return overlapping;
+  if (overlapping > 0) {
+    if (settled_depth(a, b, out)) return 0;
+    return depth_of_overlapping(a, b, static_cast<Overlap>(overlapping), out);
+  }
+  out = {0, 0, 0};
+  return 0;
+}
+
 inline Penetration<double> turned_round(const Penetration<double>& p) noexcept {
   return {p.depth, 0.0 - p.x, 0.0 - p.y};
 }
@@ -168,16 +183,7 @@ std::int32_t depth_or_error(const A<double>& a, const B<double>& b, Penetration<
     if (error == 0) out = detail::depth::turned_round(out);
     return error;
   } else {
-    const auto verdict = detail::overlap::filter(a, b);
-    const std::int32_t answer = 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
-    const std::int32_t overlapping = answer >= 0 ? answer : detail::depth::undecided_overlap(a, b);
-    if (overlapping < 0) return overlapping;
-    if (overlapping > 0) {
-      if (detail::depth::settled_depth(a, b, out)) return 0;
-      return detail::depth::depth_of_overlapping(a, b, static_cast<detail::depth::Overlap>(overlapping), out);
-    }
-    out = {0, 0, 0};
-    return 0;
+    return detail::depth::depth_in_order(a, b, out);
   }
 }
 
