@@ -42,20 +42,11 @@ namespace detail::depth {
 /// Below this share of the pair's scale the sign of a computed depth is uncertain.
 inline constexpr double surely_positive = 0x1p-48;
 
-/// Whether shapes of this kind are round, unless they lack an area.
-template <class Shape>
-inline constexpr bool is_round = decltype(vesica::detail::form::of(std::declval<const Shape&>()))::outline !=
-                                 vesica::detail::form::Outline::straight;
-
 /// Returns false where that is not settled.
-VESICA_INLINE bool depth_of_boxes(const Form& f, const Form& g, Penetration<double>& out) noexcept {
+VESICA_CALLED inline bool depth_of_boxes(const Form& f, const Form& g, Penetration<double>& out) noexcept {
   const auto d = box_box_depth(box_pair(f, g));
   if (d.settled) out = {arithmetic::rounded(d.depth), d.x, d.y};
   return d.settled;
-}
-/// Where a kind is round such pairs are rare: one function serves all of them.
-VESICA_COLD inline bool depth_of_boxes_apart(const Form& f, const Form& g, Penetration<double>& out) noexcept {
-  return depth_of_boxes(f, g, out);
 }
 
 /// Hardly ever asked, and long: kept out of the code that is.
@@ -102,7 +93,7 @@ template <class A, class B>
 std::int32_t depth_of_overlapping(const A& a, const B& b, Overlap known, Penetration<double>& out) noexcept {
   const Form f = support_minimum::form(a), g = support_minimum::form(b);
   if (!f.curved && !g.curved) {
-    if (is_round<A> || is_round<B> ? depth_of_boxes_apart(f, g, out) : depth_of_boxes(f, g, out)) {
+    if (depth_of_boxes(f, g, out)) {
       round_once<A, B>(f, g, out);
       return 0;
     }
