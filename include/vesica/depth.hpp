@@ -19,7 +19,6 @@
 #pragma once
 
 #include <limits>
-#include <utility>
 #include <vesica/depth/box_box.hpp>
 #include <vesica/depth/disc_disc.hpp>
 #include <vesica/depth/exact_zero.hpp>
