@@ -29,6 +29,10 @@
 #define VESICA_ONE_PLACE(keyword, A, B) \
   keyword bool detail::crossings::one_place(const A<double>&, const B<double>&, double&, double&) noexcept;
 
+// queries/depth.cpp
+#define VESICA_DEPTH(keyword, A, B) \
+  keyword std::int32_t detail::depth::depth_in_order(const A<double>&, const B<double>&, Penetration<double>&) noexcept;
+
 // queries/nearest.cpp
 #define VESICA_NEAREST(keyword, A, B)                                                                      \
   keyword std::int32_t detail::nearest::nearest_in_order(const A<double>&, const B<double>&, std::int32_t, \
@@ -49,6 +53,7 @@ VESICA_EACH_PAIR(VESICA_DECLARE)
   VESICA_EXACT_STAGE(extern template, A, B) \
   VESICA_SHARES(extern template, A, B)      \
   VESICA_ONE_PLACE(extern template, A, B)   \
+  VESICA_DEPTH(extern template, A, B)       \
   VESICA_NEAREST(extern template, A, B)     \
   VESICA_RELATION(extern template, A, B)
 VESICA_EACH_PAIR_OF_FORMS(VESICA_DECLARE)

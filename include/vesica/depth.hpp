@@ -19,7 +19,6 @@
 #pragma once
 
 #include <limits>
-#include <utility>
 #include <vesica/depth/box_box.hpp>
 #include <vesica/depth/disc_disc.hpp>
 #include <vesica/depth/exact_zero.hpp>
@@ -42,20 +41,11 @@ namespace detail::depth {
 /// Below this share of the pair's scale the sign of a computed depth is uncertain.
 inline constexpr double surely_positive = 0x1p-48;
 
-/// Whether shapes of this kind are round, unless they lack an area.
-template <class Shape>
-inline constexpr bool is_round = decltype(vesica::detail::form::of(std::declval<const Shape&>()))::outline !=
-                                 vesica::detail::form::Outline::straight;
-
 /// Returns false where that is not settled.
-VESICA_INLINE bool depth_of_boxes(const Form& f, const Form& g, Penetration<double>& out) noexcept {
+VESICA_CALLED inline bool depth_of_boxes(const Form& f, const Form& g, Penetration<double>& out) noexcept {
   const auto d = box_box_depth(box_pair(f, g));
   if (d.settled) out = {arithmetic::rounded(d.depth), d.x, d.y};
   return d.settled;
-}
-/// Where a kind is round such pairs are rare: one function serves all of them.
-VESICA_COLD inline bool depth_of_boxes_apart(const Form& f, const Form& g, Penetration<double>& out) noexcept {
-  return depth_of_boxes(f, g, out);
 }
 
 /// Hardly ever asked, and long: kept out of the code that is.
@@ -102,7 +92,7 @@ template <class A, class B>
 std::int32_t depth_of_overlapping(const A& a, const B& b, Overlap known, Penetration<double>& out) noexcept {
   const Form f = support_minimum::form(a), g = support_minimum::form(b);
   if (!f.curved && !g.curved) {
-    if (is_round<A> || is_round<B> ? depth_of_boxes_apart(f, g, out) : depth_of_boxes(f, g, out)) {
+    if (depth_of_boxes(f, g, out)) {
       round_once<A, B>(f, g, out);
       return 0;
     }
@@ -144,6 +134,21 @@ inline bool settled_depth(const Circle<double>& a, const Ellipse<double>& b, Pen
   return settled_depth(as_ellipse(a), b, out);
 }
 
+/// depth_or_error() for kinds in order.
+template <class A, class B>
+VESICA_CALLED std::int32_t depth_in_order(const A& a, const B& b, Penetration<double>& out) noexcept {
+  const auto verdict = vesica::detail::overlap::filter(a, b);
+  const std::int32_t answer = 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
+  const std::int32_t overlapping = answer >= 0 ? answer : undecided_overlap(a, b);
+  if (overlapping < 0) return overlapping;
+  if (overlapping > 0) {
+    if (settled_depth(a, b, out)) return 0;
+    return depth_of_overlapping(a, b, static_cast<Overlap>(overlapping), out);
+  }
+  out = {0, 0, 0};
+  return 0;
+}
+
 inline Penetration<double> turned_round(const Penetration<double>& p) noexcept {
   return {p.depth, 0.0 - p.x, 0.0 - p.y};
 }
@@ -169,16 +174,7 @@ std::int32_t depth_or_error(const A<double>& a, const B<double>& b, Penetration<
     if (error == 0) out = detail::depth::turned_round(out);
     return error;
   } else {
-    const auto verdict = detail::overlap::filter(a, b);
-    const std::int32_t answer = 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
-    const std::int32_t overlapping = answer >= 0 ? answer : detail::depth::undecided_overlap(a, b);
-    if (overlapping < 0) return overlapping;
-    if (overlapping > 0) {
-      if (detail::depth::settled_depth(a, b, out)) return 0;
-      return detail::depth::depth_of_overlapping(a, b, static_cast<detail::depth::Overlap>(overlapping), out);
-    }
-    out = {0, 0, 0};
-    return 0;
+    return detail::depth::depth_in_order(a, b, out);
   }
 }
 

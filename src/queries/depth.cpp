@@ -4,6 +4,14 @@
 #include "compiled_once.hpp"
 #include "query.hpp"
 
+namespace vesica {
+
+#define VESICA_DEFINE(a, A, b, B) VESICA_DEPTH(template, A, B)
+VESICA_EACH_PAIR_OF_FORMS(VESICA_DEFINE)
+#undef VESICA_DEFINE
+
+}  // namespace vesica
+
 namespace vesica::queries {
 
 namespace {

@@ -55,7 +55,7 @@ std::int32_t derive(double asked, const ShapeOfKind& a, const ShapeOfKind& b, do
   }
 }
 
-double area_of_shape(std::int32_t kind, const double* numbers) noexcept { return iou.shape_area(kind, numbers); }
+double area_as_of_iou(std::int32_t kind, const double* numbers) noexcept { return iou.shape_area(kind, numbers); }
 
 template <Ratio which>
 consteval Query derived(const Query& from) noexcept {
@@ -63,7 +63,7 @@ consteval Query derived(const Query& from) noexcept {
           .floats = {},
           .reversal = Reversal::none,
           .numbers = 1,
-          .shape_area = area_of_shape,
+          .shape_area = area_as_of_iou,
           .asked_instead = &from,
           .derive = derive<which>};
 }
@@ -88,7 +88,7 @@ std::int32_t ratio_of_pair(Ratio which, std::int32_t kind_a, const double* a, st
   const std::int32_t error = query.asked_instead->doubles.of[kind_a][kind_b](a, b, &asked);
   if (error == error_shape || error == error_kind) return error;
   if (error != 0) asked = std::numeric_limits<double>::quiet_NaN();
-  return query.derive(asked, {kind_a, a, area_of_shape(kind_a, a)}, {kind_b, b, area_of_shape(kind_b, b)}, out);
+  return query.derive(asked, {kind_a, a, area_as_of_iou(kind_a, a)}, {kind_b, b, area_as_of_iou(kind_b, b)}, out);
 }
 
 }  // namespace vesica::queries

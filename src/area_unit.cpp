@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: Apache-2.0
+// The queries of shared area, compiled as one: each by itself would compile the areas of shapes and of pairs again.
+// NOLINTBEGIN(bugprone-suspicious-include)
+#include "queries/area.cpp"
+#include "queries/iou.cpp"
+#include "queries/ratio.cpp"
+// NOLINTEND(bugprone-suspicious-include)
