@@ -16,25 +16,31 @@ struct Scaled {
 };
 
 /// 2^exponent for an exponent of at most +-1000.
-inline double power_of_two(int exponent) noexcept {
+constexpr double power_of_two(int exponent) noexcept {
   return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
 }
 
 /// x * 2^exponent: one rounding, and any exponent, for x in [2^-20, 2^20] or 0; for any other x an exponent of at
 /// most +-2000, and results below 2^-1022 may be rounded twice. Unlike the C library's ldexp it leaves errno alone.
-inline double scale(double x, int exponent) noexcept {
+constexpr double scale(double x, int exponent) noexcept {
   const int clamped = exponent < -2000 ? -2000 : exponent > 2000 ? 2000 : exponent;
   return x * power_of_two(clamped / 2) * power_of_two(clamped - clamped / 2);
 }
 
 /// The same for any x and an exponent of at most +-4000: from one end of the range of double to the other and beyond.
-inline double scale_far(double x, int exponent) noexcept {
+constexpr double scale_far(double x, int exponent) noexcept {
   return scale(scale(x, exponent / 2), exponent - exponent / 2);
 }
 
 /// The exponent e with 2^(e-1) <= |x| < 2^e; 0 for 0.
-inline int exponent_of(double x) noexcept {
-  int exponent;
+constexpr int exponent_of(double x) noexcept {
+  if (std::is_constant_evaluated()) {  // the C library's functions are not to be had
+    if (x == 0) return 0;
+    const bool subnormal = lane::abs(x) < 0x1p-1022;
+    const auto stored = std::bit_cast<std::uint64_t>(subnormal ? x * 0x1p64 : x) >> 52 & 0x7ff;
+    return static_cast<int>(stored) - 1022 - (subnormal ? 64 : 0);
+  }
+  int exponent = 0;
   std::frexp(x, &exponent);
   return exponent;
 }
