@@ -40,7 +40,7 @@ constexpr int exponent_of(double x) noexcept {
     const auto stored = std::bit_cast<std::uint64_t>(subnormal ? x * 0x1p64 : x) >> 52 & 0x7ff;
     return static_cast<int>(stored) - 1022 - (subnormal ? 64 : 0);
   }
-  int exponent = 0;
+  int exponent;
   std::frexp(x, &exponent);
   return exponent;
 }
