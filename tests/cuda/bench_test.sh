@@ -23,4 +23,6 @@ near=$("$program" --pairs 600 rect_ellipse /near)
 [ "$(VESICA_NO_DEVICE=1 status "$program")" = 3 ] || fail "no device is exit status 3"
 said=$(VESICA_NO_DEVICE=1 "$program" 2>&1) || true
 grep -q 'no CUDA device' <<<"$said" || fail "no device is not said: $said"
-[ "$(status "$program" --pairs)" = 2 ] && [ "$(status "$program" --pairs 0)" = 2 ] || fail "wrong arguments are exit status 2"
+for wrong in "" 0; do
+  [ "$(status "$program" --pairs $wrong)" = 2 ] || fail "--pairs $wrong is exit status 2"
+done

@@ -18,8 +18,8 @@ template cudaError_t overlap_many<Ellipse, Rect, double>(const Shapes<double>&, 
                                                          const Work&, cudaStream_t) noexcept;
 template cudaError_t overlap_many<Rect, Rect, double>(const Shapes<double>&, const Shapes<double>&, std::uint8_t*,
                                                       const Work&, cudaStream_t) noexcept;
-template cudaError_t overlap_one<Rect, Rect, float>(const Rect<float>&, const Shapes<float>&, std::uint8_t*, const Work&,
-                                                    cudaStream_t) noexcept;
+template cudaError_t overlap_one<Rect, Rect, float>(const Rect<float>&, const Shapes<float>&, std::uint8_t*,
+                                                    const Work&, cudaStream_t) noexcept;
 template cudaError_t overlap_one<Rect, Circle, double>(const Rect<double>&, const Shapes<double>&, std::uint8_t*,
                                                        const Work&, cudaStream_t) noexcept;
 template cudaError_t overlap_matrix<Rect, Rect, float>(const Shapes<float>&, const Shapes<float>&, std::uint8_t*,

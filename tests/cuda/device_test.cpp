@@ -73,7 +73,8 @@ TEST(CudaDevice, OtherForms) {
                             properties::seed(), cases::overlaps);
   while (pairs.size() < 300) pairs.push_back(stream.next());
   constexpr std::int64_t rows = 300, columns = 300, size = columns + 5;
-  const auto rects = upload<float>(VESICA_RECT, pairs, &Pair::a), ellipses = upload<float>(VESICA_ELLIPSE, pairs, &Pair::b);
+  const auto rects = upload<float>(VESICA_RECT, pairs, &Pair::a),
+             ellipses = upload<float>(VESICA_ELLIPSE, pairs, &Pair::b);
   const DeviceMemory<std::uint8_t> matrix(std::vector<std::uint8_t>(rows * size, 9)), one(columns);
   const DeviceMemory<std::uint32_t> counts(std::vector<std::uint32_t>(columns, 7));
   const DeviceWork work(rows * columns);

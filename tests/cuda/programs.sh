@@ -12,7 +12,7 @@ trap 'rm -rf "$work"' EXIT
 
 architecture=sm_90 pairs=(-DVESICA_ONE_PAIR)
 device=no
-if command -v nvidia-smi >/dev/null && nvidia-smi -L | grep -q '^GPU'; then
+if nvidia-smi -L 2>/dev/null | grep '^GPU' >/dev/null; then
   device=yes architecture=native pairs=()
 fi
 
