@@ -71,5 +71,5 @@ def print_table(found, architecture):
     for name, counts in sorted(found.items(), key=lambda item: title_and_bytes(names[item[0]])):
         title, moved = title_and_bytes(names[name])
         issue, arithmetic, memory = rates(counts, moved, device)
-        print(f'  {title:38} {sum(counts.values()):3} {counts["fp32"]:4} {counts["fp64"]:4} {counts["other"]:5} '
-              f'{counts["memory"]:6}   {issue:5.0f} {arithmetic:7.0f} {memory:6.0f}')
+        print(f'  {title:38} {sum(counts.values()):3.0f} {counts["fp32"]:4.0f} {counts["fp64"]:4.0f} {counts["other"]:5.0f} '
+              f'{counts["memory"]:6.0f}   {issue:5.0f} {arithmetic:7.0f} {memory:6.0f}')

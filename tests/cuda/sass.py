@@ -16,7 +16,7 @@ NAMES = {
     'memory': {0x181: 'LDG', 0x186: 'STG', 0x18e: 'RED', 0x1a8: 'ATOMG'},
     # Conversions and rough reciprocals, at a quarter of the rate or less.
     'special': {0x100: 'FLO', 0x102: 'FCHK', 0x105: 'F2I', 0x106: 'I2F', 0x108: 'MUFU', 0x109: 'POPC', 0x110: 'F2F',
-                0x189: 'SHFL'},
+                0x111: 'F2I.64', 0x112: 'I2F.64', 0x189: 'SHFL'},
     # These take a place in the stream of instructions and no lane: constants, uniform registers, jumps.
     'issue': {0x005: 'CS2R', 0x082: 'UMOV', 0x086: 'VOTEU', 0x090: 'UIADD3', 0x0a4: 'UIMAD', 0x0b9: 'ULDC', 0x118: 'NOP',
               0x119: 'S2R', 0x141: 'BSYNC', 0x142: 'BREAK', 0x144: 'CALL', 0x145: 'BSSY', 0x146: 'YIELD', 0x147: 'BRA',
@@ -65,37 +65,34 @@ def successors(code, at):
     return [at + 1]
 
 
-def loop(code):
-    """First and last instruction of the one loop that a kernel is, by its jump back; the endless one behind the end is
-    none."""
-    backward = [(at + i.jump, at) for at, i in enumerate(code) if i.name == 'BRA' and i.jump < 0]
-    if not backward or len({first for first, _ in backward}) != 1:
-        raise ValueError(f'not one loop: {backward}')
-    return backward[0][0], {last for _, last in backward}
-
-
-def counts_a_pair(code, avoided=('ATOMG', 'CALL')):
-    """Instructions by class on the longest way round the loop that meets nothing avoided: neither the list of open pairs,
-    nor the slow division of numbers near the ends of the range."""
-    first, lasts = loop(code)
+def longest_way(code, first, lasts, avoided):
+    """The instructions on the longest way from the first one to one of the last that meets none of those avoided; or None."""
     longest = {}
 
     def longest_from(at):
-        """The instructions from here to the jump back, or None."""
-        if at in longest:
-            return longest[at]
-        longest[at] = None
-        if code[at].name not in avoided:
+        if at not in longest:
+            longest[at] = None  # a way that comes here again is none
             if at in lasts:
                 longest[at] = [at]
-            else:
-                ways = [way for way in (longest_from(next_at) for next_at in successors(code, at)) if way]
+            elif code[at].name not in avoided:
+                ways = [way for way in (longest_from(after) for after in successors(code, at)) if way]
                 longest[at] = [at] + max(ways, key=len) if ways else None
         return longest[at]
 
-    way = longest_from(first)
-    if way is None:
-        raise ValueError('no way round the loop')
-    if not any(code[at].name in ('STG', 'RED') for at in way):
-        raise ValueError('no answer is stored on the longest way round the loop')
-    return {kind: sum(code[at].kind == kind for at in way) for kind in CLASSES}
+    return longest_from(first)
+
+
+def counts_a_pair(code, avoided=('ATOMG', 'CALL')):
+    """Instructions a pair by class, in the loop of a kernel that has one store a pair: on the longest way round that meets
+    nothing avoided, neither the list of open pairs, nor the slow division of numbers near the ends of the range. Where
+    ptxas made of the loop one of several pairs a round, and another for the rest, the first is looked at."""
+    loops = {}
+    for at, i in enumerate(code):
+        if i.name == 'BRA' and i.jump < 0:
+            loops.setdefault(at + i.jump, set()).add(at)
+    ways = [way for way in (longest_way(code, first, lasts, avoided) for first, lasts in loops.items()) if way]
+    answers = {id(way): sum(code[at].name in ('STG', 'RED') for at in way) for way in ways}
+    if not any(answers.values()):
+        raise ValueError('no loop stores an answer')
+    way = max(ways, key=lambda way: (answers[id(way)], len(way)))
+    return {kind: sum(code[at].kind == kind for at in way) / answers[id(way)] for kind in CLASSES}
