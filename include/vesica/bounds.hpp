@@ -107,6 +107,7 @@ constexpr bool upper(const Shape& s, const Reach& r, const arithmetic::Estimate&
   return arithmetic::round_up(arithmetic::add(r.c, extent), out) || exact_upper(s, r, out);
 }
 
+/// The shape's extent along one coordinate as far as double-doubles tell.
 template <class Shape>
 VESICA_INLINE arithmetic::Estimate extent_estimate(const Shape& s, const Reach& r) noexcept {
   const auto x = arithmetic::two_product_fused(std::fabs(r.p0), r.q0),

@@ -28,18 +28,12 @@ constexpr double scale(double x, int exponent) noexcept {
 }
 
 /// The same for any x and an exponent of at most +-4000: from one end of the range of double to the other and beyond.
-constexpr double scale_far(double x, int exponent) noexcept {
+inline double scale_far(double x, int exponent) noexcept {
   return scale(scale(x, exponent / 2), exponent - exponent / 2);
 }
 
 /// The exponent e with 2^(e-1) <= |x| < 2^e; 0 for 0.
-constexpr int exponent_of(double x) noexcept {
-  if (std::is_constant_evaluated()) {  // the C library's functions are not to be had
-    if (x == 0) return 0;
-    const bool subnormal = lane::abs(x) < 0x1p-1022;
-    const auto stored = std::bit_cast<std::uint64_t>(subnormal ? x * 0x1p64 : x) >> 52 & 0x7ff;
-    return static_cast<int>(stored) - 1022 - (subnormal ? 64 : 0);
-  }
+inline int exponent_of(double x) noexcept {
   int exponent;
   std::frexp(x, &exponent);
   return exponent;
