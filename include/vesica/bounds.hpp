@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The smallest box of representable numbers that contains a shape: each side is the shape's true extreme rounded
-/// outward once. A double-double estimate decides nearly every side; the exact stage decides the rest.
+/// outward once. A double-double estimate decides nearly every side; the exact stage decides the rest, and all constants.
 #pragma once
 
 #include <cmath>
@@ -60,29 +60,34 @@ inline arithmetic::Estimate estimate(const Ellipse<double>&, const arithmetic::P
   return x.high == 0 || y.high == 0 ? estimate_sum(x, y) : estimate_root(x, y);
 }
 
+/// A number that exact::rounded() gave; the largest one of its sign instead of an infinite one.
+constexpr double to_finite(const arithmetic::Scaled& s) noexcept {
+  constexpr double largest = std::numeric_limits<double>::max();
+  return s.exponent <= 1024 ? arithmetic::scale(s.value, s.exponent) : s.value < 0 ? -largest : largest;
+}
+
 /// The smallest double at or above c + extent, in exact arithmetic; false when it is beyond the finite ones. The search
 /// starts within a few last places of it, and so is short.
-inline bool exact_upper(const Rect<double>&, const Reach& r, double& out) noexcept {
+constexpr bool exact_upper(const Rect<double>&, const Reach& r, double& out) noexcept {
   using namespace exact;
   const auto value =
       from_double(r.c) + abs(from_double(r.p0) * from_double(r.q0)) + abs(from_double(r.p1) * from_double(r.q1));
-  const arithmetic::Scaled start = rounded(value);
   return arithmetic::search_up(
-      arithmetic::scale(start.value, start.exponent), [&](double m) { return compare(from_double(m), value) >= 0; },
-      out);
+      to_finite(rounded(value)), [&](double m) { return compare(from_double(m), value) >= 0; }, out);
 }
 /// c + sqrt(squared), with one step of Newton's for the root: c may cancel all digits that a double has of it.
-inline double start_of_search(const exact::Number<1>& c, const exact::Number<4>& squared) noexcept {
+constexpr double start_of_search(const exact::Number<1>& c, const exact::Number<4>& squared) noexcept {
+  if (squared.sign == 0) return to_finite(exact::rounded(c));
   const arithmetic::Scaled s = exact::rounded(squared);
   const int odd = s.exponent & 1, exponent = (s.exponent - odd) / 2;
-  const double value = std::sqrt(s.value * (1 + odd)), extent = arithmetic::scale(value, exponent);
-  if (!(extent <= std::numeric_limits<double>::max())) return extent;
-  const auto root = exact::from_double(extent);
+  const double value = lane::sqrt(s.value * (1 + odd));
+  if (exponent > 1024 || (exponent == 1024 && value >= 1)) return std::numeric_limits<double>::max();
+  const auto root = exact::from_double(arithmetic::scale(value, exponent));
   const arithmetic::Scaled sum = exact::rounded(c + root), rest = exact::rounded(squared - exact::square(root));
-  return arithmetic::scale(sum.value, sum.exponent) +
-         arithmetic::scale(rest.value / (2 * value), rest.exponent - exponent);
+  if (sum.exponent >= 1024) return to_finite(sum);  // the step might lead beyond the numbers
+  return to_finite(sum) + arithmetic::scale(rest.value / (2 * value), rest.exponent - exponent);
 }
-inline bool exact_upper(const Ellipse<double>&, const Reach& r, double& out) noexcept {
+constexpr bool exact_upper(const Ellipse<double>&, const Reach& r, double& out) noexcept {
   using namespace exact;
   const auto c = from_double(r.c);
   const auto extent_squared =
@@ -97,18 +102,25 @@ inline bool exact_upper(const Ellipse<double>&, const Reach& r, double& out) noe
 
 /// The smallest double at or above c + extent; false when it is beyond the finite ones.
 template <class Shape>
-bool upper(const Shape& s, const Reach& r, const arithmetic::Estimate& extent, double& out) noexcept {
+constexpr bool upper(const Shape& s, const Reach& r, const arithmetic::Estimate& extent, double& out) noexcept {
+  if (std::is_constant_evaluated()) return exact_upper(s, r, out);
   return arithmetic::round_up(arithmetic::add(r.c, extent), out) || exact_upper(s, r, out);
+}
+
+/// The shape's extent along one coordinate as far as double-doubles tell.
+template <class Shape>
+VESICA_INLINE arithmetic::Estimate extent_estimate(const Shape& s, const Reach& r) noexcept {
+  const auto x = arithmetic::two_product_fused(std::fabs(r.p0), r.q0),
+             y = arithmetic::two_product_fused(std::fabs(r.p1), r.q1);
+  const bool usable = in_range(r.p0, r.q0, x.high) && in_range(r.p1, r.q1, y.high) && std::fabs(r.c) <= 0x1p400;
+  return usable ? estimate(s, x, y) : unknown;
 }
 
 /// The shape's interval along one coordinate.
 template <class Shape>
-bool interval(const Shape& s, const Reach& r, double& low, double& high) noexcept {
-  const auto x = arithmetic::two_product_fused(std::fabs(r.p0), r.q0),
-             y = arithmetic::two_product_fused(std::fabs(r.p1), r.q1);
-  const bool usable = in_range(r.p0, r.q0, x.high) && in_range(r.p1, r.q1, y.high) && std::fabs(r.c) <= 0x1p400;
-  const auto extent = usable ? estimate(s, x, y) : unknown;
-  double minus_low;
+constexpr bool interval(const Shape& s, const Reach& r, double& low, double& high) noexcept {
+  const auto extent = std::is_constant_evaluated() ? unknown : extent_estimate(s, r);
+  double minus_low = 0;
   if (!upper(s, r, extent, high) || !upper(s, {-r.c, r.p0, r.q0, r.p1, r.q1}, extent, minus_low)) return false;
   low = 0 - minus_low;
   return true;
@@ -116,7 +128,7 @@ bool interval(const Shape& s, const Reach& r, double& low, double& high) noexcep
 
 /// Bounds of a rectangle or an ellipse with half lengths h0 along the axis and h1 across it.
 template <class Shape>
-int oblique_bounds(const Shape& s, double h0, double h1, Aabb<double>& out) noexcept {
+constexpr int oblique_bounds(const Shape& s, double h0, double h1, Aabb<double>& out) noexcept {
   Aabb<double> box;
   if (!interval(s, {s.cx, s.ux, h0, s.uy, h1}, box.min_x, box.max_x)) return error_range;
   if (!interval(s, {s.cy, s.uy, h0, s.ux, h1}, box.min_y, box.max_y)) return error_range;
@@ -124,25 +136,26 @@ int oblique_bounds(const Shape& s, double h0, double h1, Aabb<double>& out) noex
   return 0;
 }
 
-inline int bounds_of_valid(const Point<double>& s, Aabb<double>& out) noexcept {
+constexpr int bounds_of_valid(const Point<double>& s, Aabb<double>& out) noexcept {
   out = {s.x, s.y, s.x, s.y};
   return 0;
 }
-inline int bounds_of_valid(const Segment<double>& s, Aabb<double>& out) noexcept {
-  out = {std::fmin(s.x0, s.x1), std::fmin(s.y0, s.y1), std::fmax(s.x0, s.x1), std::fmax(s.y0, s.y1)};
+constexpr int bounds_of_valid(const Segment<double>& s, Aabb<double>& out) noexcept {
+  using vesica::detail::lesser, vesica::detail::greater;
+  out = {lesser(s.x0, s.x1), lesser(s.y0, s.y1), greater(s.x0, s.x1), greater(s.y0, s.y1)};
   return 0;
 }
-inline int bounds_of_valid(const Aabb<double>& s, Aabb<double>& out) noexcept {
+constexpr int bounds_of_valid(const Aabb<double>& s, Aabb<double>& out) noexcept {
   out = s;
   return 0;
 }
-inline int bounds_of_valid(const Rect<double>& s, Aabb<double>& out) noexcept {
+constexpr int bounds_of_valid(const Rect<double>& s, Aabb<double>& out) noexcept {
   return oblique_bounds(s, s.hx, s.hy, out);
 }
-inline int bounds_of_valid(const Circle<double>& s, Aabb<double>& out) noexcept {
+constexpr int bounds_of_valid(const Circle<double>& s, Aabb<double>& out) noexcept {
   return bounds_of_valid(Rect<double>{s.cx, s.cy, 1, 0, s.r, s.r}, out);
 }
-inline int bounds_of_valid(const Ellipse<double>& s, Aabb<double>& out) noexcept {
+constexpr int bounds_of_valid(const Ellipse<double>& s, Aabb<double>& out) noexcept {
   return oblique_bounds(s, s.a, s.b, out);
 }
 
@@ -151,14 +164,14 @@ inline int bounds_of_valid(const Ellipse<double>& s, Aabb<double>& out) noexcept
 /// Smallest box of doubles that contains the shape. Returns 0, error_shape, or error_range when a side would be
 /// beyond the finite doubles; on error `out` is untouched.
 template <template <class> class Shape>
-int bounds(const Shape<double>& s, Aabb<double>& out) noexcept {
+constexpr int bounds(const Shape<double>& s, Aabb<double>& out) noexcept {
   if (check(s) != 0) return error_shape;
   return detail::bounds::bounds_of_valid(s, out);
 }
 
 /// The same among floats: the smallest double at or above a number, rounded up to a float, is the smallest float.
 template <template <class> class Shape>
-int bounds(const Shape<float>& s, Aabb<float>& out) noexcept {
+constexpr int bounds(const Shape<float>& s, Aabb<float>& out) noexcept {
   Aabb<double> wide;
   const int error = bounds(widen(s), wide);
   if (error != 0) return error;

@@ -87,9 +87,10 @@ inline MeanRect mean_rect(const double (&p)[8]) noexcept {
 
 /// Box with two opposite corners, in any order. Exact. Errors: error_not_finite.
 template <class T>
-int aabb_from_corners(T x0, T y0, T x1, T y1, Aabb<T>& out) noexcept {
+constexpr int aabb_from_corners(T x0, T y0, T x1, T y1, Aabb<T>& out) noexcept {
   if (!detail::all_finite(x0, y0, x1, y1)) return error_not_finite;
-  out = {std::fmin(x0, x1), std::fmin(y0, y1), std::fmax(x0, x1), std::fmax(y0, y1)};
+  using detail::lesser, detail::greater;
+  out = {lesser(x0, x1), lesser(y0, y1), greater(x0, x1), greater(y0, y1)};
   return 0;
 }
 
@@ -154,7 +155,7 @@ int ellipse_from_angle(T cx, T cy, T angle, T a, T b, Ellipse<T>& out) noexcept 
 /// Ellipse with half axes (wx, wy) and ratio * perp(wx, wy). Exact. A zero vector gives the point (cx, cy).
 /// Errors: error_not_finite, error_negative_size.
 template <class T>
-int ellipse_from_radius_vector(T cx, T cy, T wx, T wy, T ratio, Ellipse<T>& out) noexcept {
+constexpr int ellipse_from_radius_vector(T cx, T cy, T wx, T wy, T ratio, Ellipse<T>& out) noexcept {
   if (!detail::all_finite(cx, cy, wx, wy, ratio)) return error_not_finite;
   if (ratio < 0) return error_negative_size;
   out = wx == 0 && wy == 0 ? Ellipse<T>{cx, cy, 1, 0, 0, 0} : Ellipse<T>{cx, cy, wx, wy, 1, ratio};

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <type_traits>
+#include <vesica/square_root.hpp>
 
 // Error bounds and checks for NaN hold in IEEE arithmetic alone. What the compiler says about its flags is refused; Clang
 // says nothing of reassociation, reciprocals and signed zeros, and is told to do without them for the rest of the source.
@@ -81,18 +82,31 @@ constexpr double max(double a, double b) noexcept { return a > b ? a : b; }
 constexpr double min(double a, double b) noexcept { return a < b ? a : b; }
 constexpr float max(float a, float b) noexcept { return a > b ? a : b; }
 constexpr float min(float a, float b) noexcept { return a < b ? a : b; }
-VESICA_DEVICE inline double abs(double a) noexcept { return std::fabs(a); }
-VESICA_DEVICE inline float abs(float a) noexcept { return std::fabs(a); }
-
-// Within 2^-13 (float) or 2^-26 (double) of the true value, which is all their callers need; lanes may be that rough.
-VESICA_DEVICE inline double rough_sqrt(double a) noexcept { return std::sqrt(a); }
-VESICA_DEVICE inline float rough_sqrt(float a) noexcept { return std::sqrt(a); }
-constexpr double rough_quotient(double a, double b) noexcept { return a / b; }
-constexpr float rough_quotient(float a, float b) noexcept { return a / b; }
+// In constant expressions the C library's functions are not to be had.
+constexpr double abs(double a) noexcept {
+  if (std::is_constant_evaluated()) return std::bit_cast<double>(std::bit_cast<std::uint64_t>(a) << 1 >> 1);
+  return std::fabs(a);
+}
+constexpr float abs(float a) noexcept {
+  if (std::is_constant_evaluated()) return std::bit_cast<float>(std::bit_cast<std::uint32_t>(a) << 1 >> 1);
+  return std::fabs(a);
+}
 
 // Correctly rounded, for results rather than filters.
-inline double sqrt(double a) noexcept { return std::sqrt(a); }
-inline float sqrt(float a) noexcept { return std::sqrt(a); }
+constexpr double sqrt(double a) noexcept {
+  if (std::is_constant_evaluated()) return detail::square_root(a);
+  return std::sqrt(a);
+}
+constexpr float sqrt(float a) noexcept {
+  if (std::is_constant_evaluated()) return detail::square_root(a);
+  return std::sqrt(a);
+}
+
+// Within 2^-13 (float) or 2^-26 (double) of the true value, which is all their callers need; lanes may be that rough.
+constexpr double rough_sqrt(double a) noexcept { return sqrt(a); }
+constexpr float rough_sqrt(float a) noexcept { return sqrt(a); }
+constexpr double rough_quotient(double a, double b) noexcept { return a / b; }
+constexpr float rough_quotient(float a, float b) noexcept { return a / b; }
 
 // Masks without short circuits: on fresh data a branch costs more than the work it saves.
 constexpr bool both(bool a, bool b) noexcept { return static_cast<bool>(static_cast<int>(a) & static_cast<int>(b)); }
@@ -110,8 +124,8 @@ constexpr float select(bool m, float yes, float no) noexcept {
 }
 
 /// max(x, 0); exact. Lanes may turn NaN into 0.
-VESICA_DEVICE inline double positive_part(double x) noexcept { return 0.5 * (x + abs(x)); }
-VESICA_DEVICE inline float positive_part(float x) noexcept { return 0.5f * (x + abs(x)); }
+constexpr double positive_part(double x) noexcept { return 0.5 * (x + abs(x)); }
+constexpr float positive_part(float x) noexcept { return 0.5f * (x + abs(x)); }
 
 /// x, or -x where the sign bit of y is set.
 constexpr double flip_sign(double x, double y) noexcept {
@@ -137,6 +151,18 @@ VESICA_DEVICE inline double fused_difference(double a, double b, double c) noexc
 }  // namespace lane
 
 namespace detail {
+
+/// The C library's fmin and fmax of finite numbers, in constant expressions too. Of zeros of unlike signs either is meant.
+template <class T>
+constexpr T lesser(T a, T b) noexcept {
+  if (std::is_constant_evaluated()) return b < a ? b : a;
+  return std::fmin(a, b);
+}
+template <class T>
+constexpr T greater(T a, T b) noexcept {
+  if (std::is_constant_evaluated()) return a < b ? b : a;
+  return std::fmax(a, b);
+}
 
 constexpr bool has_finite_bits(double x) noexcept { return (std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff) != 0x7ff; }
 

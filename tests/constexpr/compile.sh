@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# compile.sh COMPILER: known.cpp, the corpus and the hosts' vectors as static assertions; and a spoilt one must fail.
+# compile.sh COMPILER: known.cpp, the corpus and the hosts' vectors as static assertions; and a spoilt one must fail. Then
+# what constants and calls at run time give, which is the same.
 set -euo pipefail
 compiler=$1
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -11,6 +12,8 @@ compile() { "$compiler" -std=c++20 -Wall -Wextra -Werror -I"$root/include" -fsyn
 cases() { python3 -B "$here/cases.py" "$root/tests/corpus/cases.csv" "$root/tests/ffi/vectors.txt" "$@"; }
 
 compile "$here/known.cpp"
+"$compiler" -std=c++20 -O1 -Wall -Wextra -Werror -I"$root/include" -o "$work/same_bits" "$here/same_bits.cpp"
+"$work/same_bits"
 cases >"$work/cases.cpp"
 compile "$work/cases.cpp"
 cases --spoil >"$work/spoilt.cpp"

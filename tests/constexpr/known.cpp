@@ -2,6 +2,8 @@
 // The predicates in constant expressions, where a compiler refuses undefined behaviour. Every pair of kinds, touching and
 // a last place apart; invalid shapes; exponents at the ends of the range.
 #include <limits>
+#include <vesica/bounds.hpp>
+#include <vesica/construct.hpp>
 #include <vesica/overlap.hpp>
 #include <vesica/relation.hpp>
 
@@ -70,5 +72,47 @@ static_assert(!overlap(Aabb<double>{1, 0, 0, 0}, aabb));
 
 static_assert(overlap(Circle<float>{0, 0, 5}, Ellipse<float>{6, 8, 3, 4, 1, 0.25f}));
 static_assert(relation(Circle<float>{0, 0, 0.1f}, Circle<float>{0.1f, 0, 0.1f}) == Relation::cross);
+
+/// Boxes round outward; without one, nothing is written.
+template <class T>
+constexpr bool has(int error, const Aabb<T>& box, T min_x, T min_y, T max_x, T max_y) {
+  return error == 0 && box.min_x == min_x && box.min_y == min_y && box.max_x == max_x && box.max_y == max_y;
+}
+template <class T, class Shape>
+constexpr bool has_box(const Shape& shape, T min_x, T min_y, T max_x, T max_y) {
+  Aabb<T> box{};
+  const int error = bounds(shape, box);
+  return has(error, box, min_x, min_y, max_x, max_y);
+}
+template <class Shape>
+constexpr int error_of_box(const Shape& shape) {
+  Aabb<double> box{1, 2, 3, 4};
+  const int error = bounds(shape, box);
+  return has(0, box, 1.0, 2.0, 3.0, 4.0) ? error : 0;
+}
+constexpr double root_2 = 0x1.6a09e667f3bcdp0, after_1 = 0x1.0000000000001p0;  // the former rounded up
+static_assert(has_box(Ellipse<double>{0, 0, 1, 1, 1, 1}, -root_2, -root_2, root_2, root_2));
+static_assert(has_box(Ellipse<float>{0, 0, 1, 1, 1, 1}, -0x1.6a09e8p0f, -0x1.6a09e8p0f, 0x1.6a09e8p0f, 0x1.6a09e8p0f));
+static_assert(has_box(Ellipse<double>{0, 0, 3, 4, 1, 1}, -5.0, -5.0, 5.0, 5.0));
+static_assert(has_box(Rect<double>{0, 0, 3, 4, 2, 1}, -10.0, -11.0, 10.0, 11.0));
+static_assert(has_box(Circle<double>{1, 0, tiny}, 0x1.fffffffffffffp-1, -tiny, after_1, tiny));
+static_assert(has_box(Segment<double>{3, -4, 1, 5}, 1.0, -4.0, 3.0, 5.0));
+static_assert(error_of_box(Circle<double>{0, 0, -1}) == error_shape);
+static_assert(error_of_box(Circle<double>{nan, 0, 1}) == error_shape);
+static_assert(error_of_box(Circle<double>{huge, 0, huge}) == error_range);
+static_assert(error_of_box(Ellipse<double>{0, 0, huge, huge, 1, 1}) == error_range);
+
+constexpr bool makes_boxes() {
+  Aabb<double> box{};
+  return has(aabb_from_corners(3.0, 1.0, -2.0, 5.0, box), box, -2.0, 1.0, 3.0, 5.0) &&
+         aabb_from_corners(inf, 0.0, 0.0, 0.0, box) == error_not_finite;
+}
+static_assert(makes_boxes());
+constexpr bool makes_ellipses() {
+  Ellipse<double> e{};
+  return ellipse_from_radius_vector(1.0, 2.0, 3.0, 4.0, 0.5, e) == 0 && e.cx == 1 && e.uy == 4 && e.a == 1 &&
+         e.b == 0.5 && ellipse_from_radius_vector(1.0, 2.0, 3.0, 4.0, -0.5, e) == error_negative_size;
+}
+static_assert(makes_ellipses());
 
 }  // namespace

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Compiles device.cu as device code and holds every kernel against limits of stack, registers and spills.
+"""Compiles device.cu as device code and holds every kernel against limits of stack, registers, spills and instructions.
 
 usage: compile.py clang++ [sm_80]      without CUDA: the PTX, its kernels, and their stack by PTX's own numbers
-       compile.py nvcc sm_80 [...]     with CUDA: both sides, and what ptxas says of each kernel for each architecture
+       compile.py nvcc sm_80 [...]     with CUDA: both sides, what ptxas says of each kernel for each architecture, and what a
+                                       decided pair takes of the filter kernels' instructions
 """
 import pathlib
 import re
@@ -11,18 +12,27 @@ import subprocess
 import sys
 import tempfile
 
+sys.dont_write_bytecode = True  # beside the sources
+import rates
+import sass
+
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 COMMON = ['-std=c++20', f'-I{ROOT}/include', str(HERE / 'device.cu')]
-# 21 pairs in step, one in the other order, and three other forms: three kernels each. And one kernel of a user.
-KERNELS = {'overlap_by_filter': 25, 'overlap_in_double': 25, 'overlap_exactly': 25, 'predicates': 1}
-# Of a thread: bytes of stack, registers, bytes spilt. What decides nearly all pairs needs no stack. The user's kernel has
-# three questions with their exact stages.
-LIMITS = {'overlap_by_filter': (0, 64, 0), 'overlap_in_double': (0, 96, 0), 'overlap_exactly': (40_960, 128, 0),
-          'predicates': (65_536, 255, 8192)}
+# 21 pairs in step, three of double, and four other forms: three kernels each. One kernel of a user, and one whose
+# instructions are known.
+KERNELS = {'overlap_by_filter': 27, 'overlap_in_double': 27, 'overlap_exactly': 27, 'predicates': 1, 'known_instructions': 1}
+# Of a thread: bytes of stack, registers, bytes spilt. What decides nearly all pairs needs no stack. Of a multiprocessor's
+# 65,536 registers these are for 1024, 512 and 512 threads at a time. The user's kernel has three questions with their exact
+# stages.
+LIMITS = {'overlap_by_filter': (0, 64, 0), 'overlap_in_double': (0, 128, 0), 'overlap_exactly': (40_960, 128, 0),
+          'predicates': (65_536, 255, 8192), 'known_instructions': (0, 32, 0)}
 # PTX is before ptxas, which lets numbers of one function share their memory: so its stacks are upper bounds.
 LIMITS_OF_PTX = {'overlap_by_filter': (0, 0, 0), 'overlap_in_double': (640, 0, 0), 'overlap_exactly': (98_304, 0, 0),
-                 'predicates': (98_304, 0, 0)}
+                 'predicates': (98_304, 0, 0), 'known_instructions': (0, 0, 0)}
+# Of a pair that a filter kernel decides; and what must be found in known_instructions.
+MOST_INSTRUCTIONS = {'f32': 220, 'f64': 180}
+KNOWN = {'fp32': 11, 'fp64': 8, 'memory': 3}
 
 
 def run(command):
@@ -60,18 +70,16 @@ def stacks_of_ptx(text):
     return {kernel: (deepest(kernel), 0, 0) for kernel in kernels}
 
 
-def by_clang(compiler, arch):
-    with tempfile.TemporaryDirectory() as folder:
-        out = pathlib.Path(folder) / 'device.ptx'
-        run([compiler, '-x', 'cuda', '--cuda-device-only', '-nocudainc', '-nocudalib', f'--cuda-gpu-arch={arch}', '-O2',
-             '-S', '-DNDEBUG', '-Wall', '-Wextra', '-Werror', '-Wno-unknown-cuda-version', f'-I{HERE}/device', '-o', str(out), *COMMON])
-        return stacks_of_ptx(out.read_text())
+def by_clang(compiler, arch, folder):
+    out = folder / 'device.ptx'
+    run([compiler, '-x', 'cuda', '--cuda-device-only', '-nocudainc', '-nocudalib', f'--cuda-gpu-arch={arch}', '-O2', '-S',
+         '-DNDEBUG', '-Wall', '-Wextra', '-Werror', '-Wno-unknown-cuda-version', f'-I{HERE}/device', '-o', str(out), *COMMON])
+    return stacks_of_ptx(out.read_text())
 
 
-def by_nvcc(compiler, arch):
-    with tempfile.TemporaryDirectory() as folder:
-        said = run([compiler, '--expt-relaxed-constexpr', '-Werror', 'all-warnings', f'-arch={arch}', '-c',
-                    '--resource-usage', '-o', f'{folder}/device.o', *COMMON])
+def by_nvcc(compiler, arch, folder):
+    said = run([compiler, '--expt-relaxed-constexpr', '-Werror', 'all-warnings', f'-arch={arch}', '-c', '--resource-usage',
+                '--keep', '--keep-dir', str(folder), '-o', f'{folder}/device.o', *COMMON])
     found = {}
     for entry in said.split('Compiling entry function ')[1:]:
         name = entry.split("'")[1]
@@ -79,6 +87,23 @@ def by_nvcc(compiler, arch):
         spills = max(int(n) for n in re.findall(r'(\d+) bytes spill', entry))
         found[name] = (int(stack[1]) if stack else 0, int(re.search(r'Used (\d+) registers', entry)[1]), spills)
     return found
+
+
+def check_instructions(arch, cubin):
+    """Prints what filter kernels take a pair, and what this comes to on paper; returns faults."""
+    number = int(arch.removeprefix('sm_'))
+    code = sass.kernels(cubin, number, ('17overlap_by_filter', 'known_instructions'))
+    counts = {name: sass.counts_a_pair(instructions) for name, instructions in code.items()}
+    known = [counts.pop(name) for name in list(counts) if 'known_instructions' in name]
+    faults = [f'known_instructions: {k} is not {KNOWN}' for k in known if any(k[kind] != n for kind, n in KNOWN.items())]
+    if len(known) != 1 or len(counts) != KERNELS['overlap_by_filter']:
+        faults.append(f'instructions of {len(counts)} filter kernels')
+    rates.print_table(counts, number)
+    for name, of_kernel in counts.items():
+        most = MOST_INSTRUCTIONS['f64' if of_kernel['fp64'] else 'f32']
+        if sum(of_kernel.values()) > most:
+            faults.append(f'{name}: {sum(of_kernel.values())} instructions a pair, more than {most}')
+    return [f'{arch}: {fault}' for fault in faults]
 
 
 def check(title, found, limits):
@@ -98,10 +123,15 @@ def check(title, found, limits):
 
 def main(compiler, *architectures):
     name = pathlib.Path(compiler).name
-    by, limits = (by_nvcc, LIMITS) if name == 'nvcc' else (by_clang, LIMITS_OF_PTX)
+    is_nvcc = name == 'nvcc'
+    by, limits = (by_nvcc, LIMITS) if is_nvcc else (by_clang, LIMITS_OF_PTX)
     faults = []
     for arch in architectures or ('sm_80',):
-        faults += check(f'{name} {arch}', by(compiler, arch), limits)
+        with tempfile.TemporaryDirectory() as place:
+            folder = pathlib.Path(place)
+            faults += check(f'{name} {arch}', by(compiler, arch, folder), limits)
+            if is_nvcc:
+                faults += check_instructions(arch, folder / f'device.{arch}.cubin')
     sys.exit('\n'.join(faults) or 0)
 
 

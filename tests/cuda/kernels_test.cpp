@@ -7,21 +7,19 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
-#include <sstream>
+#include <cstring>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 #include "compiled_once.hpp"
-#include "corpus/corpus.hpp"
-#include "properties/generators.hpp"
-#include "properties/spoilt.hpp"
+#include "cuda/cases.hpp"
 // after it: the library's own exact stage
 #include <vesica/cuda.cuh>
 
 namespace {
 
+using cases::answer;
 using properties::Pair;
 using properties::Scalar;
 
@@ -29,16 +27,6 @@ static_assert(sizeof(vesica::cuda::Shapes<double>) == sizeof(vesica_shapes_f64))
 static_assert(offsetof(vesica::cuda::Shapes<float>, count) == offsetof(vesica_shapes_f32, count));
 static_assert(offsetof(vesica::cuda::Shapes<float>, stride) == offsetof(vesica_shapes_f32, stride));
 static_assert(offsetof(vesica::cuda::Shapes<double>, field) == offsetof(vesica_shapes_f64, field));
-
-bool library_overlap(int kind_a, const double* a, int kind_b, const double* b) {
-  return vesica_overlap_f64(kind_a, a, kind_b, b) == 1;
-}
-std::int32_t answer(int kind_a, const double* a, int kind_b, const double* b) {
-  return vesica_overlap_f64(kind_a, a, kind_b, b);
-}
-std::int32_t answer(int kind_a, const float* a, int kind_b, const float* b) {
-  return vesica_overlap_f32(kind_a, a, kind_b, b);
-}
 
 /// Shapes of one kind, a record of six numbers each; as records or as columns.
 template <class T>
@@ -176,87 +164,22 @@ void ask(Scalar scalar, const std::vector<Pair>& pairs) {
   FAIL() << "no pair of kinds " << kind_a << " and " << kind_b;
 }
 
-template <class Action>
-void with_each_pair_of_kinds(const Action& action) {
-  for (int a = 0; a < properties::kinds; ++a) {
-    for (int b = a; b < properties::kinds; ++b) {
-      for (const Scalar scalar : {Scalar::f32, Scalar::f64}) action(a, b, scalar);
-    }
-  }
-}
-
 TEST(CudaKernels, EveryWorkloadAndInvalidShapes) {
   for (const bool order : {false, true}) {
     last_thread_first = order;
-    with_each_pair_of_kinds([](int a, int b, Scalar scalar) {
-      std::vector<Pair> pairs;
-      for (const properties::Workload workload : properties::all_workloads) {
-        properties::Stream stream(workload, a, b, scalar, properties::seed(), library_overlap);
-        for (int i = 0; i < 20; ++i) {
-          pairs.push_back(stream.next());
-          if (i < 4) spoil(pairs.back(), i);
-        }
-      }
-      ask(scalar, pairs);
-    });
+    cases::ask_workloads(ask);
   }
   last_thread_first = false;
 }
 
 TEST(CudaKernels, NearTies) {
   const int count = 2000 * properties::repeat();
-  std::int64_t asked = 0;
-  with_each_pair_of_kinds([&](int a, int b, Scalar scalar) {
-    properties::Stream stream(properties::Workload::near_contact, a, b, scalar, properties::seed(), library_overlap);
-    for (int rest = count; rest > 0; rest -= 10'000) {
-      std::vector<Pair> pairs;
-      for (int i = 0; i < rest && i < 10'000; ++i) pairs.push_back(stream.next());
-      ask(scalar, pairs);
-      asked += static_cast<std::int64_t>(pairs.size());
-    }
-  });
-  RecordProperty("near_ties", std::to_string(asked));
-  std::printf("%lld near ties\n", static_cast<long long>(asked));
+  EXPECT_EQ(cases::ask_near_ties(count, ask), 42 * std::int64_t{count});
 }
 
-TEST(CudaKernels, Corpus) {
-  const std::vector<corpus::Row> rows_of_corpus = corpus::rows("overlap");
-  ASSERT_GE(rows_of_corpus.size(), 119U);
-  for (const corpus::Row& row : rows_of_corpus) {
-    Pair pair = row.pair;
-    if (pair.kind_a > pair.kind_b) pair = {pair.kind_b, pair.kind_a, pair.b, pair.a};
-    ASSERT_EQ(vesica_overlap_f64(pair.kind_a, pair.a.data(), pair.kind_b, pair.b.data()), row.expected);
-    ask(Scalar::f64, {pair});
-  }
-}
+TEST(CudaKernels, Corpus) { EXPECT_GE(cases::ask_corpus(ask), 119U); }
 
-TEST(CudaKernels, Vectors) {
-  std::ifstream file(VESICA_VECTORS);
-  int asked = 0;
-  for (std::string line, what; std::getline(file, line);) {
-    std::istringstream words(line);
-    Pair pair{};
-    int expected = 0;
-    const auto read = [&](int& kind, properties::Numbers& numbers) {
-      words >> kind;
-      for (double& x : numbers) {
-        std::uint64_t bits = 0;
-        words >> std::hex >> bits >> std::dec;
-        x = std::bit_cast<double>(bits);
-      }
-    };
-    if (!(words >> what) || (what != "f64" && what != "f32")) continue;
-    words >> expected;
-    read(pair.kind_a, pair.a);
-    read(pair.kind_b, pair.b);
-    ASSERT_TRUE(words) << line;
-    if (std::min(pair.kind_a, pair.kind_b) < 0 || std::max(pair.kind_a, pair.kind_b) >= properties::kinds) continue;
-    if (pair.kind_a > pair.kind_b) pair = {pair.kind_b, pair.kind_a, pair.b, pair.a};
-    ask(what == "f64" ? Scalar::f64 : Scalar::f32, {pair});
-    ++asked;
-  }
-  EXPECT_GE(asked, 150);
-}
+TEST(CudaKernels, Vectors) { EXPECT_GE(cases::ask_vectors(VESICA_VECTORS, ask), 150); }
 
 TEST(CudaKernels, Arguments) {
   using vesica::Circle, vesica::Point;

@@ -19,7 +19,7 @@ struct Estimate {
 
 /// The position of a number among the numbers of its type in ascending order; both zeros share one.
 template <class T>
-auto rank(T x) noexcept {
+constexpr auto rank(T x) noexcept {
   using Integer = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
   constexpr Integer zero = Integer{1} << (8 * sizeof(T) - 1);
   const auto bits = std::bit_cast<Integer>(x);
@@ -28,7 +28,7 @@ auto rank(T x) noexcept {
 
 /// The number at a position.
 template <class T, class Integer>
-T at_rank(Integer position) noexcept {
+constexpr T at_rank(Integer position) noexcept {
   constexpr Integer zero = Integer{1} << (8 * sizeof(T) - 1);
   return position < zero ? -std::bit_cast<T>(zero - position) : std::bit_cast<T>(position - zero);
 }
@@ -49,13 +49,19 @@ inline bool round_up(const Estimate& e, double& out) noexcept {
   return true;
 }
 
+/// The nearest number of magnitude at most `largest`; -largest for NaN.
+constexpr double clamped(double x, double largest) noexcept {
+  if (std::is_constant_evaluated()) return x > -largest ? lane::min(x, largest) : -largest;
+  return std::fmin(std::fmax(x, -largest), largest);
+}
+
 /// The smallest finite double for which `reaches` holds, false when there is none. `reaches` must be monotone: false
 /// below some number, true from there on. It is asked about twice the logarithm of how far `start` is off.
 template <class Predicate>
-bool search_up(double start, const Predicate& reaches, double& out) noexcept {
+constexpr bool search_up(double start, const Predicate& reaches, double& out) noexcept {
   constexpr double infinity = std::numeric_limits<double>::infinity(), largest = std::numeric_limits<double>::max();
   const std::uint64_t none = rank(infinity);
-  std::uint64_t no = rank(-infinity), yes = none, at = rank(std::fmin(std::fmax(start, -largest), largest)), step = 1;
+  std::uint64_t no = rank(-infinity), yes = none, at = rank(clamped(start, largest)), step = 1;
   while (yes - no > 1) {
     const bool reached = reaches(at_rank<double>(at));
     (reached ? yes : no) = at;
@@ -74,8 +80,13 @@ bool search_up(double start, const Predicate& reaches, double& out) noexcept {
 
 /// The smallest T at or above x, false when there is none.
 template <class T>
-bool round_up_to(double x, T& out) noexcept {
-  if (x > static_cast<double>(std::numeric_limits<T>::max())) return false;
+constexpr bool round_up_to(double x, T& out) noexcept {
+  constexpr T largest = std::numeric_limits<T>::max();
+  if (x > static_cast<double>(largest)) return false;
+  if (std::is_constant_evaluated() && x < -static_cast<double>(largest)) {  // a constant must not overflow
+    out = -largest;
+    return true;
+  }
   const T nearest = static_cast<T>(x);
   out = static_cast<double>(nearest) < x ? at_rank<T>(rank(nearest) + 1) : nearest;
   return true;

@@ -16,13 +16,13 @@ struct Scaled {
 };
 
 /// 2^exponent for an exponent of at most +-1000.
-inline double power_of_two(int exponent) noexcept {
+constexpr double power_of_two(int exponent) noexcept {
   return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
 }
 
 /// x * 2^exponent: one rounding, and any exponent, for x in [2^-20, 2^20] or 0; for any other x an exponent of at
 /// most +-2000, and results below 2^-1022 may be rounded twice. Unlike the C library's ldexp it leaves errno alone.
-inline double scale(double x, int exponent) noexcept {
+constexpr double scale(double x, int exponent) noexcept {
   const int clamped = exponent < -2000 ? -2000 : exponent > 2000 ? 2000 : exponent;
   return x * power_of_two(clamped / 2) * power_of_two(clamped - clamped / 2);
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Stands in for CUDA's header where a kernel is compiled as plain C++: a grid is two loops, and a launch has ended when it
-/// returns. What vesica/cuda.cuh and the program of docs/cuda.md use, and no more.
+/// returns. What vesica/cuda.cuh, the program of docs/cuda.md and bench/cuda use, and no more. With VESICA_NO_DEVICE in the
+/// environment there is no device.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
@@ -37,6 +39,19 @@ inline cudaError_t cudaMemsetAsync(void* at, int value, std::size_t size, cudaSt
   return cudaSuccess;
 }
 
+enum cudaMemcpyKind { cudaMemcpyHostToDevice, cudaMemcpyDeviceToHost, cudaMemcpyDeviceToDevice };
+inline cudaError_t cudaMemcpy(void* to, const void* from, std::size_t size, cudaMemcpyKind) {
+  if (size > 0) std::memcpy(to, from, size);
+  return cudaSuccess;
+}
+inline cudaError_t cudaMemcpyAsync(void* to, const void* from, std::size_t size, cudaMemcpyKind kind) {
+  return cudaMemcpy(to, from, size, kind);
+}
+
+inline cudaError_t cudaMalloc(void** at, std::size_t size) {
+  *at = std::malloc(size);
+  return cudaSuccess;
+}
 template <class T>
 cudaError_t cudaMallocManaged(T** at, std::size_t size) {
   *at = static_cast<T*>(std::malloc(size));
@@ -45,6 +60,41 @@ cudaError_t cudaMallocManaged(T** at, std::size_t size) {
 inline cudaError_t cudaDeviceSynchronize() { return cudaSuccess; }
 inline cudaError_t cudaFree(void* at) {
   std::free(at);
+  return cudaSuccess;
+}
+
+inline const char* cudaGetErrorString(cudaError_t error) {
+  return error == cudaSuccess ? "no error" : "invalid argument";
+}
+inline cudaError_t cudaGetDeviceCount(int* count) {
+  *count = std::getenv("VESICA_NO_DEVICE") == nullptr ? 1 : 0;
+  return cudaSuccess;
+}
+struct cudaDeviceProp {
+  char name[256];
+  int multiProcessorCount;
+};
+inline cudaError_t cudaGetDeviceProperties(cudaDeviceProp* properties, int) {
+  *properties = {"no device but its stand-in", 1};
+  return cudaSuccess;
+}
+
+using cudaEvent_t = std::chrono::steady_clock::time_point*;
+inline cudaError_t cudaEventCreate(cudaEvent_t* event) {
+  *event = new std::chrono::steady_clock::time_point;
+  return cudaSuccess;
+}
+inline cudaError_t cudaEventDestroy(cudaEvent_t event) {
+  delete event;
+  return cudaSuccess;
+}
+inline cudaError_t cudaEventRecord(cudaEvent_t event) {
+  *event = std::chrono::steady_clock::now();
+  return cudaSuccess;
+}
+inline cudaError_t cudaEventSynchronize(cudaEvent_t) { return cudaSuccess; }
+inline cudaError_t cudaEventElapsedTime(float* milliseconds, cudaEvent_t start, cudaEvent_t stop) {
+  *milliseconds = std::chrono::duration<float, std::milli>(*stop - *start).count();
   return cudaSuccess;
 }
 
