@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes that move: two, arrays of them, and one through an index.
+#include <cstring>
 #include <vesica/impact_time.hpp>
 
 #include "index_arguments.hpp"
@@ -174,19 +175,35 @@ struct Moving {
   const index::Sets& sets;
   Body body;
   Motion motion;
+  Impact<T> last, first;  // of the item asked about last, and of the one hit first
 
+  const unsigned char* place(const index::Set& set, int k, std::uint32_t item) const noexcept {
+    return set.field[k] + (static_cast<int64_t>(item) - set.first) * set.stride;
+  }
   int32_t impact(std::uint32_t item, double end, Impact<T>& out) const noexcept {
     const index::Set& set = sets.set[sets.of(item)];
-    vesica::batch::Shapes<T> one{set.kind, 1, set.stride, {}};
-    for (int k = 0; k < index::fields_of[set.kind]; ++k) one.field[k] = reinterpret_cast<const T*>(set.field[k]);
-    return vesica::queries::cast(body_at(one, static_cast<int64_t>(item) - set.first), body,
-                                 {motion.vx, motion.vy, end}, out);
+    Body still{static_cast<vesica::Kind>(set.kind), {}};
+    for (int k = 0; k < index::fields_of[set.kind]; ++k) {
+      T number;
+      std::memcpy(&number, place(set, k, item), sizeof number);
+      still.number[k] = static_cast<double>(number);
+    }
+    return vesica::queries::cast(still, body, {motion.vx, motion.vy, end}, out);
   }
-  static int32_t ask(const void* context, std::uint32_t item, double end, double& t) {
-    Impact<T> impact{};
-    const int32_t code = static_cast<const Moving*>(context)->impact(item, end, impact);
-    t = static_cast<double>(impact.t);
+  static int32_t ask(void* context, std::uint32_t item, double end, double& t) {
+    Moving& moving = *static_cast<Moving*>(context);
+    const int32_t code = moving.impact(item, end, moving.last);
+    t = static_cast<double>(moving.last.t);
     return code;
+  }
+  static void foresee(const void* context, std::uint32_t item) {
+    const Moving& moving = *static_cast<const Moving*>(context);
+    const index::Set& set = moving.sets.set[moving.sets.of(item)];
+    for (int k = 0; k < index::fields_of[set.kind]; ++k) __builtin_prefetch(moving.place(set, k, item));
+  }
+  static void keep(void* context) {
+    Moving& moving = *static_cast<Moving*>(context);
+    moving.first = moving.last;
   }
 };
 
@@ -204,8 +221,10 @@ int64_t through_index(const void* from, const CShapesOf<T>* sets, int32_t set_co
   if (!sound || !vesica::detail::cast::is_sound(motion)) return VESICA_E_ARGUMENT;
   double box[4];
   if (!index::bounds_of_item(index_kernels(), single, 0, box)) return VESICA_E_SHAPE;
-  const Moving<T> moving{items, body_at(view<T>(*one), 0), motion};
-  const index::Cast cast{from, {&moving, Moving<T>::ask}, box, motion.vx, motion.vy, motion.end, items.is_float};
+  constexpr Impact<T> none = vesica::detail::cast::no_impact<T>();
+  Moving<T> moving{items, body_at(view<T>(*one), 0), motion, none, none};
+  const index::Targets targets{&moving, Moving<T>::ask, Moving<T>::foresee, Moving<T>::keep};
+  const index::Cast cast{from, targets, box, motion.vx, motion.vy, motion.end, items.is_float};
   return action(cast, moving);
 }
 
@@ -228,14 +247,8 @@ int64_t index_first(const void* from, const CShapesOf<T>* sets, int32_t set_coun
   return through_index<T>(
       from, sets, set_count, one, motion_of(vx, vy, end), [&](const auto& cast, const auto& moving) {
         const index::FirstItem found = index::find_first_hit(cast);
-        Impact<T> impact = vesica::detail::cast::no_impact<T>();
-        int32_t error = found.error;
-        if (error == 0 && found.item != index::View(from).items()) {
-          const int32_t code = moving.impact(static_cast<std::uint32_t>(found.item), moving.motion.end, impact);
-          error = code < 0 ? code : 0;
-        }
-        if (error != 0) return int64_t{error};
-        write(impact, out);
+        if (found.error != 0) return int64_t{found.error};
+        write(moving.first, out);
         return found.item;
       });
 }
