@@ -3238,6 +3238,118 @@ of all lengths, u = 2^-53, the motion's included; or 256 directions or 4096 pose
 to 0.9 us for boxes, 0.4 to 3 us where one shape is round; 0.14 ms was seen at spins of 10^6 radians, 1.4 ms
 where exponents are wildly unlike. Since: 0.1.""",
     ),
+    "vesica_cast_point_point_f64": (
+        c_int32,
+        (c_void_p, c_void_p, c_double, c_double, c_double, c_void_p,),
+        """vesica_cast_point_point_f64(a, b, vx, vy, t_end, out)
+
+A ray at a point.
+
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+Accuracy: that of vesica_cast_f64.
+Cost: COSTLINE
+Since: 0.1.""",
+    ),
+    "vesica_cast_segment_point_f64": (
+        c_int32,
+        (c_void_p, c_void_p, c_double, c_double, c_double, c_void_p,),
+        """vesica_cast_segment_point_f64(a, b, vx, vy, t_end, out)
+
+A ray at a segment.
+
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+Accuracy: that of vesica_cast_f64.
+Cost: COSTLINE
+Since: 0.1.""",
+    ),
+    "vesica_cast_circle_point_f64": (
+        c_int32,
+        (c_void_p, c_void_p, c_double, c_double, c_double, c_void_p,),
+        """vesica_cast_circle_point_f64(a, b, vx, vy, t_end, out)
+
+A ray at a disc.
+
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+Accuracy: that of vesica_cast_f64.
+Cost: COSTLINE
+Since: 0.1.""",
+    ),
+    "vesica_cast_aabb_point_f64": (
+        c_int32,
+        (c_void_p, c_void_p, c_double, c_double, c_double, c_void_p,),
+        """vesica_cast_aabb_point_f64(a, b, vx, vy, t_end, out)
+
+A ray at an axis-aligned box.
+
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+Accuracy: that of vesica_cast_f64.
+Cost: COSTLINE
+Since: 0.1.""",
+    ),
+    "vesica_cast_rect_point_f64": (
+        c_int32,
+        (c_void_p, c_void_p, c_double, c_double, c_double, c_void_p,),
+        """vesica_cast_rect_point_f64(a, b, vx, vy, t_end, out)
+
+A ray at a rectangle.
+
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+Accuracy: that of vesica_cast_f64.
+Cost: COSTLINE
+Since: 0.1.""",
+    ),
+    "vesica_cast_ellipse_point_f64": (
+        c_int32,
+        (c_void_p, c_void_p, c_double, c_double, c_double, c_void_p,),
+        """vesica_cast_ellipse_point_f64(a, b, vx, vy, t_end, out)
+
+A ray at an ellipse.
+
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+Accuracy: that of vesica_cast_f64.
+Cost: COSTLINE
+Since: 0.1.""",
+    ),
+    "vesica_cast_circle_circle_f64": (
+        c_int32,
+        (c_void_p, c_void_p, c_double, c_double, c_double, c_void_p,),
+        """vesica_cast_circle_circle_f64(a, b, vx, vy, t_end, out)
+
+Two discs.
+
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+Accuracy: that of vesica_cast_f64.
+Cost: COSTLINE
+Since: 0.1.""",
+    ),
+    "vesica_cast_rect_rect_f64": (
+        c_int32,
+        (c_void_p, c_void_p, c_double, c_double, c_double, c_void_p,),
+        """vesica_cast_rect_rect_f64(a, b, vx, vy, t_end, out)
+
+Two rectangles.
+
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+Accuracy: that of vesica_cast_f64.
+Cost: COSTLINE
+Since: 0.1.""",
+    ),
     "vesica_cast_f32": (
         c_int32,
         (c_int32, c_void_p, c_int32, c_void_p, c_float, c_float, c_float, c_void_p,),
@@ -3340,6 +3452,118 @@ Since: 0.1.""",
 As vesica_impact_time_f64. The gap is that at the rounded time, and rounded up.
 
 Errors: those of the double functions.
+Since: 0.1.""",
+    ),
+    "vesica_cast_point_point_f32": (
+        c_int32,
+        (c_void_p, c_void_p, c_float, c_float, c_float, c_void_p,),
+        """vesica_cast_point_point_f32(a, b, vx, vy, t_end, out)
+
+A ray at a point.
+
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+Accuracy: that of vesica_cast_f32.
+Cost: COSTLINE
+Since: 0.1.""",
+    ),
+    "vesica_cast_segment_point_f32": (
+        c_int32,
+        (c_void_p, c_void_p, c_float, c_float, c_float, c_void_p,),
+        """vesica_cast_segment_point_f32(a, b, vx, vy, t_end, out)
+
+A ray at a segment.
+
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+Accuracy: that of vesica_cast_f32.
+Cost: COSTLINE
+Since: 0.1.""",
+    ),
+    "vesica_cast_circle_point_f32": (
+        c_int32,
+        (c_void_p, c_void_p, c_float, c_float, c_float, c_void_p,),
+        """vesica_cast_circle_point_f32(a, b, vx, vy, t_end, out)
+
+A ray at a disc.
+
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+Accuracy: that of vesica_cast_f32.
+Cost: COSTLINE
+Since: 0.1.""",
+    ),
+    "vesica_cast_aabb_point_f32": (
+        c_int32,
+        (c_void_p, c_void_p, c_float, c_float, c_float, c_void_p,),
+        """vesica_cast_aabb_point_f32(a, b, vx, vy, t_end, out)
+
+A ray at an axis-aligned box.
+
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+Accuracy: that of vesica_cast_f32.
+Cost: COSTLINE
+Since: 0.1.""",
+    ),
+    "vesica_cast_rect_point_f32": (
+        c_int32,
+        (c_void_p, c_void_p, c_float, c_float, c_float, c_void_p,),
+        """vesica_cast_rect_point_f32(a, b, vx, vy, t_end, out)
+
+A ray at a rectangle.
+
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+Accuracy: that of vesica_cast_f32.
+Cost: COSTLINE
+Since: 0.1.""",
+    ),
+    "vesica_cast_ellipse_point_f32": (
+        c_int32,
+        (c_void_p, c_void_p, c_float, c_float, c_float, c_void_p,),
+        """vesica_cast_ellipse_point_f32(a, b, vx, vy, t_end, out)
+
+A ray at an ellipse.
+
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+Accuracy: that of vesica_cast_f32.
+Cost: COSTLINE
+Since: 0.1.""",
+    ),
+    "vesica_cast_circle_circle_f32": (
+        c_int32,
+        (c_void_p, c_void_p, c_float, c_float, c_float, c_void_p,),
+        """vesica_cast_circle_circle_f32(a, b, vx, vy, t_end, out)
+
+Two discs.
+
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+Accuracy: that of vesica_cast_f32.
+Cost: COSTLINE
+Since: 0.1.""",
+    ),
+    "vesica_cast_rect_rect_f32": (
+        c_int32,
+        (c_void_p, c_void_p, c_float, c_float, c_float, c_void_p,),
+        """vesica_cast_rect_rect_f32(a, b, vx, vy, t_end, out)
+
+Two rectangles.
+
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
+Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+Accuracy: that of vesica_cast_f32.
+Cost: COSTLINE
 Since: 0.1.""",
     ),
     "vesica_de9im_f64": (

@@ -131,10 +131,8 @@ struct Tail {
 };
 inline Tail tail(const Curve& e, double s) noexcept {
   const double y = s - e.s, h = sqrt(e.al * y * y + e.de), t = e.reach * y;
-  // Which side of the bend this is nobody can foresee: there is one quotient and no branch.
-  const bool beyond = t > 0;
-  const double share = lane::select(beyond, e.de, t) / lane::select(beyond, h * (h + t), h);
-  return {e.reach * lane::select(beyond, share, 1 - share), h, e.al * (e.de / (h * h * h))};
+  const double rest = t > 0 ? e.reach * (e.de / (h * (h + t))) : e.reach * (1 - t / h);
+  return {rest, h, e.al * (e.de / (h * h * h))};
 }
 
 /// Where the slopes of two curves have the sum w >= 0: each rest falls from twice its reach to 0, and both together are
@@ -150,9 +148,7 @@ inline double maximum_of_two(const Curve& a, const Curve& b, double gap, int& st
   for (steps = 1; steps < 80; ++steps) {
     const Tail ta = tail(a, s), tb = tail(b, s);
     const double rest = ta.rest + tb.rest, bend = ta.bend + tb.bend;
-    const bool short_of = rest > gap;
-    low = lane::select(short_of, s, low);
-    high = lane::select(short_of, high, s);
+    (rest > gap ? low : high) = s;
     double next = s + 2 * rest * (rest - gap) / ((sqrt(rest * gap) + gap) * bend);
     if (!(next >= low && next <= high)) next = 0.5 * (low + high);
     const bool done = abs(next - s) <= 0x1p-28 * lane::min(ta.h / a.reach, tb.h / b.reach) || !(low < high);

@@ -2858,6 +2858,142 @@ final class Native {
       double tolerance, Object out, Object gap);
 
   /**
+   * A ray at a point.
+   *
+   * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
+   *
+   * <p>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+   *
+   * <p>Accuracy: that of vesica_cast_f64.
+   *
+   * <p>Cost: COSTLINE
+   *
+   * <p>Since: 0.1.
+   */
+  static native int castPointPointF64(Object a, Object b, double vx, double vy, double tEnd, Object out);
+
+  /**
+   * A ray at a segment.
+   *
+   * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
+   *
+   * <p>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+   *
+   * <p>Accuracy: that of vesica_cast_f64.
+   *
+   * <p>Cost: COSTLINE
+   *
+   * <p>Since: 0.1.
+   */
+  static native int castSegmentPointF64(Object a, Object b, double vx, double vy, double tEnd, Object out);
+
+  /**
+   * A ray at a disc.
+   *
+   * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
+   *
+   * <p>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+   *
+   * <p>Accuracy: that of vesica_cast_f64.
+   *
+   * <p>Cost: COSTLINE
+   *
+   * <p>Since: 0.1.
+   */
+  static native int castCirclePointF64(Object a, Object b, double vx, double vy, double tEnd, Object out);
+
+  /**
+   * A ray at an axis-aligned box.
+   *
+   * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
+   *
+   * <p>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+   *
+   * <p>Accuracy: that of vesica_cast_f64.
+   *
+   * <p>Cost: COSTLINE
+   *
+   * <p>Since: 0.1.
+   */
+  static native int castAabbPointF64(Object a, Object b, double vx, double vy, double tEnd, Object out);
+
+  /**
+   * A ray at a rectangle.
+   *
+   * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
+   *
+   * <p>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+   *
+   * <p>Accuracy: that of vesica_cast_f64.
+   *
+   * <p>Cost: COSTLINE
+   *
+   * <p>Since: 0.1.
+   */
+  static native int castRectPointF64(Object a, Object b, double vx, double vy, double tEnd, Object out);
+
+  /**
+   * A ray at an ellipse.
+   *
+   * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
+   *
+   * <p>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+   *
+   * <p>Accuracy: that of vesica_cast_f64.
+   *
+   * <p>Cost: COSTLINE
+   *
+   * <p>Since: 0.1.
+   */
+  static native int castEllipsePointF64(Object a, Object b, double vx, double vy, double tEnd, Object out);
+
+  /**
+   * Two discs.
+   *
+   * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
+   *
+   * <p>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+   *
+   * <p>Accuracy: that of vesica_cast_f64.
+   *
+   * <p>Cost: COSTLINE
+   *
+   * <p>Since: 0.1.
+   */
+  static native int castCircleCircleF64(Object a, Object b, double vx, double vy, double tEnd, Object out);
+
+  /**
+   * Two rectangles.
+   *
+   * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
+   *
+   * <p>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+   *
+   * <p>Accuracy: that of vesica_cast_f64.
+   *
+   * <p>Cost: COSTLINE
+   *
+   * <p>Since: 0.1.
+   */
+  static native int castRectRectF64(Object a, Object b, double vx, double vy, double tEnd, Object out);
+
+  /**
    * Does b touch a while it moves, when first, and where?
    *
    * <p>The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
@@ -2987,6 +3123,142 @@ final class Native {
    */
   static native int impactTimeF32(int kindA, Object numbersA, Object turnA, int kindB, Object numbersB, Object turnB,
       float tolerance, Object out, Object gap);
+
+  /**
+   * A ray at a point.
+   *
+   * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
+   *
+   * <p>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+   *
+   * <p>Accuracy: that of vesica_cast_f32.
+   *
+   * <p>Cost: COSTLINE
+   *
+   * <p>Since: 0.1.
+   */
+  static native int castPointPointF32(Object a, Object b, float vx, float vy, float tEnd, Object out);
+
+  /**
+   * A ray at a segment.
+   *
+   * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
+   *
+   * <p>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+   *
+   * <p>Accuracy: that of vesica_cast_f32.
+   *
+   * <p>Cost: COSTLINE
+   *
+   * <p>Since: 0.1.
+   */
+  static native int castSegmentPointF32(Object a, Object b, float vx, float vy, float tEnd, Object out);
+
+  /**
+   * A ray at a disc.
+   *
+   * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
+   *
+   * <p>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+   *
+   * <p>Accuracy: that of vesica_cast_f32.
+   *
+   * <p>Cost: COSTLINE
+   *
+   * <p>Since: 0.1.
+   */
+  static native int castCirclePointF32(Object a, Object b, float vx, float vy, float tEnd, Object out);
+
+  /**
+   * A ray at an axis-aligned box.
+   *
+   * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
+   *
+   * <p>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+   *
+   * <p>Accuracy: that of vesica_cast_f32.
+   *
+   * <p>Cost: COSTLINE
+   *
+   * <p>Since: 0.1.
+   */
+  static native int castAabbPointF32(Object a, Object b, float vx, float vy, float tEnd, Object out);
+
+  /**
+   * A ray at a rectangle.
+   *
+   * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
+   *
+   * <p>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+   *
+   * <p>Accuracy: that of vesica_cast_f32.
+   *
+   * <p>Cost: COSTLINE
+   *
+   * <p>Since: 0.1.
+   */
+  static native int castRectPointF32(Object a, Object b, float vx, float vy, float tEnd, Object out);
+
+  /**
+   * A ray at an ellipse.
+   *
+   * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
+   *
+   * <p>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+   *
+   * <p>Accuracy: that of vesica_cast_f32.
+   *
+   * <p>Cost: COSTLINE
+   *
+   * <p>Since: 0.1.
+   */
+  static native int castEllipsePointF32(Object a, Object b, float vx, float vy, float tEnd, Object out);
+
+  /**
+   * Two discs.
+   *
+   * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
+   *
+   * <p>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+   *
+   * <p>Accuracy: that of vesica_cast_f32.
+   *
+   * <p>Cost: COSTLINE
+   *
+   * <p>Since: 0.1.
+   */
+  static native int castCircleCircleF32(Object a, Object b, float vx, float vy, float tEnd, Object out);
+
+  /**
+   * Two rectangles.
+   *
+   * <p>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.
+   *
+   * <p>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
+   *
+   * <p>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+   *
+   * <p>Accuracy: that of vesica_cast_f32.
+   *
+   * <p>Cost: COSTLINE
+   *
+   * <p>Since: 0.1.
+   */
+  static native int castRectRectF32(Object a, Object b, float vx, float vy, float tEnd, Object out);
 
   /**
    * The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
@@ -3584,6 +3856,54 @@ final class Native {
     return wide
         ? impactTimeF64(kindA, numbersA, turnA, kindB, numbersB, turnB, tolerance, out, gap)
         : impactTimeF32(kindA, numbersA, turnA, kindB, numbersB, turnB, (float) tolerance, out, gap);
+  }
+
+  static int castPointPoint(boolean wide, Object a, Object b, double vx, double vy, double tEnd, Object out) {
+    return wide
+        ? castPointPointF64(a, b, vx, vy, tEnd, out)
+        : castPointPointF32(a, b, (float) vx, (float) vy, (float) tEnd, out);
+  }
+
+  static int castSegmentPoint(boolean wide, Object a, Object b, double vx, double vy, double tEnd, Object out) {
+    return wide
+        ? castSegmentPointF64(a, b, vx, vy, tEnd, out)
+        : castSegmentPointF32(a, b, (float) vx, (float) vy, (float) tEnd, out);
+  }
+
+  static int castCirclePoint(boolean wide, Object a, Object b, double vx, double vy, double tEnd, Object out) {
+    return wide
+        ? castCirclePointF64(a, b, vx, vy, tEnd, out)
+        : castCirclePointF32(a, b, (float) vx, (float) vy, (float) tEnd, out);
+  }
+
+  static int castAabbPoint(boolean wide, Object a, Object b, double vx, double vy, double tEnd, Object out) {
+    return wide
+        ? castAabbPointF64(a, b, vx, vy, tEnd, out)
+        : castAabbPointF32(a, b, (float) vx, (float) vy, (float) tEnd, out);
+  }
+
+  static int castRectPoint(boolean wide, Object a, Object b, double vx, double vy, double tEnd, Object out) {
+    return wide
+        ? castRectPointF64(a, b, vx, vy, tEnd, out)
+        : castRectPointF32(a, b, (float) vx, (float) vy, (float) tEnd, out);
+  }
+
+  static int castEllipsePoint(boolean wide, Object a, Object b, double vx, double vy, double tEnd, Object out) {
+    return wide
+        ? castEllipsePointF64(a, b, vx, vy, tEnd, out)
+        : castEllipsePointF32(a, b, (float) vx, (float) vy, (float) tEnd, out);
+  }
+
+  static int castCircleCircle(boolean wide, Object a, Object b, double vx, double vy, double tEnd, Object out) {
+    return wide
+        ? castCircleCircleF64(a, b, vx, vy, tEnd, out)
+        : castCircleCircleF32(a, b, (float) vx, (float) vy, (float) tEnd, out);
+  }
+
+  static int castRectRect(boolean wide, Object a, Object b, double vx, double vy, double tEnd, Object out) {
+    return wide
+        ? castRectRectF64(a, b, vx, vy, tEnd, out)
+        : castRectRectF32(a, b, (float) vx, (float) vy, (float) tEnd, out);
   }
 
   static int de9im(boolean wide, int kindA, Object numbersA, int kindB, Object numbersB, Object matrix) {
