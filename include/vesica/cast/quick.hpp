@@ -3,8 +3,8 @@
 /// nothing else. Where that leaves anything open, nothing is said, and the way for all kinds answers. Both give the same
 /// bits: whether there is contact and the time are certain, and points and normals are made of the same operations.
 ///
-/// Bounds below have u = 2^-53, S sums of magnitudes. Differences of coordinates are off by u of themselves. Underflow
-/// adds less than 2^-400: velocities and axes are between 2^-40 and 2^40 or so, and what overflows decides nothing.
+/// Bounds below have u = 2^-53. Differences of coordinates are off by u of themselves. Underflow adds less than 2^-400:
+/// velocities are between 2^-40 and 2^40 or so, lengths below 2^200 as in filter.hpp.
 #pragma once
 
 #include <vesica/cast/first_contact.hpp>
@@ -47,7 +47,7 @@ VESICA_INLINE Quick filter_disc(double dx, double dy, double r, const Motion& v)
   const double vv = v.vx * v.vx + v.vy * v.vy, dd = dx * dx + dy * dy, rr = r * r;
   const double w = v.vx * dy - v.vy * dx, x = v.vx * dx, y = v.vy * dy, q = x + y, reach = sqrt(rr * vv);
   const double sizes = dd + rr, terms = abs(x) + abs(y), whole = v.end * vv;
-  return decided(lane::both(in_quick_range(vv), r >= 0), {rr * vv - w * w, 16 * u * (vv * sizes) + quick_tiny},
+  return decided(lane::both(lane::both(in_quick_range(vv), r >= 0), sizes <= most_usable * most_usable), {rr * vv - w * w, 16 * u * (vv * sizes) + quick_tiny},
                  {dd - rr, 8 * u * sizes + quick_tiny}, {q, 8 * u * terms + quick_tiny},
                  {-q - reach - whole, 8 * u * (terms + reach + whole) + quick_tiny});
 }
@@ -74,7 +74,7 @@ VESICA_INLINE Quick quick_filter(const Ellipse<double>& e, const Point<double>& 
   const double whole_error = v.end * line_error, forward_error = 16 * u * (across * away) + quick_tiny;
   const double reach = area * sqrt(al + line_error);
   const bool usable = lane::both(lane::both(in_quick_range(vv), in_quick_range(uu)),
-                                 lane::both(lane::both(e.a >= 0, e.b >= 0), e.a + e.b <= most_usable));
+                                 lane::both(lane::both(e.a >= 0, e.b >= 0), e.a + e.b + far <= most_usable));
   return decided(usable, {al - w * w, line_error}, {x * x + y * y - area * area,
                  16 * u * (away * away + area * area) + quick_tiny}, {q, forward_error},
                  {-q - reach - whole, forward_error + 8 * u * (reach + whole) + whole_error});
@@ -95,9 +95,11 @@ VESICA_INLINE Quick filter_box(const Box& box, const Point<double>& p, const Mot
   const double c = ux * v.vx + uy * v.vy, k = ux * v.vy - uy * v.vx;
   const double w = v.vx * dy - v.vy * dx, q = v.vx * dx + v.vy * dy;
   const double along = hx * abs(c) + hy * abs(k), across = hx * abs(k) + hy * abs(c), whole = v.end * vv;
-  const double size = (hx + hy) * (axis * speed), error = 16 * u * (size + (abs(dx) + abs(dy)) * speed) + quick_tiny;
+  const double size = (hx + hy) * (axis * speed), far = abs(dx) + abs(dy);
+  const double error = 16 * u * (size + far * speed) + quick_tiny;
   const bool sized = lane::both(hx >= 0, hy >= 0);
-  const bool usable = lane::both(lane::both(in_quick_range(vv), sized), lane::both(axis >= 0x1p-200, axis <= 0x1p200));
+  const bool usable = lane::both(lane::both(in_quick_range(vv), sized),
+                                 lane::both(in_usable_range(axis), hx + hy + far <= most_usable));
   return decided(usable, {across - abs(w), error}, {0, -1}, {q - along, error},
                  {-q - along - whole, error + 8 * u * whole});
 }
