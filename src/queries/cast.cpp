@@ -77,6 +77,7 @@ VESICA_QUICK_HIT(Aabb, Point)
 VESICA_QUICK_HIT(Rect, Point)
 VESICA_QUICK_HIT(Ellipse, Point)
 VESICA_QUICK_HIT(Circle, Circle)
+VESICA_QUICK_HIT(Ellipse, Ellipse)
 #undef VESICA_QUICK_HIT
 
 [[gnu::noinline]] std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<double>& out) noexcept {
@@ -86,6 +87,9 @@ VESICA_QUICK_HIT(Circle, Circle)
   if (b.kind == Kind::point) return detail::cast::with_shape(a, at_point);
   if (a.kind == Kind::circle && b.kind == Kind::circle) {
     return cast_shapes(detail::cast::shape<Circle>(a), detail::cast::shape<Circle>(b), motion, out);
+  }
+  if (a.kind == Kind::ellipse && b.kind == Kind::ellipse) {
+    return cast_shapes(detail::cast::shape<Ellipse>(a), detail::cast::shape<Ellipse>(b), motion, out);
   }
   using namespace detail::cast;
   return cast_rest(a, b, motion, detail::cast::filter(sketch(a), sketch(b), motion), out);

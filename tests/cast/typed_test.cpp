@@ -181,6 +181,7 @@ TEST(QuickCasts, HaveTheBitsOfTheWayForAllKinds) {
   Quickly<Rect, Point>().run();
   Quickly<Ellipse, Point>().run();
   Quickly<Circle, Circle>().run();
+  Quickly<Ellipse, Ellipse>().run();
 }
 
 }  // namespace

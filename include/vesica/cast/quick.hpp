@@ -113,6 +113,13 @@ VESICA_INLINE Quick quick_filter(const Segment<double>& a, const Point<double>& 
   return filter_box(a, b, v);
 }
 
+/// Of two ellipses, by the filter for all kinds.
+VESICA_INLINE Quick quick_filter(const Ellipse<double>& a, const Ellipse<double>& b, const Motion& v) noexcept {
+  const Filtered known = filter(sketch(a), sketch(b), v);
+  if (known.verdict == Verdict::missed) return Quick::missed;
+  return lane::both(known.apart, known.verdict == Verdict::reached) ? Quick::hit : Quick::open;
+}
+
 template <class A, class B>
 concept HasQuick = requires(const A& a, const B& b, const Motion& v) { quick_filter(a, b, v); };
 

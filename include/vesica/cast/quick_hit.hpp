@@ -183,10 +183,20 @@ struct QuickEllipse {
       return {arithmetic::rounded(dot(u, along)), arithmetic::rounded(cross(u, along))};
     }
     Offset foremost(const Vector& n) const noexcept {
-      const Offset of_n = in_frame(n), at = foremost_of(e.a, e.b, of_n.x, of_n.y);
-      return at.x * Offset{e.ux, e.uy} + at.y * Offset{-e.uy, e.ux};
+      const Offset of_n = in_frame(n);
+      return e.out_of_frame(foremost_of(e.a, e.b, of_n.x, of_n.y));
     }
   };
+
+  VESICA_INLINE Offset out_of_frame(const Offset& at) const noexcept {
+    return at.x * Offset{ux, uy} + at.y * Offset{-uy, ux};
+  }
+  template <class Products>
+  VESICA_INLINE Twofold<double> reach(const Motion& v) const noexcept {
+    const auto u = plain_factor<Products>(ux, uy), along = plain_factor<Products>(v.vx, v.vy);
+    return reach_of<Products>(Products::factor(a) * Products::factor(cross(u, along)),
+                              Products::factor(b) * Products::factor(dot(u, along)));
+  }
 
   VESICA_INLINE Curve curve(const Motion& v) const noexcept {
     const double c = ux * v.vx + uy * v.vy, k = ux * v.vy - uy * v.vx, al = (a * k) * (a * k) + (b * c) * (b * c);
@@ -234,6 +244,21 @@ VESICA_INLINE bool ends_at(const Vector& n, const Offset& in_frame, const QuickT
                     lane::both(x > 0x1p-24 * y, y > 0x1p-24 * x));
 }
 
+/// direction() of direction.hpp.
+template <class Products>
+VESICA_INLINE Vector normal_of(double s, const Motion& v) noexcept {
+  const auto by = Products::factor(s);
+  const Twofold<double> x = by * Products::factor(v.vy), y = by * Products::factor(v.vx);
+  return {arithmetic::renormalised(-(x + Twofold<double>{v.vx, 0})),
+          arithmetic::renormalised(y - Twofold<double>{v.vy, 0})};
+}
+
+VESICA_INLINE Impact<double> round_impact(double t, double cx, double cy, const Offset& at, const Vector& n) noexcept {
+  const double x = n.x.high, y = n.y.high, length = sqrt(x * x + y * y);
+  return {t, support_minimum::located_coordinate(cx, cx, at.x) + 0.0,
+          support_minimum::located_coordinate(cy, cy, at.y) + 0.0, x / length + 0.0, y / length + 0.0};
+}
+
 /// Where the offset of centres d meets the sum of round shapes; (cx, cy) is the first's centre.
 template <class Products, class Sum>
 VESICA_INLINE Quick round_hit(const Sum& sum, const Vector& d, const Motion& v, double cx, double cy,
@@ -246,19 +271,12 @@ VESICA_INLINE Quick round_hit(const Sum& sum, const Vector& d, const Motion& v, 
   const Twofold<double> w =
       arithmetic::renormalised(cross(plain_factor<Products>(v.vx, v.vy), Products::factor(d)));
   const double gap = gap_of(asked.reach, w);
-  // direction() of direction.hpp.
-  const auto by = Products::factor(asked.best(v, w.high, gap));
-  const Twofold<double> along_y = by * Products::factor(v.vy), along_x = by * Products::factor(v.vx);
-  const Vector n{arithmetic::renormalised(-(along_y + Twofold<double>{v.vx, 0})),
-                 arithmetic::renormalised(along_x - Twofold<double>{v.vy, 0})};
+  const Vector n = normal_of<Products>(asked.best(v, w.high, gap), v);
   const double vv = v.vx * v.vx + v.vy * v.vy, speed = abs(v.vx) + abs(v.vy);
   const double lengths = abs(d.x.high) + abs(d.y.high) + speed * t;
   const bool usual = lane::both(gap >= 0x1p-8 * asked.reach.high, lengths <= 0x1p16 * sum.shortest());
   if (!lane::both(usual, ends_at(n, asked.in_frame(n), asked.time, sum.radius(), vv, t))) return Quick::open;
-  const Offset at = asked.foremost(n);
-  const double x = n.x.high, y = n.y.high, length = sqrt(x * x + y * y);
-  out = {t, support_minimum::located_coordinate(cx, cx, at.x) + 0.0,
-         support_minimum::located_coordinate(cy, cy, at.y) + 0.0, x / length + 0.0, y / length + 0.0};
+  out = round_impact(t, cx, cy, asked.foremost(n), n);
   return Quick::hit;
 }
 
@@ -276,6 +294,62 @@ template <class Products>
 VESICA_INLINE Quick quick_hit(const Ellipse<double>& a, const Point<double>& b, const Motion& v,
                               Impact<double>& out) noexcept {
   return round_hit<Products>(QuickEllipse{a.ux, a.uy, a.a, a.b}, exact_offset(b.x, b.y, a.cx, a.cy), v, a.cx, a.cy, out);
+}
+
+/// Of two ellipses there is no root to go to. T(n) at the n found is a lower bound of the time, and what the slope there,
+/// known to e in double, may still gain is as in bound.hpp.
+struct QuickSupport {
+  Twofold<double> h;
+  double beside, bend, error, steepness;
+  Offset in_frame;
+};
+template <class Products>
+VESICA_INLINE QuickSupport quick_support(const QuickEllipse& e, const Vector& n, const Motion& v) noexcept {
+  const auto u = plain_factor<Products>(e.ux, e.uy), along = Products::factor(n);
+  const Twofold<double> p = arithmetic::renormalised(dot(u, along)), q = arithmetic::renormalised(cross(u, along));
+  const Twofold<double> ap = Products::factor(e.a) * Products::factor(p), bq = Products::factor(e.b) * Products::factor(q);
+  const Twofold<double> h = reach_of<Products>(ap, bq);
+  const double c = e.ux * v.vx + e.uy * v.vy, k = e.ux * v.vy - e.uy * v.vx, over = 1 / h.high;
+  const double vv = v.vx * v.vx + v.vy * v.vy, ratio = (e.a * e.b) * (e.ux * e.ux + e.uy * e.uy) * vv * over;
+  const double size = (e.a + e.b) * (abs(e.ux) + abs(e.uy)) * (abs(v.vx) + abs(v.vy));
+  return {h, (bq.high * (e.b * c) - ap.high * (e.a * k)) * over, ratio * ratio * over, 0x1p-48 * size, size * over,
+          {p.high, q.high}};
+}
+
+template <class Products>
+VESICA_INLINE Quick quick_hit(const Ellipse<double>& first, const Ellipse<double>& second, const Motion& v,
+                              Impact<double>& out) noexcept {
+  const QuickEllipse a{first.ux, first.uy, first.a, first.b}, b{second.ux, second.uy, second.a, second.b};
+  const Vector d = exact_offset(second.cx, second.cy, first.cx, first.cy);
+  if (!lane::both(is_plain(d, v), lane::both(a.is_usual(), b.is_usual()))) return Quick::open;
+  const auto along = plain_factor<Products>(v.vx, v.vy), to = Products::factor(d);
+  const Twofold<double> w = arithmetic::renormalised(cross(along, to));
+  const double gap = gap_of(arithmetic::renormalised(a.reach<Products>(v) + b.reach<Products>(v)), w);
+  Curve ca = a.curve(v), cb = b.curve(v);
+  ca.s = lane::flip_sign(ca.s, w.high);
+  cb.s = lane::flip_sign(cb.s, w.high);
+  int steps;
+  const Vector n = normal_of<Products>(lane::flip_sign(maximum_of_two(ca, cb, gap, steps), w.high), v);
+  const QuickSupport sa = quick_support<Products>(a, n, v), sb = quick_support<Products>(b, n, v);
+  const auto nf = Products::factor(n);
+  const Twofold<double> room = arithmetic::renormalised(dot(nf, to) - (sa.h + sb.h));
+  const Twofold<double> approach = arithmetic::renormalised(-dot(nf, along));
+  const double start = room.high / approach.high;
+  const Twofold<double> rest = room - Products::factor(start) * Products::factor(approach);
+  const double step = arithmetic::rounded(rest) / approach.high;
+  const double vv = v.vx * v.vx + v.vy * v.vy, speed = abs(v.vx) + abs(v.vy);
+  const double n_size = abs(n.x.high) + abs(n.y.high), error = sa.error + sb.error;
+  const double sizes = (abs(d.x.high) + abs(d.y.high)) + speed * abs(start) + 0x1p48 * error / speed;
+  const double slope = abs(w.high - (sa.beside + sb.beside)) + error, bend = sa.bend + sb.bend, off = slope / bend;
+  const double gain = 2 * slope * (off / vv);
+  const double lost = 0x1p-94 * n_size * sizes / approach.high + 0x1p-100 * abs(start);
+  const bool ends = lane::both(gain <= 0x1p-74 * start, 64 * off * lane::max(sa.steepness, sb.steepness) < 1);
+  if (!lane::both(ends, sizes * (0x1p-40 * n_size) < sa.h.high + sb.h.high)) return Quick::open;
+  double t;
+  const Quick quick = floor_of({start, step}, lost + gain, v.end, t);
+  if (quick != Quick::hit) return quick;
+  out = round_impact(t, first.cx, first.cy, a.out_of_frame(foremost_of(a.a, a.b, sa.in_frame.x, sa.in_frame.y)), n);
+  return Quick::hit;
 }
 
 /// Where a ray meets the face at height `height` along n, which is against v, after the time t: `half` is half of the
