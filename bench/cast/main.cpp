@@ -35,8 +35,9 @@ struct Aim {
   double spread, graze, spin = 0;
 };
 constexpr Aim any{"few hits", 0, 0}, towards{"aimed", 2.2, 0}, sure{"hits", 0.3, 0};
-/// Of rays, so that about that share hits.
-constexpr Aim tenth{"about 10% hit", 6, 0}, half{"about 50% hit", 2.1, 0};
+/// So that about that share of rays hits, and of two discs, which are a larger target.
+constexpr Aim tenth{"about 10% hit", 10, 0}, half{"about 50% hit", 2.1, 0};
+constexpr Aim tenth_of_discs{"about 10% hit", 23, 0}, half_of_discs{"about 50% hit", 4.5, 0};
 
 Numbers draw_shape(std::int32_t kind, Random& random) {
   const double x = random.between(-4, 4), y = random.between(-4, 4), angle = random.between(0, 6.283185307179586);
@@ -258,6 +259,8 @@ int main() {
     VESICA_RAYS(aabb, vesica::Aabb, point, vesica::Point)(aim);
     VESICA_RAYS(rect, vesica::Rect, point, vesica::Point)(aim);
     VESICA_RAYS(ellipse, vesica::Ellipse, point, vesica::Point)(aim);
+  }
+  for (const Aim& aim : {tenth_of_discs, half_of_discs}) {
     VESICA_RAYS(circle, vesica::Circle, circle, vesica::Circle)(aim);
   }
   for (const Aim& aim : {any, towards}) {
