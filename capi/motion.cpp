@@ -49,8 +49,8 @@ template <class A, class B, class T, class Out>
 VESICA_INLINE int32_t cast_shapes(const void* a, const void* b, const Motion& motion, Out* out) noexcept {
   if (!vesica::detail::cast::is_sound(motion)) return VESICA_E_ARGUMENT;
   Impact<double> found;
-  const int32_t code =
-      vesica::queries::cast_shapes(in_double(*static_cast<const A*>(a)), in_double(*static_cast<const B*>(b)), motion, found);
+  const int32_t code = vesica::queries::cast_shapes(in_double(*static_cast<const A*>(a)),
+                                                    in_double(*static_cast<const B*>(b)), motion, found);
   if (code < 0) return code;
   if (code == VESICA_CAST_MISS) {
     write(vesica::detail::cast::no_impact<T>(), out);
@@ -72,7 +72,7 @@ int32_t cast(int32_t kind_a, const T* a, int32_t kind_b, const T* b, T vx, T vy,
   const Motion motion = motion_of(vx, vy, end);
   if (kind_b == VESICA_POINT) {
     switch (kind_a) {
-#define VESICA_RAY(name, Name)           \
+#define VESICA_RAY(name, Name)                   \
   case static_cast<int32_t>(vesica::Kind::name): \
     return cast_shapes<vesica::Name<T>, vesica::Point<T>, T>(a, b, motion, out);
       VESICA_EACH_SHAPE(VESICA_RAY)
@@ -244,13 +244,13 @@ int64_t index_first(const void* from, const CShapesOf<T>* sets, int32_t set_coun
                     T end, Out* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT((index_first<T, Out>), from, sets, set_count, one, vx, vy, end, out);
   if (out == nullptr) return VESICA_E_NULL;
-  return through_index<T>(
-      from, sets, set_count, one, motion_of(vx, vy, end), [&](const auto& cast, const auto& moving) {
-        const index::FirstItem found = index::find_first_hit(cast);
-        if (found.error != 0) return int64_t{found.error};
-        write(moving.first, out);
-        return found.item;
-      });
+  return through_index<T>(from, sets, set_count, one, motion_of(vx, vy, end),
+                          [&](const auto& cast, const auto& moving) {
+                            const index::FirstItem found = index::find_first_hit(cast);
+                            if (found.error != 0) return int64_t{found.error};
+                            write(moving.first, out);
+                            return found.item;
+                          });
 }
 
 }  // namespace
@@ -291,11 +291,11 @@ int64_t index_first(const void* from, const CShapesOf<T>* sets, int32_t set_coun
 VESICA_MOTION(f64, double)
 VESICA_MOTION(f32, float)
 
-#define VESICA_CAST_OF(a, A, b, B, scalar, T)                                                                         \
+#define VESICA_CAST_OF(a, A, b, B, scalar, T)                                                                          \
   int32_t vesica_cast_##a##_##b##_##scalar(const vesica_##a##_##scalar* s, const vesica_##b##_##scalar* t, T vx, T vy, \
-                                           T t_end, vesica_impact_##scalar* out) {                                    \
-    VESICA_DEFAULT_ENVIRONMENT(vesica_cast_##a##_##b##_##scalar, s, t, vx, vy, t_end, out);                           \
-    return cast_typed<vesica::A<T>, vesica::B<T>>(s, t, vx, vy, t_end, out);                                          \
+                                           T t_end, vesica_impact_##scalar* out) {                                     \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_cast_##a##_##b##_##scalar, s, t, vx, vy, t_end, out);                            \
+    return cast_typed<vesica::A<T>, vesica::B<T>>(s, t, vx, vy, t_end, out);                                           \
   }
 #define VESICA_CAST(a, A, b, B) VESICA_CAST_OF(a, A, b, B, f64, double) VESICA_CAST_OF(a, A, b, B, f32, float)
 

@@ -2250,8 +2250,9 @@ namespace Vesica
         /// u. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
         /// their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
         /// one.</para>
-        /// <para>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; 0.7 to 20 us for contact that only exact
-        /// arithmetic can decide; at worst 2 ms, where exponents are wildly unlike.</para>
+        /// <para>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; of a ray (b a point), two circles and two
+        /// ellipses less, see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide; at
+        /// worst 2 ms, where exponents are wildly unlike.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2365,7 +2366,8 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
         /// vesica_cast_f64.</para>
         /// <para>Accuracy: that of vesica_cast_f64.</para>
-        /// <para>Cost: COSTLINE</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2379,7 +2381,8 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
         /// vesica_cast_f64.</para>
         /// <para>Accuracy: that of vesica_cast_f64.</para>
-        /// <para>Cost: COSTLINE</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2393,7 +2396,8 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
         /// vesica_cast_f64.</para>
         /// <para>Accuracy: that of vesica_cast_f64.</para>
-        /// <para>Cost: COSTLINE</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2407,7 +2411,8 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
         /// vesica_cast_f64.</para>
         /// <para>Accuracy: that of vesica_cast_f64.</para>
-        /// <para>Cost: COSTLINE</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2421,7 +2426,8 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
         /// vesica_cast_f64.</para>
         /// <para>Accuracy: that of vesica_cast_f64.</para>
-        /// <para>Cost: COSTLINE</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2435,7 +2441,8 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
         /// vesica_cast_f64.</para>
         /// <para>Accuracy: that of vesica_cast_f64.</para>
-        /// <para>Cost: COSTLINE</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2449,7 +2456,8 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
         /// vesica_cast_f64.</para>
         /// <para>Accuracy: that of vesica_cast_f64.</para>
-        /// <para>Cost: COSTLINE</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2463,7 +2471,8 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
         /// vesica_cast_f64.</para>
         /// <para>Accuracy: that of vesica_cast_f64.</para>
-        /// <para>Cost: COSTLINE</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2489,8 +2498,9 @@ namespace Vesica
         /// u. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
         /// their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
         /// one.</para>
-        /// <para>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; 0.7 to 20 us for contact that only exact
-        /// arithmetic can decide; at worst 2 ms, where exponents are wildly unlike.</para>
+        /// <para>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; of a ray (b a point), two circles and two
+        /// ellipses less, see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide; at
+        /// worst 2 ms, where exponents are wildly unlike.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2587,7 +2597,8 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
         /// vesica_cast_f32.</para>
         /// <para>Accuracy: that of vesica_cast_f32.</para>
-        /// <para>Cost: COSTLINE</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2601,7 +2612,8 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
         /// vesica_cast_f32.</para>
         /// <para>Accuracy: that of vesica_cast_f32.</para>
-        /// <para>Cost: COSTLINE</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2615,7 +2627,8 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
         /// vesica_cast_f32.</para>
         /// <para>Accuracy: that of vesica_cast_f32.</para>
-        /// <para>Cost: COSTLINE</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2629,7 +2642,8 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
         /// vesica_cast_f32.</para>
         /// <para>Accuracy: that of vesica_cast_f32.</para>
-        /// <para>Cost: COSTLINE</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2643,7 +2657,8 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
         /// vesica_cast_f32.</para>
         /// <para>Accuracy: that of vesica_cast_f32.</para>
-        /// <para>Cost: COSTLINE</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2657,7 +2672,8 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
         /// vesica_cast_f32.</para>
         /// <para>Accuracy: that of vesica_cast_f32.</para>
-        /// <para>Cost: COSTLINE</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2671,7 +2687,8 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
         /// vesica_cast_f32.</para>
         /// <para>Accuracy: that of vesica_cast_f32.</para>
-        /// <para>Cost: COSTLINE</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2685,7 +2702,8 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
         /// vesica_cast_f32.</para>
         /// <para>Accuracy: that of vesica_cast_f32.</para>
-        /// <para>Cost: COSTLINE</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

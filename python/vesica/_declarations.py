@@ -3141,8 +3141,8 @@ is rounded down. The point is within 8 u scale of a's outline; along that it may
 |n.v|, n and v of unit length. The normal is unit to 4 u. Bounds on computed numbers use u = 2^-53. The
 scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
 aspect ratio is a shape's longer size over its shorter one. Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for
-a hit; 0.7 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms, where exponents are
-wildly unlike. Since: 0.1.""",
+a hit; of a ray (b a point), two circles and two ellipses less, see the typed functions; 0.7 to 20 us for
+contact that only exact arithmetic can decide; at worst 2 ms, where exponents are wildly unlike. Since: 0.1.""",
     ),
     "vesica_cast_many_f64": (
         c_int64,
@@ -3245,12 +3245,11 @@ where exponents are wildly unlike. Since: 0.1.""",
 
 A ray at a point.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
-Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
-Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
-Accuracy: that of vesica_cast_f64.
-Cost: COSTLINE
-Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
+VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
+VESICA_E_RANGE, as of vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60
+to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
+vesica_cast_f64 does of other kinds. Since: 0.1.""",
     ),
     "vesica_cast_segment_point_f64": (
         c_int32,
@@ -3259,12 +3258,11 @@ Since: 0.1.""",
 
 A ray at a segment.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
-Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
-Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
-Accuracy: that of vesica_cast_f64.
-Cost: COSTLINE
-Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
+VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
+VESICA_E_RANGE, as of vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60
+to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
+vesica_cast_f64 does of other kinds. Since: 0.1.""",
     ),
     "vesica_cast_circle_point_f64": (
         c_int32,
@@ -3273,12 +3271,11 @@ Since: 0.1.""",
 
 A ray at a disc.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
-Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
-Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
-Accuracy: that of vesica_cast_f64.
-Cost: COSTLINE
-Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
+VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
+VESICA_E_RANGE, as of vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60
+to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
+vesica_cast_f64 does of other kinds. Since: 0.1.""",
     ),
     "vesica_cast_aabb_point_f64": (
         c_int32,
@@ -3287,12 +3284,11 @@ Since: 0.1.""",
 
 A ray at an axis-aligned box.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
-Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
-Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
-Accuracy: that of vesica_cast_f64.
-Cost: COSTLINE
-Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
+VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
+VESICA_E_RANGE, as of vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60
+to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
+vesica_cast_f64 does of other kinds. Since: 0.1.""",
     ),
     "vesica_cast_rect_point_f64": (
         c_int32,
@@ -3301,12 +3297,11 @@ Since: 0.1.""",
 
 A ray at a rectangle.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
-Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
-Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
-Accuracy: that of vesica_cast_f64.
-Cost: COSTLINE
-Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
+VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
+VESICA_E_RANGE, as of vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60
+to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
+vesica_cast_f64 does of other kinds. Since: 0.1.""",
     ),
     "vesica_cast_ellipse_point_f64": (
         c_int32,
@@ -3315,12 +3310,11 @@ Since: 0.1.""",
 
 A ray at an ellipse.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
-Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
-Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
-Accuracy: that of vesica_cast_f64.
-Cost: COSTLINE
-Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
+VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
+VESICA_E_RANGE, as of vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60
+to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
+vesica_cast_f64 does of other kinds. Since: 0.1.""",
     ),
     "vesica_cast_circle_circle_f64": (
         c_int32,
@@ -3329,12 +3323,11 @@ Since: 0.1.""",
 
 Two discs.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
-Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
-Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
-Accuracy: that of vesica_cast_f64.
-Cost: COSTLINE
-Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
+VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
+VESICA_E_RANGE, as of vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60
+to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
+vesica_cast_f64 does of other kinds. Since: 0.1.""",
     ),
     "vesica_cast_rect_rect_f64": (
         c_int32,
@@ -3343,12 +3336,11 @@ Since: 0.1.""",
 
 Two rectangles.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
-Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
-Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
-Accuracy: that of vesica_cast_f64.
-Cost: COSTLINE
-Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
+VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
+VESICA_E_RANGE, as of vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60
+to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
+vesica_cast_f64 does of other kinds. Since: 0.1.""",
     ),
     "vesica_cast_f32": (
         c_int32,
@@ -3373,8 +3365,8 @@ is rounded down. The point is within 8 u scale of a's outline; along that it may
 |n.v|, n and v of unit length. The normal is unit to 4 u. Bounds on computed numbers use u = 2^-53. The
 scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
 aspect ratio is a shape's longer size over its shorter one. Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for
-a hit; 0.7 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms, where exponents are
-wildly unlike. Since: 0.1.""",
+a hit; of a ray (b a point), two circles and two ellipses less, see the typed functions; 0.7 to 20 us for
+contact that only exact arithmetic can decide; at worst 2 ms, where exponents are wildly unlike. Since: 0.1.""",
     ),
     "vesica_cast_many_f32": (
         c_int64,
@@ -3461,12 +3453,11 @@ Since: 0.1.""",
 
 A ray at a point.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
-Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
-Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
-Accuracy: that of vesica_cast_f32.
-Cost: COSTLINE
-Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
+VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
+VESICA_E_RANGE, as of vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60
+to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
+vesica_cast_f32 does of other kinds. Since: 0.1.""",
     ),
     "vesica_cast_segment_point_f32": (
         c_int32,
@@ -3475,12 +3466,11 @@ Since: 0.1.""",
 
 A ray at a segment.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
-Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
-Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
-Accuracy: that of vesica_cast_f32.
-Cost: COSTLINE
-Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
+VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
+VESICA_E_RANGE, as of vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60
+to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
+vesica_cast_f32 does of other kinds. Since: 0.1.""",
     ),
     "vesica_cast_circle_point_f32": (
         c_int32,
@@ -3489,12 +3479,11 @@ Since: 0.1.""",
 
 A ray at a disc.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
-Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
-Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
-Accuracy: that of vesica_cast_f32.
-Cost: COSTLINE
-Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
+VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
+VESICA_E_RANGE, as of vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60
+to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
+vesica_cast_f32 does of other kinds. Since: 0.1.""",
     ),
     "vesica_cast_aabb_point_f32": (
         c_int32,
@@ -3503,12 +3492,11 @@ Since: 0.1.""",
 
 A ray at an axis-aligned box.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
-Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
-Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
-Accuracy: that of vesica_cast_f32.
-Cost: COSTLINE
-Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
+VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
+VESICA_E_RANGE, as of vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60
+to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
+vesica_cast_f32 does of other kinds. Since: 0.1.""",
     ),
     "vesica_cast_rect_point_f32": (
         c_int32,
@@ -3517,12 +3505,11 @@ Since: 0.1.""",
 
 A ray at a rectangle.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
-Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
-Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
-Accuracy: that of vesica_cast_f32.
-Cost: COSTLINE
-Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
+VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
+VESICA_E_RANGE, as of vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60
+to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
+vesica_cast_f32 does of other kinds. Since: 0.1.""",
     ),
     "vesica_cast_ellipse_point_f32": (
         c_int32,
@@ -3531,12 +3518,11 @@ Since: 0.1.""",
 
 A ray at an ellipse.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
-Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
-Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
-Accuracy: that of vesica_cast_f32.
-Cost: COSTLINE
-Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
+VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
+VESICA_E_RANGE, as of vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60
+to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
+vesica_cast_f32 does of other kinds. Since: 0.1.""",
     ),
     "vesica_cast_circle_circle_f32": (
         c_int32,
@@ -3545,12 +3531,11 @@ Since: 0.1.""",
 
 Two discs.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
-Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
-Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
-Accuracy: that of vesica_cast_f32.
-Cost: COSTLINE
-Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
+VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
+VESICA_E_RANGE, as of vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60
+to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
+vesica_cast_f32 does of other kinds. Since: 0.1.""",
     ),
     "vesica_cast_rect_rect_f32": (
         c_int32,
@@ -3559,12 +3544,11 @@ Since: 0.1.""",
 
 Two rectangles.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
-Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
-Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
-Accuracy: that of vesica_cast_f32.
-Cost: COSTLINE
-Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
+VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
+VESICA_E_RANGE, as of vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60
+to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
+vesica_cast_f32 does of other kinds. Since: 0.1.""",
     ),
     "vesica_de9im_f64": (
         c_int32,

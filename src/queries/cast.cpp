@@ -69,7 +69,7 @@ template <class A, class B>
 #endif
   return detail::cast::quick_hit<detail::cast::UsualProducts>(a, b, motion, out);
 }
-#define VESICA_QUICK_HIT(A, B)                                                                                     \
+#define VESICA_QUICK_HIT(A, B) \
   template detail::cast::Quick quick_hit(const A<double>&, const B<double>&, const Motion&, Impact<double>&) noexcept;
 VESICA_QUICK_HIT(Segment, Point)
 VESICA_QUICK_HIT(Circle, Point)

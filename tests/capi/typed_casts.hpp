@@ -22,10 +22,10 @@ struct TypedCastOf<function> {
   static constexpr TypedCast<T, Impact> entry{KindOf<A>::kind, KindOf<B>::kind, call};
 };
 
-#define VESICA_CASTS(s)                                                                                           \
-  TypedCastOf<vesica_cast_point_point_##s>::entry, TypedCastOf<vesica_cast_segment_point_##s>::entry,             \
-      TypedCastOf<vesica_cast_circle_point_##s>::entry, TypedCastOf<vesica_cast_aabb_point_##s>::entry,           \
-      TypedCastOf<vesica_cast_rect_point_##s>::entry, TypedCastOf<vesica_cast_ellipse_point_##s>::entry,          \
+#define VESICA_CASTS(s)                                                                                  \
+  TypedCastOf<vesica_cast_point_point_##s>::entry, TypedCastOf<vesica_cast_segment_point_##s>::entry,    \
+      TypedCastOf<vesica_cast_circle_point_##s>::entry, TypedCastOf<vesica_cast_aabb_point_##s>::entry,  \
+      TypedCastOf<vesica_cast_rect_point_##s>::entry, TypedCastOf<vesica_cast_ellipse_point_##s>::entry, \
       TypedCastOf<vesica_cast_circle_circle_##s>::entry, TypedCastOf<vesica_cast_rect_rect_##s>::entry
 inline constexpr TypedCast<double, vesica_impact_f64> typed_casts_f64[] = {VESICA_CASTS(f64)};
 inline constexpr TypedCast<float, vesica_impact_f32> typed_casts_f32[] = {VESICA_CASTS(f32)};

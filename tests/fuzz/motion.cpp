@@ -113,8 +113,8 @@ void call_cast_first(Bytes& bytes, Memory& memory) {
 
 template <class T>
 void call(Bytes& bytes, Memory& memory) {
-  constexpr void (*calls[])(Bytes&, Memory&) = {call_cast<T>, call_typed_cast<T>, call_sweep_bounds<T>, call_cast_many<T>,
-                                                call_cast_first<T>};
+  constexpr void (*calls[])(Bytes&, Memory&) = {call_cast<T>, call_typed_cast<T>, call_sweep_bounds<T>,
+                                                call_cast_many<T>, call_cast_first<T>};
   calls[bytes.below(static_cast<unsigned>(std::size(calls)))](bytes, memory);
 }
 

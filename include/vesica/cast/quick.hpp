@@ -33,7 +33,8 @@ struct Signed {
 VESICA_INLINE Quick decided(bool usable, const Signed& line, const Signed& apart, const Signed& forward,
                             const Signed& early) noexcept {
   // One of these holds of most misses, and which cannot be foreseen.
-  const bool missed = lane::either(lane::either(line.below(), early.above()), lane::both(apart.above(), forward.above()));
+  const bool missed =
+      lane::either(lane::either(line.below(), early.above()), lane::both(apart.above(), forward.above()));
   if (lane::both(usable, missed)) return Quick::missed;
   const bool hit = lane::both(lane::both(usable, line.above()), lane::both(apart.above(), forward.below()));
   return hit ? Quick::hit : Quick::open;
@@ -47,9 +48,9 @@ VESICA_INLINE Quick filter_disc(double dx, double dy, double r, const Motion& v)
   const double vv = v.vx * v.vx + v.vy * v.vy, dd = dx * dx + dy * dy, rr = r * r;
   const double w = v.vx * dy - v.vy * dx, x = v.vx * dx, y = v.vy * dy, q = x + y, reach = sqrt(rr * vv);
   const double sizes = dd + rr, terms = abs(x) + abs(y), whole = v.end * vv;
-  return decided(lane::both(lane::both(in_quick_range(vv), r >= 0), sizes <= most_usable * most_usable), {rr * vv - w * w, 16 * u * (vv * sizes) + quick_tiny},
-                 {dd - rr, 8 * u * sizes + quick_tiny}, {q, 8 * u * terms + quick_tiny},
-                 {-q - reach - whole, 8 * u * (terms + reach + whole) + quick_tiny});
+  return decided(lane::both(lane::both(in_quick_range(vv), r >= 0), sizes <= most_usable * most_usable),
+                 {rr * vv - w * w, 16 * u * (vv * sizes) + quick_tiny}, {dd - rr, 8 * u * sizes + quick_tiny},
+                 {q, 8 * u * terms + quick_tiny}, {-q - reach - whole, 8 * u * (terms + reach + whole) + quick_tiny});
 }
 
 VESICA_INLINE Quick quick_filter(const Circle<double>& a, const Point<double>& b, const Motion& v) noexcept {
@@ -75,8 +76,8 @@ VESICA_INLINE Quick quick_filter(const Ellipse<double>& e, const Point<double>& 
   const double reach = area * sqrt(al + line_error);
   const bool usable = lane::both(lane::both(in_quick_range(vv), in_quick_range(uu)),
                                  lane::both(lane::both(e.a >= 0, e.b >= 0), e.a + e.b + far <= most_usable));
-  return decided(usable, {al - w * w, line_error}, {x * x + y * y - area * area,
-                 16 * u * (away * away + area * area) + quick_tiny}, {q, forward_error},
+  return decided(usable, {al - w * w, line_error},
+                 {x * x + y * y - area * area, 16 * u * (away * away + area * area) + quick_tiny}, {q, forward_error},
                  {-q - reach - whole, forward_error + 8 * u * (reach + whole) + whole_error});
 }
 
@@ -121,6 +122,8 @@ VESICA_INLINE Quick quick_filter(const Ellipse<double>& a, const Ellipse<double>
 }
 
 template <class A, class B>
-concept HasQuick = requires(const A& a, const B& b, const Motion& v) { quick_filter(a, b, v); };
+concept HasQuick = requires(const A& a, const B& b, const Motion& v) {
+  quick_filter(a, b, v);
+};
 
 }  // namespace vesica::detail::cast

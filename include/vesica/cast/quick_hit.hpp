@@ -268,8 +268,7 @@ VESICA_INLINE Quick round_hit(const Sum& sum, const Vector& d, const Motion& v, 
   double t;
   const Quick quick = floor_of(asked.time.value, asked.time.error, v.end, t);
   if (quick != Quick::hit) return quick;
-  const Twofold<double> w =
-      arithmetic::renormalised(cross(plain_factor<Products>(v.vx, v.vy), Products::factor(d)));
+  const Twofold<double> w = arithmetic::renormalised(cross(plain_factor<Products>(v.vx, v.vy), Products::factor(d)));
   const double gap = gap_of(asked.reach, w);
   const Vector n = normal_of<Products>(asked.best(v, w.high, gap), v);
   const double vv = v.vx * v.vx + v.vy * v.vy, speed = abs(v.vx) + abs(v.vy);
@@ -293,7 +292,8 @@ VESICA_INLINE Quick quick_hit(const Circle<double>& a, const Circle<double>& b, 
 template <class Products>
 VESICA_INLINE Quick quick_hit(const Ellipse<double>& a, const Point<double>& b, const Motion& v,
                               Impact<double>& out) noexcept {
-  return round_hit<Products>(QuickEllipse{a.ux, a.uy, a.a, a.b}, exact_offset(b.x, b.y, a.cx, a.cy), v, a.cx, a.cy, out);
+  return round_hit<Products>(QuickEllipse{a.ux, a.uy, a.a, a.b}, exact_offset(b.x, b.y, a.cx, a.cy), v, a.cx, a.cy,
+                             out);
 }
 
 /// Of two ellipses there is no root to go to. T(n) at the n found is a lower bound of the time, and what the slope there,
@@ -307,12 +307,17 @@ template <class Products>
 VESICA_INLINE QuickSupport quick_support(const QuickEllipse& e, const Vector& n, const Motion& v) noexcept {
   const auto u = plain_factor<Products>(e.ux, e.uy), along = Products::factor(n);
   const Twofold<double> p = arithmetic::renormalised(dot(u, along)), q = arithmetic::renormalised(cross(u, along));
-  const Twofold<double> ap = Products::factor(e.a) * Products::factor(p), bq = Products::factor(e.b) * Products::factor(q);
+  const Twofold<double> ap = Products::factor(e.a) * Products::factor(p),
+                        bq = Products::factor(e.b) * Products::factor(q);
   const Twofold<double> h = reach_of<Products>(ap, bq);
   const double c = e.ux * v.vx + e.uy * v.vy, k = e.ux * v.vy - e.uy * v.vx, over = 1 / h.high;
   const double vv = v.vx * v.vx + v.vy * v.vy, ratio = (e.a * e.b) * (e.ux * e.ux + e.uy * e.uy) * vv * over;
   const double size = (e.a + e.b) * (abs(e.ux) + abs(e.uy)) * (abs(v.vx) + abs(v.vy));
-  return {h, (bq.high * (e.b * c) - ap.high * (e.a * k)) * over, ratio * ratio * over, 0x1p-48 * size, size * over,
+  return {h,
+          (bq.high * (e.b * c) - ap.high * (e.a * k)) * over,
+          ratio * ratio * over,
+          0x1p-48 * size,
+          size * over,
           {p.high, q.high}};
 }
 
@@ -396,8 +401,8 @@ VESICA_INLINE Quick quick_hit(const Aabb<double>& a, const Point<double>& b, con
   const Twofold<double> product = Products::factor(first) * Products::factor(speed);
   const double rest = ((way.high - product.high) - product.low) + way.low, step = rest / speed;
   double t = first;
-  const Quick quick = rest == 0 ? first <= v.end ? Quick::hit : Quick::missed
-                                : floor_of({first, step}, 0x1p-50 * abs(step), v.end, t);
+  const Quick quick =
+      rest == 0 ? first <= v.end ? Quick::hit : Quick::missed : floor_of({first, step}, 0x1p-50 * abs(step), v.end, t);
   if (quick != Quick::hit) return quick;
   const double side = lane::select(speed > 0, -1.0, 1.0);
   const QuickFace face{{lane::select(on_x, side, 0.0), lane::select(on_x, 0.0, side)},
@@ -423,8 +428,9 @@ VESICA_INLINE Quick box_hit(const Vector& u, double hx, double hy, const form::C
   const double x_error = error(tx, c), y_error = error(ty, k);
   const bool on_x = tx > ty;
   const double half = lane::select(on_x, hy, hx), h = lane::select(on_x, hx, hy);
-  const bool plain = lane::both(lane::both(is_plain(d, v), is_plain_size(axis)),
-                                lane::both(lane::both(is_plain(ux), is_plain(uy)), lane::both(is_plain(h), is_plain_size(half))));
+  const bool plain =
+      lane::both(lane::both(is_plain(d, v), is_plain_size(axis)),
+                 lane::both(lane::both(is_plain(ux), is_plain(uy)), lane::both(is_plain(h), is_plain_size(half))));
   if (!lane::both(plain, abs(tx - ty) > x_error + y_error)) return Quick::open;
   const double turn = lane::select(lane::select(on_x, c, k) > 0, -1.0, 1.0);
   const auto across = [&](double along, double beside) { return turn * lane::select(on_x, along, beside); };
@@ -432,8 +438,7 @@ VESICA_INLINE Quick box_hit(const Vector& u, double hx, double hy, const form::C
   const auto nf = Products::factor(n);
   const Twofold<double> reach = Products::factor(h) * Products::factor(arithmetic::renormalised(dot(nf, nf)));
   const Twofold<double> room = arithmetic::renormalised(dot(nf, Products::factor(d)) - reach);
-  const Twofold<double> approach =
-      arithmetic::renormalised(-dot(nf, Products::factor(Vector{{v.vx, 0}, {v.vy, 0}})));
+  const Twofold<double> approach = arithmetic::renormalised(-dot(nf, Products::factor(Vector{{v.vx, 0}, {v.vy, 0}})));
   const double first = room.high / approach.high;
   const Twofold<double> rest = room - Products::factor(first) * Products::factor(approach);
   const double step = arithmetic::rounded(rest) / approach.high;
