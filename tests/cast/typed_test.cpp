@@ -134,11 +134,21 @@ struct Quickly {
     check_quick<core::SplitProducts>(a, b, m, code, wanted, split);
   }
 
+  /// A component of the axis of a shape.
+  static double axis_of(const Pair& p, std::size_t k) {
+    if (p.kind_a == VESICA_SEGMENT) return p.a[2 + k] - p.a[k];
+    return p.kind_a >= VESICA_RECT ? p.a[2 + k] : k == 0 ? 1 : 0;
+  }
+
   /// The pair as it is drawn, of other sizes and at other speeds, along an axis, and with its end about the contact.
   void ask_about(const Pair& p, const Motion& m, properties::Random& random) {
     ask(p, m);
     ask(p, {m.vx, 0, m.end});
     ask(p, {0, m.vy, infinity});
+    // About along a side.
+    const double ux = axis_of(p, 0), uy = axis_of(p, 1), off = std::ldexp(random.sign(), -random.integer(20, 60));
+    ask(p, {ux - off * uy, uy + off * ux, infinity});
+    ask(p, {uy, -ux, infinity});
     const int e = random.integer(-30, 30), f = random.integer(-30, 30);
     ask(p, {std::ldexp(m.vx, e), std::ldexp(m.vy, random.chance(0.8) ? e : f), m.end});
     Pair q = p;

@@ -179,7 +179,8 @@ struct QuickEllipse {
 
     double best(const Motion& v, double w, double gap) const noexcept { return maximum_of_one(e.curve(v), w, gap); }
     Offset in_frame(const Vector& n) const noexcept {
-      const auto u = plain_factor<Products>(e.ux, e.uy), along = Products::factor(n);
+      const auto u = plain_factor<Products>(e.ux, e.uy);
+      const auto along = Products::factor(n);
       return {arithmetic::rounded(dot(u, along)), arithmetic::rounded(cross(u, along))};
     }
     Offset foremost(const Vector& n) const noexcept {
@@ -305,7 +306,8 @@ struct QuickSupport {
 };
 template <class Products>
 VESICA_INLINE QuickSupport quick_support(const QuickEllipse& e, const Vector& n, const Motion& v) noexcept {
-  const auto u = plain_factor<Products>(e.ux, e.uy), along = Products::factor(n);
+  const auto u = plain_factor<Products>(e.ux, e.uy);
+  const auto along = Products::factor(n);
   const Twofold<double> p = arithmetic::renormalised(dot(u, along)), q = arithmetic::renormalised(cross(u, along));
   const Twofold<double> ap = Products::factor(e.a) * Products::factor(p),
                         bq = Products::factor(e.b) * Products::factor(q);
@@ -327,7 +329,8 @@ VESICA_INLINE Quick quick_hit(const Ellipse<double>& first, const Ellipse<double
   const QuickEllipse a{first.ux, first.uy, first.a, first.b}, b{second.ux, second.uy, second.a, second.b};
   const Vector d = exact_offset(second.cx, second.cy, first.cx, first.cy);
   if (!lane::both(is_plain(d, v), lane::both(a.is_usual(), b.is_usual()))) return Quick::open;
-  const auto along = plain_factor<Products>(v.vx, v.vy), to = Products::factor(d);
+  const auto along = plain_factor<Products>(v.vx, v.vy);
+  const auto to = Products::factor(d);
   const Twofold<double> w = arithmetic::renormalised(cross(along, to));
   const double gap = gap_of(arithmetic::renormalised(a.reach<Products>(v) + b.reach<Products>(v)), w);
   Curve ca = a.curve(v), cb = b.curve(v);
@@ -413,25 +416,31 @@ VESICA_INLINE Quick quick_hit(const Aabb<double>& a, const Point<double>& b, con
 }
 
 /// Of a box about its centre with the axes u and perp(u): the ray enters both slabs, |x.n| <= h u.u, at times that double
-/// tells, but for 16u of the sum of terms over |n.v|. The later is told in twofolds.
+/// tells, but for 16u of the sum of terms over |n.v|, where n.v is known to be above its own rounding. The later is told
+/// in twofolds. A slab along the ray holds it all the time, as the filter has told.
 template <class Products>
 VESICA_INLINE Quick box_hit(const Vector& u, double hx, double hy, const form::Corners<double>& place, const Vector& d,
                             const Motion& v, Impact<double>& out) noexcept {
   const double ux = u.x.high, uy = u.y.high, uu = ux * ux + uy * uy, speed = abs(v.vx) + abs(v.vy);
   const double c = ux * v.vx + uy * v.vy, k = ux * v.vy - uy * v.vx;
   const double x = ux * d.x.high + uy * d.y.high, y = ux * d.y.high - uy * d.x.high;
-  const double tx = (-x - lane::flip_sign(hx * uu, c)) / c, ty = (-y - lane::flip_sign(hy * uu, k)) / k;
+  const bool along_x = lane::both(lane::either(ux == 0, v.vx == 0), lane::either(uy == 0, v.vy == 0));
+  const bool along_y = lane::both(lane::either(ux == 0, v.vy == 0), lane::either(uy == 0, v.vx == 0));
+  const double tx = lane::select(along_x, -1.0, (-x - lane::flip_sign(hx * uu, c)) / c);
+  const double ty = lane::select(along_y, -1.0, (-y - lane::flip_sign(hy * uu, k)) / k);
   const double axis = abs(ux) + abs(uy), size = axis * (abs(d.x.high) + abs(d.y.high)) + (hx + hy) * (axis * axis);
   const auto error = [&](double t, double approach) {
     return 0x1p-48 * (size + axis * (speed * abs(t))) / abs(approach);
   };
-  const double x_error = error(tx, c), y_error = error(ty, k);
+  const double x_error = lane::select(along_x, 0.0, error(tx, c)), y_error = lane::select(along_y, 0.0, error(ty, k));
+  const double least = 0x1p-40 * (axis * speed);
+  const bool crosses = lane::both(lane::either(along_x, abs(c) > least), lane::either(along_y, abs(k) > least));
   const bool on_x = tx > ty;
   const double half = lane::select(on_x, hy, hx), h = lane::select(on_x, hx, hy);
   const bool plain =
       lane::both(lane::both(is_plain(d, v), is_plain_size(axis)),
                  lane::both(lane::both(is_plain(ux), is_plain(uy)), lane::both(is_plain(h), is_plain_size(half))));
-  if (!lane::both(plain, abs(tx - ty) > x_error + y_error)) return Quick::open;
+  if (!lane::both(lane::both(plain, crosses), abs(tx - ty) > x_error + y_error)) return Quick::open;
   const double turn = lane::select(lane::select(on_x, c, k) > 0, -1.0, 1.0);
   const auto across = [&](double along, double beside) { return turn * lane::select(on_x, along, beside); };
   const Vector n{{across(ux, -uy), across(u.x.low, -u.y.low)}, {across(uy, ux), across(u.y.low, u.x.low)}};
