@@ -75,6 +75,15 @@ TEST(Known, PointsOnOneLine) {
   expect_hit(segments, {1, 0, infinity}, 2, 0, 0, -1, 0);
 }
 
+TEST(Known, ABoxThatComesFromOneSideAndSlowlyFromAnother) {
+  // In the unit of the longer sides the slow component of the velocity is 0.
+  const Pair p{VESICA_POINT, VESICA_AABB, {0, 0}, {-0x1p649, -0x1p-648, -0x1p647, -0x1p-650}};
+  const Answer r = cast(Scalar::f64, p, {0x1p648, 0x1p-651, infinity});
+  EXPECT_EQ(r.code, VESICA_CAST_HIT);
+  EXPECT_EQ(r.t, 2);
+  EXPECT_EQ(cast(Scalar::f64, p, {0x1p648, 0x1p-651, 1.875}).code, VESICA_CAST_MISS);
+}
+
 TEST(Known, AtTheStart) {
   const Pair touching{VESICA_AABB, VESICA_AABB, {0, 0, 1, 1}, {1, 0, 3, 1}};
   for (const double vx : {-1.0, 0.0, 1.0}) {

@@ -19,6 +19,10 @@ enum class Quick {
 
 inline constexpr double quick_tiny = 0x1p-400;
 VESICA_INLINE bool in_quick_range(double square) noexcept { return lane::both(square >= 0x1p-80, square <= 0x1p80); }
+/// Of a motion, by v.v. Places at an earlier end may have more digits than exact numbers hold, which is not told here.
+VESICA_INLINE bool is_quick(const Motion& v, double vv) noexcept {
+  return lane::both(in_quick_range(vv), v.end >= 0x1p-300);
+}
 
 /// What is certain of a line, of the start and of the end, each a number of which the sign counts and its error.
 struct Signed {
@@ -48,7 +52,7 @@ VESICA_INLINE Quick filter_disc(double dx, double dy, double r, const Motion& v)
   const double vv = v.vx * v.vx + v.vy * v.vy, dd = dx * dx + dy * dy, rr = r * r;
   const double w = v.vx * dy - v.vy * dx, x = v.vx * dx, y = v.vy * dy, q = x + y, reach = sqrt(rr * vv);
   const double sizes = dd + rr, terms = abs(x) + abs(y), whole = v.end * vv;
-  return decided(lane::both(lane::both(in_quick_range(vv), r >= 0), sizes <= most_usable * most_usable),
+  return decided(lane::both(lane::both(is_quick(v, vv), r >= 0), sizes <= most_usable * most_usable),
                  {rr * vv - w * w, 16 * u * (vv * sizes) + quick_tiny}, {dd - rr, 8 * u * sizes + quick_tiny},
                  {q, 8 * u * terms + quick_tiny}, {-q - reach - whole, 8 * u * (terms + reach + whole) + quick_tiny});
 }
@@ -74,7 +78,7 @@ VESICA_INLINE Quick quick_filter(const Ellipse<double>& e, const Point<double>& 
   const double line_error = 16 * u * (across * across + width * width) + quick_tiny, whole = v.end * al;
   const double whole_error = v.end * line_error, forward_error = 16 * u * (across * away) + quick_tiny;
   const double reach = area * sqrt(al + line_error);
-  const bool usable = lane::both(lane::both(in_quick_range(vv), in_quick_range(uu)),
+  const bool usable = lane::both(lane::both(is_quick(v, vv), in_quick_range(uu)),
                                  lane::both(lane::both(e.a >= 0, e.b >= 0), e.a + e.b + far <= most_usable));
   return decided(usable, {al - w * w, line_error},
                  {x * x + y * y - area * area, 16 * u * (away * away + area * area) + quick_tiny}, {q, forward_error},
@@ -99,8 +103,8 @@ VESICA_INLINE Quick filter_box(const Box& box, const Point<double>& p, const Mot
   const double size = (hx + hy) * (axis * speed), far = abs(dx) + abs(dy);
   const double error = 16 * u * (size + far * speed) + quick_tiny;
   const bool sized = lane::both(hx >= 0, hy >= 0);
-  const bool usable = lane::both(lane::both(in_quick_range(vv), sized),
-                                 lane::both(in_usable_range(axis), hx + hy + far <= most_usable));
+  const bool usable =
+      lane::both(lane::both(is_quick(v, vv), sized), lane::both(in_usable_range(axis), hx + hy + far <= most_usable));
   return decided(usable, {across - abs(w), error}, {0, -1}, {q - along, error},
                  {-q - along - whole, error + 8 * u * whole});
 }
