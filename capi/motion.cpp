@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes that move: two, arrays of them, and one through an index.
+#include <cstring>
 #include <vesica/impact_time.hpp>
 
 #include "index_arguments.hpp"
@@ -31,11 +32,36 @@ Motion motion_of(T vx, T vy, T end) noexcept {
   return {static_cast<double>(vx), static_cast<double>(vy), static_cast<double>(end)};
 }
 
+template <template <class> class Shape, class T>
+VESICA_INLINE Shape<double> in_double(const Shape<T>& s) noexcept {
+  return vesica::detail::cast::shape<Shape>(vesica::detail::cast::body(s));
+}
+
 template <class T>
 Body body_of(int32_t kind, const T* numbers) noexcept {
   Body body{static_cast<vesica::Kind>(kind), {}};
   for (int k = 0; k < vesica::field_count(kind); ++k) body.number[k] = static_cast<double>(numbers[k]);
   return body;
+}
+
+/// Of shapes whose kinds are known when this is compiled. The C structs are the core's shapes byte for byte.
+template <class A, class B, class T, class Out>
+VESICA_INLINE int32_t cast_shapes(const void* a, const void* b, const Motion& motion, Out* out) noexcept {
+  if (!vesica::detail::cast::is_sound(motion)) return VESICA_E_ARGUMENT;
+  Impact<double> found;
+  const int32_t code = vesica::queries::cast_shapes(in_double(*static_cast<const A*>(a)),
+                                                    in_double(*static_cast<const B*>(b)), motion, found);
+  if (code < 0) return code;
+  if (code == VESICA_CAST_MISS) {
+    write(vesica::detail::cast::no_impact<T>(), out);
+  } else if constexpr (std::is_same_v<T, double>) {
+    write(found, out);
+  } else {
+    Impact<T> rounded;
+    if (!vesica::detail::cast::rounded_to(found, rounded)) return VESICA_E_RANGE;
+    write(rounded, out);
+  }
+  return code;
 }
 
 template <class T, class Out>
@@ -44,11 +70,31 @@ int32_t cast(int32_t kind_a, const T* a, int32_t kind_b, const T* b, T vx, T vy,
   if (a == nullptr || b == nullptr || out == nullptr) return VESICA_E_NULL;
   if (!vesica::is_kind(kind_a) || !vesica::is_kind(kind_b)) return VESICA_E_KIND;
   const Motion motion = motion_of(vx, vy, end);
+  if (kind_b == VESICA_POINT) {
+    switch (kind_a) {
+#define VESICA_RAY(name, Name)                   \
+  case static_cast<int32_t>(vesica::Kind::name): \
+    return cast_shapes<vesica::Name<T>, vesica::Point<T>, T>(a, b, motion, out);
+      VESICA_EACH_SHAPE(VESICA_RAY)
+#undef VESICA_RAY
+      default:
+        return VESICA_E_KIND;
+    }
+  }
+  if (kind_a == VESICA_CIRCLE && kind_b == VESICA_CIRCLE) {
+    return cast_shapes<vesica::Circle<T>, vesica::Circle<T>, T>(a, b, motion, out);
+  }
   if (!vesica::detail::cast::is_sound(motion)) return VESICA_E_ARGUMENT;
   Impact<T> impact = vesica::detail::cast::no_impact<T>();
   const int32_t code = vesica::queries::cast(body_of(kind_a, a), body_of(kind_b, b), motion, impact);
   if (code >= 0) write(impact, out);
   return code;
+}
+
+template <class A, class B, class T, class Out>
+VESICA_INLINE int32_t cast_typed(const void* a, const void* b, T vx, T vy, T end, Out* out) noexcept {
+  if (a == nullptr || b == nullptr || out == nullptr) return VESICA_E_NULL;
+  return cast_shapes<A, B, T>(a, b, motion_of(vx, vy, end), out);
 }
 
 template <class T, class CTurn, class Out>
@@ -129,19 +175,35 @@ struct Moving {
   const index::Sets& sets;
   Body body;
   Motion motion;
+  Impact<T> last, first;  // of the item asked about last, and of the one hit first
 
+  const unsigned char* place(const index::Set& set, int k, std::uint32_t item) const noexcept {
+    return set.field[k] + (static_cast<int64_t>(item) - set.first) * set.stride;
+  }
   int32_t impact(std::uint32_t item, double end, Impact<T>& out) const noexcept {
     const index::Set& set = sets.set[sets.of(item)];
-    vesica::batch::Shapes<T> one{set.kind, 1, set.stride, {}};
-    for (int k = 0; k < index::fields_of[set.kind]; ++k) one.field[k] = reinterpret_cast<const T*>(set.field[k]);
-    return vesica::queries::cast(body_at(one, static_cast<int64_t>(item) - set.first), body,
-                                 {motion.vx, motion.vy, end}, out);
+    Body still{static_cast<vesica::Kind>(set.kind), {}};
+    for (int k = 0; k < index::fields_of[set.kind]; ++k) {
+      T number;
+      std::memcpy(&number, place(set, k, item), sizeof number);
+      still.number[k] = static_cast<double>(number);
+    }
+    return vesica::queries::cast(still, body, {motion.vx, motion.vy, end}, out);
   }
-  static int32_t ask(const void* context, std::uint32_t item, double end, double& t) {
-    Impact<T> impact{};
-    const int32_t code = static_cast<const Moving*>(context)->impact(item, end, impact);
-    t = static_cast<double>(impact.t);
+  static int32_t ask(void* context, std::uint32_t item, double end, double& t) {
+    Moving& moving = *static_cast<Moving*>(context);
+    const int32_t code = moving.impact(item, end, moving.last);
+    t = static_cast<double>(moving.last.t);
     return code;
+  }
+  static void foresee(const void* context, std::uint32_t item) {
+    const Moving& moving = *static_cast<const Moving*>(context);
+    const index::Set& set = moving.sets.set[moving.sets.of(item)];
+    for (int k = 0; k < index::fields_of[set.kind]; ++k) __builtin_prefetch(moving.place(set, k, item));
+  }
+  static void keep(void* context) {
+    Moving& moving = *static_cast<Moving*>(context);
+    moving.first = moving.last;
   }
 };
 
@@ -159,8 +221,10 @@ int64_t through_index(const void* from, const CShapesOf<T>* sets, int32_t set_co
   if (!sound || !vesica::detail::cast::is_sound(motion)) return VESICA_E_ARGUMENT;
   double box[4];
   if (!index::bounds_of_item(index_kernels(), single, 0, box)) return VESICA_E_SHAPE;
-  const Moving<T> moving{items, body_at(view<T>(*one), 0), motion};
-  const index::Cast cast{from, {&moving, Moving<T>::ask}, box, motion.vx, motion.vy, motion.end, items.is_float};
+  constexpr Impact<T> none = vesica::detail::cast::no_impact<T>();
+  Moving<T> moving{items, body_at(view<T>(*one), 0), motion, none, none};
+  const index::Targets targets{&moving, Moving<T>::ask, Moving<T>::foresee, Moving<T>::keep};
+  const index::Cast cast{from, targets, box, motion.vx, motion.vy, motion.end, items.is_float};
   return action(cast, moving);
 }
 
@@ -180,19 +244,13 @@ int64_t index_first(const void* from, const CShapesOf<T>* sets, int32_t set_coun
                     T end, Out* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT((index_first<T, Out>), from, sets, set_count, one, vx, vy, end, out);
   if (out == nullptr) return VESICA_E_NULL;
-  return through_index<T>(
-      from, sets, set_count, one, motion_of(vx, vy, end), [&](const auto& cast, const auto& moving) {
-        const index::FirstItem found = index::find_first_hit(cast);
-        Impact<T> impact = vesica::detail::cast::no_impact<T>();
-        int32_t error = found.error;
-        if (error == 0 && found.item != index::View(from).items()) {
-          const int32_t code = moving.impact(static_cast<std::uint32_t>(found.item), moving.motion.end, impact);
-          error = code < 0 ? code : 0;
-        }
-        if (error != 0) return int64_t{error};
-        write(impact, out);
-        return found.item;
-      });
+  return through_index<T>(from, sets, set_count, one, motion_of(vx, vy, end),
+                          [&](const auto& cast, const auto& moving) {
+                            const index::FirstItem found = index::find_first_hit(cast);
+                            if (found.error != 0) return int64_t{found.error};
+                            write(moving.first, out);
+                            return found.item;
+                          });
 }
 
 }  // namespace
@@ -232,3 +290,20 @@ int64_t index_first(const void* from, const CShapesOf<T>* sets, int32_t set_coun
 
 VESICA_MOTION(f64, double)
 VESICA_MOTION(f32, float)
+
+#define VESICA_CAST_OF(a, A, b, B, scalar, T)                                                                          \
+  int32_t vesica_cast_##a##_##b##_##scalar(const vesica_##a##_##scalar* s, const vesica_##b##_##scalar* t, T vx, T vy, \
+                                           T t_end, vesica_impact_##scalar* out) {                                     \
+    VESICA_DEFAULT_ENVIRONMENT(vesica_cast_##a##_##b##_##scalar, s, t, vx, vy, t_end, out);                            \
+    return cast_typed<vesica::A<T>, vesica::B<T>>(s, t, vx, vy, t_end, out);                                           \
+  }
+#define VESICA_CAST(a, A, b, B) VESICA_CAST_OF(a, A, b, B, f64, double) VESICA_CAST_OF(a, A, b, B, f32, float)
+
+VESICA_CAST(point, Point, point, Point)
+VESICA_CAST(segment, Segment, point, Point)
+VESICA_CAST(circle, Circle, point, Point)
+VESICA_CAST(aabb, Aabb, point, Point)
+VESICA_CAST(rect, Rect, point, Point)
+VESICA_CAST(ellipse, Ellipse, point, Point)
+VESICA_CAST(circle, Circle, circle, Circle)
+VESICA_CAST(rect, Rect, rect, Rect)

@@ -839,6 +839,70 @@ func cImpactTime(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, turnA
 	return C.go_impact_time_f32(kindA, numbersA, turnA, kindB, numbersB, turnB, C.float(tolerance), out, gap)
 }
 
+func cCastPointPoint(wide bool, a unsafe.Pointer, b unsafe.Pointer, vx float64, vy float64, tEnd float64,
+	out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_cast_point_point_f64(a, b, C.double(vx), C.double(vy), C.double(tEnd), out)
+	}
+	return C.go_cast_point_point_f32(a, b, C.float(vx), C.float(vy), C.float(tEnd), out)
+}
+
+func cCastSegmentPoint(wide bool, a unsafe.Pointer, b unsafe.Pointer, vx float64, vy float64, tEnd float64,
+	out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_cast_segment_point_f64(a, b, C.double(vx), C.double(vy), C.double(tEnd), out)
+	}
+	return C.go_cast_segment_point_f32(a, b, C.float(vx), C.float(vy), C.float(tEnd), out)
+}
+
+func cCastCirclePoint(wide bool, a unsafe.Pointer, b unsafe.Pointer, vx float64, vy float64, tEnd float64,
+	out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_cast_circle_point_f64(a, b, C.double(vx), C.double(vy), C.double(tEnd), out)
+	}
+	return C.go_cast_circle_point_f32(a, b, C.float(vx), C.float(vy), C.float(tEnd), out)
+}
+
+func cCastAABBPoint(wide bool, a unsafe.Pointer, b unsafe.Pointer, vx float64, vy float64, tEnd float64,
+	out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_cast_aabb_point_f64(a, b, C.double(vx), C.double(vy), C.double(tEnd), out)
+	}
+	return C.go_cast_aabb_point_f32(a, b, C.float(vx), C.float(vy), C.float(tEnd), out)
+}
+
+func cCastRectPoint(wide bool, a unsafe.Pointer, b unsafe.Pointer, vx float64, vy float64, tEnd float64,
+	out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_cast_rect_point_f64(a, b, C.double(vx), C.double(vy), C.double(tEnd), out)
+	}
+	return C.go_cast_rect_point_f32(a, b, C.float(vx), C.float(vy), C.float(tEnd), out)
+}
+
+func cCastEllipsePoint(wide bool, a unsafe.Pointer, b unsafe.Pointer, vx float64, vy float64, tEnd float64,
+	out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_cast_ellipse_point_f64(a, b, C.double(vx), C.double(vy), C.double(tEnd), out)
+	}
+	return C.go_cast_ellipse_point_f32(a, b, C.float(vx), C.float(vy), C.float(tEnd), out)
+}
+
+func cCastCircleCircle(wide bool, a unsafe.Pointer, b unsafe.Pointer, vx float64, vy float64, tEnd float64,
+	out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_cast_circle_circle_f64(a, b, C.double(vx), C.double(vy), C.double(tEnd), out)
+	}
+	return C.go_cast_circle_circle_f32(a, b, C.float(vx), C.float(vy), C.float(tEnd), out)
+}
+
+func cCastRectRect(wide bool, a unsafe.Pointer, b unsafe.Pointer, vx float64, vy float64, tEnd float64,
+	out unsafe.Pointer) C.int32_t {
+	if wide {
+		return C.go_cast_rect_rect_f64(a, b, C.double(vx), C.double(vy), C.double(tEnd), out)
+	}
+	return C.go_cast_rect_rect_f32(a, b, C.float(vx), C.float(vy), C.float(tEnd), out)
+}
+
 func cDe9im(wide bool, kindA C.int32_t, numbersA C.vesica_go_numbers, kindB C.int32_t, numbersB C.vesica_go_numbers,
 	matrix unsafe.Pointer) C.int32_t {
 	if wide {

@@ -1059,6 +1059,83 @@ static inline int32_t go_impact_time_f32(int32_t kind_a, vesica_go_numbers numbe
     return vesica_impact_time_f32(kind_a, of_numbers_a, turn_a, kind_b, of_numbers_b, turn_b, tolerance, out, gap);
 }
 
+static inline int32_t go_cast_point_point_f64(const void *a, const void *b, double vx, double vy, double t_end,
+    void *out) {
+    return vesica_cast_point_point_f64(a, b, vx, vy, t_end, out);
+}
+
+static inline int32_t go_cast_point_point_f32(const void *a, const void *b, float vx, float vy, float t_end,
+    void *out) {
+    return vesica_cast_point_point_f32(a, b, vx, vy, t_end, out);
+}
+
+static inline int32_t go_cast_segment_point_f64(const void *a, const void *b, double vx, double vy, double t_end,
+    void *out) {
+    return vesica_cast_segment_point_f64(a, b, vx, vy, t_end, out);
+}
+
+static inline int32_t go_cast_segment_point_f32(const void *a, const void *b, float vx, float vy, float t_end,
+    void *out) {
+    return vesica_cast_segment_point_f32(a, b, vx, vy, t_end, out);
+}
+
+static inline int32_t go_cast_circle_point_f64(const void *a, const void *b, double vx, double vy, double t_end,
+    void *out) {
+    return vesica_cast_circle_point_f64(a, b, vx, vy, t_end, out);
+}
+
+static inline int32_t go_cast_circle_point_f32(const void *a, const void *b, float vx, float vy, float t_end,
+    void *out) {
+    return vesica_cast_circle_point_f32(a, b, vx, vy, t_end, out);
+}
+
+static inline int32_t go_cast_aabb_point_f64(const void *a, const void *b, double vx, double vy, double t_end,
+    void *out) {
+    return vesica_cast_aabb_point_f64(a, b, vx, vy, t_end, out);
+}
+
+static inline int32_t go_cast_aabb_point_f32(const void *a, const void *b, float vx, float vy, float t_end, void *out) {
+    return vesica_cast_aabb_point_f32(a, b, vx, vy, t_end, out);
+}
+
+static inline int32_t go_cast_rect_point_f64(const void *a, const void *b, double vx, double vy, double t_end,
+    void *out) {
+    return vesica_cast_rect_point_f64(a, b, vx, vy, t_end, out);
+}
+
+static inline int32_t go_cast_rect_point_f32(const void *a, const void *b, float vx, float vy, float t_end, void *out) {
+    return vesica_cast_rect_point_f32(a, b, vx, vy, t_end, out);
+}
+
+static inline int32_t go_cast_ellipse_point_f64(const void *a, const void *b, double vx, double vy, double t_end,
+    void *out) {
+    return vesica_cast_ellipse_point_f64(a, b, vx, vy, t_end, out);
+}
+
+static inline int32_t go_cast_ellipse_point_f32(const void *a, const void *b, float vx, float vy, float t_end,
+    void *out) {
+    return vesica_cast_ellipse_point_f32(a, b, vx, vy, t_end, out);
+}
+
+static inline int32_t go_cast_circle_circle_f64(const void *a, const void *b, double vx, double vy, double t_end,
+    void *out) {
+    return vesica_cast_circle_circle_f64(a, b, vx, vy, t_end, out);
+}
+
+static inline int32_t go_cast_circle_circle_f32(const void *a, const void *b, float vx, float vy, float t_end,
+    void *out) {
+    return vesica_cast_circle_circle_f32(a, b, vx, vy, t_end, out);
+}
+
+static inline int32_t go_cast_rect_rect_f64(const void *a, const void *b, double vx, double vy, double t_end,
+    void *out) {
+    return vesica_cast_rect_rect_f64(a, b, vx, vy, t_end, out);
+}
+
+static inline int32_t go_cast_rect_rect_f32(const void *a, const void *b, float vx, float vy, float t_end, void *out) {
+    return vesica_cast_rect_rect_f32(a, b, vx, vy, t_end, out);
+}
+
 static inline int32_t go_de9im_f64(int32_t kind_a, vesica_go_numbers numbers_a, int32_t kind_b,
     vesica_go_numbers numbers_b, void *matrix) {
     double of_numbers_a[6];

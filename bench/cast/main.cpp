@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Casts by kind through the shared library, beside textbook rays that are inlined and check nothing, and beside Box2D;
-/// then a ray through an index of a million shapes. Each contestant meets pairs that it has not seen, in the same
+/// Casts through the shared library, by kind and typed, and inlined from the header, beside textbook rays that are
+/// inlined and check nothing, and beside Box2D; then a ray through an index of a million shapes. Each contestant meets pairs that it has not seen, in the same
 /// buffers, and who goes first takes turns.
 #include <vesica.h>
 
 #include <array>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -12,6 +13,7 @@
 #include <limits>
 #include <string>
 #include <vector>
+#include <vesica/cast.hpp>
 
 #include "cast/peer.hpp"
 #include "quantile.hpp"
@@ -33,6 +35,9 @@ struct Aim {
   double spread, graze, spin = 0;
 };
 constexpr Aim any{"few hits", 0, 0}, towards{"aimed", 2.2, 0}, sure{"hits", 0.3, 0};
+/// So that about that share of rays hits, and of two discs, which are a larger target.
+constexpr Aim tenth{"about 10% hit", 10, 0}, half{"about 50% hit", 2.1, 0};
+constexpr Aim tenth_of_discs{"about 10% hit", 23, 0}, half_of_discs{"about 50% hit", 4.5, 0};
 
 Numbers draw_shape(std::int32_t kind, Random& random) {
   const double x = random.between(-4, 4), y = random.between(-4, 4), angle = random.between(0, 6.283185307179586);
@@ -147,7 +152,22 @@ void contest(const std::string& name, std::int32_t kind_a, std::int32_t kind_b, 
   c.print();
 }
 
-template <class A, class B>
+/// A typed function of the library, and the header's cast() of the same shapes.
+template <class A, class B, auto typed>
+std::int32_t typed_cast(std::int32_t, std::int32_t, const Pair& p) {
+  const A a = to_shape<A>(p.a);
+  const B b = to_shape<B>(p.b);
+  vesica_impact_f64 out;
+  return typed(&a, &b, p.vx, p.vy, 1, &out);
+}
+template <class A, class B, template <class> class CoreA, template <class> class CoreB>
+std::int32_t header_cast(std::int32_t, std::int32_t, const Pair& p) {
+  Impact<double> out;
+  return cast_or_error(std::bit_cast<CoreA<double>>(to_shape<A>(p.a)), std::bit_cast<CoreB<double>>(to_shape<B>(p.b)),
+                       p.vx, p.vy, 1.0, out);
+}
+
+template <class A, class B, auto typed, template <class> class CoreA, template <class> class CoreB>
 void rays(const Aim& aim) {
   const auto load = [](const std::vector<Pair>&) {};
   const auto other = [](const Pair& p, std::size_t) {
@@ -155,7 +175,10 @@ void rays(const Aim& aim) {
   };
   const std::string name = std::string(vesica_kind_name(kind_of<A>)) + '_' + vesica_kind_name(kind_of<B>);
   contest(name + " / textbook", kind_of<A>, kind_of<B>, aim, library_cast, true, load, other);
+  contest(name + " typed", kind_of<A>, kind_of<B>, aim, typed_cast<A, B, typed>, true, load, other);
+  contest(name + " header", kind_of<A>, kind_of<B>, aim, header_cast<A, B, CoreA, CoreB>, true, load, other);
 }
+#define VESICA_RAYS(a, A, b, B) rays<vesica_##a##_f64, vesica_##b##_f64, vesica_cast_##a##_##b##_f64, A, B>
 
 template <class Ours>
 void alone(std::int32_t kind_a, std::int32_t kind_b, const Aim& aim, const Ours& ours) {
@@ -231,12 +254,16 @@ int main() {
       "passes of the library's time to the other's; wrong: answers of the other that are not right.\n\n"
       "%-42s %6s %9s %9s %7s %12s\n",
       "pair / other, workload", "hits", "vesica", "other", "ratio", "wrong");
+  for (const Aim& aim : {tenth, half}) {
+    VESICA_RAYS(circle, vesica::Circle, point, vesica::Point)(aim);
+    VESICA_RAYS(aabb, vesica::Aabb, point, vesica::Point)(aim);
+    VESICA_RAYS(rect, vesica::Rect, point, vesica::Point)(aim);
+    VESICA_RAYS(ellipse, vesica::Ellipse, point, vesica::Point)(aim);
+  }
+  for (const Aim& aim : {tenth_of_discs, half_of_discs}) {
+    VESICA_RAYS(circle, vesica::Circle, circle, vesica::Circle)(aim);
+  }
   for (const Aim& aim : {any, towards}) {
-    rays<vesica_circle_f64, vesica_point_f64>(aim);
-    rays<vesica_aabb_f64, vesica_point_f64>(aim);
-    rays<vesica_rect_f64, vesica_point_f64>(aim);
-    rays<vesica_ellipse_f64, vesica_point_f64>(aim);
-    rays<vesica_circle_f64, vesica_circle_f64>(aim);
     beside_box2d(aim);
     alone(VESICA_RECT, VESICA_ELLIPSE, aim, library_cast);
     alone(VESICA_ELLIPSE, VESICA_ELLIPSE, aim, library_cast);

@@ -2250,8 +2250,9 @@ namespace Vesica
         /// u. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
         /// their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
         /// one.</para>
-        /// <para>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; 0.7 to 20 us for contact that only exact
-        /// arithmetic can decide; at worst 2 ms, where exponents are wildly unlike.</para>
+        /// <para>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; of a ray (b a point), two circles and two
+        /// ellipses less, see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide; at
+        /// worst 2 ms, where exponents are wildly unlike.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2359,6 +2360,126 @@ namespace Vesica
             void* numbersB, void* turnB, double tolerance, void* output, void* gap);
 
         /// <summary>
+        /// <para>A ray at a point.</para>
+        /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
+        /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
+        /// vesica_cast_f64.</para>
+        /// <para>Accuracy: that of vesica_cast_f64.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_cast_point_point_f64(void* a, void* b, double vx, double vy, double tEnd,
+            void* output);
+
+        /// <summary>
+        /// <para>A ray at a segment.</para>
+        /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
+        /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
+        /// vesica_cast_f64.</para>
+        /// <para>Accuracy: that of vesica_cast_f64.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_cast_segment_point_f64(void* a, void* b, double vx, double vy, double tEnd,
+            void* output);
+
+        /// <summary>
+        /// <para>A ray at a disc.</para>
+        /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
+        /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
+        /// vesica_cast_f64.</para>
+        /// <para>Accuracy: that of vesica_cast_f64.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_cast_circle_point_f64(void* a, void* b, double vx, double vy, double tEnd,
+            void* output);
+
+        /// <summary>
+        /// <para>A ray at an axis-aligned box.</para>
+        /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
+        /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
+        /// vesica_cast_f64.</para>
+        /// <para>Accuracy: that of vesica_cast_f64.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_cast_aabb_point_f64(void* a, void* b, double vx, double vy, double tEnd,
+            void* output);
+
+        /// <summary>
+        /// <para>A ray at a rectangle.</para>
+        /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
+        /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
+        /// vesica_cast_f64.</para>
+        /// <para>Accuracy: that of vesica_cast_f64.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_cast_rect_point_f64(void* a, void* b, double vx, double vy, double tEnd,
+            void* output);
+
+        /// <summary>
+        /// <para>A ray at an ellipse.</para>
+        /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
+        /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
+        /// vesica_cast_f64.</para>
+        /// <para>Accuracy: that of vesica_cast_f64.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_cast_ellipse_point_f64(void* a, void* b, double vx, double vy, double tEnd,
+            void* output);
+
+        /// <summary>
+        /// <para>Two discs.</para>
+        /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
+        /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
+        /// vesica_cast_f64.</para>
+        /// <para>Accuracy: that of vesica_cast_f64.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_cast_circle_circle_f64(void* a, void* b, double vx, double vy, double tEnd,
+            void* output);
+
+        /// <summary>
+        /// <para>Two rectangles.</para>
+        /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
+        /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
+        /// vesica_cast_f64.</para>
+        /// <para>Accuracy: that of vesica_cast_f64.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_cast_rect_rect_f64(void* a, void* b, double vx, double vy, double tEnd,
+            void* output);
+
+        /// <summary>
         /// <para>Does b touch a while it moves, when first, and where?</para>
         /// <para>The normal is that of the face or the round outline that is met; where a corner meets a corner, that
         /// of an edge there; where b only slides along a, it is across the velocity. The point of two faces that meet
@@ -2377,8 +2498,9 @@ namespace Vesica
         /// u. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
         /// their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
         /// one.</para>
-        /// <para>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; 0.7 to 20 us for contact that only exact
-        /// arithmetic can decide; at worst 2 ms, where exponents are wildly unlike.</para>
+        /// <para>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; of a ray (b a point), two circles and two
+        /// ellipses less, see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide; at
+        /// worst 2 ms, where exponents are wildly unlike.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2467,6 +2589,126 @@ namespace Vesica
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int vesica_impact_time_f32(int kindA, void* numbersA, void* turnA, int kindB,
             void* numbersB, void* turnB, float tolerance, void* output, void* gap);
+
+        /// <summary>
+        /// <para>A ray at a point.</para>
+        /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
+        /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
+        /// vesica_cast_f32.</para>
+        /// <para>Accuracy: that of vesica_cast_f32.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_cast_point_point_f32(void* a, void* b, float vx, float vy, float tEnd,
+            void* output);
+
+        /// <summary>
+        /// <para>A ray at a segment.</para>
+        /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
+        /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
+        /// vesica_cast_f32.</para>
+        /// <para>Accuracy: that of vesica_cast_f32.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_cast_segment_point_f32(void* a, void* b, float vx, float vy, float tEnd,
+            void* output);
+
+        /// <summary>
+        /// <para>A ray at a disc.</para>
+        /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
+        /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
+        /// vesica_cast_f32.</para>
+        /// <para>Accuracy: that of vesica_cast_f32.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_cast_circle_point_f32(void* a, void* b, float vx, float vy, float tEnd,
+            void* output);
+
+        /// <summary>
+        /// <para>A ray at an axis-aligned box.</para>
+        /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
+        /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
+        /// vesica_cast_f32.</para>
+        /// <para>Accuracy: that of vesica_cast_f32.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_cast_aabb_point_f32(void* a, void* b, float vx, float vy, float tEnd,
+            void* output);
+
+        /// <summary>
+        /// <para>A ray at a rectangle.</para>
+        /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
+        /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
+        /// vesica_cast_f32.</para>
+        /// <para>Accuracy: that of vesica_cast_f32.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_cast_rect_point_f32(void* a, void* b, float vx, float vy, float tEnd,
+            void* output);
+
+        /// <summary>
+        /// <para>A ray at an ellipse.</para>
+        /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
+        /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
+        /// vesica_cast_f32.</para>
+        /// <para>Accuracy: that of vesica_cast_f32.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_cast_ellipse_point_f32(void* a, void* b, float vx, float vy, float tEnd,
+            void* output);
+
+        /// <summary>
+        /// <para>Two discs.</para>
+        /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
+        /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
+        /// vesica_cast_f32.</para>
+        /// <para>Accuracy: that of vesica_cast_f32.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_cast_circle_circle_f32(void* a, void* b, float vx, float vy, float tEnd,
+            void* output);
+
+        /// <summary>
+        /// <para>Two rectangles.</para>
+        /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
+        /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
+        /// vesica_cast_f32.</para>
+        /// <para>Accuracy: that of vesica_cast_f32.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
+        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
+        /// <para>Since: 0.1.</para>
+        /// </summary>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int vesica_cast_rect_rect_f32(void* a, void* b, float vx, float vy, float tEnd,
+            void* output);
 
         /// <summary>
         /// <para>The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.</para>
@@ -3073,6 +3315,66 @@ namespace Vesica
             return wide
                 ? vesica_impact_time_f64(kindA, numbersA, turnA, kindB, numbersB, turnB, tolerance, output, gap)
                 : vesica_impact_time_f32(kindA, numbersA, turnA, kindB, numbersB, turnB, (float)tolerance, output, gap);
+        }
+
+        internal static int CastPointPoint(bool wide, void* a, void* b, double vx, double vy, double tEnd, void* output)
+        {
+            return wide
+                ? vesica_cast_point_point_f64(a, b, vx, vy, tEnd, output)
+                : vesica_cast_point_point_f32(a, b, (float)vx, (float)vy, (float)tEnd, output);
+        }
+
+        internal static int CastSegmentPoint(bool wide, void* a, void* b, double vx, double vy, double tEnd,
+            void* output)
+        {
+            return wide
+                ? vesica_cast_segment_point_f64(a, b, vx, vy, tEnd, output)
+                : vesica_cast_segment_point_f32(a, b, (float)vx, (float)vy, (float)tEnd, output);
+        }
+
+        internal static int CastCirclePoint(bool wide, void* a, void* b, double vx, double vy, double tEnd,
+            void* output)
+        {
+            return wide
+                ? vesica_cast_circle_point_f64(a, b, vx, vy, tEnd, output)
+                : vesica_cast_circle_point_f32(a, b, (float)vx, (float)vy, (float)tEnd, output);
+        }
+
+        internal static int CastAabbPoint(bool wide, void* a, void* b, double vx, double vy, double tEnd, void* output)
+        {
+            return wide
+                ? vesica_cast_aabb_point_f64(a, b, vx, vy, tEnd, output)
+                : vesica_cast_aabb_point_f32(a, b, (float)vx, (float)vy, (float)tEnd, output);
+        }
+
+        internal static int CastRectPoint(bool wide, void* a, void* b, double vx, double vy, double tEnd, void* output)
+        {
+            return wide
+                ? vesica_cast_rect_point_f64(a, b, vx, vy, tEnd, output)
+                : vesica_cast_rect_point_f32(a, b, (float)vx, (float)vy, (float)tEnd, output);
+        }
+
+        internal static int CastEllipsePoint(bool wide, void* a, void* b, double vx, double vy, double tEnd,
+            void* output)
+        {
+            return wide
+                ? vesica_cast_ellipse_point_f64(a, b, vx, vy, tEnd, output)
+                : vesica_cast_ellipse_point_f32(a, b, (float)vx, (float)vy, (float)tEnd, output);
+        }
+
+        internal static int CastCircleCircle(bool wide, void* a, void* b, double vx, double vy, double tEnd,
+            void* output)
+        {
+            return wide
+                ? vesica_cast_circle_circle_f64(a, b, vx, vy, tEnd, output)
+                : vesica_cast_circle_circle_f32(a, b, (float)vx, (float)vy, (float)tEnd, output);
+        }
+
+        internal static int CastRectRect(bool wide, void* a, void* b, double vx, double vy, double tEnd, void* output)
+        {
+            return wide
+                ? vesica_cast_rect_rect_f64(a, b, vx, vy, tEnd, output)
+                : vesica_cast_rect_rect_f32(a, b, (float)vx, (float)vy, (float)tEnd, output);
         }
 
         internal static int De9im(bool wide, int kindA, void* numbersA, int kindB, void* numbersB, void* matrix)

@@ -19,7 +19,7 @@
 
 #include <limits>
 #include <vesica/bounds.hpp>
-#include <vesica/cast/first_contact.hpp>
+#include <vesica/cast/quick_hit.hpp>
 #include <vesica/depth.hpp>
 #include <vesica/nearest.hpp>
 
@@ -59,9 +59,16 @@ std::int32_t cast_or_error(const A<T>& a, const B<T>& b, T vx, T vy, T t_end, Im
   const detail::cast::Motion motion{static_cast<double>(vx), static_cast<double>(vy), static_cast<double>(t_end)};
   if (!detail::cast::is_sound(motion)) return error_argument;
   Impact<double> found;
-  std::int32_t answer = detail::cast::cast_bodies(
-      detail::cast::body(a), detail::cast::body(b), motion, [&] { return overlap_or_error(a, b); },
-      detail::cast::fused_meeting, found);
+  const detail::cast::Body first = detail::cast::body(a), second = detail::cast::body(b);
+  std::int32_t answer = detail::cast::cast_pair(
+      detail::cast::shape<A>(first), detail::cast::shape<B>(second), motion,
+      [&](const auto& p, const auto& q) {
+        return detail::cast::quick_hit<detail::cast::UsualProducts>(p, q, motion, found);
+      },
+      [&](const detail::cast::Filtered& known) {
+        return detail::cast::cast_bodies(
+            first, second, motion, known, [&] { return overlap_or_error(a, b); }, detail::cast::fused_meeting, found);
+      });
   if (answer == cast_miss) out = detail::cast::no_impact<T>();
   if (answer == cast_hit && !detail::cast::rounded_to(found, out)) answer = error_range;
   if (answer == cast_start) {

@@ -2476,6 +2476,126 @@ JNIEXPORT jint JNICALL Java_vesica_Native_impactTimeF64(JNIEnv* env, jclass type
   return answer;
 }
 
+JNIEXPORT jint JNICALL Java_vesica_Native_castPointPointF64(JNIEnv* env, jclass type, jobject a, jobject b, jdouble vx,
+    jdouble vy, jdouble tEnd, jobject out) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, a, &held[0]);
+  prepare(env, b, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_cast_point_point_f64(held[0].address, held[1].address, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_castSegmentPointF64(JNIEnv* env, jclass type, jobject a, jobject b,
+    jdouble vx, jdouble vy, jdouble tEnd, jobject out) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, a, &held[0]);
+  prepare(env, b, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_cast_segment_point_f64(held[0].address, held[1].address, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_castCirclePointF64(JNIEnv* env, jclass type, jobject a, jobject b, jdouble vx,
+    jdouble vy, jdouble tEnd, jobject out) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, a, &held[0]);
+  prepare(env, b, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_cast_circle_point_f64(held[0].address, held[1].address, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_castAabbPointF64(JNIEnv* env, jclass type, jobject a, jobject b, jdouble vx,
+    jdouble vy, jdouble tEnd, jobject out) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, a, &held[0]);
+  prepare(env, b, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_cast_aabb_point_f64(held[0].address, held[1].address, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_castRectPointF64(JNIEnv* env, jclass type, jobject a, jobject b, jdouble vx,
+    jdouble vy, jdouble tEnd, jobject out) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, a, &held[0]);
+  prepare(env, b, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_cast_rect_point_f64(held[0].address, held[1].address, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_castEllipsePointF64(JNIEnv* env, jclass type, jobject a, jobject b,
+    jdouble vx, jdouble vy, jdouble tEnd, jobject out) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, a, &held[0]);
+  prepare(env, b, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_cast_ellipse_point_f64(held[0].address, held[1].address, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_castCircleCircleF64(JNIEnv* env, jclass type, jobject a, jobject b,
+    jdouble vx, jdouble vy, jdouble tEnd, jobject out) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, a, &held[0]);
+  prepare(env, b, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_cast_circle_circle_f64(held[0].address, held[1].address, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_castRectRectF64(JNIEnv* env, jclass type, jobject a, jobject b, jdouble vx,
+    jdouble vy, jdouble tEnd, jobject out) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, a, &held[0]);
+  prepare(env, b, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_cast_rect_rect_f64(held[0].address, held[1].address, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
 JNIEXPORT jint JNICALL Java_vesica_Native_castF32(JNIEnv* env, jclass type, jint kindA, jobject numbersA, jint kindB,
     jobject numbersB, jfloat vx, jfloat vy, jfloat tEnd, jobject out) {
   lent held[3];
@@ -2624,6 +2744,126 @@ JNIEXPORT jint JNICALL Java_vesica_Native_impactTimeF32(JNIEnv* env, jclass type
         tolerance, held[4].address, held[5].address);
   }
   give_back(env, held, 6);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_castPointPointF32(JNIEnv* env, jclass type, jobject a, jobject b, jfloat vx,
+    jfloat vy, jfloat tEnd, jobject out) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, a, &held[0]);
+  prepare(env, b, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_cast_point_point_f32(held[0].address, held[1].address, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_castSegmentPointF32(JNIEnv* env, jclass type, jobject a, jobject b, jfloat vx,
+    jfloat vy, jfloat tEnd, jobject out) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, a, &held[0]);
+  prepare(env, b, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_cast_segment_point_f32(held[0].address, held[1].address, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_castCirclePointF32(JNIEnv* env, jclass type, jobject a, jobject b, jfloat vx,
+    jfloat vy, jfloat tEnd, jobject out) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, a, &held[0]);
+  prepare(env, b, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_cast_circle_point_f32(held[0].address, held[1].address, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_castAabbPointF32(JNIEnv* env, jclass type, jobject a, jobject b, jfloat vx,
+    jfloat vy, jfloat tEnd, jobject out) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, a, &held[0]);
+  prepare(env, b, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_cast_aabb_point_f32(held[0].address, held[1].address, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_castRectPointF32(JNIEnv* env, jclass type, jobject a, jobject b, jfloat vx,
+    jfloat vy, jfloat tEnd, jobject out) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, a, &held[0]);
+  prepare(env, b, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_cast_rect_point_f32(held[0].address, held[1].address, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_castEllipsePointF32(JNIEnv* env, jclass type, jobject a, jobject b, jfloat vx,
+    jfloat vy, jfloat tEnd, jobject out) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, a, &held[0]);
+  prepare(env, b, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_cast_ellipse_point_f32(held[0].address, held[1].address, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_castCircleCircleF32(JNIEnv* env, jclass type, jobject a, jobject b, jfloat vx,
+    jfloat vy, jfloat tEnd, jobject out) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, a, &held[0]);
+  prepare(env, b, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_cast_circle_circle_f32(held[0].address, held[1].address, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
+  return answer;
+}
+
+JNIEXPORT jint JNICALL Java_vesica_Native_castRectRectF32(JNIEnv* env, jclass type, jobject a, jobject b, jfloat vx,
+    jfloat vy, jfloat tEnd, jobject out) {
+  lent held[3];
+  int32_t answer = NOT_LENT;
+  (void)type;
+  prepare(env, a, &held[0]);
+  prepare(env, b, &held[1]);
+  prepare(env, out, &held[2]);
+  if (lend(env, held, 3)) {
+    answer = vesica_cast_rect_rect_f32(held[0].address, held[1].address, vx, vy, tEnd, held[2].address);
+  }
+  give_back(env, held, 3);
   return answer;
 }
 

@@ -109,6 +109,20 @@ struct ByTime {
   std::uint32_t value[Most];
   int count = 0;
 
+  /// The numbers i < n whose time is before `never`, each as value_of(i). Which these are cannot be foreseen, so there is
+  /// no branch on it.
+  template <class Value>
+  void take(const double* times, int n, const Value& value_of) noexcept {
+    int met[Most];
+    int meetings = 0;
+    for (int i = 0; i < n; ++i) {
+      met[meetings] = i;
+      meetings += static_cast<int>(times[i] < never);
+    }
+    for (int i = 0; i < meetings; ++i) insert(times[met[i]], value_of(met[i]));
+  }
+
+ private:
   void insert(double t, std::uint32_t v) noexcept {
     int i = count++;
     for (; i > 0 && time[i - 1] > t; --i) {
@@ -145,11 +159,18 @@ class First {
     double time[node_children];
     swept_.entries(child_sides(node), node_children, limit_, time);
     ByTime<node_children> order;
-    for (int i = 0; i < node_children; ++i) {
-      if (time[i] < never && is_there(node, i)) order.insert(time[i], static_cast<std::uint32_t>(i));
-    }
+    for (int i = 0; i < node_children; ++i) time[i] = is_there(node, i) ? time[i] : never;
+    order.take(time, node_children, [](int i) { return static_cast<std::uint32_t>(i); });
+    const std::int64_t first = number * node_children;
+    const auto foresee_child = [&](int i) {
+      if (level == 0 && i < order.count && first + order.value[i] < view_.blocks()) {
+        foresee(&view_.block(first + order.value[i]), sizeof(Block) + sizeof(std::uint16_t) * 4 * block_leaves);
+      }
+    };
+    foresee_child(0);
     for (int i = 0; i < order.count && order.time[i] <= limit_; ++i) {
-      const std::int64_t child = number * node_children + order.value[i];
+      foresee_child(i + 1);
+      const std::int64_t child = first + order.value[i];
       if (level > 0) {
         visit(level - 1, child);
       } else if (child < view_.blocks()) {
@@ -158,14 +179,19 @@ class First {
     }
   }
 
+  static void foresee(const void* from, std::size_t bytes) noexcept {
+    const auto* at = static_cast<const unsigned char*>(from);
+    for (std::size_t i = 0; i < bytes; i += 64) __builtin_prefetch(at + i);
+  }
+
   void visit_block(const Block& block) noexcept {
     double time[block_leaves];
     swept_.entries(leaf_sides(block), block.leaves, limit_, time);
     ByTime<block_leaves> order;
-    for (int l = 0; l < block.leaves; ++l) {
-      if (time[l] < never) order.insert(time[l], static_cast<std::uint32_t>(l));
-    }
+    order.take(time, block.leaves, [](int l) { return static_cast<std::uint32_t>(l); });
+    if (order.count > 0) foresee(leaves_of(block) + order.value[0], sizeof(Leaf));
     for (int i = 0; i < order.count && order.time[i] <= limit_; ++i) {
+      if (i + 1 < order.count) foresee(leaves_of(block) + order.value[i + 1], sizeof(Leaf));
       const auto leaf = static_cast<std::int32_t>(order.value[i]);
       visit_leaf(block.frame, leaves_of(block)[leaf], items_of_leaf(block, leaf));
     }
@@ -175,9 +201,8 @@ class First {
     double time[leaf_items];
     swept_.entries(item_sides(frame, leaf), n, limit_, time);
     ByTime<leaf_items> order;
-    for (int i = 0; i < n; ++i) {
-      if (time[i] < never) order.insert(time[i], leaf.item[i]);
-    }
+    order.take(time, n, [&](int i) { return leaf.item[i]; });
+    for (int i = 0; i < order.count; ++i) cast_.targets.foresee(cast_.targets.context, order.value[i]);
     for (int i = 0; i < order.count && order.time[i] <= limit_; ++i) ask(order.value[i]);
   }
 
@@ -191,6 +216,7 @@ class First {
     if (code <= 0 || (some && (t > best_.t || (t == best_.t && item > best_.item)))) return;
     best_.item = item;
     best_.t = t;
+    cast_.targets.keep(cast_.targets.context);
     const double after = next(t);
     if (after < limit_) limit_ = after;
   }

@@ -9,10 +9,13 @@
 namespace vesica::index {
 
 /// Answers about items. ask() tells whether the moving shape hits an item by the time `end`, and writes that time,
-/// rounded down: more than 0, 0, or an error.
+/// rounded down: more than 0, 0, or an error. foresee() is told of items that may be asked about, keep() that the item
+/// that was asked about last is the first so far.
 struct Targets {
-  const void* context;
-  std::int32_t (*ask)(const void* context, std::uint32_t item, double end, double& t);
+  void* context;
+  std::int32_t (*ask)(void* context, std::uint32_t item, double end, double& t);
+  void (*foresee)(const void* context, std::uint32_t item);
+  void (*keep)(void* context);
 };
 
 struct Cast {

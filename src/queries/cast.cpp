@@ -18,15 +18,24 @@ std::int32_t answer(const Query& query, const Body& a, const Body& b, void* out)
 }
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(_WIN32) && !defined(VESICA_HAS_FUSED)
+#define VESICA_CHOOSES_FUSED 1
+/// Kernels of four lanes and more are for processors that fuse.
+bool has_fused() noexcept { return kernels().width_f64 >= 4; }
+
 /// All that it calls is compiled into it, for processors that fuse; what exists beside it is for any. Not for Windows,
 /// whose stack g++ takes to be aligned for wide vectors (src/CMakeLists.txt).
 [[gnu::target("fma"), gnu::flatten]] bool find_meeting_fused(const detail::cast::Scene& scene,
                                                              detail::cast::Meeting& out) noexcept {
   return detail::cast::find_meeting<detail::cast::FusedProducts>(scene, out);
 }
-/// Kernels of four lanes and more are for processors that fuse.
-detail::cast::FindMeeting fused_meeting() noexcept { return kernels().width_f64 >= 4 ? find_meeting_fused : nullptr; }
+template <class A, class B>
+[[gnu::target("fma"), gnu::flatten]] detail::cast::Quick quick_hit_fused(const A& a, const B& b, const Motion& motion,
+                                                                         Impact<double>& out) noexcept {
+  return detail::cast::quick_hit<detail::cast::FusedProducts>(a, b, motion, out);
+}
+detail::cast::FindMeeting fused_meeting() noexcept { return has_fused() ? find_meeting_fused : nullptr; }
 #else
+#define VESICA_CHOOSES_FUSED 0
 detail::cast::FindMeeting fused_meeting() noexcept { return detail::cast::fused_meeting; }
 #endif
 
@@ -45,10 +54,45 @@ std::int32_t start(const Body& a, const Body& b, Impact<double>& out) noexcept {
 
 namespace queries {
 
-[[gnu::noinline]] std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<double>& out) noexcept {
+[[gnu::noinline]] std::int32_t cast_rest(const Body& a, const Body& b, const Motion& motion,
+                                         const detail::cast::Filtered& known, Impact<double>& out) noexcept {
   const std::int32_t code = detail::cast::cast_bodies(
-      a, b, motion, [&] { return answer(overlap, a, b, nullptr); }, fused_meeting(), out);
+      a, b, motion, known, [&] { return answer(overlap, a, b, nullptr); }, fused_meeting(), out);
   return code == cast_start ? start(a, b, out) : code;
+}
+
+template <class A, class B>
+[[gnu::noinline]] detail::cast::Quick quick_hit(const A& a, const B& b, const Motion& motion,
+                                                Impact<double>& out) noexcept {
+#if VESICA_CHOOSES_FUSED
+  if (has_fused()) return quick_hit_fused(a, b, motion, out);
+#endif
+  return detail::cast::quick_hit<detail::cast::UsualProducts>(a, b, motion, out);
+}
+#define VESICA_QUICK_HIT(A, B) \
+  template detail::cast::Quick quick_hit(const A<double>&, const B<double>&, const Motion&, Impact<double>&) noexcept;
+VESICA_QUICK_HIT(Segment, Point)
+VESICA_QUICK_HIT(Circle, Point)
+VESICA_QUICK_HIT(Aabb, Point)
+VESICA_QUICK_HIT(Rect, Point)
+VESICA_QUICK_HIT(Ellipse, Point)
+VESICA_QUICK_HIT(Circle, Circle)
+VESICA_QUICK_HIT(Ellipse, Ellipse)
+#undef VESICA_QUICK_HIT
+
+[[gnu::noinline]] std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<double>& out) noexcept {
+  const auto at_point = [&](const auto& shape) {
+    return cast_shapes(shape, detail::cast::shape<Point>(b), motion, out);
+  };
+  if (b.kind == Kind::point) return detail::cast::with_shape(a, at_point);
+  if (a.kind == Kind::circle && b.kind == Kind::circle) {
+    return cast_shapes(detail::cast::shape<Circle>(a), detail::cast::shape<Circle>(b), motion, out);
+  }
+  if (a.kind == Kind::ellipse && b.kind == Kind::ellipse) {
+    return cast_shapes(detail::cast::shape<Ellipse>(a), detail::cast::shape<Ellipse>(b), motion, out);
+  }
+  using namespace detail::cast;
+  return cast_rest(a, b, motion, detail::cast::filter(sketch(a), sketch(b), motion), out);
 }
 
 template <class T>

@@ -2,7 +2,7 @@
 // Shapes that move: asked by kind and flat numbers, and of arrays. No descriptor of a Query: those know no motion.
 #pragma once
 
-#include <vesica/cast/first_contact.hpp>
+#include <vesica/cast/quick_hit.hpp>
 #include <vesica/impact_time/scene.hpp>
 
 #include "batch.hpp"
@@ -19,6 +19,26 @@ std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<dou
 /// Rounded to T: the time down, all other numbers to the nearest.
 template <class T>
 std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<T>& out) noexcept;
+
+/// The same, of what a filter left.
+std::int32_t cast_rest(const Body& a, const Body& b, const Motion& motion, const detail::cast::Filtered& known,
+                       Impact<double>& out) noexcept;
+
+/// detail::cast::quick_hit by the quicker products.
+template <class A, class B>
+detail::cast::Quick quick_hit(const A& a, const B& b, const Motion& motion, Impact<double>& out) noexcept;
+
+/// The answer about two shapes, whose filter is compiled where it is called. For a motion that is sound.
+template <template <class> class A, template <class> class B>
+VESICA_INLINE std::int32_t cast_shapes(const A<double>& a, const B<double>& b, const Motion& motion,
+                                       Impact<double>& out) noexcept {
+  return detail::cast::cast_pair(
+      a, b, motion, [&](const auto& p, const auto& q) { return quick_hit(p, q, motion, out); },
+      [&](const detail::cast::Filtered& known) {
+        if (known.verdict == detail::cast::Verdict::missed) return static_cast<std::int32_t>(cast_miss);
+        return cast_rest(detail::cast::body(a), detail::cast::body(b), motion, known, out);
+      });
+}
 
 /// Of bodies that turn; otherwise likewise. The gap is rounded up.
 template <class T>

@@ -75,6 +75,19 @@ TEST(Known, PointsOnOneLine) {
   expect_hit(segments, {1, 0, infinity}, 2, 0, 0, -1, 0);
 }
 
+TEST(Known, ABoxThatComesFromOneSideAndSlowlyFromAnother) {
+  // In the unit of the longer sides the slow component of the velocity is 0. It tells the time.
+  const Pair p{VESICA_POINT,
+               VESICA_AABB,
+               {0, 0},
+               {-0x1.97d4320e6db0cp+649, -0x1.e19b35356a018p-649, -0x1.2ce4ddc307628p+646, -0x1.ee56d32c14b2p-652}};
+  const double vx = 0x1.97d4320e6db0cp+648, vy = 0x1.e19b35356a018p-650;
+  const Answer r = cast(Scalar::f64, p, {vx, vy, 6});
+  EXPECT_EQ(r.code, VESICA_CAST_HIT);
+  EXPECT_EQ(r.t, 0x1.06c4aa095c3c2p-2);
+  EXPECT_EQ(cast(Scalar::f64, p, {vx, vy, 0.25}).code, VESICA_CAST_MISS);
+}
+
 TEST(Known, AtTheStart) {
   const Pair touching{VESICA_AABB, VESICA_AABB, {0, 0, 1, 1}, {1, 0, 3, 1}};
   for (const double vx : {-1.0, 0.0, 1.0}) {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "capi/face.hpp"
+#include "capi/typed_casts.hpp"
 #include "capi/typed_pairs.hpp"
 
 namespace environment {
@@ -66,6 +67,20 @@ Bytes ask_cast(const Input& p) {
   std::memset(&out, 0, sizeof out);
   append(bytes, function(p.kind_a, a.data(), p.kind_b, b.data(), -b[0], -b[1], T{3}, &out));
   append(bytes, out);
+  return bytes;
+}
+/// The typed cast of the pair's kinds, likewise.
+template <class T, class Out>
+Bytes ask_typed_cast(const Input& p) {
+  const auto a = first(p, T{}), b = second(p, T{});
+  Bytes bytes;
+  for (const auto& typed : capi::typed_casts(T{})) {
+    if (typed.kind_a != p.kind_a || typed.kind_b != p.kind_b) continue;
+    Out out;
+    std::memset(&out, 0, sizeof out);
+    append(bytes, typed.cast(a.data(), b.data(), -b[0], -b[1], T{3}, &out));
+    append(bytes, out);
+  }
   return bytes;
 }
 /// function(kind_a, a, &turn_a, kind_b, b, &turn_b, tolerance, &out, &gap). Motions are numbers that are there: a
@@ -512,6 +527,7 @@ Bytes ask_soft(const Inputs& inputs) {
         {"typed overlap", ask_typed<T>}, {"ratios", ask_ratios<T>},                                                 \
         {"shape_area", ask_one<T, T, vesica_shape_area_##s>},                                                       \
         {"cast", ask_cast<T, vesica_impact_##s, vesica_cast_##s>},                                                  \
+        {"typed cast", ask_typed_cast<T, vesica_impact_##s>},                                                       \
         {"impact_time", ask_impact_time<T, vesica_turn_##s, vesica_impact_##s, vesica_impact_time_##s>},            \
         {"sweep_bounds", ask_sweep<T, vesica_aabb_##s, vesica_sweep_bounds_##s>},                                   \
         {"bounds", ask_one<T, vesica_aabb_##s, vesica_bounds_##s>},                                                 \

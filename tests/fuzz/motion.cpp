@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes that move: two of them, arrays, one against many.
+#include <cstring>
 #include <iterator>
 #include <limits>
 
+#include "capi/typed_casts.hpp"
 #include "fuzz/arrays.hpp"
 
 namespace fuzz {
@@ -36,6 +38,32 @@ void call_cast(Bytes& bytes, Memory& memory) {
   demand_impact<T>(code, m.end, *out.get());
   const std::int32_t overlap = Face<T>::overlap(a.kind(), a.numbers(), b.kind(), b.numbers());
   demand((code == VESICA_CAST_START) == (overlap == 1));
+}
+
+/// By its structs, each of which ends where memory does, as by kind.
+template <class T>
+void call_typed_cast(Bytes& bytes, Memory& memory) {
+  const auto& all = capi::typed_casts(T{});
+  const auto& typed = all[bytes.below(static_cast<unsigned>(std::size(all)))];
+  const auto numbers = [&](std::int32_t kind, GuardedMemory& at) -> const T* {
+    if (bytes.below(128) == 127) return nullptr;
+    const auto fields = static_cast<std::size_t>(vesica_field_count(kind));
+    auto* n = reinterpret_cast<T*>(at.place(fields * sizeof(T), Edge::after));
+    for (std::size_t k = 0; k < fields; ++k) n[k] = bytes.number<T>();
+    return n;
+  };
+  const T* a = numbers(typed.kind_a, memory.a);
+  const T* b = numbers(typed.kind_b, memory.b);
+  const Motion<T> m(bytes);
+  const Output<typename Face<T>::Impact> out(memory.out, bytes.below(128) == 127);
+  const std::int32_t code = typed.cast(a, b, m.vx, m.vy, m.end, out.get());
+  demand(is_error(code) || (code >= VESICA_CAST_MISS && code <= VESICA_CAST_START));
+  if (code < 0) demand(out.untouched());
+  if (code >= 0) demand_impact<T>(code, m.end, *out.get());
+  typename Face<T>::Impact by_kind;
+  if (a == nullptr || b == nullptr || out.get() == nullptr) return demand(code == VESICA_E_NULL);
+  demand(Face<T>::cast(typed.kind_a, a, typed.kind_b, b, m.vx, m.vy, m.end, &by_kind) == code);
+  if (code >= 0) demand(std::memcmp(&by_kind, out.get(), sizeof by_kind) == 0);
 }
 
 template <class T>
@@ -85,8 +113,8 @@ void call_cast_first(Bytes& bytes, Memory& memory) {
 
 template <class T>
 void call(Bytes& bytes, Memory& memory) {
-  constexpr void (*calls[])(Bytes&, Memory&) = {call_cast<T>, call_cast<T>, call_sweep_bounds<T>, call_cast_many<T>,
-                                                call_cast_first<T>};
+  constexpr void (*calls[])(Bytes&, Memory&) = {call_cast<T>, call_typed_cast<T>, call_sweep_bounds<T>,
+                                                call_cast_many<T>, call_cast_first<T>};
   calls[bytes.below(static_cast<unsigned>(std::size(calls)))](bytes, memory);
 }
 

@@ -11,7 +11,9 @@ namespace properties {
 template <class Shape, class T>
 Shape shape_of(const Numbers& n) {
   constexpr int fields = vesica::ShapeTraits<Shape>::fields;
-  if constexpr (fields == 3) {
+  if constexpr (fields == 2) {
+    return {static_cast<T>(n[0]), static_cast<T>(n[1])};
+  } else if constexpr (fields == 3) {
     return {static_cast<T>(n[0]), static_cast<T>(n[1]), static_cast<T>(n[2])};
   } else if constexpr (fields == 4) {
     return {static_cast<T>(n[0]), static_cast<T>(n[1]), static_cast<T>(n[2]), static_cast<T>(n[3])};

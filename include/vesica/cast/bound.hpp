@@ -40,13 +40,14 @@ struct Side {
 };
 
 /// A pair and its motion in a common unit of length 2^length and of time 2^time. The largest length, and the longer
-/// component of each axis and of v, are about 1. `faithful`: nothing but underflow, below 2^-900, was lost.
+/// component of each axis and of v, are about 1. `faithful`: nothing but underflow, below 2^-900, was lost. `whole`: no
+/// component of an axis or of v vanished by that, so that what is across v is known.
 struct Scene {
   Side a, b;
   Vector d;
   double vx, vy, size;
   int length, time;
-  bool faithful;
+  bool faithful, whole;
 
   double speed() const noexcept { return abs(vx) + abs(vy); }
 };
@@ -105,7 +106,12 @@ VESICA_COLD inline Scene scaled_scene(const Body& a, const Body& b, const Motion
   const int speed = form::axis_exponent(motion.vx, motion.vy), length = p.exponent + eighths;
   const double vx = arithmetic::scale_far(motion.vx, -speed), vy = arithmetic::scale_far(motion.vy, -speed);
   const bool faithful = is_faithful(fa, p.a) && is_faithful(fb, p.b) && eighths == 0;
-  return {side(p.a), side(p.b), p.d, vx, vy, p.size, length, length - speed, faithful};
+  const auto kept = [](double x, double in_unit) { return (x == 0) == (in_unit == 0); };
+  const auto axis_kept = [&](const nearest::UnscaledShape& f, const nearest::ScaledShape& s) {
+    return kept(f.box.u.x.high, s.box.u.x.high) && kept(f.box.u.y.high, s.box.u.y.high);
+  };
+  const bool whole = kept(motion.vx, vx) && kept(motion.vy, vy) && axis_kept(fa, p.a) && axis_kept(fb, p.b);
+  return {side(p.a), side(p.b), p.d, vx, vy, p.size, length, length - speed, faithful, whole};
 }
 
 inline Side side(const nearest::UnscaledShape& f) noexcept {
@@ -139,7 +145,7 @@ inline void set_scene(const Body& a, const Body& b, const Motion& motion, Scene&
   s.vx = motion.vx;
   s.vy = motion.vy;
   s.length = s.time = 0;
-  s.faithful = true;
+  s.faithful = s.whole = true;
   const double distance = abs(x.high) + abs(y.high);
   s.size = distance + (reach(s.a) + reach(s.b));
   const bool moderate = is_moderate(s.a) && is_moderate(s.b) && is_moderate(s.speed()) && is_moderate(distance);
@@ -244,7 +250,7 @@ TimeBounds lower_bound(const Scene& scene, const VectorFactor<Products>& n, cons
   const double n_size = abs(n.x.high) + abs(n.y.high), speed = scene.speed(), unit = 0x1p-97 * n_size;
   const Twofold<double> room = renormalised(dot(n, Products::factor(scene.d)) - height),
                         approach = renormalised(-dot(n, v));
-  TimeBounds out{{0, 0}, 0, 0, 0, is_zero(approach)};
+  TimeBounds out{{0, 0}, 0, 0, 0, scene.whole && is_zero(approach)};
   if (!(approach.high > 0x1p-80 * n_size * speed)) return out;
   const double first = room.high / approach.high;
   const Twofold<double> rest = room - Products::factor(first) * Products::factor(approach);

@@ -21,16 +21,18 @@ inline constexpr double least_usable = 0x1p-200, most_usable = 0x1p200;
 
 inline bool in_usable_range(double x) noexcept { return x >= least_usable && x <= most_usable; }
 
+template <class Shape>
+VESICA_INLINE Sketch sketch(const Shape& s) noexcept {
+  constexpr form::AsStored<double> number;
+  const auto f = form::of(s);
+  const double ux = number(f.ux), uy = number(f.uy), hx = number(f.hx), hy = number(f.hy);
+  const bool round = f.outline != form::Outline::straight && hx > 0 && hy > 0;
+  const bool point = f.axis_may_vanish && ux == 0 && uy == 0;
+  const bool usable = (point || in_usable_range(abs(ux) + abs(uy))) && hx >= 0 && hy >= 0 && hx + hy <= most_usable;
+  return {form::corners(f.place), ux, uy, hx, hy, round, usable};
+}
 VESICA_INLINE Sketch sketch(const Body& body) noexcept {
-  return with_shape(body, [](const auto& s) {
-    constexpr form::AsStored<double> number;
-    const auto f = form::of(s);
-    const double ux = number(f.ux), uy = number(f.uy), hx = number(f.hx), hy = number(f.hy);
-    const bool round = f.outline != form::Outline::straight && hx > 0 && hy > 0;
-    const bool point = f.axis_may_vanish && ux == 0 && uy == 0;
-    const bool usable = (point || in_usable_range(abs(ux) + abs(uy))) && hx >= 0 && hy >= 0 && hx + hy <= most_usable;
-    return Sketch{form::corners(f.place), ux, uy, hx, hy, round, usable};
-  });
+  return with_shape(body, [](const auto& s) { return sketch(s); });
 }
 
 /// Reach across v as in exact.hpp, the reach along v, and errors.

@@ -188,13 +188,13 @@ inline Impact<double> impact(const Body& a, const Scene& scene, const Meeting& m
   return cast_hit;
 }
 
-/// The answer, or error_range. Contact at the start is for the caller to describe. overlap_at_start() answers as
-/// overlap_or_error() does.
+/// The answer, or error_range, where the filter has told `known`. Contact at the start is for the caller to describe.
+/// overlap_at_start() answers as overlap_or_error() does.
 template <class Overlap>
-VESICA_INLINE std::int32_t cast_bodies(const Body& a, const Body& b, const Motion& motion,
+VESICA_INLINE std::int32_t cast_bodies(const Body& a, const Body& b, const Motion& motion, const Filtered& known,
                                        const Overlap& overlap_at_start, FindMeeting fused,
                                        Impact<double>& out) noexcept {
-  const auto [verdict, apart] = filter(sketch(a), sketch(b), motion);
+  const auto [verdict, apart] = known;
   if (verdict == Verdict::missed) return cast_miss;
   const std::int32_t overlapping = apart ? 0 : overlap_at_start();
   if (overlapping != 0) return overlapping < 0 ? overlapping : static_cast<std::int32_t>(cast_start);

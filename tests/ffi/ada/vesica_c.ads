@@ -1184,6 +1184,46 @@ package Vesica_C is
       : System.Address; Gap : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_impact_time_f64";
 
+   --  A ray at a point.
+   function Vesica_Cast_Point_Point_F64 (A : System.Address; B : System.Address; Vx : IEEE_Float_64; Vy :
+      IEEE_Float_64; T_End : IEEE_Float_64; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_cast_point_point_f64";
+
+   --  A ray at a segment.
+   function Vesica_Cast_Segment_Point_F64 (A : System.Address; B : System.Address; Vx : IEEE_Float_64; Vy :
+      IEEE_Float_64; T_End : IEEE_Float_64; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_cast_segment_point_f64";
+
+   --  A ray at a disc.
+   function Vesica_Cast_Circle_Point_F64 (A : System.Address; B : System.Address; Vx : IEEE_Float_64; Vy :
+      IEEE_Float_64; T_End : IEEE_Float_64; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_cast_circle_point_f64";
+
+   --  A ray at an axis-aligned box.
+   function Vesica_Cast_Aabb_Point_F64 (A : System.Address; B : System.Address; Vx : IEEE_Float_64; Vy :
+      IEEE_Float_64; T_End : IEEE_Float_64; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_cast_aabb_point_f64";
+
+   --  A ray at a rectangle.
+   function Vesica_Cast_Rect_Point_F64 (A : System.Address; B : System.Address; Vx : IEEE_Float_64; Vy :
+      IEEE_Float_64; T_End : IEEE_Float_64; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_cast_rect_point_f64";
+
+   --  A ray at an ellipse.
+   function Vesica_Cast_Ellipse_Point_F64 (A : System.Address; B : System.Address; Vx : IEEE_Float_64; Vy :
+      IEEE_Float_64; T_End : IEEE_Float_64; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_cast_ellipse_point_f64";
+
+   --  Two discs.
+   function Vesica_Cast_Circle_Circle_F64 (A : System.Address; B : System.Address; Vx : IEEE_Float_64; Vy :
+      IEEE_Float_64; T_End : IEEE_Float_64; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_cast_circle_circle_f64";
+
+   --  Two rectangles.
+   function Vesica_Cast_Rect_Rect_F64 (A : System.Address; B : System.Address; Vx : IEEE_Float_64; Vy :
+      IEEE_Float_64; T_End : IEEE_Float_64; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_cast_rect_rect_f64";
+
    --  Does b touch a while it moves, when first, and where?
    function Vesica_Cast_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
       System.Address; Vx : IEEE_Float_32; Vy : IEEE_Float_32; T_End : IEEE_Float_32; Output : System.Address)
@@ -1223,6 +1263,46 @@ package Vesica_C is
       Kind_B : Integer_32; Numbers_B : System.Address; Turn_B : System.Address; Tolerance : IEEE_Float_32; Output
       : System.Address; Gap : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_impact_time_f32";
+
+   --  A ray at a point.
+   function Vesica_Cast_Point_Point_F32 (A : System.Address; B : System.Address; Vx : IEEE_Float_32; Vy :
+      IEEE_Float_32; T_End : IEEE_Float_32; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_cast_point_point_f32";
+
+   --  A ray at a segment.
+   function Vesica_Cast_Segment_Point_F32 (A : System.Address; B : System.Address; Vx : IEEE_Float_32; Vy :
+      IEEE_Float_32; T_End : IEEE_Float_32; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_cast_segment_point_f32";
+
+   --  A ray at a disc.
+   function Vesica_Cast_Circle_Point_F32 (A : System.Address; B : System.Address; Vx : IEEE_Float_32; Vy :
+      IEEE_Float_32; T_End : IEEE_Float_32; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_cast_circle_point_f32";
+
+   --  A ray at an axis-aligned box.
+   function Vesica_Cast_Aabb_Point_F32 (A : System.Address; B : System.Address; Vx : IEEE_Float_32; Vy :
+      IEEE_Float_32; T_End : IEEE_Float_32; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_cast_aabb_point_f32";
+
+   --  A ray at a rectangle.
+   function Vesica_Cast_Rect_Point_F32 (A : System.Address; B : System.Address; Vx : IEEE_Float_32; Vy :
+      IEEE_Float_32; T_End : IEEE_Float_32; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_cast_rect_point_f32";
+
+   --  A ray at an ellipse.
+   function Vesica_Cast_Ellipse_Point_F32 (A : System.Address; B : System.Address; Vx : IEEE_Float_32; Vy :
+      IEEE_Float_32; T_End : IEEE_Float_32; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_cast_ellipse_point_f32";
+
+   --  Two discs.
+   function Vesica_Cast_Circle_Circle_F32 (A : System.Address; B : System.Address; Vx : IEEE_Float_32; Vy :
+      IEEE_Float_32; T_End : IEEE_Float_32; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_cast_circle_circle_f32";
+
+   --  Two rectangles.
+   function Vesica_Cast_Rect_Rect_F32 (A : System.Address; B : System.Address; Vx : IEEE_Float_32; Vy :
+      IEEE_Float_32; T_End : IEEE_Float_32; Output : System.Address) return Integer_32
+     with Import, Convention => C, External_Name => "vesica_cast_rect_rect_f32";
 
    --  The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
    function Vesica_De9im_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :

@@ -2034,6 +2034,94 @@ module vesica_c
       type(c_ptr), value :: gap
     end function
 
+    !> A ray at a point.
+    integer(c_int32_t) function vesica_cast_point_point_f64(a, b, vx, vy, t_end, out) bind(c)
+      import
+      type(vesica_point_f64), intent(in) :: a
+      type(vesica_point_f64), intent(in) :: b
+      real(c_double), value :: vx
+      real(c_double), value :: vy
+      real(c_double), value :: t_end
+      type(vesica_impact_f64), intent(out) :: out
+    end function
+
+    !> A ray at a segment.
+    integer(c_int32_t) function vesica_cast_segment_point_f64(a, b, vx, vy, t_end, out) bind(c)
+      import
+      type(vesica_segment_f64), intent(in) :: a
+      type(vesica_point_f64), intent(in) :: b
+      real(c_double), value :: vx
+      real(c_double), value :: vy
+      real(c_double), value :: t_end
+      type(vesica_impact_f64), intent(out) :: out
+    end function
+
+    !> A ray at a disc.
+    integer(c_int32_t) function vesica_cast_circle_point_f64(a, b, vx, vy, t_end, out) bind(c)
+      import
+      type(vesica_circle_f64), intent(in) :: a
+      type(vesica_point_f64), intent(in) :: b
+      real(c_double), value :: vx
+      real(c_double), value :: vy
+      real(c_double), value :: t_end
+      type(vesica_impact_f64), intent(out) :: out
+    end function
+
+    !> A ray at an axis-aligned box.
+    integer(c_int32_t) function vesica_cast_aabb_point_f64(a, b, vx, vy, t_end, out) bind(c)
+      import
+      type(vesica_aabb_f64), intent(in) :: a
+      type(vesica_point_f64), intent(in) :: b
+      real(c_double), value :: vx
+      real(c_double), value :: vy
+      real(c_double), value :: t_end
+      type(vesica_impact_f64), intent(out) :: out
+    end function
+
+    !> A ray at a rectangle.
+    integer(c_int32_t) function vesica_cast_rect_point_f64(a, b, vx, vy, t_end, out) bind(c)
+      import
+      type(vesica_rect_f64), intent(in) :: a
+      type(vesica_point_f64), intent(in) :: b
+      real(c_double), value :: vx
+      real(c_double), value :: vy
+      real(c_double), value :: t_end
+      type(vesica_impact_f64), intent(out) :: out
+    end function
+
+    !> A ray at an ellipse.
+    integer(c_int32_t) function vesica_cast_ellipse_point_f64(a, b, vx, vy, t_end, out) bind(c)
+      import
+      type(vesica_ellipse_f64), intent(in) :: a
+      type(vesica_point_f64), intent(in) :: b
+      real(c_double), value :: vx
+      real(c_double), value :: vy
+      real(c_double), value :: t_end
+      type(vesica_impact_f64), intent(out) :: out
+    end function
+
+    !> Two discs.
+    integer(c_int32_t) function vesica_cast_circle_circle_f64(a, b, vx, vy, t_end, out) bind(c)
+      import
+      type(vesica_circle_f64), intent(in) :: a
+      type(vesica_circle_f64), intent(in) :: b
+      real(c_double), value :: vx
+      real(c_double), value :: vy
+      real(c_double), value :: t_end
+      type(vesica_impact_f64), intent(out) :: out
+    end function
+
+    !> Two rectangles.
+    integer(c_int32_t) function vesica_cast_rect_rect_f64(a, b, vx, vy, t_end, out) bind(c)
+      import
+      type(vesica_rect_f64), intent(in) :: a
+      type(vesica_rect_f64), intent(in) :: b
+      real(c_double), value :: vx
+      real(c_double), value :: vy
+      real(c_double), value :: t_end
+      type(vesica_impact_f64), intent(out) :: out
+    end function
+
     !> Does b touch a while it moves, when first, and where?
     integer(c_int32_t) function vesica_cast_f32(kind_a, numbers_a, kind_b, numbers_b, vx, vy, t_end, out) bind(c)
       import
@@ -2127,6 +2215,94 @@ module vesica_c
       real(c_float), value :: tolerance
       type(vesica_impact_f32), intent(out) :: out
       type(c_ptr), value :: gap
+    end function
+
+    !> A ray at a point.
+    integer(c_int32_t) function vesica_cast_point_point_f32(a, b, vx, vy, t_end, out) bind(c)
+      import
+      type(vesica_point_f32), intent(in) :: a
+      type(vesica_point_f32), intent(in) :: b
+      real(c_float), value :: vx
+      real(c_float), value :: vy
+      real(c_float), value :: t_end
+      type(vesica_impact_f32), intent(out) :: out
+    end function
+
+    !> A ray at a segment.
+    integer(c_int32_t) function vesica_cast_segment_point_f32(a, b, vx, vy, t_end, out) bind(c)
+      import
+      type(vesica_segment_f32), intent(in) :: a
+      type(vesica_point_f32), intent(in) :: b
+      real(c_float), value :: vx
+      real(c_float), value :: vy
+      real(c_float), value :: t_end
+      type(vesica_impact_f32), intent(out) :: out
+    end function
+
+    !> A ray at a disc.
+    integer(c_int32_t) function vesica_cast_circle_point_f32(a, b, vx, vy, t_end, out) bind(c)
+      import
+      type(vesica_circle_f32), intent(in) :: a
+      type(vesica_point_f32), intent(in) :: b
+      real(c_float), value :: vx
+      real(c_float), value :: vy
+      real(c_float), value :: t_end
+      type(vesica_impact_f32), intent(out) :: out
+    end function
+
+    !> A ray at an axis-aligned box.
+    integer(c_int32_t) function vesica_cast_aabb_point_f32(a, b, vx, vy, t_end, out) bind(c)
+      import
+      type(vesica_aabb_f32), intent(in) :: a
+      type(vesica_point_f32), intent(in) :: b
+      real(c_float), value :: vx
+      real(c_float), value :: vy
+      real(c_float), value :: t_end
+      type(vesica_impact_f32), intent(out) :: out
+    end function
+
+    !> A ray at a rectangle.
+    integer(c_int32_t) function vesica_cast_rect_point_f32(a, b, vx, vy, t_end, out) bind(c)
+      import
+      type(vesica_rect_f32), intent(in) :: a
+      type(vesica_point_f32), intent(in) :: b
+      real(c_float), value :: vx
+      real(c_float), value :: vy
+      real(c_float), value :: t_end
+      type(vesica_impact_f32), intent(out) :: out
+    end function
+
+    !> A ray at an ellipse.
+    integer(c_int32_t) function vesica_cast_ellipse_point_f32(a, b, vx, vy, t_end, out) bind(c)
+      import
+      type(vesica_ellipse_f32), intent(in) :: a
+      type(vesica_point_f32), intent(in) :: b
+      real(c_float), value :: vx
+      real(c_float), value :: vy
+      real(c_float), value :: t_end
+      type(vesica_impact_f32), intent(out) :: out
+    end function
+
+    !> Two discs.
+    integer(c_int32_t) function vesica_cast_circle_circle_f32(a, b, vx, vy, t_end, out) bind(c)
+      import
+      type(vesica_circle_f32), intent(in) :: a
+      type(vesica_circle_f32), intent(in) :: b
+      real(c_float), value :: vx
+      real(c_float), value :: vy
+      real(c_float), value :: t_end
+      type(vesica_impact_f32), intent(out) :: out
+    end function
+
+    !> Two rectangles.
+    integer(c_int32_t) function vesica_cast_rect_rect_f32(a, b, vx, vy, t_end, out) bind(c)
+      import
+      type(vesica_rect_f32), intent(in) :: a
+      type(vesica_rect_f32), intent(in) :: b
+      real(c_float), value :: vx
+      real(c_float), value :: vy
+      real(c_float), value :: t_end
+      type(vesica_impact_f32), intent(out) :: out
     end function
 
     !> The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.

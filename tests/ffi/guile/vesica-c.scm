@@ -455,6 +455,22 @@
 ;; When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they turn,
 ;; there is no contact before.
 (c vesica_impact_time_f64 int32 int32 '* '* int32 '* '* double '* '*)
+;; A ray at a point.
+(c vesica_cast_point_point_f64 int32 '* '* double double double '*)
+;; A ray at a segment.
+(c vesica_cast_segment_point_f64 int32 '* '* double double double '*)
+;; A ray at a disc.
+(c vesica_cast_circle_point_f64 int32 '* '* double double double '*)
+;; A ray at an axis-aligned box.
+(c vesica_cast_aabb_point_f64 int32 '* '* double double double '*)
+;; A ray at a rectangle.
+(c vesica_cast_rect_point_f64 int32 '* '* double double double '*)
+;; A ray at an ellipse.
+(c vesica_cast_ellipse_point_f64 int32 '* '* double double double '*)
+;; Two discs.
+(c vesica_cast_circle_circle_f64 int32 '* '* double double double '*)
+;; Two rectangles.
+(c vesica_cast_rect_rect_f64 int32 '* '* double double double '*)
 ;; Does b touch a while it moves, when first, and where?
 (c vesica_cast_f32 int32 int32 '* int32 '* float float float '*)
 ;; When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
@@ -469,6 +485,22 @@
 (c vesica_index_cast_first_f32 int64 '* '* int32 '* float float float '*)
 ;; As vesica_impact_time_f64.
 (c vesica_impact_time_f32 int32 int32 '* '* int32 '* '* float '* '*)
+;; A ray at a point.
+(c vesica_cast_point_point_f32 int32 '* '* float float float '*)
+;; A ray at a segment.
+(c vesica_cast_segment_point_f32 int32 '* '* float float float '*)
+;; A ray at a disc.
+(c vesica_cast_circle_point_f32 int32 '* '* float float float '*)
+;; A ray at an axis-aligned box.
+(c vesica_cast_aabb_point_f32 int32 '* '* float float float '*)
+;; A ray at a rectangle.
+(c vesica_cast_rect_point_f32 int32 '* '* float float float '*)
+;; A ray at an ellipse.
+(c vesica_cast_ellipse_point_f32 int32 '* '* float float float '*)
+;; Two discs.
+(c vesica_cast_circle_circle_f32 int32 '* '* float float float '*)
+;; Two rectangles.
+(c vesica_cast_rect_rect_f32 int32 '* '* float float float '*)
 ;; The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
 (c vesica_de9im_f64 int32 int32 '* int32 '* '*)
 ;; Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?

@@ -826,6 +826,30 @@ function vesica_index_cast_first_f64(index: Pointer; sets: PVesicaShapesF64; set
 function vesica_impact_time_f64(kind_a: Int32; numbers_a: PDouble; turn_a: PVesicaTurnF64; kind_b: Int32; numbers_b:
   PDouble; turn_b: PVesicaTurnF64; tolerance: Double; output: PVesicaImpactF64; gap: PDouble): Int32; cdecl;
   external vesica_library;
+// A ray at a point.
+function vesica_cast_point_point_f64(a: PVesicaPointF64; b: PVesicaPointF64; vx: Double; vy: Double; t_end: Double;
+  output: PVesicaImpactF64): Int32; cdecl; external vesica_library;
+// A ray at a segment.
+function vesica_cast_segment_point_f64(a: PVesicaSegmentF64; b: PVesicaPointF64; vx: Double; vy: Double; t_end:
+  Double; output: PVesicaImpactF64): Int32; cdecl; external vesica_library;
+// A ray at a disc.
+function vesica_cast_circle_point_f64(a: PVesicaCircleF64; b: PVesicaPointF64; vx: Double; vy: Double; t_end:
+  Double; output: PVesicaImpactF64): Int32; cdecl; external vesica_library;
+// A ray at an axis-aligned box.
+function vesica_cast_aabb_point_f64(a: PVesicaAabbF64; b: PVesicaPointF64; vx: Double; vy: Double; t_end: Double;
+  output: PVesicaImpactF64): Int32; cdecl; external vesica_library;
+// A ray at a rectangle.
+function vesica_cast_rect_point_f64(a: PVesicaRectF64; b: PVesicaPointF64; vx: Double; vy: Double; t_end: Double;
+  output: PVesicaImpactF64): Int32; cdecl; external vesica_library;
+// A ray at an ellipse.
+function vesica_cast_ellipse_point_f64(a: PVesicaEllipseF64; b: PVesicaPointF64; vx: Double; vy: Double; t_end:
+  Double; output: PVesicaImpactF64): Int32; cdecl; external vesica_library;
+// Two discs.
+function vesica_cast_circle_circle_f64(a: PVesicaCircleF64; b: PVesicaCircleF64; vx: Double; vy: Double; t_end:
+  Double; output: PVesicaImpactF64): Int32; cdecl; external vesica_library;
+// Two rectangles.
+function vesica_cast_rect_rect_f64(a: PVesicaRectF64; b: PVesicaRectF64; vx: Double; vy: Double; t_end: Double;
+  output: PVesicaImpactF64): Int32; cdecl; external vesica_library;
 // Does b touch a while it moves, when first, and where?
 function vesica_cast_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; vx: Single; vy:
   Single; t_end: Single; output: PVesicaImpactF32): Int32; cdecl; external vesica_library;
@@ -851,6 +875,30 @@ function vesica_index_cast_first_f32(index: Pointer; sets: PVesicaShapesF32; set
 function vesica_impact_time_f32(kind_a: Int32; numbers_a: PSingle; turn_a: PVesicaTurnF32; kind_b: Int32; numbers_b:
   PSingle; turn_b: PVesicaTurnF32; tolerance: Single; output: PVesicaImpactF32; gap: PSingle): Int32; cdecl;
   external vesica_library;
+// A ray at a point.
+function vesica_cast_point_point_f32(a: PVesicaPointF32; b: PVesicaPointF32; vx: Single; vy: Single; t_end: Single;
+  output: PVesicaImpactF32): Int32; cdecl; external vesica_library;
+// A ray at a segment.
+function vesica_cast_segment_point_f32(a: PVesicaSegmentF32; b: PVesicaPointF32; vx: Single; vy: Single; t_end:
+  Single; output: PVesicaImpactF32): Int32; cdecl; external vesica_library;
+// A ray at a disc.
+function vesica_cast_circle_point_f32(a: PVesicaCircleF32; b: PVesicaPointF32; vx: Single; vy: Single; t_end:
+  Single; output: PVesicaImpactF32): Int32; cdecl; external vesica_library;
+// A ray at an axis-aligned box.
+function vesica_cast_aabb_point_f32(a: PVesicaAabbF32; b: PVesicaPointF32; vx: Single; vy: Single; t_end: Single;
+  output: PVesicaImpactF32): Int32; cdecl; external vesica_library;
+// A ray at a rectangle.
+function vesica_cast_rect_point_f32(a: PVesicaRectF32; b: PVesicaPointF32; vx: Single; vy: Single; t_end: Single;
+  output: PVesicaImpactF32): Int32; cdecl; external vesica_library;
+// A ray at an ellipse.
+function vesica_cast_ellipse_point_f32(a: PVesicaEllipseF32; b: PVesicaPointF32; vx: Single; vy: Single; t_end:
+  Single; output: PVesicaImpactF32): Int32; cdecl; external vesica_library;
+// Two discs.
+function vesica_cast_circle_circle_f32(a: PVesicaCircleF32; b: PVesicaCircleF32; vx: Single; vy: Single; t_end:
+  Single; output: PVesicaImpactF32): Int32; cdecl; external vesica_library;
+// Two rectangles.
+function vesica_cast_rect_rect_f32(a: PVesicaRectF32; b: PVesicaRectF32; vx: Single; vy: Single; t_end: Single;
+  output: PVesicaImpactF32): Int32; cdecl; external vesica_library;
 // The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
 function vesica_de9im_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; matrix: PChar):
   Int32; cdecl; external vesica_library;

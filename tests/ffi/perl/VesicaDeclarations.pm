@@ -471,6 +471,22 @@ our @FUNCTIONS = (
     # turn, there is no contact before.
     [vesica_impact_time_f64 => ['sint32', 'double[]', 'opaque', 'sint32', 'double[]', 'opaque', 'double', 'opaque',
         'opaque'] => 'sint32'],
+    # A ray at a point.
+    [vesica_cast_point_point_f64 => ['opaque', 'opaque', 'double', 'double', 'double', 'opaque'] => 'sint32'],
+    # A ray at a segment.
+    [vesica_cast_segment_point_f64 => ['opaque', 'opaque', 'double', 'double', 'double', 'opaque'] => 'sint32'],
+    # A ray at a disc.
+    [vesica_cast_circle_point_f64 => ['opaque', 'opaque', 'double', 'double', 'double', 'opaque'] => 'sint32'],
+    # A ray at an axis-aligned box.
+    [vesica_cast_aabb_point_f64 => ['opaque', 'opaque', 'double', 'double', 'double', 'opaque'] => 'sint32'],
+    # A ray at a rectangle.
+    [vesica_cast_rect_point_f64 => ['opaque', 'opaque', 'double', 'double', 'double', 'opaque'] => 'sint32'],
+    # A ray at an ellipse.
+    [vesica_cast_ellipse_point_f64 => ['opaque', 'opaque', 'double', 'double', 'double', 'opaque'] => 'sint32'],
+    # Two discs.
+    [vesica_cast_circle_circle_f64 => ['opaque', 'opaque', 'double', 'double', 'double', 'opaque'] => 'sint32'],
+    # Two rectangles.
+    [vesica_cast_rect_rect_f64 => ['opaque', 'opaque', 'double', 'double', 'double', 'opaque'] => 'sint32'],
     # Does b touch a while it moves, when first, and where?
     [vesica_cast_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'float', 'float', 'float', 'opaque'] => 'sint32'],
     # When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
@@ -489,6 +505,22 @@ our @FUNCTIONS = (
     # As vesica_impact_time_f64.
     [vesica_impact_time_f32 => ['sint32', 'float[]', 'opaque', 'sint32', 'float[]', 'opaque', 'float', 'opaque',
         'opaque'] => 'sint32'],
+    # A ray at a point.
+    [vesica_cast_point_point_f32 => ['opaque', 'opaque', 'float', 'float', 'float', 'opaque'] => 'sint32'],
+    # A ray at a segment.
+    [vesica_cast_segment_point_f32 => ['opaque', 'opaque', 'float', 'float', 'float', 'opaque'] => 'sint32'],
+    # A ray at a disc.
+    [vesica_cast_circle_point_f32 => ['opaque', 'opaque', 'float', 'float', 'float', 'opaque'] => 'sint32'],
+    # A ray at an axis-aligned box.
+    [vesica_cast_aabb_point_f32 => ['opaque', 'opaque', 'float', 'float', 'float', 'opaque'] => 'sint32'],
+    # A ray at a rectangle.
+    [vesica_cast_rect_point_f32 => ['opaque', 'opaque', 'float', 'float', 'float', 'opaque'] => 'sint32'],
+    # A ray at an ellipse.
+    [vesica_cast_ellipse_point_f32 => ['opaque', 'opaque', 'float', 'float', 'float', 'opaque'] => 'sint32'],
+    # Two discs.
+    [vesica_cast_circle_circle_f32 => ['opaque', 'opaque', 'float', 'float', 'float', 'opaque'] => 'sint32'],
+    # Two rectangles.
+    [vesica_cast_rect_rect_f32 => ['opaque', 'opaque', 'float', 'float', 'float', 'opaque'] => 'sint32'],
     # The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
     [vesica_de9im_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
     # Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?

@@ -454,6 +454,22 @@ module Vesica
     # When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they
     # turn, there is no contact before.
     'int vesica_impact_time_f64(int, void *, void *, int, void *, void *, double, void *, void *)',
+    # A ray at a point.
+    'int vesica_cast_point_point_f64(void *, void *, double, double, double, void *)',
+    # A ray at a segment.
+    'int vesica_cast_segment_point_f64(void *, void *, double, double, double, void *)',
+    # A ray at a disc.
+    'int vesica_cast_circle_point_f64(void *, void *, double, double, double, void *)',
+    # A ray at an axis-aligned box.
+    'int vesica_cast_aabb_point_f64(void *, void *, double, double, double, void *)',
+    # A ray at a rectangle.
+    'int vesica_cast_rect_point_f64(void *, void *, double, double, double, void *)',
+    # A ray at an ellipse.
+    'int vesica_cast_ellipse_point_f64(void *, void *, double, double, double, void *)',
+    # Two discs.
+    'int vesica_cast_circle_circle_f64(void *, void *, double, double, double, void *)',
+    # Two rectangles.
+    'int vesica_cast_rect_rect_f64(void *, void *, double, double, double, void *)',
     # Does b touch a while it moves, when first, and where?
     'int vesica_cast_f32(int, void *, int, void *, float, float, float, void *)',
     # When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
@@ -469,6 +485,22 @@ module Vesica
     'int64_t vesica_index_cast_first_f32(void *, void *, int, void *, float, float, float, void *)',
     # As vesica_impact_time_f64.
     'int vesica_impact_time_f32(int, void *, void *, int, void *, void *, float, void *, void *)',
+    # A ray at a point.
+    'int vesica_cast_point_point_f32(void *, void *, float, float, float, void *)',
+    # A ray at a segment.
+    'int vesica_cast_segment_point_f32(void *, void *, float, float, float, void *)',
+    # A ray at a disc.
+    'int vesica_cast_circle_point_f32(void *, void *, float, float, float, void *)',
+    # A ray at an axis-aligned box.
+    'int vesica_cast_aabb_point_f32(void *, void *, float, float, float, void *)',
+    # A ray at a rectangle.
+    'int vesica_cast_rect_point_f32(void *, void *, float, float, float, void *)',
+    # A ray at an ellipse.
+    'int vesica_cast_ellipse_point_f32(void *, void *, float, float, float, void *)',
+    # Two discs.
+    'int vesica_cast_circle_circle_f32(void *, void *, float, float, float, void *)',
+    # Two rectangles.
+    'int vesica_cast_rect_rect_f32(void *, void *, float, float, float, void *)',
     # The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
     'int vesica_de9im_f64(int, void *, int, void *, void *)',
     # Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
