@@ -24,13 +24,13 @@ struct Reach {
 inline constexpr arithmetic::Estimate unknown{0, 0, std::numeric_limits<double>::infinity()};
 
 /// Whether the product of p and q is 0 exactly, or lies where its square and the remainders have full precision.
-inline bool in_range(double p, double q, double product) noexcept {
+VESICA_INLINE bool in_range(double p, double q, double product) noexcept {
   return p == 0 || q == 0 || (product >= 0x1p-400 && product <= 0x1p400);
 }
 
 /// |p0 q0| + |p1 q1|. The error is 0 when high + low is all of it, as it is for numbers of few digits.
-inline arithmetic::Estimate estimate_sum(const arithmetic::Pair<double>& x,
-                                         const arithmetic::Pair<double>& y) noexcept {
+VESICA_INLINE arithmetic::Estimate estimate_sum(const arithmetic::Pair<double>& x,
+                                                const arithmetic::Pair<double>& y) noexcept {
   const auto [high, a] = arithmetic::two_sum(x.high, y.high);
   const auto [b, c] = arithmetic::two_sum(x.low, y.low);
   const auto [low, d] = arithmetic::two_sum(a, b);
@@ -40,29 +40,30 @@ inline arithmetic::Estimate estimate_sum(const arithmetic::Pair<double>& x,
 /// sqrt(x^2 + y^2): a rounded root and one Newton step. The root h is off by at most 2u h (u = 2^-53), so the residual
 /// x^2 + y^2 - h^2 is a sum of seven terms of together at most 11u h^2; their rounding and the two squares left out
 /// cost 82u^2 h^2, the division and Newton's own error 21u^2 h more: below 64u^2 h altogether, and 128u^2 is claimed.
-inline arithmetic::Estimate estimate_root(const arithmetic::Pair<double>& x,
-                                          const arithmetic::Pair<double>& y) noexcept {
-  const auto xx = arithmetic::two_product_fused(x.high, x.high), yy = arithmetic::two_product_fused(y.high, y.high);
+VESICA_INLINE arithmetic::Estimate estimate_root(const arithmetic::Pair<double>& x,
+                                                 const arithmetic::Pair<double>& y) noexcept {
+  const auto xx = arithmetic::two_product_uncontracted(x.high, x.high),
+             yy = arithmetic::two_product_uncontracted(y.high, y.high);
   const auto squares = arithmetic::two_sum(xx.high, yy.high);
   const double root = std::sqrt(squares.high);
-  const auto rr = arithmetic::two_product_fused(root, root);
+  const auto rr = arithmetic::two_product_uncontracted(root, root);
   const double lows = ((xx.low + yy.low) - rr.low) + squares.low;
   const double residual = (squares.high - rr.high) + (lows + 2 * (x.high * x.low + y.high * y.low));
   return {root, residual / (2 * root), root * 0x1p-99};
 }
 
-inline arithmetic::Estimate estimate(const Rect<double>&, const arithmetic::Pair<double>& x,
-                                     const arithmetic::Pair<double>& y) noexcept {
+VESICA_INLINE arithmetic::Estimate estimate(const Rect<double>&, const arithmetic::Pair<double>& x,
+                                            const arithmetic::Pair<double>& y) noexcept {
   return estimate_sum(x, y);
 }
-inline arithmetic::Estimate estimate(const Ellipse<double>&, const arithmetic::Pair<double>& x,
-                                     const arithmetic::Pair<double>& y) noexcept {
+VESICA_INLINE arithmetic::Estimate estimate(const Ellipse<double>&, const arithmetic::Pair<double>& x,
+                                            const arithmetic::Pair<double>& y) noexcept {
   return x.high == 0 || y.high == 0 ? estimate_sum(x, y) : estimate_root(x, y);
 }
 
 /// The smallest double at or above c + extent, in exact arithmetic; false when it is beyond the finite ones. The search
 /// starts within a few last places of it, and so is short.
-inline bool exact_upper(const Rect<double>&, const Reach& r, double& out) noexcept {
+VESICA_COLD inline bool exact_upper(const Rect<double>&, const Reach& r, double& out) noexcept {
   using namespace exact;
   const auto value =
       from_double(r.c) + abs(from_double(r.p0) * from_double(r.q0)) + abs(from_double(r.p1) * from_double(r.q1));
@@ -82,7 +83,7 @@ inline double start_of_search(const exact::Number<1>& c, const exact::Number<4>&
   return arithmetic::scale(sum.value, sum.exponent) +
          arithmetic::scale(rest.value / (2 * value), rest.exponent - exponent);
 }
-inline bool exact_upper(const Ellipse<double>&, const Reach& r, double& out) noexcept {
+VESICA_COLD inline bool exact_upper(const Ellipse<double>&, const Reach& r, double& out) noexcept {
   using namespace exact;
   const auto c = from_double(r.c);
   const auto extent_squared =
@@ -95,21 +96,20 @@ inline bool exact_upper(const Ellipse<double>&, const Reach& r, double& out) noe
   return arithmetic::search_up(start, reaches, out);
 }
 
-/// The smallest double at or above c + extent; false when it is beyond the finite ones.
-template <class Shape>
-bool upper(const Shape& s, const Reach& r, const arithmetic::Estimate& extent, double& out) noexcept {
-  return arithmetic::round_up(arithmetic::add(r.c, extent), out) || exact_upper(s, r, out);
-}
-
 /// The shape's interval along one coordinate.
 template <class Shape>
-bool interval(const Shape& s, const Reach& r, double& low, double& high) noexcept {
-  const auto x = arithmetic::two_product_fused(std::fabs(r.p0), r.q0),
-             y = arithmetic::two_product_fused(std::fabs(r.p1), r.q1);
+VESICA_INLINE bool interval(const Shape& s, const Reach& r, double& low, double& high) noexcept {
+  const auto x = arithmetic::two_product_uncontracted(std::fabs(r.p0), r.q0),
+             y = arithmetic::two_product_uncontracted(std::fabs(r.p1), r.q1);
   const bool usable = in_range(r.p0, r.q0, x.high) && in_range(r.p1, r.q1, y.high) && std::fabs(r.c) <= 0x1p400;
   const auto extent = usable ? estimate(s, x, y) : unknown;
   double minus_low;
-  if (!upper(s, r, extent, high) || !upper(s, {-r.c, r.p0, r.q0, r.p1, r.q1}, extent, minus_low)) return false;
+  const bool has_high = arithmetic::round_up(arithmetic::add(r.c, extent), high);
+  const bool has_low = arithmetic::round_up(arithmetic::add(-r.c, extent), minus_low);
+  if (!arithmetic::both(has_high, has_low)) [[unlikely]] {
+    if (!has_high && !exact_upper(s, r, high)) return false;
+    if (!has_low && !exact_upper(s, {-r.c, r.p0, r.q0, r.p1, r.q1}, minus_low)) return false;
+  }
   low = 0 - minus_low;
   return true;
 }
