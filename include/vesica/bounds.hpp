@@ -42,11 +42,10 @@ VESICA_INLINE arithmetic::Estimate estimate_sum(const arithmetic::Pair<double>& 
 /// cost 82u^2 h^2, the division and Newton's own error 21u^2 h more: below 64u^2 h altogether, and 128u^2 is claimed.
 VESICA_INLINE arithmetic::Estimate estimate_root(const arithmetic::Pair<double>& x,
                                                  const arithmetic::Pair<double>& y) noexcept {
-  const auto xx = arithmetic::two_product_uncontracted(x.high, x.high),
-             yy = arithmetic::two_product_uncontracted(y.high, y.high);
+  const auto xx = arithmetic::two_product_fused(x.high, x.high), yy = arithmetic::two_product_fused(y.high, y.high);
   const auto squares = arithmetic::two_sum(xx.high, yy.high);
   const double root = std::sqrt(squares.high);
-  const auto rr = arithmetic::two_product_uncontracted(root, root);
+  const auto rr = arithmetic::two_product_fused(root, root);
   const double lows = ((xx.low + yy.low) - rr.low) + squares.low;
   const double residual = (squares.high - rr.high) + (lows + 2 * (x.high * x.low + y.high * y.low));
   return {root, residual / (2 * root), root * 0x1p-99};
@@ -99,8 +98,8 @@ VESICA_COLD inline bool exact_upper(const Ellipse<double>&, const Reach& r, doub
 /// The shape's interval along one coordinate.
 template <class Shape>
 VESICA_INLINE bool interval(const Shape& s, const Reach& r, double& low, double& high) noexcept {
-  const auto x = arithmetic::two_product_uncontracted(std::fabs(r.p0), r.q0),
-             y = arithmetic::two_product_uncontracted(std::fabs(r.p1), r.q1);
+  const auto x = arithmetic::two_product_fused(std::fabs(r.p0), r.q0),
+             y = arithmetic::two_product_fused(std::fabs(r.p1), r.q1);
   const bool usable = in_range(r.p0, r.q0, x.high) && in_range(r.p1, r.q1, y.high) && std::fabs(r.c) <= 0x1p400;
   const auto extent = usable ? estimate(s, x, y) : unknown;
   double minus_low;
