@@ -18,23 +18,23 @@ namespace vesica::filter {
 /// exact; a NaN or an infinite number is no multiple.
 class Multiples {
  public:
-  VESICA_INLINE Multiples(int digits, double sum) noexcept
+  VESICA_INLINE constexpr Multiples(int digits, double sum) noexcept
       : sum_(sum), large_(sum * static_cast<double>(1ull << (54 - digits))) {}
 
   template <class... X>
-  VESICA_INLINE void add(X... x) noexcept {
+  VESICA_INLINE constexpr void add(X... x) noexcept {
     ((lost_ = or_bits(lost_, ((x + large_) - large_) - x)), ...);
   }
   /// A coordinate, which may be far larger than the differences that are summed.
-  VESICA_INLINE void add_coordinate(double x) noexcept {
+  VESICA_INLINE VESICA_DEVICE void add_coordinate(double x) noexcept {
     farthest_ = farthest_ + abs(x);
     add(x);
   }
   /// A number that must be 0.
-  VESICA_INLINE void add_loss(double x) noexcept { lost_ = or_bits(lost_, x); }
+  VESICA_INLINE constexpr void add_loss(double x) noexcept { lost_ = or_bits(lost_, x); }
 
   /// No product of six such numbers underflows or overflows.
-  VESICA_INLINE bool holds() const noexcept {
+  VESICA_INLINE constexpr bool holds() const noexcept {
     return both(both(lost_ == 0, farthest_ <= 0.25 * large_), in_range(sum_, 0x1p-100, 0x1p100));
   }
 
@@ -44,22 +44,23 @@ class Multiples {
 
 /// Differences of stored points are exact where both are multiples of G and at most 2^52 G together, and so are their
 /// sums and halves. Between two centres each difference tells of itself: centres need not be short.
-VESICA_INLINE void add_places(const Centre<double>& a, const Centre<double>& b, Multiples& lengths) noexcept {
+VESICA_INLINE VESICA_DEVICE void add_places(const Centre<double>& a, const Centre<double>& b,
+                                            Multiples& lengths) noexcept {
   lengths.add_loss(detail::arithmetic::two_difference(b.x, a.x).low);
   lengths.add_loss(detail::arithmetic::two_difference(b.y, a.y).low);
 }
-VESICA_INLINE void add_place(const Centre<double>& p, Multiples& lengths) noexcept {
+VESICA_INLINE VESICA_DEVICE void add_place(const Centre<double>& p, Multiples& lengths) noexcept {
   lengths.add_coordinate(p.x);
   lengths.add_coordinate(p.y);
 }
-VESICA_INLINE void add_place(const Corners<double>& p, Multiples& lengths) noexcept {
+VESICA_INLINE VESICA_DEVICE void add_place(const Corners<double>& p, Multiples& lengths) noexcept {
   lengths.add_coordinate(p.x0);
   lengths.add_coordinate(p.y0);
   lengths.add_coordinate(p.x1);
   lengths.add_coordinate(p.y1);
 }
 template <class PlaceA, class PlaceB>
-VESICA_INLINE void add_places(const PlaceA& a, const PlaceB& b, Multiples& lengths) noexcept {
+VESICA_INLINE VESICA_DEVICE void add_places(const PlaceA& a, const PlaceB& b, Multiples& lengths) noexcept {
   add_place(a, lengths);
   add_place(b, lengths);
 }
@@ -76,8 +77,8 @@ inline constexpr int most_digits =
 /// 2^52 H^2 G, with a factor of 1 + 20u for roundings of the sums, and projections of the offset multiples of H G / 2 below
 /// 2^(m + n) H G. None is rounded. Their difference is, but not to another sign.
 template <class A, class B>
-requires(is_straight<A>&& is_straight<B>) VESICA_INLINE Verdict<bool> short_numbers(const A& shape_a, const B& shape_b)
-noexcept {
+requires(is_straight<A>&& is_straight<B>) VESICA_INLINE
+    constexpr Verdict<bool> short_numbers(const A& shape_a, const B& shape_b) noexcept {
   const Box<double> a = box(shape_a), b = box(shape_b);
   const auto place_a = place(shape_a);
   const auto place_b = place(shape_b);
@@ -95,8 +96,8 @@ noexcept {
 
 /// The same for a box and a disc: what comes before squares.
 template <class A>
-requires is_straight<A> VESICA_INLINE Verdict<bool> short_numbers(const A& shape, const Circle<double>& disc)
-noexcept {
+requires is_straight<A> VESICA_INLINE constexpr Verdict<bool> short_numbers(const A& shape,
+                                                                            const Circle<double>& disc) noexcept {
   const Box<double> a = box(shape);
   const auto place_a = place(shape);
   const auto place_b = place(disc);
@@ -114,8 +115,10 @@ noexcept {
   return guarded(both(directions.holds(), lengths.holds()), verdict.overlap, verdict.disjoint);
 }
 template <class B>
-requires is_straight<B> VESICA_INLINE Verdict<bool> short_numbers(const Circle<double>& disc, const B& shape)
-noexcept { return short_numbers(shape, disc); }
+requires is_straight<B> VESICA_INLINE constexpr Verdict<bool> short_numbers(const Circle<double>& disc,
+                                                                            const B& shape) noexcept {
+  return short_numbers(shape, disc);
+}
 
 /// Pairs for which this is quicker than error_free().
 template <class A, class B>
