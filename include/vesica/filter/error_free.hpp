@@ -17,7 +17,10 @@ namespace vesica::filter {
 /// The digits of many numbers: how many the longest has.
 class Digits {
  public:
-  VESICA_INLINE constexpr void add(double x) noexcept { bits_ |= std::bit_cast<std::uint64_t>(x); }
+  VESICA_INLINE static constexpr std::uint64_t fraction(double x) noexcept {
+    return std::bit_cast<std::uint64_t>(x) & 0xfffffffffffffu;
+  }
+  VESICA_INLINE constexpr void add(std::uint64_t fraction) noexcept { bits_ |= fraction; }
   /// From a number's first 1 to its last there are as many places as the lowest bit of its fraction says, or fewer. Powers
   /// of two, 0 and infinity have no fraction: 1 or less.
   constexpr int most() const noexcept { return 53 - std::countr_zero(bits_); }
@@ -48,8 +51,10 @@ class ErrorFree {
   VESICA_INLINE constexpr V difference(V a, V b) noexcept { return high_of(detail::arithmetic::two_difference(a, b)); }
   VESICA_INLINE constexpr V product(V a, V b) noexcept {
     if constexpr (counts_digits) {
-      first_.add(a);
-      second_.add(b);
+      // A power of two, 0 and infinity have no fraction, and round no product.
+      const std::uint64_t of_a = Digits::fraction(a), of_b = Digits::fraction(b);
+      first_.add(of_b == 0 ? 0 : of_a);
+      second_.add(of_a == 0 ? 0 : of_b);
       return a * b;
     } else {
       return high_of(detail::arithmetic::two_product_uncontracted(a, b));
