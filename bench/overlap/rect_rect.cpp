@@ -8,7 +8,9 @@ namespace {
 
 const bool added = add_rates<vesica_overlap_rect_rect_f64, textbook::rect_rect<vesica_rect_f64>,
                              vesica_overlap_rect_rect_f32, textbook::rect_rect<vesica_rect_f32>>(ratio_at_most(1.25)) &&
-                   add_rows<vesica_overlap_rect_rect_f64>({{Workload::tangent, nanoseconds_at_most(1200)},
+                   add_rows<vesica_overlap_rect_rect_f64>({{Workload::pixels, nanoseconds_at_most(40)},
+                                                           {Workload::hundredths, nanoseconds_at_most(40)},
+                                                           {Workload::tangent, nanoseconds_at_most(1200)},
                                                            {Workload::last_ulp, nanoseconds_at_most(1200)},
                                                            {Workload::exponents, nanoseconds_at_most(190'000)}});
 

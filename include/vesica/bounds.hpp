@@ -24,13 +24,13 @@ struct Reach {
 inline constexpr arithmetic::Estimate unknown{0, 0, std::numeric_limits<double>::infinity()};
 
 /// Whether the product of p and q is 0 exactly, or lies where its square and the remainders have full precision.
-inline bool in_range(double p, double q, double product) noexcept {
+VESICA_INLINE bool in_range(double p, double q, double product) noexcept {
   return p == 0 || q == 0 || (product >= 0x1p-400 && product <= 0x1p400);
 }
 
 /// |p0 q0| + |p1 q1|. The error is 0 when high + low is all of it, as it is for numbers of few digits.
-inline arithmetic::Estimate estimate_sum(const arithmetic::Pair<double>& x,
-                                         const arithmetic::Pair<double>& y) noexcept {
+VESICA_INLINE arithmetic::Estimate estimate_sum(const arithmetic::Pair<double>& x,
+                                                const arithmetic::Pair<double>& y) noexcept {
   const auto [high, a] = arithmetic::two_sum(x.high, y.high);
   const auto [b, c] = arithmetic::two_sum(x.low, y.low);
   const auto [low, d] = arithmetic::two_sum(a, b);
@@ -40,8 +40,8 @@ inline arithmetic::Estimate estimate_sum(const arithmetic::Pair<double>& x,
 /// sqrt(x^2 + y^2): a rounded root and one Newton step. The root h is off by at most 2u h (u = 2^-53), so the residual
 /// x^2 + y^2 - h^2 is a sum of seven terms of together at most 11u h^2; their rounding and the two squares left out
 /// cost 82u^2 h^2, the division and Newton's own error 21u^2 h more: below 64u^2 h altogether, and 128u^2 is claimed.
-inline arithmetic::Estimate estimate_root(const arithmetic::Pair<double>& x,
-                                          const arithmetic::Pair<double>& y) noexcept {
+VESICA_INLINE arithmetic::Estimate estimate_root(const arithmetic::Pair<double>& x,
+                                                 const arithmetic::Pair<double>& y) noexcept {
   const auto xx = arithmetic::two_product_fused(x.high, x.high), yy = arithmetic::two_product_fused(y.high, y.high);
   const auto squares = arithmetic::two_sum(xx.high, yy.high);
   const double root = std::sqrt(squares.high);
@@ -51,12 +51,12 @@ inline arithmetic::Estimate estimate_root(const arithmetic::Pair<double>& x,
   return {root, residual / (2 * root), root * 0x1p-99};
 }
 
-inline arithmetic::Estimate estimate(const Rect<double>&, const arithmetic::Pair<double>& x,
-                                     const arithmetic::Pair<double>& y) noexcept {
+VESICA_INLINE arithmetic::Estimate estimate(const Rect<double>&, const arithmetic::Pair<double>& x,
+                                            const arithmetic::Pair<double>& y) noexcept {
   return estimate_sum(x, y);
 }
-inline arithmetic::Estimate estimate(const Ellipse<double>&, const arithmetic::Pair<double>& x,
-                                     const arithmetic::Pair<double>& y) noexcept {
+VESICA_INLINE arithmetic::Estimate estimate(const Ellipse<double>&, const arithmetic::Pair<double>& x,
+                                            const arithmetic::Pair<double>& y) noexcept {
   return x.high == 0 || y.high == 0 ? estimate_sum(x, y) : estimate_root(x, y);
 }
 
@@ -68,7 +68,7 @@ constexpr double to_finite(const arithmetic::Scaled& s) noexcept {
 
 /// The smallest double at or above c + extent, in exact arithmetic; false when it is beyond the finite ones. The search
 /// starts within a few last places of it, and so is short.
-constexpr bool exact_upper(const Rect<double>&, const Reach& r, double& out) noexcept {
+VESICA_COLD constexpr bool exact_upper(const Rect<double>&, const Reach& r, double& out) noexcept {
   using namespace exact;
   const auto value =
       from_double(r.c) + abs(from_double(r.p0) * from_double(r.q0)) + abs(from_double(r.p1) * from_double(r.q1));
@@ -87,7 +87,7 @@ constexpr double start_of_search(const exact::Number<1>& c, const exact::Number<
   if (sum.exponent >= 1024) return to_finite(sum);  // the step might lead beyond the numbers
   return to_finite(sum) + arithmetic::scale(rest.value / (2 * value), rest.exponent - exponent);
 }
-constexpr bool exact_upper(const Ellipse<double>&, const Reach& r, double& out) noexcept {
+VESICA_COLD constexpr bool exact_upper(const Ellipse<double>&, const Reach& r, double& out) noexcept {
   using namespace exact;
   const auto c = from_double(r.c);
   const auto extent_squared =
@@ -100,13 +100,6 @@ constexpr bool exact_upper(const Ellipse<double>&, const Reach& r, double& out) 
   return arithmetic::search_up(start, reaches, out);
 }
 
-/// The smallest double at or above c + extent; false when it is beyond the finite ones.
-template <class Shape>
-constexpr bool upper(const Shape& s, const Reach& r, const arithmetic::Estimate& extent, double& out) noexcept {
-  if (std::is_constant_evaluated()) return exact_upper(s, r, out);
-  return arithmetic::round_up(arithmetic::add(r.c, extent), out) || exact_upper(s, r, out);
-}
-
 /// The shape's extent along one coordinate as far as double-doubles tell.
 template <class Shape>
 VESICA_INLINE arithmetic::Estimate extent_estimate(const Shape& s, const Reach& r) noexcept {
@@ -116,12 +109,20 @@ VESICA_INLINE arithmetic::Estimate extent_estimate(const Shape& s, const Reach& 
   return usable ? estimate(s, x, y) : unknown;
 }
 
-/// The shape's interval along one coordinate.
+/// The shape's interval along one coordinate: false where a side is beyond the finite numbers.
 template <class Shape>
-constexpr bool interval(const Shape& s, const Reach& r, double& low, double& high) noexcept {
-  const auto extent = std::is_constant_evaluated() ? unknown : extent_estimate(s, r);
+VESICA_INLINE constexpr bool interval(const Shape& s, const Reach& r, double& low, double& high) noexcept {
+  bool has_high = false, has_low = false;
   double minus_low = 0;
-  if (!upper(s, r, extent, high) || !upper(s, {-r.c, r.p0, r.q0, r.p1, r.q1}, extent, minus_low)) return false;
+  if (!std::is_constant_evaluated()) {
+    const auto extent = extent_estimate(s, r);
+    has_high = arithmetic::round_up(arithmetic::add(r.c, extent), high);
+    has_low = arithmetic::round_up(arithmetic::add(-r.c, extent), minus_low);
+  }
+  if (!arithmetic::both(has_high, has_low)) [[unlikely]] {
+    if (!has_high && !exact_upper(s, r, high)) return false;
+    if (!has_low && !exact_upper(s, {-r.c, r.p0, r.q0, r.p1, r.q1}, minus_low)) return false;
+  }
   low = 0 - minus_low;
   return true;
 }

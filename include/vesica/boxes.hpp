@@ -34,7 +34,7 @@ class RectCorners {
         across_y_(product(s.hy, s.ux)) {}
 
   /// C +- hx u +- hy perp(u)
-  arithmetic::Direction at(bool along, bool across) const noexcept {
+  VESICA_INLINE arithmetic::Direction at(bool along, bool across) const noexcept {
     return {sum(cx_, turned(along_x_, along), turned(across_x_, across)),
             sum(cy_, turned(along_y_, along), turned(across_y_, across))};
   }
@@ -43,11 +43,13 @@ class RectCorners {
   using Product = arithmetic::Pair<double>;
 
   template <class T>
-  static Product product(T h, T u) noexcept {
+  VESICA_INLINE static Product product(T h, T u) noexcept {
     return arithmetic::two_product_fused(static_cast<double>(h), static_cast<double>(u));
   }
-  static Product turned(const Product& p, bool keep) noexcept { return keep ? p : Product{-p.high, 0 - p.low}; }
-  static double sum(double x, const Product& p, const Product& q) noexcept {
+  VESICA_INLINE static Product turned(const Product& p, bool keep) noexcept {
+    return keep ? p : Product{-p.high, 0 - p.low};
+  }
+  VESICA_INLINE static double sum(double x, const Product& p, const Product& q) noexcept {
     return sum_of_four(x, p.high, q.high, p.low + q.low);
   }
 
@@ -98,13 +100,16 @@ template <class T>
 int corners(const Rect<T>& s, T (&out)[8]) noexcept {
   if (check(s) != 0) return error_shape;
   const detail::RectCorners of(s);
+  // One after the other with known signs: a loop would choose them anew for each.
+  const detail::arithmetic::Direction c[] = {of.at(false, false), of.at(true, false), of.at(true, true),
+                                             of.at(false, true)};
   T result[8];
   for (int i = 0; i < 4; ++i) {
-    const auto corner = of.at(i == 1 || i == 2, i >= 2);
-    result[2 * i] = static_cast<T>(corner.x);
-    result[2 * i + 1] = static_cast<T>(corner.y);
-    if (!detail::all_finite(result[2 * i], result[2 * i + 1])) return error_range;
+    result[2 * i] = static_cast<T>(c[i].x);
+    result[2 * i + 1] = static_cast<T>(c[i].y);
   }
+  const auto [x0, y0, x1, y1, x2, y2, x3, y3] = result;
+  if (!detail::all_finite(x0, y0, x1, y1, x2, y2, x3, y3)) return error_range;
   for (int i = 0; i < 8; ++i) out[i] = result[i];
   return 0;
 }

@@ -12,6 +12,7 @@
 
 #include <vesica/check.hpp>
 #include <vesica/filter/error_free.hpp>
+#include <vesica/filter/short_numbers.hpp>
 #include <vesica/overlap/aabb_aabb.hpp>
 #include <vesica/overlap/aabb_ellipse.hpp>
 #include <vesica/overlap/aabb_rect.hpp>
@@ -49,6 +50,10 @@ VESICA_INLINE constexpr std::int32_t decide_by_filter(const A& a, const B& b) no
 /// The same where nothing is rounded.
 template <class A, class B>
 VESICA_INLINE constexpr std::int32_t decide_without_errors(const A& a, const B& b) noexcept {
+  if constexpr (filter::HasShortNumbers<A, B>) {
+    const auto verdict = filter::short_numbers(a, b);
+    if (verdict.overlap || verdict.disjoint) return verdict.overlap;
+  }
   if constexpr (filter::HasErrorFree<A, B>) {
     const auto verdict = filter::error_free(a, b);
     return 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// The evaluation without errors: where numbers are short it decides every tie, and what it decides is the exact stage's
-// answer, near ties and the ends of the range included.
+// The evaluations without errors: where numbers are short they decide every tie, and what they decide is the exact stage's
+// answer, near ties, the ends of the range and numbers of the most digits included.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <numeric>
 #include <type_traits>
 #include <vesica/overlap.hpp>
 
@@ -18,8 +21,15 @@ using properties::Random;
 using namespace vesica;
 
 struct Counts {
-  int asked = 0, decided = 0, wrong = 0, beyond_the_filter = 0;
+  int asked = 0, decided = 0, wrong = 0, beyond_the_filter = 0, short_pairs = 0, short_ones = 0;
 };
+
+template <class A, class B>
+bool is_wrong(const A& a, const B& b, const filter::Verdict<bool>& verdict) {
+  return (verdict.overlap || verdict.disjoint) &&
+         (check(a) != 0 || check(b) != 0 || verdict.overlap == verdict.disjoint ||
+          verdict.overlap != detail::overlap::exact(a, b));
+}
 
 template <class A, class B>
 void ask(const A& a, const B& b, Counts& counts) {
@@ -29,8 +39,13 @@ void ask(const A& a, const B& b, Counts& counts) {
     ++counts.asked;
     counts.decided += decided;
     counts.beyond_the_filter += decided && !bounded.overlap && !bounded.disjoint;
-    counts.wrong += decided && (check(a) != 0 || check(b) != 0 || verdict.overlap == verdict.disjoint ||
-                                verdict.overlap != detail::overlap::exact(a, b));
+    counts.wrong += is_wrong(a, b, verdict);
+    if constexpr (filter::HasShortNumbers<A, B>) {
+      const auto by_digits = filter::short_numbers(a, b);
+      ++counts.short_pairs;
+      counts.short_ones += by_digits.overlap || by_digits.disjoint;
+      counts.wrong += is_wrong(a, b, by_digits);
+    }
   }
 }
 
@@ -63,6 +78,10 @@ TEST(ErrorFree, DecidesShortNumbers) {
     EXPECT_GT(counts.beyond_the_filter, counts.asked / 20);
     // What is left are rectangles along (0.6, 0.8), and segments of no length.
     EXPECT_GT(counts.decided, counts.asked * 7 / 10);
+    // Sizes and offsets are to be of like magnitude.
+    if (lattice.lengths == 0) {
+      EXPECT_GT(counts.short_ones, counts.short_pairs * 6 / 10);
+    }
   }
 }
 
@@ -79,8 +98,97 @@ TEST(ErrorFree, DecidesOnlyWhatIsRightAtTheEndsOfTheRange) {
   }
 }
 
+using Whole = std::int64_t;
+
+/// x with a x = value modulo m, of coprime a and m (Euclid).
+Whole divided(Whole value, Whole a, Whole m) {
+  if (m == 1) return 0;
+  const Whole b = ((a % m) + m) % m, v = ((value % m) + m) % m;
+  // m | b x - v, so that b | m y + v.
+  if (b == 1) return v;
+  const Whole y = divided(-v, m, b);
+  return (m * y + v) / b;
+}
+
+/// A rectangle and shapes at its face. The corner and the edge are at the first, the others at one with less inside.
+struct AtFace {
+  Rect<double> a, less, b;
+  Segment<double> edge;
+  Point<double> corner;
+  Circle<double> disc;
+};
+
+/// They touch, or the gap or the overlap is as small as the numbers can have it. Directions have so many digits, and a
+/// whole length for the disc's sake, before they are divided by a power of two; sizes have so many.
+AtFace at_face(int of_directions, int of_sizes, Random& random) {
+  const auto whole = [&](int digits) { return static_cast<Whole>(std::ldexp(random.between(0.5, 1), digits)); };
+  const Whole one = Whole{1} << of_directions, p = std::max<Whole>(whole((of_directions + 1) / 2), 2);
+  Whole q = p - 1;
+  for (int i = 0; i < 9; ++i) {
+    const Whole other = random.integer(1, static_cast<int>(p) - 1);
+    if (std::gcd(p, other) == 1 && (p + other) % 2 == 1) q = other;
+  }
+  const Whole ux = p * p - q * q, uy = 2 * p * q, length = p * p + q * q, uu = length * length;
+  // The axis is (ux, uy) / one. So that h uu is the offset's projection times one, but for a gap of 1 or none.
+  const Whole gap = random.integer(-1, 1), part = divided(gap, uu, one);
+  const Whole h = (whole(of_sizes) / one + 1) * one + part, less = random.integer(0, 1) * (h / 3);
+  const Whole projection = (h * uu - gap) / one;
+  Whole x = divided(projection, ux, uy), y = (projection - ux * x) / uy;
+  const Whole along =
+      std::llround(static_cast<double>(ux * y - uy * x) / static_cast<double>(uu)) + random.integer(-1, 1);
+  x += along * uy;
+  y -= along * ux;
+  const auto number = [](Whole n) { return static_cast<double>(n); };
+  const double dx = number(x), dy = number(y), vx = number(ux) / number(one), vy = number(uy) / number(one);
+  const Whole far = whole(of_sizes) / one;
+  const double other = number(whole(of_sizes)), edge_x = number(x - far * uy), edge_y = number(y + far * ux);
+  const bool across = random.chance(0.5);
+  return {
+      {0, 0, vx, vy, number(h), other},
+      {0, 0, vx, vy, number(h - less), other},
+      across ? Rect<double>{dx, dy, -vy, vx, other, number(less)} : Rect<double>{dx, dy, vx, vy, number(less), other},
+      {dx, dy, edge_x, edge_y},
+      {dx, dy},
+      {dx, dy, number(less) * (number(length) / number(one))}};
+}
+
+/// The digits that are allowed, and more: what is beyond must be left undecided rather than answered wrongly.
+TEST(ErrorFree, DecidesOnlyWhatIsRightAtTheMostDigits) {
+  Random random(properties::seed());
+  for (int of_directions = 2; of_directions <= 20; ++of_directions) {
+    for (int of_sizes = of_directions; of_sizes <= 58 - 2 * of_directions; ++of_sizes) {
+      Counts counts;
+      for (int i = 0; i < 30 * properties::repeat(); ++i) {
+        const AtFace t = at_face(of_directions, of_sizes, random);
+        ask(t.less, t.b, counts);
+        ask(t.edge, t.a, counts);
+        ask(t.corner, t.a, counts);
+        ask(t.corner, t.edge, counts);
+        ask(t.disc, t.less, counts);
+        ask(t.edge, t.disc, counts);
+      }
+      EXPECT_EQ(counts.wrong, 0) << of_directions << ' ' << of_sizes;
+    }
+  }
+}
+
+/// Rectangles with as many digits as short_numbers() is to know.
+TEST(ErrorFree, ShortNumbersAreAsLongAsTheirProofAllows) {
+  Random random(properties::seed());
+  for (int i = 0; i < 1000; ++i) {
+    const AtFace t = at_face(7, 20, random);
+    const auto verdict = filter::short_numbers(t.less, t.b);
+    EXPECT_TRUE(verdict.overlap || verdict.disjoint);
+    EXPECT_EQ(verdict.overlap, detail::overlap::exact(t.less, t.b));
+  }
+}
+
 template <class A, class B>
 bool decided(const A& a, const B& b) {
+  if constexpr (filter::HasShortNumbers<A, B>) {
+    const auto by_digits = filter::short_numbers(a, b);
+    if (by_digits.overlap || by_digits.disjoint) return true;
+  }
   const auto verdict = filter::error_free(a, b);
   return verdict.overlap || verdict.disjoint;
 }

@@ -34,19 +34,26 @@ constexpr T at_rank(Integer position) noexcept {
 }
 
 /// c + e.
-inline Estimate add(double c, const Estimate& e) noexcept {
+VESICA_INLINE Estimate add(double c, const Estimate& e) noexcept {
   const Pair<double> top = two_sum(c, e.high), rest = two_sum(top.low, e.low);
   return {top.high, rest.high, (std::fabs(rest.low) + e.error) * (1 + 0x1p-50)};
 }
 
+/// The next double above x where `up`, else x; not for the negative double next to 0. By arithmetic, since a jump on a
+/// digit's rest could not be predicted.
+inline double above_if(bool up, double x) noexcept {
+  const auto bits = std::bit_cast<std::int64_t>(x), step = bits >> 63 | 1;
+  return std::bit_cast<double>(bits + (step & -static_cast<std::int64_t>(up)));
+}
+
 /// The smallest double at or above the number e stands for; false when e leaves that open.
-inline bool round_up(const Estimate& e, double& out) noexcept {
+VESICA_INLINE bool round_up(const Estimate& e, double& out) noexcept {
   // The number is q and an error above `nearest`, and |q| is at most half the way to the next double on q's side.
   // So an error below |q| leaves it strictly between `nearest` and that next double.
   const auto [nearest, q] = two_sum(e.high, e.low);
-  if (!(e.error < std::fabs(q) || e.error == 0)) return false;
-  out = q > 0 ? at_rank<double>(rank(nearest) + 1) : nearest;
-  return true;
+  // Next to 0 nothing is half way: q is 0.
+  out = above_if(q > 0, nearest);
+  return either(e.error < std::fabs(q), e.error == 0);
 }
 
 /// The nearest number of magnitude at most `largest`; -largest for NaN.
