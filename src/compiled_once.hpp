@@ -30,7 +30,7 @@
   keyword bool detail::crossings::one_place(const A<double>&, const B<double>&, double&, double&) noexcept;
 
 // queries/depth.cpp
-#define VESICA_DEPTH(keyword, A, B) \
+#define VESICA_DEPTH_IN_ORDER(keyword, A, B) \
   keyword std::int32_t detail::depth::depth_in_order(const A<double>&, const B<double>&, Penetration<double>&) noexcept;
 
 // queries/nearest.cpp
@@ -49,12 +49,12 @@ namespace vesica {
 VESICA_EACH_PAIR(VESICA_DECLARE)
 #undef VESICA_DECLARE
 
-#define VESICA_DECLARE(a, A, b, B)          \
-  VESICA_EXACT_STAGE(extern template, A, B) \
-  VESICA_SHARES(extern template, A, B)      \
-  VESICA_ONE_PLACE(extern template, A, B)   \
-  VESICA_DEPTH(extern template, A, B)       \
-  VESICA_NEAREST(extern template, A, B)     \
+#define VESICA_DECLARE(a, A, b, B)             \
+  VESICA_EXACT_STAGE(extern template, A, B)    \
+  VESICA_SHARES(extern template, A, B)         \
+  VESICA_ONE_PLACE(extern template, A, B)      \
+  VESICA_DEPTH_IN_ORDER(extern template, A, B) \
+  VESICA_NEAREST(extern template, A, B)        \
   VESICA_RELATION(extern template, A, B)
 VESICA_EACH_PAIR_OF_FORMS(VESICA_DECLARE)
 #undef VESICA_DECLARE

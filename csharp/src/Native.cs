@@ -2749,8 +2749,8 @@ namespace Vesica
         /// <para>The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle
         /// or an ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up,
         /// from the one that is lowest, of two equally low ones the left one, as their numbers have it. One vertex is a
-        /// point, two are a segment's ends. Of the same two shapes in either order they are the same numbers. Vertices
-        /// that are not used become 0.</para>
+        /// point, two are a segment's ends. Of the same two shapes in either order they are the same numbers, and the
+        /// same bits: a zero is +0. Vertices that are not used become 0.</para>
         /// <para>Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is
         /// shared.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE,
@@ -2793,8 +2793,8 @@ namespace Vesica
         /// <para>The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle
         /// or an ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up,
         /// from the one that is lowest, of two equally low ones the left one, as their numbers have it. One vertex is a
-        /// point, two are a segment's ends. Of the same two shapes in either order they are the same numbers. Vertices
-        /// that are not used become 0.</para>
+        /// point, two are a segment's ends. Of the same two shapes in either order they are the same numbers, and the
+        /// same bits: a zero is +0. Vertices that are not used become 0.</para>
         /// <para>Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f32 says that nothing is
         /// shared.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE,

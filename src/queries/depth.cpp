@@ -6,7 +6,7 @@
 
 namespace vesica {
 
-#define VESICA_DEFINE(a, A, b, B) VESICA_DEPTH(template, A, B)
+#define VESICA_DEFINE(a, A, b, B) VESICA_DEPTH_IN_ORDER(template, A, B)
 VESICA_EACH_PAIR_OF_FORMS(VESICA_DEFINE)
 #undef VESICA_DEFINE
 

@@ -3696,8 +3696,8 @@ extern "C" {
     /// The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle or an
     /// ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the
     /// one that is lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two
-    /// are a segment's ends. Of the same two shapes in either order they are the same numbers. Vertices that are not
-    /// used become 0.
+    /// are a segment's ends. Of the same two shapes in either order they are the same numbers, and the same bits: a
+    /// zero is +0. Vertices that are not used become 0.
     ///
     /// Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is shared.
     ///
@@ -3743,8 +3743,8 @@ extern "C" {
     /// The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle or an
     /// ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the
     /// one that is lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two
-    /// are a segment's ends. Of the same two shapes in either order they are the same numbers. Vertices that are not
-    /// used become 0.
+    /// are a segment's ends. Of the same two shapes in either order they are the same numbers, and the same bits: a
+    /// zero is +0. Vertices that are not used become 0.
     ///
     /// Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f32 says that nothing is shared.
     ///
