@@ -53,6 +53,21 @@ TEST(Known, ARayThatGrazesADisc) {
   expect_miss({VESICA_CIRCLE, VESICA_POINT, {0, 0, 1}, {-5, 1 + 0x1p-23}}, {1, 0, infinity});
 }
 
+// A point has no faces: its slope is that of the curve exactly where its axis, which is arbitrary, lies.
+TEST(Known, ThePointThatATipMeets) {
+  for (int exponent = -4; exponent <= 60; ++exponent) {
+    const double s = std::ldexp(1, exponent);
+    const Pair p{VESICA_POINT, VESICA_ELLIPSE, {0, 0}, {4 * s, -3 * s, -1, 1, 3 * s, 0x1p-26 * s}};
+    for (const Scalar scalar : {Scalar::f64, Scalar::f32}) {
+      const Answer r = cast(scalar, p, {-2 * s, 0, infinity});
+      EXPECT_EQ(r.code, VESICA_CAST_HIT);
+      EXPECT_EQ(r.t, 0.5) << exponent;
+      EXPECT_NEAR(r.nx, std::sqrt(0.5), 1e-7);
+      EXPECT_NEAR(r.ny, -std::sqrt(0.5), 1e-7);
+    }
+  }
+}
+
 TEST(Known, Faces) {
   expect_hit(boxes, {1, 0, infinity}, 4, 0, 0.75, -1, 0);  // the middle of what faces share
   expect_hit(boxes, {1, 0, 4}, 4, 0, 0.75, -1, 0);

@@ -209,7 +209,7 @@ SideSupport support_of(const Side& s, const VectorFactor<Products>& n, const Vec
   const Twofold<double> p = renormalised(of_n.dot), q = renormalised(of_n.cross), k = -of_v.cross, c = of_v.dot;
   const Twofold<double> hp = hx * Products::factor(p), hq = hy * Products::factor(q), hk = hx * Products::factor(k),
                         hc = hy * Products::factor(c);
-  const double size = abs(s.hx.high) + abs(s.hy.high), speed = abs(v.x.high) + abs(v.y.high);
+  const double size = reach(s), speed = abs(v.x.high) + abs(v.y.high);
   if (!s.round) {
     // cross(u, n) = perp(u).n
     SideSupport out{magnitude(hp) + magnitude(hq), {0, 0}, 0, 0, 0, 0x1p-96 * size * speed, 0x1p1000};

@@ -99,9 +99,10 @@ Feature feature(const Scene& scene, const Side& box, const Curve& e) noexcept {
   const Twofold<double> left = w + first.p + second.p, middle = w - first.p + second.p, right = w - first.p - second.p;
   const double at_first = e.slope(first.at), at_second = e.slope(second.at);
   if (left.high < at_first) return {false, {}, left};
-  if (middle.high <= at_first) return {true, against<Products>(scene, first.normal), {}};
+  // A side of no length is no face, however exactly the curve's slope is that between the two beside it.
+  if (middle.high <= at_first && !is_zero(first.p)) return {true, against<Products>(scene, first.normal), {}};
   if (middle.high < at_second) return {false, {}, middle};
-  if (right.high <= at_second) return {true, against<Products>(scene, second.normal), {}};
+  if (right.high <= at_second && !is_zero(second.p)) return {true, against<Products>(scene, second.normal), {}};
   return {false, {}, right};
 }
 
