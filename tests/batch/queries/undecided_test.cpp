@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "batch/instruction_sets.hpp"
 #include "batch/shapes.hpp"
@@ -82,6 +83,7 @@ struct Expected {
   const char* name;
   const vesica::Query& query;
   int kind_a, kind_b, undecided;
+  int by_sse2 = undecided;  ///< which leaves some pairs to the scalar function on purpose
 };
 namespace q = vesica::queries;
 const Expected all_expected[] = {
@@ -100,7 +102,7 @@ const Expected all_expected[] = {
     {"nearest", q::nearest, VESICA_ELLIPSE, VESICA_ELLIPSE, 1015},
     {"boundary_distance", q::boundary_distance, VESICA_CIRCLE, VESICA_ELLIPSE, 2464},
     {"boundary_distance", q::boundary_distance, VESICA_RECT, VESICA_RECT, 2501},
-    {"boundary_distance", q::boundary_distance, VESICA_RECT, VESICA_ELLIPSE, 2315},
+    {"boundary_distance", q::boundary_distance, VESICA_RECT, VESICA_ELLIPSE, 2315, 3254},
     {"boundary_distance", q::boundary_distance, VESICA_ELLIPSE, VESICA_ELLIPSE, 2288},
     {"depth", q::depth, VESICA_CIRCLE, VESICA_ELLIPSE, 132},
     {"depth", q::depth, VESICA_RECT, VESICA_RECT, 0},
@@ -114,7 +116,9 @@ TEST(QueryKernels, LeaveAsManyAsTheyDid) {
   for (const InstructionSet& set : instruction_sets()) {
     if (!set.usable) continue;
     for (const Expected& e : all_expected) {
-      EXPECT_EQ(undecided(e.query, *set.table, e.kind_a, e.kind_b), e.undecided)
+      if ((set.table->queries->*e.query.kernels)[e.kind_a][e.kind_b] == nullptr) continue;  // of one lane
+      EXPECT_EQ(undecided(e.query, *set.table, e.kind_a, e.kind_b),
+                std::string_view(set.name) == "sse2" ? e.by_sse2 : e.undecided)
           << set.name << ' ' << e.name << ' ' << properties::kind_name(e.kind_a) << ' '
           << properties::kind_name(e.kind_b);
     }
