@@ -152,16 +152,15 @@ VESICA_DEVICE inline double fused_difference(double a, double b, double c) noexc
 
 namespace detail {
 
-/// The C library's fmin and fmax of finite numbers, in constant expressions too. Of zeros of unlike signs either is meant.
+/// The lesser and the greater of finite numbers, the first of two that are equal: of zeros too, whose sign fmin and fmax
+/// leave open.
 template <class T>
 constexpr T lesser(T a, T b) noexcept {
-  if (std::is_constant_evaluated()) return b < a ? b : a;
-  return std::fmin(a, b);
+  return b < a ? b : a;
 }
 template <class T>
 constexpr T greater(T a, T b) noexcept {
-  if (std::is_constant_evaluated()) return a < b ? b : a;
-  return std::fmax(a, b);
+  return a < b ? b : a;
 }
 
 constexpr bool has_finite_bits(double x) noexcept { return (std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff) != 0x7ff; }
