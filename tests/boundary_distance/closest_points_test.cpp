@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <random>
 #include <utility>
 
@@ -121,18 +122,24 @@ TEST(OutlinePoints, CommonPointsAtEveryAspect) {
 // Were 2e-8 of the size off: the search stopped where the distance would gain less than its rounding, which leaves half
 // of the direction's digits open.
 TEST(OutlinePoints, OfNestedShapesNearTangencyAreAsFarApartAsTheDistance) {
-  const Pair nested[] = {{VESICA_ELLIPSE,
-                          VESICA_ELLIPSE,
-                          {0x1.980fde03b8cc4p+0, 0x1.e8a7f3acaa73cp-2, -0x1.e3d0f1dff5181p-1, -0x1.4f0ec3df326ep-2,
-                           0x1.07e3cfa823a9dp+1, 0x1.be29a31920e2bp+0},
-                          {0x1.980fdddc8f354p+0, 0x1.e8a7faf436d84p-2, -0x1.e3d0f2934dd23p-1, -0x1.4f0ebcd539d1dp-2,
-                           0x1.07e3cfaf05235p+1, 0x1.063d74dd147a9p-2}},
-                         {VESICA_ELLIPSE,
-                          VESICA_ELLIPSE,
-                          {0x1.48a4e49fca3bap-2, 0x1.d5f4bbcf8042fp-1, -0x1.09d5707f373efp-2, -0x1.ee723e22a1de3p-1,
-                           0x1.78672ef7b6616p-28, 0x1.8a443442ac1eap+0},
-                          {0x1.48a4e49fc67b3p-2, 0x1.d5f4bbcf80f96p-1, -0x1.09d5707f373efp-2, -0x1.ee723e22a1dd7p-1,
-                           0x1.78642e2e1d268p-28, 0x1.8a42b56ed0696p+0}}};
+  const Pair nested[] = {
+      {VESICA_ELLIPSE,
+       VESICA_ELLIPSE,
+       {0x1.980fde03b8cc4p+0, 0x1.e8a7f3acaa73cp-2, -0x1.e3d0f1dff5181p-1, -0x1.4f0ec3df326ep-2, 0x1.07e3cfa823a9dp+1,
+        0x1.be29a31920e2bp+0},
+       {0x1.980fdddc8f354p+0, 0x1.e8a7faf436d84p-2, -0x1.e3d0f2934dd23p-1, -0x1.4f0ebcd539d1dp-2, 0x1.07e3cfaf05235p+1,
+        0x1.063d74dd147a9p-2}},
+      {VESICA_ELLIPSE,
+       VESICA_ELLIPSE,
+       {0x1.48a4e49fca3bap-2, 0x1.d5f4bbcf8042fp-1, -0x1.09d5707f373efp-2, -0x1.ee723e22a1de3p-1, 0x1.78672ef7b6616p-28,
+        0x1.8a443442ac1eap+0},
+       {0x1.48a4e49fc67b3p-2, 0x1.d5f4bbcf80f96p-1, -0x1.09d5707f373efp-2, -0x1.ee723e22a1dd7p-1, 0x1.78642e2e1d268p-28,
+        0x1.8a42b56ed0696p+0}},
+      // A needle whose side is bent as the outline it lies at.
+      {VESICA_ELLIPSE,
+       VESICA_ELLIPSE,
+       {0, 0, 0x1.259c6ec93p+1, 0x1.7af0396p-5, 0x1.a8d6c0bdp+0, 0x1.1a9ce1f3p+0},
+       {0x1.bb222c3ap+1, 0x1.17b94307p+0, 0x1.2398a393p-1, -0x1.a4d9e034p-1, 0x1.8d6dp-10, 0x1.14b4p-20}}};
   for (const Pair& pair : nested) {
     for (int how = 0; how < 24; ++how) {
       EXPECT_LE(gap_off(changed(pair, how)), 16);
@@ -162,6 +169,42 @@ TEST(OutlinePoints, OfNestedEllipsesAreAsFarApartAsTheDistance) {
   }
   EXPECT_GT(nested, 500 * properties::repeat());
   RecordProperty("worst_in_u_scale", std::to_string(worst));
+}
+
+/// An ellipse of half lengths 1 and `outer_b`, and one inside it at a gap: at the contact its radius of curvature is
+/// 1 - less of the other's.
+Pair osculating(double outer_b, double at, double inner_aspect, double inner_at, double less, double gap) {
+  const auto radius = [](double a, double b, double t) {
+    return std::pow(std::hypot(a * std::sin(t), b * std::cos(t)), 3) / (a * b);
+  };
+  const double a = radius(1, outer_b, at) * (1 - less) / radius(1, inner_aspect, inner_at), b = a * inner_aspect;
+  const auto normal = [](double p, double q, double t) { return std::atan2(p * std::sin(t), q * std::cos(t)); };
+  const double towards = normal(1, outer_b, at), turn = towards - normal(a, b, inner_at);
+  const double ux = std::cos(turn), uy = std::sin(turn), x = a * std::cos(inner_at), y = b * std::sin(inner_at);
+  const double cx = std::cos(at) - gap * std::cos(towards) - (ux * x - uy * y);
+  const double cy = outer_b * std::sin(at) - gap * std::sin(towards) - (uy * x + ux * y);
+  return {VESICA_ELLIPSE, VESICA_ELLIPSE, {0, 0, 1, 0, 1, outer_b}, {cx, cy, ux, uy, a, b}};
+}
+
+// Were up to 1e5 u of the scale off: the distance is as flat as its rounding over a hill beside the minimum.
+TEST(OutlinePoints, OfOsculatingEllipsesAreAsFarApartAsTheDistance) {
+  std::mt19937_64 random(properties::seed() + 3);
+  std::uniform_real_distribution<double> unit(0, 1);
+  int nested = 0;
+  double worst = 0;
+  for (int i = 0; i < 20000 * properties::repeat(); ++i) {
+    const double turn = 6.3 * unit(random);
+    const Pair p = osculating(std::exp2(-4 * unit(random)), 6.3 * unit(random), std::exp2(-19 * unit(random)),
+                              i % 2 == 0 ? turn : 1.57 + turn * 1e-3, std::exp2(-40 * unit(random)),
+                              std::exp2(-10 - 40 * unit(random)));
+    if (vesica_relation_f64(p.kind_a, p.a.data(), p.kind_b, p.b.data()) != VESICA_CONTAINS) continue;
+    const double off = gap_off(p);
+    worst = std::fmax(worst, off);
+    EXPECT_LE(off, 16) << properties::describe(p);
+    ++nested;
+  }
+  std::printf("%d nested, at most %g u scale off\n", nested, worst);
+  EXPECT_GT(nested, 1000 * properties::repeat());
 }
 
 }  // namespace

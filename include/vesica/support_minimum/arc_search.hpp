@@ -243,7 +243,7 @@ class ArcSearch {
     double width = cross(a.n, b.n);
     int slow = 0;
     while (minimum_.settled) {
-      const double k = s.radius1 + objective_.sign * s.radius2 - s.value;
+      const double k = bend(s);
       PlaneVector n = k > 0 ? towards_minimum(s, k) : s.n;
       const bool inside = between(a.n, n, b.n);
       const bool last = k > 0 && s.slope * (s.slope / k) < objective_.tolerance / 8;
@@ -261,14 +261,39 @@ class ArcSearch {
   }
 
   /// The search ends where F is least up to rounding. The direction may then still be off by the square root of that.
-  /// Further Newton steps improve the closest points; they are taken while each halves the slope and the same corners
-  /// of boxes are the furthest. Where a thin shape's curvature changes faster than a step allows for, a quarter of the
-  /// step is tried.
+  /// Further steps improve the closest points, wherever the slope is less in the end.
   void polish() noexcept {
+    const Sample found = minimum_.at;
+    leave_hill();
+    approach();
+    if (lane::abs(minimum_.at.slope) > lane::abs(found.slope)) minimum_.at = found;
+  }
+
+  double bend(const Sample& s) const noexcept { return s.radius1 + objective_.sign * s.radius2 - s.value; }
+
+  /// Where outlines nearly osculate, F is as flat as its rounding over a hill and the minimum beside it, and the search
+  /// may end on the hill, where no Newton step leads down. Longer and longer steps do.
+  void leave_hill() noexcept {
+    const Sample s = minimum_.at;
+    if (bend(s) > 0 || s.slope == 0) return;
+    for (double step = 0x1p-26; step < 0.125; step *= 2) {
+      const PlaneVector n = unit(s.n + lane::flip_sign(step, -s.slope) * perp(s.n)), e = with_corners(n);
+      if (e.x != e_.x || e.y != e_.y) return;
+      const Sample next = evaluate(n, e_);
+      if (next.value > s.value + polish_slack * objective_.tolerance) return;
+      if (!(bend(next) > 0)) continue;
+      minimum_.at = next;
+      return;
+    }
+  }
+
+  /// Newton's steps, while each halves the slope and the same corners of boxes are the furthest. Where a thin shape's
+  /// curvature changes faster than a step allows for, a quarter of the step is tried.
+  void approach() noexcept {
     double damping = 1;
     for (int i = 0; i < polish_limit; ++i) {
       const Sample& s = minimum_.at;
-      const double k = s.radius1 + objective_.sign * s.radius2 - s.value;
+      const double k = bend(s);
       if (!(k > 0) || s.slope == 0) return;
       const PlaneVector n = towards_minimum(s, damping * k), e = with_corners(n);
       if (e.x != e_.x || e.y != e_.y) return;
