@@ -134,6 +134,27 @@ TEST(Known, Refused) {
   EXPECT_EQ(out.t, 7);
 }
 
+// A size below 0 is no smaller sum, whatever the other's is, and whether the sum would be met or not.
+TEST(Known, NegativeSizesAreRefusedOnEveryWay) {
+  const Pair pairs[] = {{VESICA_CIRCLE, VESICA_CIRCLE, {0, 0, -1}, {5, 0, 2}},
+                        {VESICA_CIRCLE, VESICA_POINT, {0, 0, -1}, {5, 0}},
+                        {VESICA_ELLIPSE, VESICA_ELLIPSE, {0, 0, 1, 0, -1, 1}, {5, 0, 1, 0, 2, 2}},
+                        {VESICA_ELLIPSE, VESICA_ELLIPSE, {0, 0, 1, 0, 1, -1}, {5, 0, 1, 0, 2, 2}},
+                        {VESICA_ELLIPSE, VESICA_POINT, {0, 0, 1, 0, 1, -1}, {5, 0}},
+                        {VESICA_RECT, VESICA_POINT, {0, 0, 1, 0, 2, -1}, {5, 0}},
+                        {VESICA_RECT, VESICA_POINT, {0, 0, 1, 0, -1, 2}, {5, 0}},
+                        {VESICA_AABB, VESICA_POINT, {1, 0, 0, 1}, {5, 0}},
+                        {VESICA_RECT, VESICA_RECT, {0, 0, 1, 0, -1, 1}, {5, 0, 1, 0, 2, 2}}};
+  for (const Pair& p : pairs) {
+    for (const Scalar scalar : {Scalar::f64, Scalar::f32}) {
+      for (const Motion& m : {Motion{-1, 0, infinity}, Motion{1, 0, infinity}, Motion{0, 1, 2}, Motion{-1, 0, 0.5}}) {
+        EXPECT_EQ(cast(scalar, p, m).code, VESICA_E_SHAPE) << properties::describe(p);
+        EXPECT_EQ(cast(scalar, swapped(p), m).code, VESICA_E_SHAPE) << properties::describe(p);
+      }
+    }
+  }
+}
+
 TEST(Known, SweptBounds) {
   const double disc[] = {1, 2, 3};
   vesica_aabb_f64 box{};

@@ -26,6 +26,9 @@ std::int32_t first_rule_broken(int kind, const Numbers& n) {
 
 void judge_invalid(Judge& j, const Case& c, bool in_environments) {
   const Pair& p = c.pair;
+  // Towards the place of the second shape or away, where a cast may be content with less than it should look at.
+  const double sign = p.kind_a % 2 == 0 ? 1 : -1;
+  const Motion motion{sign * (std::isfinite(p.b[0]) ? p.b[0] : 1), std::isfinite(p.b[1]) ? sign * p.b[1] : 1, 64};
   for (const auto& [kind, n] : {std::pair(p.kind_a, &p.a), std::pair(p.kind_b, &p.b)}) {
     const std::int32_t rule = first_rule_broken(kind, *n), said = check(c.scalar, kind, *n);
     j.demand(said == rule, "check", std::to_string(rule), std::to_string(said));
@@ -34,10 +37,10 @@ void judge_invalid(Judge& j, const Case& c, bool in_environments) {
     if (query == Query::invalid || query == Query::batch) continue;
     if (query == Query::intersection && !has_intersection(p.kind_a, p.kind_b)) continue;
     if (of_one_shape(query) && properties::valid(p.kind_a, p.a)) continue;
-    const Answer answer = ask(query, c.scalar, p);
+    const Answer answer = ask({query, c.scalar, p, motion, 1});
     j.demand(answer.code == VESICA_E_SHAPE, name(query), std::to_string(VESICA_E_SHAPE), text(answer));
     j.demand(!answer.wrote, "untouched", "nothing written", name(query));
-    if (in_environments) judge_environments(j, {query, c.scalar, p});
+    if (in_environments) judge_environments(j, {query, c.scalar, p, motion, 1});
   }
 }
 

@@ -61,7 +61,7 @@ VESICA_INLINE Quick quick_filter(const Circle<double>& a, const Point<double>& b
   return filter_disc(b.x - a.cx, b.y - a.cy, a.r, v);
 }
 VESICA_INLINE Quick quick_filter(const Circle<double>& a, const Circle<double>& b, const Motion& v) noexcept {
-  return filter_disc(b.cx - a.cx, b.cy - a.cy, lane::select(b.r >= 0, a.r + b.r, -1.0), v);
+  return filter_disc(b.cx - a.cx, b.cy - a.cy, lane::select(lane::both(a.r >= 0, b.r >= 0), a.r + b.r, -1.0), v);
 }
 
 /// In the ellipse's frame, times |u|: X = u.D, Y = u x D are off by 4u A D, c = u.v and k = u x v by 3u A V, where A, D
