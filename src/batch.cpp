@@ -363,15 +363,15 @@ Tally in_step(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b
   const Question<T> question(kernels, first.kind, second.kind);
   const Repeat repeat = first.stride == 0 ? Repeat::first : second.stride == 0 ? Repeat::second : Repeat::none;
   Answerer<T> answerer{question, {}};
-  Columns<T> columns_first, columns_second;
+  Columns<T, copied_block_size<T>> columns_first, columns_second;
   std::int32_t undecided[long_block_size];
   const bool in_place =
       (repeat == Repeat::first || lies_in_columns(first)) && (repeat == Repeat::second || lies_in_columns(second));
-  const std::int32_t size = in_place ? long_block_size : block_size<T>;
+  const std::int32_t size = in_place ? long_block_size : copied_block_size<T>;
   for (std::int64_t begin = 0; begin < n; begin += size) {
     const std::int32_t length = block_length(n - begin, size);
-    columns_first.set(first, begin, repeat == Repeat::first ? 1 : length);
-    columns_second.set(second, begin, repeat == Repeat::second ? 1 : length);
+    columns_first.set(kernels, first, begin, repeat == Repeat::first ? 1 : length);
+    columns_second.set(kernels, second, begin, repeat == Repeat::second ? 1 : length);
     std::uint8_t* out = place(begin);
     Block<T> block = make_block<T>(columns_first.field, columns_second.field, length, out, undecided);
     answerer.answer(block, repeat);
@@ -413,18 +413,18 @@ Tally matrix(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b,
   const bool in_order = a.kind <= b.kind;
   const Question<T> question(kernels, in_order ? a.kind : b.kind, in_order ? b.kind : a.kind);
   Rows<T> rows(question, in_order ? Repeat::first : Repeat::second, kernels.checked(T{}).pair(a.kind, b.kind));
-  Columns<T> row, columns;
+  Columns<T, block_size<T>> row, columns;
   std::int32_t undecided[block_size<T>];
   // A block of b stays in cache while every row passes over it.
   for (std::int64_t begin = 0; begin < b.count; begin += block_size<T>) {
     const std::int32_t length = block_length(b.count - begin, block_size<T>);
-    columns.set(b, begin, length);
-    row.set(a, 0, 1);
+    columns.set(kernels, b, begin, length);
+    row.set(kernels, a, 0, 1);
     rows.begin(make_block<T>(in_order ? row.field : columns.field, in_order ? columns.field : row.field, length, out,
                              undecided),
                a.count, row.copy[0]);  // one shape needs no copy: there is room
     for (std::int64_t i = 0; i < a.count; ++i) {
-      row.set(a, i, 1);
+      row.set(kernels, a, i, 1);
       rows.answer(row.field, out + i * row_stride + begin);
     }
   }

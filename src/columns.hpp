@@ -4,13 +4,18 @@
 
 #include "batch.hpp"
 #include "by_kind.hpp"
-#include "records.hpp"
+#include "kernels/table.hpp"
 
 namespace vesica::batch {
 
 /// Elements a block holds: 4 KiB a column, so that six columns of a block stay in the first-level cache.
 template <class T>
 inline constexpr std::int32_t block_size = 4096 / sizeof(T);
+
+/// Elements a block of pairs holds where an operand is copied: both copies and their sources stay in that cache. Columns
+/// that begin 4 KiB apart would be in each other's way there.
+template <class T>
+inline constexpr std::int32_t copied_block_size = 1024 / sizeof(T);
 
 /// Elements a block holds where no operand needs copying: what is spent on a block then shows less.
 inline constexpr std::int32_t long_block_size = 4096;
@@ -45,7 +50,7 @@ bool lies_in_records(const Shapes<T>& shapes, int fields) noexcept {
 
 /// Copies elements [begin, begin + n) to columns.
 template <class T, std::size_t length>
-void copy_to_columns(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n,
+void copy_to_columns(const KernelTable& kernels, const Shapes<T>& shapes, std::int64_t begin, std::int32_t n,
                      T (&columns)[max_fields][length]) noexcept {
   constexpr auto column_length = static_cast<std::int32_t>(length);
   const int fields = field_count(shapes.kind);
@@ -53,22 +58,24 @@ void copy_to_columns(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n
   if (lies_in_columns(shapes)) {
     for (int k = 0; k < fields; ++k) std::memcpy(columns[k], at(k).bytes(), static_cast<std::size_t>(n) * sizeof(T));
   } else if (lies_in_records(shapes, fields)) {
-    records_to_columns(at(0), shapes.stride, fields, n, columns[0], column_length);
+    kernels.copy_records(T{})(at(0), shapes.stride, fields, n, columns[0], column_length);
   } else {
-    for (int k = 0; k < fields; ++k) records_to_columns(at(k), shapes.stride, 1, n, columns[k], column_length);
+    for (int k = 0; k < fields; ++k) {
+      for (std::int32_t i = 0; i < n; ++i) columns[k][i] = at(k).advanced(i * shapes.stride)[0];
+    }
   }
 }
 
-/// A stretch of an array as contiguous columns: the array's own where it has them, else a copy.
-template <class T>
+/// A stretch of an array as contiguous columns: the array's own where it has them, else a copy of at most `length`.
+template <class T, std::int32_t length>
 struct Columns {
   Unaligned<T> field[max_fields];
-  T copy[max_fields][block_size<T>];
+  T copy[max_fields][length];
 
-  /// Elements [begin, begin + n); at most block_size if they must be copied.
-  void set(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n) noexcept {
+  /// Elements [begin, begin + n).
+  void set(const KernelTable& kernels, const Shapes<T>& shapes, std::int64_t begin, std::int32_t n) noexcept {
     const bool in_place = lies_in_columns(shapes) || n == 1;
-    if (!in_place) copy_to_columns(shapes, begin, n, copy);
+    if (!in_place) copy_to_columns(kernels, shapes, begin, n, copy);
     for (int k = 0; k < field_count(shapes.kind); ++k) {
       field[k] = in_place ? shapes.field[k].advanced(begin * shapes.stride) : Unaligned<T>(copy[k]);
     }

@@ -124,13 +124,13 @@ class NumberColumns {
       for (std::int32_t i = 0; i < n; ++i) copy_[k][i] = static_cast<double>(from.advanced(i * shapes.stride)[0]);
     }
   }
-  void read(const Shapes<double>& shapes, std::int64_t begin, std::int32_t n, const KernelTable&) noexcept {
-    copy_to_columns(shapes, begin, n, copy_);
+  void read(const Shapes<double>& shapes, std::int64_t begin, std::int32_t n, const KernelTable& kernels) noexcept {
+    copy_to_columns(kernels, shapes, begin, n, copy_);
   }
   void read(const Shapes<float>& shapes, std::int64_t begin, std::int32_t n, const KernelTable& kernels) noexcept {
     float narrow[max_fields][query_block];
     const bool in_place = lies_in_columns(shapes);
-    if (!in_place) copy_to_columns(shapes, begin, n, narrow);
+    if (!in_place) copy_to_columns(kernels, shapes, begin, n, narrow);
     for (int k = 0; k < field_count(kind_); ++k) {
       const Unaligned<float> lies = shapes.field[k].advanced(begin * shapes.stride);
       kernels.widen_column(in_place ? lies : Unaligned<float>(narrow[k]), n, copy_[k]);

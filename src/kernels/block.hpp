@@ -4,6 +4,7 @@
 
 #include "kernels/block_loop.hpp"
 #include "kernels/checked.hpp"
+#include "kernels/records.hpp"
 
 namespace vesica {
 namespace {
@@ -58,6 +59,8 @@ consteval KernelTable make_table(const char* name, const QueryTable& queries, co
   table.width_f32 = Floats::width;
   table.width_f64 = Doubles::width;
   table.widen_column = widen_column;
+  table.copy_records_f32 = records_to_columns<float>;
+  table.copy_records_f64 = records_to_columns<double>;
   fill_pairs<float>(table.f32);
   fill_pairs<double>(table.f64);
   table.checked_f32 = make_checked_kernels<float>();

@@ -72,6 +72,11 @@ struct CheckedKernels {
 };
 inline constexpr std::int32_t row_is_unusable = INT32_MAX;
 
+/// Copies n records, `stride` bytes apart, of at least two adjacent numbers to columns, `column_length` numbers apart.
+template <class T>
+using CopyRecords = void (*)(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
+                             std::int32_t column_length) noexcept;
+
 struct QueryTable;
 
 struct KernelTable {
@@ -80,6 +85,8 @@ struct KernelTable {
   const TieKernels* ties;             // likewise
   std::int32_t width_f32, width_f64;  // lanes of a vector
   void (*widen_column)(Unaligned<float> from, std::int32_t n, double* to) noexcept;
+  CopyRecords<float> copy_records_f32;
+  CopyRecords<double> copy_records_f64;
   ScalarKernels<float> f32;
   ScalarKernels<double> f64;
   CheckedKernels<float> checked_f32;
@@ -87,6 +94,8 @@ struct KernelTable {
 
   std::int32_t width(float) const noexcept { return width_f32; }
   std::int32_t width(double) const noexcept { return width_f64; }
+  CopyRecords<float> copy_records(float) const noexcept { return copy_records_f32; }
+  CopyRecords<double> copy_records(double) const noexcept { return copy_records_f64; }
   const ScalarKernels<float>& of(float) const noexcept { return f32; }
   const ScalarKernels<double>& of(double) const noexcept { return f64; }
   const CheckedKernels<float>& checked(float) const noexcept { return checked_f32; }

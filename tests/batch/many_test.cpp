@@ -81,12 +81,11 @@ TEST_P(Many, AgreesAtEveryAlignment) {
   });
 }
 
-/// An array is worked through in blocks: lengths about one block and two.
+/// An array is worked through in blocks, shorter ones where it must be copied: lengths about one block and two.
 TEST_P(Many, AgreesAboutBlockSizes) {
   in_its_scalar([this]<class T>(T) {
-    constexpr std::size_t block = vesica::batch::block_size<T>;
-    constexpr std::size_t long_block = vesica::batch::long_block_size;
-    for (const std::size_t n : {block - 1, block, block + 1, 2 * block + 1, long_block, long_block + 1}) {
+    constexpr std::size_t copied = vesica::batch::copied_block_size<T>, long_block = vesica::batch::long_block_size;
+    for (const std::size_t n : {copied - 1, copied, copied + 1, 2 * copied + 1, long_block, long_block + 1}) {
       check<T>(Layout::columns, Layout::columns, n);
       check<T>(Layout::columns, Layout::single, n);
       check<T>(Layout::repeated, Layout::columns, n);
@@ -127,8 +126,10 @@ TEST_P(Many, AgreesAboutContact) {
 
 INSTANTIATE_TEST_SUITE_P(Sets, Many, testing::ValuesIn(all_cases()), test_name);
 
-/// The sizes the lengths above are chosen about.
-TEST(Blocks, HoldFourKibibytesAColumnOrAreReadInPlace) {
+/// The sizes that lengths of tests are chosen about.
+TEST(Blocks, HoldOneOrFourKibibytesAColumnOrAreReadInPlace) {
+  EXPECT_EQ(vesica::batch::copied_block_size<float>, 256);
+  EXPECT_EQ(vesica::batch::copied_block_size<double>, 128);
   EXPECT_EQ(vesica::batch::block_size<float>, 1024);
   EXPECT_EQ(vesica::batch::block_size<double>, 512);
   EXPECT_EQ(vesica::batch::long_block_size, 4096);

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Copies records to columns, two fields at a time. Included once by each source in src/isa, after the lanes of its
+// instruction set.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+#include "unaligned.hpp"
+
+namespace vesica {
+namespace {
+
+template <class T, int length>
+using NumberVector [[gnu::vector_size(length * sizeof(T))]] = T;
+
+/// Numbers of 16 bytes, within which processors shuffle quickly.
+template <class T>
+inline constexpr int group = 16 / sizeof(T);
+
+/// Numbers of the vectors that are filled. Wider ones gain nothing: what costs is to fill them.
+template <class T>
+inline constexpr int record_vector = std::clamp<int>(sizeof(Floats), 16, 32) / sizeof(T);
+
+/// Two adjacent numbers of each of length / 2 records. Every group has those of the first half of as many records, so that
+/// two such vectors, the second beginning half a group later, have those of `length` records.
+template <class T, int length>
+VESICA_INLINE NumberVector<T, length> load_pairs(Unaligned<T> from, std::ptrdiff_t stride) noexcept {
+  if constexpr (length == 2) {
+    NumberVector<T, 2> pair;
+    from.copy_to(pair);
+    return pair;
+  } else {
+    constexpr int records = length == group<T> ? length / 4 : length / 2;
+    const auto low = load_pairs<T, length / 2>(from, stride);
+    const auto high = load_pairs<T, length / 2>(from.advanced(records * stride), stride);
+    return [&]<int... i>(std::integer_sequence<int, i...>) { return __builtin_shufflevector(low, high, i...); }
+    (std::make_integer_sequence<int, length>{});
+  }
+}
+
+/// Of each group the first (which = 0) or the second numbers of all pairs, those of a before those of b.
+template <int which, int length, class Vector>
+VESICA_INLINE Vector one_of_each_pair(const Vector& a, const Vector& b) noexcept {
+  constexpr int size = group<std::remove_cvref_t<decltype(a[0])>>;
+  return [&]<int... i>(std::integer_sequence<int, i...>) {
+    return __builtin_shufflevector(
+        a, b, (i - i % size + 2 * (i % size) % size + (2 * (i % size) < size ? 0 : length) + which)...);
+  }
+  (std::make_integer_sequence<int, length>{});
+}
+
+/// Copies the two numbers at `from` of n records, a whole number of vectors, to two columns.
+template <class T>
+void copy_two_fields(Unaligned<T> from, std::ptrdiff_t stride, std::int32_t n, T* first, T* second) noexcept {
+  constexpr int length = record_vector<T>;
+  for (std::int32_t i = 0; i < n; i += length) {
+    const Unaligned<T> record = from.advanced(i * stride);
+    const auto a = load_pairs<T, length>(record, stride);
+    const auto b = load_pairs<T, length>(record.advanced(group<T> / 2 * stride), stride);
+    const auto firsts = one_of_each_pair<0, length>(a, b), seconds = one_of_each_pair<1, length>(a, b);
+    std::memcpy(first + i, &firsts, sizeof firsts);
+    std::memcpy(second + i, &seconds, sizeof seconds);
+  }
+}
+
+/// Copies n records, `stride` bytes apart, of at least two adjacent numbers to columns, `column_length` numbers apart. Of an
+/// odd number of fields the last two overlap the two before.
+template <class T>
+void records_to_columns(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
+                        std::int32_t column_length) noexcept {
+  const std::int32_t whole = n - n % record_vector<T>;
+  for (int k = 0; k < fields; k += 2) {
+    const int field = k + 2 <= fields ? k : fields - 2;
+    T* const column = columns + field * column_length;
+    copy_two_fields(from + field, stride, whole, column, column + column_length);
+  }
+  for (std::int32_t i = whole; i < n; ++i) {
+    for (int k = 0; k < fields; ++k) columns[k * column_length + i] = from.advanced(i * stride)[k];
+  }
+}
+
+}  // namespace
+}  // namespace vesica
