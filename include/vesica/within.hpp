@@ -141,28 +141,19 @@ std::int32_t curved(const A& a, const B& b, double distance) noexcept {
 
 }  // namespace detail::within
 
-namespace detail::within {
-
-/// The same of an ellipse without an area, which is a rectangle without one: hardly ever asked, and called.
-template <class A, class B>
-VESICA_COLD std::int32_t without_area(const A& a, const B& b, double distance) noexcept {
-  return within_or_error(a, b, distance);
-}
-
-}  // namespace detail::within
-
 /// The checked form: a Within as a number, error_argument for a distance that is negative or NaN, error_shape when either
 /// shape is invalid. Shapes of any kinds, in either order.
 template <template <class> class A, template <class> class B>
-VESICA_INLINE std::int32_t within_or_error(const A<double>& a, const B<double>& b, double distance) noexcept {
+std::int32_t within_or_error(const A<double>& a, const B<double>& b, double distance) noexcept {
   namespace within = detail::within;
   if constexpr (!detail::in_order<A<double>, B<double>>) {
     return within_or_error(b, a, distance);
   } else if constexpr (within::is_ellipse<B<double>>) {
     if (!(distance >= 0)) return error_argument;
-    if (b.a == 0 || b.b == 0) return within::without_area(a, Rect<double>{b.cx, b.cy, b.ux, b.uy, b.a, b.b}, distance);
+    // Without an area it is a rectangle without one.
+    if (b.a == 0 || b.b == 0) return within_or_error(a, Rect<double>{b.cx, b.cy, b.ux, b.uy, b.a, b.b}, distance);
     if constexpr (within::is_ellipse<A<double>>) {
-      if (a.a == 0 || a.b == 0) return within::without_area(Rect<double>{a.cx, a.cy, a.ux, a.uy, a.a, a.b}, b, distance);
+      if (a.a == 0 || a.b == 0) return within_or_error(Rect<double>{a.cx, a.cy, a.ux, a.uy, a.a, a.b}, b, distance);
     }
     return within::curved(a, b, distance);
   } else {
