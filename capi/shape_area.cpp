@@ -2,6 +2,7 @@
 #include <vesica/shape_area.hpp>
 
 #include "by_kind.hpp"
+#include "compiled_once.hpp"
 #include "environment.hpp"
 #include "vesica.h"
 

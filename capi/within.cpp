@@ -25,10 +25,15 @@ int32_t within(int32_t kind_a, const T* a, int32_t kind_b, const T* b, T distanc
   if (a == nullptr || b == nullptr) return VESICA_E_NULL;
   if (!vesica::is_kind(kind_a) || !vesica::is_kind(kind_b)) return VESICA_E_KIND;
   if (!(distance >= 0)) return VESICA_E_ARGUMENT;
-  double first[vesica::max_fields], second[vesica::max_fields];
-  widen(kind_a, a, first);
-  widen(kind_b, b, second);
-  return queries::within(kind_a, kind_b)(first, second, static_cast<double>(distance));
+  const queries::WithinOfPair pair = queries::within(kind_a, kind_b);
+  if constexpr (std::is_same_v<T, double>) {
+    return pair(a, b, distance);
+  } else {
+    double first[vesica::max_fields], second[vesica::max_fields];
+    widen(kind_a, a, first);
+    widen(kind_b, b, second);
+    return pair(first, second, static_cast<double>(distance));
+  }
 }
 
 int64_t result(const vesica::batch::WithinTally& tally) noexcept {

@@ -25,6 +25,10 @@
   keyword std::int32_t detail::area::shares_by_relation(const A<double>&, const B<double>&, \
                                                         detail::area::Shares&) noexcept;
 
+#define VESICA_SHAPE_MEASURE(keyword, Shape) \
+  keyword detail::area::Measure detail::area::shape_measure(const Shape<double>&) noexcept;
+#define VESICA_EACH_SHAPE_WITH_AREA(X, keyword) X(keyword, Circle) X(keyword, Aabb) X(keyword, Rect) X(keyword, Ellipse)
+
 // queries/crossings.cpp
 #define VESICA_ONE_PLACE(keyword, A, B) \
   keyword bool detail::crossings::one_place(const A<double>&, const B<double>&, double&, double&) noexcept;
@@ -58,6 +62,8 @@ VESICA_EACH_PAIR(VESICA_DECLARE)
   VESICA_RELATION(extern template, A, B)
 VESICA_EACH_PAIR_OF_FORMS(VESICA_DECLARE)
 #undef VESICA_DECLARE
+
+VESICA_EACH_SHAPE_WITH_AREA(VESICA_SHAPE_MEASURE, extern template)
 
 }  // namespace vesica
 #endif

@@ -65,7 +65,8 @@ std::int32_t cast_or_error(const A<T>& a, const B<T>& b, T vx, T vy, T t_end, Im
       [&](const auto& p, const auto& q) {
         return detail::cast::quick_hit<detail::cast::UsualProducts>(p, q, motion, found);
       },
-      [&](const detail::cast::Filtered& known) {
+      [&] {
+        const auto known = detail::cast::filter(detail::cast::sketch(first), detail::cast::sketch(second), motion);
         return detail::cast::cast_bodies(
             first, second, motion, known, [&] { return overlap_or_error(a, b); }, detail::cast::fused_meeting, found);
       });

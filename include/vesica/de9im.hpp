@@ -59,7 +59,7 @@ inline bool of_segment_by_relation(Relation r, int dimension_b, NineIntersection
 }
 
 template <class A, class B>
-NineIntersections of_segment(const A& a, const B& b, Relation r, int dimension_b) noexcept {
+VESICA_CALLED NineIntersections of_segment(const A& a, const B& b, Relation r, int dimension_b) noexcept {
   NineIntersections m;
   if (of_segment_by_relation(r, dimension_b, m)) return m;
   if (dimension_b == 1) return of_segments(straight_form(a), straight_form(b), r);
@@ -82,10 +82,21 @@ NineIntersections of_areas(const A& a, const B& b, Relation r) noexcept {
 
 /// The shape of the lower dimension comes first.
 template <class A, class B>
-NineIntersections in_order_of_dimension(const A& a, const B& b, Relation r) noexcept {
+VESICA_INLINE NineIntersections in_order_of_dimension(const A& a, const B& b, Relation r) noexcept {
   const int of_a = dimension(a), of_b = dimension(b);
   if (of_a == 0) return of_point(r, of_b);
   return of_a == 1 ? of_segment(a, b, r, of_b) : of_areas(a, b, r);
+}
+
+/// de9im_or_error() for kinds in order.
+template <class A, class B>
+VESICA_CALLED std::int32_t de9im_in_order(const A& a, const B& b, NineIntersections& out) noexcept {
+  const std::int32_t code = called_relation(a, b);
+  if (code < 0) return code;
+  const auto r = static_cast<Relation>(code);
+  out = dimension(a) <= dimension(b) ? in_order_of_dimension(a, b, r)
+                                     : transposed(in_order_of_dimension(b, a, converse(r)));
+  return 0;
 }
 
 }  // namespace detail::de9im
@@ -100,15 +111,7 @@ std::int32_t de9im_or_error(const A<T>& first, const B<T>& second, NineIntersect
     if (error == 0) out = nine::transposed(out);
     return error;
   } else {
-    const A<double> a = widen(first);
-    const B<double> b = widen(second);
-    const std::int32_t code = detail::called_relation(a, b);
-    if (code < 0) return code;
-    const auto r = static_cast<Relation>(code);
-    const bool in_order = nine::dimension(a) <= nine::dimension(b);
-    out = in_order ? nine::in_order_of_dimension(a, b, r)
-                   : nine::transposed(nine::in_order_of_dimension(b, a, converse(r)));
-    return 0;
+    return nine::de9im_in_order(widen(first), widen(second), out);
   }
 }
 

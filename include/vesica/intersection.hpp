@@ -135,7 +135,10 @@ noexcept {
     const B<double> b = widen(second);
     const std::int32_t overlapping = overlap_or_error(a, b);
     if (overlapping < 0) return overlapping;
-    if (overlapping == 0) return shared::store(shared::Vertices{}, out);
+    if (overlapping == 0) {
+      out = {};
+      return 0;
+    }
     if constexpr (detail::in_order<B<T>, A<T>>) {
       if (shared::is_later(a, b)) return shared::store(shared::region(b, a), out);
     }

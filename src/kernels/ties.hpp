@@ -20,9 +20,19 @@ struct WithTies {
   }
 };
 
+/// Whether lanes gain. Of two boxes, two lanes of SSE2 take as long as two scalar calls or longer: those see at once
+/// whether the numbers have few digits.
+template <template <class> class A, template <class> class B>
+inline constexpr bool ties_gain =
+#if defined(__SSE2__) && !defined(__AVX__)
+    kind_of<A> == Kind::circle || kind_of<B> == Kind::circle;
+#else
+    true;
+#endif
+
 template <template <class> class A, template <class> class B>
 consteval void fill_ties(TieKernels& kernels) noexcept {
-  if constexpr (filter::HasErrorFree<A<double>, B<double>>) {
+  if constexpr (ties_gain<A, B> && filter::HasErrorFree<A<double>, B<double>>) {
     kernels.of[static_cast<int>(kind_of<A>)][static_cast<int>(kind_of<B>)] =
         answer_vectors<WithTies, A, B, double, Repeat::none>;
   }

@@ -10,6 +10,8 @@ namespace vesica {
 VESICA_EACH_PAIR_OF_FORMS(VESICA_DEFINE)
 #undef VESICA_DEFINE
 
+VESICA_EACH_SHAPE_WITH_AREA(VESICA_SHAPE_MEASURE, template)
+
 }  // namespace vesica
 
 namespace vesica::queries {

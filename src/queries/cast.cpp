@@ -61,6 +61,12 @@ namespace queries {
   return code == cast_start ? start(a, b, out) : code;
 }
 
+[[gnu::noinline]] std::int32_t cast_open(const Body& a, const Body& b, const Motion& motion,
+                                         Impact<double>& out) noexcept {
+  using namespace detail::cast;
+  return cast_rest(a, b, motion, detail::cast::filter(sketch(a), sketch(b), motion), out);
+}
+
 template <class A, class B>
 [[gnu::noinline]] detail::cast::Quick quick_hit(const A& a, const B& b, const Motion& motion,
                                                 Impact<double>& out) noexcept {
@@ -91,8 +97,7 @@ VESICA_QUICK_HIT(Ellipse, Ellipse)
   if (a.kind == Kind::ellipse && b.kind == Kind::ellipse) {
     return cast_shapes(detail::cast::shape<Ellipse>(a), detail::cast::shape<Ellipse>(b), motion, out);
   }
-  using namespace detail::cast;
-  return cast_rest(a, b, motion, detail::cast::filter(sketch(a), sketch(b), motion), out);
+  return cast_open(a, b, motion, out);
 }
 
 template <class T>

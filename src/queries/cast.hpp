@@ -20,7 +20,10 @@ std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<dou
 template <class T>
 std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<T>& out) noexcept;
 
-/// The same, of what a filter left.
+/// The same, of what the quick way left open: the filter for all kinds begins.
+std::int32_t cast_open(const Body& a, const Body& b, const Motion& motion, Impact<double>& out) noexcept;
+
+/// The same, of what that filter left.
 std::int32_t cast_rest(const Body& a, const Body& b, const Motion& motion, const detail::cast::Filtered& known,
                        Impact<double>& out) noexcept;
 
@@ -28,15 +31,21 @@ std::int32_t cast_rest(const Body& a, const Body& b, const Motion& motion, const
 template <class A, class B>
 detail::cast::Quick quick_hit(const A& a, const B& b, const Motion& motion, Impact<double>& out) noexcept;
 
-/// The answer about two shapes, whose filter is compiled where it is called. For a motion that is sound.
+/// The answer about two shapes. Their first filter is compiled where it is called, and nothing else. For a motion that is
+/// sound.
 template <template <class> class A, template <class> class B>
 VESICA_INLINE std::int32_t cast_shapes(const A<double>& a, const B<double>& b, const Motion& motion,
                                        Impact<double>& out) noexcept {
   return detail::cast::cast_pair(
       a, b, motion, [&](const auto& p, const auto& q) { return quick_hit(p, q, motion, out); },
-      [&](const detail::cast::Filtered& known) {
-        if (known.verdict == detail::cast::Verdict::missed) return static_cast<std::int32_t>(cast_miss);
-        return cast_rest(detail::cast::body(a), detail::cast::body(b), motion, known, out);
+      [&] {
+        if constexpr (detail::cast::HasQuick<A<double>, B<double>>) {
+          return cast_open(detail::cast::body(a), detail::cast::body(b), motion, out);
+        } else {
+          const auto known = detail::cast::filter(detail::cast::sketch(a), detail::cast::sketch(b), motion);
+          if (known.verdict == detail::cast::Verdict::missed) return static_cast<std::int32_t>(cast_miss);
+          return cast_rest(detail::cast::body(a), detail::cast::body(b), motion, known, out);
+        }
       });
 }
 

@@ -15,7 +15,7 @@ using UsualProducts = SplitProducts;
 #endif
 
 /// The answer about two shapes whose kinds are known: by hit(a, b), a quick_hit() for a motion that is sound, or by
-/// rest(known) from what a filter knows.
+/// rest() where that leaves it open.
 template <class A, class B, class Hit, class Rest>
 VESICA_INLINE std::int32_t cast_pair(const A& a, const B& b, const Motion& motion, const Hit& hit,
                                      const Rest& rest) noexcept {
@@ -25,7 +25,7 @@ VESICA_INLINE std::int32_t cast_pair(const A& a, const B& b, const Motion& motio
     if (quick == Quick::hit) quick = hit(a, b);
     if (quick != Quick::open) return quick == Quick::hit ? cast_hit : cast_miss;
   }
-  return rest(filter(sketch(a), sketch(b), motion));
+  return rest();
 }
 
 }  // namespace vesica::detail::cast
