@@ -13,6 +13,7 @@
 #include <vesica/check.hpp>
 #include <vesica/filter/error_free.hpp>
 #include <vesica/filter/short_numbers.hpp>
+#include <vesica/filter/sides.hpp>
 #include <vesica/overlap/aabb_aabb.hpp>
 #include <vesica/overlap/aabb_ellipse.hpp>
 #include <vesica/overlap/aabb_rect.hpp>
@@ -50,6 +51,10 @@ VESICA_INLINE constexpr std::int32_t decide_by_filter(const A& a, const B& b) no
 /// The same where nothing is rounded.
 template <class A, class B>
 VESICA_INLINE constexpr std::int32_t decide_without_errors(const A& a, const B& b) noexcept {
+  if constexpr (filter::HasSides<A, B>) {
+    const auto verdict = filter::by_sides(a, b);
+    if (verdict.overlap || verdict.disjoint) return verdict.overlap;
+  }
   if constexpr (filter::HasShortNumbers<A, B>) {
     const auto verdict = filter::short_numbers(a, b);
     if (verdict.overlap || verdict.disjoint) return verdict.overlap;
