@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Numbers modulo 2^128. A polynomial of stored numbers that has nearly vanished has few digits, however long the numbers
-/// are: floating point has its leading digits, which tell how small it is, and integers modulo 2^128 have its last ones.
-/// Together they are the value, exactly, with its sign.
+/// Stored numbers as integers, for polynomials of degree 2. Of a like magnitude they have 63 bits, and products 128. Of others
+/// the products' last 128 bits are kept: a polynomial that has nearly vanished has few digits, however long the numbers are.
+/// Floating point has its leading digits, which tell how small it is, and its residue modulo 2^128 has the rest.
 #pragma once
 
 #include <bit>
@@ -12,71 +12,117 @@
 namespace vesica::filter {
 
 /// An integer modulo 2^128.
-struct Residue {
+struct Residue128 {
   std::uint64_t low, high;
 
-  /// Of the integer of least magnitude that has this residue.
-  constexpr int sign() const noexcept { return static_cast<std::int64_t>(high) < 0 ? -1 : (low | high) != 0; }
-  constexpr bool operator==(const Residue&) const = default;
+  /// A number with the sign of the integer of least magnitude that has this residue.
+  VESICA_INLINE constexpr std::int64_t sign() const noexcept {
+    return static_cast<std::int64_t>(high | std::uint64_t{low != 0});
+  }
 };
 
-VESICA_INLINE constexpr Residue operator+(const Residue& a, const Residue& b) noexcept {
+VESICA_INLINE constexpr Residue128 operator+(const Residue128& a, const Residue128& b) noexcept {
   const std::uint64_t low = a.low + b.low;
   return {low, a.high + b.high + (low < a.low)};
 }
-VESICA_INLINE constexpr Residue operator-(const Residue& a, const Residue& b) noexcept {
+VESICA_INLINE constexpr Residue128 operator-(const Residue128& a, const Residue128& b) noexcept {
   return {a.low - b.low, a.high - b.high - (a.low < b.low)};
 }
-VESICA_INLINE constexpr Residue operator*(const Residue& a, const Residue& b) noexcept {
+VESICA_INLINE constexpr Residue128 operator*(const Residue128& a, const Residue128& b) noexcept {
   const exact::detail::LimbPair product = exact::detail::multiply_add(a.low, b.low, 0, 0);
   return {product.low, product.high + a.low * b.high + a.high * b.low};
 }
 
-/// The greatest power of two, G = 2^g, of which all numbers are multiples, and the numbers in units of it.
+/// An integer of 64 bits, of either sign.
+struct Integer64 {
+  std::int64_t n;
+
+  VESICA_INLINE constexpr Residue128 extended(int places) const noexcept {
+    return {static_cast<std::uint64_t>(n) << places, static_cast<std::uint64_t>(n >> 32 >> (32 - places))};
+  }
+};
+
+VESICA_INLINE constexpr Integer64 operator-(Integer64 a, Integer64 b) noexcept { return {a.n - b.n}; }
+/// The product itself.
+VESICA_INLINE constexpr Residue128 operator*(Integer64 a, Integer64 b) noexcept {
+  const auto p = static_cast<std::uint64_t>(a.n), q = static_cast<std::uint64_t>(b.n);
+  const exact::detail::LimbPair product = exact::detail::multiply_add(p, q, 0, 0);
+  return {product.low, product.high - (static_cast<std::uint64_t>(a.n >> 63) & q) -
+                           (static_cast<std::uint64_t>(b.n >> 63) & p)};
+}
+
+/// Numbers as multiples of a power of two, G, chosen such that the greatest is from 2^(digits - 1) G to 2^digits G.
+template <int digits>
 class Unit {
  public:
+  /// Whether all are finite, and the greatest is from 2^-300 to 2^300. Only then may numbers be made.
+  VESICA_INLINE constexpr bool is_ordinary() const noexcept {
+    return greatest_ >= 1023 - 300 && greatest_ <= 1023 + 300;
+  }
+  /// Whether all numbers so far were multiples of G.
+  VESICA_INLINE constexpr bool holds() const noexcept { return lost_ == 0; }
+
+ protected:
   template <class... X>
-  VESICA_INLINE constexpr explicit Unit(X... stored) noexcept : exponent_(least(lowest_place(stored)...)) {}
+  VESICA_INLINE constexpr explicit Unit(X... stored) noexcept
+      : greatest_(static_cast<int>(greatest((std::bit_cast<std::uint64_t>(stored) & magnitude_bits)...) >> 52)) {}
 
-  /// Whether numbers are of a magnitude at which no product of two of their differences underflows.
-  VESICA_INLINE constexpr bool is_ordinary() const noexcept { return exponent_ >= -400 && exponent_ <= 400; }
+  /// 2^e G.
+  VESICA_INLINE constexpr double scale(int e) const noexcept { return power(greatest_ - 1023 - digits + 1 + e); }
+  /// 2^-e / G.
+  VESICA_INLINE constexpr double inverse(int e) const noexcept { return power(1023 + digits - 1 - greatest_ - e); }
 
-  /// 2^e G^2, for an ordinary unit and |e| <= 200.
-  VESICA_INLINE constexpr double of_degree_2(int e) const noexcept {
-    return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + e + 2 * exponent_) << 52);
+  /// The whole number nearest to x / (2^e G) towards 0; takes it away from x. Neither is rounded, nor is a scaled number,
+  /// unless it is too small to count: then all of x is left.
+  VESICA_INLINE constexpr std::int64_t take(double& x, int e) const noexcept {
+    const auto whole = static_cast<std::int64_t>(x * inverse(e));
+    x = x - static_cast<double>(whole) * scale(e);
+    return whole;
   }
-
-  /// x / G.
-  VESICA_INLINE constexpr Residue operator()(double x) const noexcept {
-    const std::uint64_t digits = digits_of(x) >> std::countr_zero(digits_of(x));
-    const int places = lowest_place(x) - exponent_;
-    const Residue magnitude = moved(digits, places);
-    return std::bit_cast<std::uint64_t>(x) >> 63 ? Residue{0, 0} - magnitude : magnitude;
-  }
+  VESICA_INLINE constexpr void lose(double x) noexcept { lost_ = lane::or_bits(lost_, x); }
 
  private:
-  static constexpr int least(int first) noexcept { return first; }
+  static constexpr std::uint64_t magnitude_bits = 0x7fffffffffffffffu;
+
+  VESICA_INLINE static constexpr double power(int e) noexcept {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + e) << 52);
+  }
+  VESICA_INLINE static constexpr std::uint64_t greatest(std::uint64_t first) noexcept { return first; }
   template <class... E>
-  static constexpr int least(int first, int second, E... rest) noexcept {
-    return least(first < second ? first : second, rest...);
-  }
-  /// Of a number that is neither 0 nor subnormal.
-  VESICA_INLINE static constexpr std::uint64_t digits_of(double x) noexcept {
-    return (std::bit_cast<std::uint64_t>(x) & 0xfffffffffffffu) | std::uint64_t{1} << 52;
-  }
-  /// The exponent of the last digit that is not 0. Zeros have none, and places beyond 128 are 0 to a residue; a subnormal
-  /// number comes out below -1000, which is not ordinary.
-  VESICA_INLINE static constexpr int lowest_place(double x) noexcept {
-    const auto exponent = static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff);
-    return x == 0 ? 4000 : exponent - 1075 + std::countr_zero(digits_of(x));
-  }
-  /// n 2^places modulo 2^128.
-  VESICA_INLINE static constexpr Residue moved(std::uint64_t n, int places) noexcept {
-    if (places < 64) return {n << places, n >> 1 >> (63 - places)};
-    return {0, places < 128 ? n << (places - 64) : 0};
+  VESICA_INLINE static constexpr std::uint64_t greatest(std::uint64_t first, std::uint64_t second, E... rest) noexcept {
+    return greatest(first > second ? first : second, rest...);
   }
 
-  int exponent_;
+  int greatest_;  // the stored exponent of the greatest number
+  double lost_ = 0;
+};
+
+/// For numbers of a like magnitude, as most are: differences are integers of 64 bits.
+class NearUnit : public Unit<62> {
+ public:
+  using Number = Integer64;
+  template <class... X>
+  VESICA_INLINE constexpr explicit NearUnit(X... stored) noexcept : Unit(stored...) {}
+
+  VESICA_INLINE constexpr Integer64 number(double x) noexcept {
+    const std::int64_t whole = take(x, 0);
+    lose(x);
+    return {whole};
+  }
+};
+
+/// For others.
+class FarUnit : public Unit<86> {
+ public:
+  using Number = Residue128;
+  template <class... X>
+  VESICA_INLINE constexpr explicit FarUnit(X... stored) noexcept : Unit(stored...) {}
+
+  VESICA_INLINE constexpr Residue128 number(double x) noexcept {
+    const Integer64 upper{take(x, 32)}, lower{take(x, 0)};
+    lose(x);
+    return upper.extended(32) + lower.extended(0);
+  }
 };
 
 }  // namespace vesica::filter
