@@ -13,6 +13,7 @@
 #include <vesica/check.hpp>
 #include <vesica/filter/error_free.hpp>
 #include <vesica/filter/short_numbers.hpp>
+#include <vesica/filter/sides.hpp>
 #include <vesica/overlap/aabb_aabb.hpp>
 #include <vesica/overlap/aabb_ellipse.hpp>
 #include <vesica/overlap/aabb_rect.hpp>
@@ -39,38 +40,66 @@ namespace vesica {
 
 namespace detail {
 
-/// By the pair's filter, for kinds in order: 1, 0, or -1 for undecided; by arithmetic, since a jump on the answer could not
-/// be predicted.
-template <class A, class B>
-VESICA_INLINE constexpr std::int32_t decide_by_filter(const A& a, const B& b) noexcept {
-  const auto verdict = detail::overlap::filter(a, b);
+/// 1, 0, or -1 for undecided; by arithmetic, since a jump on the answer could not be predicted.
+VESICA_INLINE constexpr std::int32_t answer_of(const filter::Verdict<bool>& verdict) noexcept {
   return 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
 }
 
-/// The same where nothing is rounded.
+/// By the pair's filter, for kinds in order.
 template <class A, class B>
-VESICA_INLINE constexpr std::int32_t decide_without_errors(const A& a, const B& b) noexcept {
-  if constexpr (filter::HasShortNumbers<A, B>) {
-    const auto verdict = filter::short_numbers(a, b);
-    if (verdict.overlap || verdict.disjoint) return verdict.overlap;
-  }
-  if constexpr (filter::HasErrorFree<A, B>) {
-    const auto verdict = filter::error_free(a, b);
-    return 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
+VESICA_INLINE constexpr std::int32_t decide_by_filter(const A& a, const B& b) noexcept {
+  return answer_of(detail::overlap::filter(a, b));
+}
+
+/// Ties, where one look at the numbers tells that a short evaluation is exact.
+template <class A, class B>
+VESICA_INLINE constexpr std::int32_t decide_short_tie(const A& a, const B& b) noexcept {
+  if constexpr (filter::HasSides<A, B>) {
+    return answer_of(filter::by_sides<filter::NearUnit>(a, b));
+  } else if constexpr (filter::HasShortNumbers<A, B>) {
+    return answer_of(filter::short_numbers(a, b));
   } else {
     return -1;
   }
+}
+/// Others where no digit that counts is lost.
+template <class A, class B>
+VESICA_INLINE constexpr std::int32_t decide_long_tie(const A& a, const B& b) noexcept {
+  if constexpr (filter::HasSides<A, B>) {
+    const std::int32_t answer = answer_of(filter::by_sides<filter::FarUnit>(a, b));
+    if (answer >= 0) return answer;
+  }
+  if constexpr (filter::HasErrorFree<A, B>) {
+    return answer_of(filter::error_free(a, b));
+  } else {
+    return -1;
+  }
+}
+template <class A, class B>
+VESICA_INLINE constexpr std::int32_t decide_without_errors(const A& a, const B& b) noexcept {
+  const std::int32_t answer = decide_short_tie(a, b);
+  return answer >= 0 ? answer : decide_long_tie(a, b);
+}
+
+/// Apart from short ties, which would pay for the registers that this needs.
+template <class A, class B>
+VESICA_COLD constexpr std::int32_t decide_long(const A& a, const B& b) noexcept {
+  if (!std::is_constant_evaluated()) {
+    const std::int32_t answer = decide_long_tie(a, b);
+    if (answer >= 0) return answer;
+  }
+  if (check(a) != 0 || check(b) != 0) return error_shape;
+  return detail::overlap::exact(a, b) ? 1 : 0;
 }
 
 /// For pairs in double that a filter left undecided. Invalid shapes get their error here, valid ones their exact answer.
 template <class A, class B>
 VESICA_COLD constexpr std::int32_t decide_undecided(const A& a, const B& b) noexcept {
   if (!std::is_constant_evaluated()) {
-    const std::int32_t answer = decide_without_errors(a, b);
+    const std::int32_t answer = decide_short_tie(a, b);
     if (answer >= 0) return answer;
   }
-  if (check(a) != 0 || check(b) != 0) return error_shape;
-  return detail::overlap::exact(a, b) ? 1 : 0;
+  return decide_long(a, b);
 }
 /// Here and not by the caller, who would widen floats to memory before it knew that it must.
 template <template <class> class A, template <class> class B>
