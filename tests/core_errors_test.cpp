@@ -26,6 +26,8 @@ TEST(CoreErrors, AnInvalidShapeIsDisjointAndNotNear) {
   EXPECT_EQ(depth(invalid, unit).depth, 0);
   EXPECT_TRUE(std::isnan(nearest(invalid_oval, Ellipse<double>{100, 0, 1, 0, 2, 1}).distance));
   EXPECT_TRUE(std::isnan(signed_distance(unit, invalid)));
+  EXPECT_EQ(within(unit, oval, 5.0), Within::no);  // they are 6 apart
+  EXPECT_EQ(within(unit, oval, 7.0), Within::yes);
 }
 
 TEST(CoreErrors, EachShapeIsLookedAt) {
@@ -34,7 +36,13 @@ TEST(CoreErrors, EachShapeIsLookedAt) {
     EXPECT_EQ(ratio_or_error(static_cast<Ratio>(which), unit, invalid, out), error_shape);
     EXPECT_EQ(ratio_or_error(static_cast<Ratio>(which), invalid, unit, out), error_shape);
   }
+  EXPECT_EQ(ratio(Ratio::over_first, unit, unit), 1);
+  TurnedBox<double> box;
+  EXPECT_EQ(box_from_rect(Rect<double>{0, 0, 0, 0, 1, 1}, {AngleUnit::degrees}, box), error_shape);
   CrossingPoints<double> points;
+  EXPECT_EQ(crossings_or_error(unit, Circle<double>{1, 0, 1}, points), 2);
+  EXPECT_EQ(crossings_or_error(unit, Circle<double>{2, 0, 1}, points), 1);
+  EXPECT_EQ(crossings_or_error(unit, Circle<double>{5, 0, 1}, points), 0);
   EXPECT_EQ(crossings_or_error(unit, invalid, points), error_shape);
   EXPECT_EQ(crossings_or_error(invalid, unit, points), error_shape);
   double corner[8];
@@ -56,6 +64,7 @@ TEST(CoreErrors, EachArgumentIsLookedAt) {
   EXPECT_EQ(sweep_bounds(unit, nan, 0.0, 1.0, box), error_argument);
   constexpr Turn<double> still{0, 0, 0}, lost{nan, 0, 0};
   double gap;
+  EXPECT_EQ(impact_time_or_error(unit, still, oval, still, 0x1p-20, impact, gap), static_cast<int>(cast_miss));
   EXPECT_EQ(impact_time_or_error(unit, lost, oval, still, 0x1p-20, impact, gap), error_argument);
   EXPECT_EQ(impact_time_or_error(unit, still, oval, lost, 0x1p-20, impact, gap), error_argument);
   EXPECT_EQ(impact_time_or_error(unit, still, oval, still, 0.0, impact, gap), error_argument);
@@ -99,7 +108,11 @@ TEST(CoreErrors, AContactBeyondTheFiniteFloats) {
   EXPECT_NEAR(wide.t, (5.84375 - std::sqrt(5.84375 * 5.84375 - 4 * 2.5625 * 3.00390625)) / 5.125, 1e-6);
   Impact<float> impact{7, 7, 7, 7, 7};
   EXPECT_EQ(cast_or_error(circle, point, 0x1p127f, -0x1.4p127f, 2.0f, impact), error_range);
+  constexpr Turn<float> still{0, 0, 0}, moves{0x1p127f, -0x1.4p127f, 0};
+  float gap = 7;
+  EXPECT_EQ(impact_time_or_error(circle, still, point, moves, 0x1p100f, impact, gap), error_range);
   EXPECT_EQ(impact.t, 7);
+  EXPECT_EQ(gap, 7);
 }
 
 // Differences overflow: such boxes are compared exactly.
