@@ -207,6 +207,33 @@ TEST(CrossingsHard, NearlyOsculatingEllipses) {
   tally.report("nearly osculating ellipses");
 }
 
+/// An ellipse and its circle of curvature at (0, q), which touch to the fourth order, moved along the tangent by 2^-20 to
+/// 2^-420: the true places are as near to each other as the cube root of that. Bisection then has many intervals pending
+/// whose coefficients are all rounding.
+TEST(CrossingsHard, OsculatingEllipsesMovedByFarLessThanRoundings) {
+  Random random(seed());
+  Tally tally;
+  for (int i = 0; i < 200 * repeat(); ++i) {
+    const double q = std::ldexp(1, random.integer(-2, 3)), p = random.integer(1, 10) * q, r = p * (p / q);
+    const double by = random.sign() * random.integer(1, 8) * std::ldexp(1, -random.integer(20, 420));
+    tally.ask(ellipse(by, 0, 1, 0, p, q), random.chance(0.5) ? circle(0, q - r, r) : ellipse(0, q - r, 1, 0, r, r));
+  }
+  tally.ask(ellipse(0x1p-224, 0, 1, 0, 10, 5), ellipse(0, -15, 3, 4, 4, 4));
+  tally.report("osculating ellipses moved");
+}
+
+// The x of the places are 0 and the cube root of 3200 / 3 times the offset, but for its fourth power.
+TEST(CrossingsHard, PlacesOfAnOsculatingCircle) {
+  const Shape a = ellipse(0x1p-224, 0, 1, 0, 10, 5), b = ellipse(0, -15, 3, 4, 4, 4);
+  vesica_crossing_points_f64 out;
+  ASSERT_EQ(vesica_crossings_f64(a.kind, a.numbers.data(), b.kind, b.numbers.data(), &out), 2);
+  const double far = std::cbrt(3200.0 / 3) * std::exp2(-224.0 / 3);
+  EXPECT_NEAR(out.x[0], far, 0.01 * far);
+  EXPECT_NEAR(out.x[1], 0, 0.01 * far);
+  EXPECT_EQ(out.y[0], 5);
+  EXPECT_EQ(out.y[1], 5);
+}
+
 /// A circle and an ellipse through (1, 0) with a common curvature there, crossing it: from the pencil with q != 0,
 /// solved in doubles and so perturbed by their rounding.
 TEST(CrossingsHard, OsculatingPencils) {

@@ -83,6 +83,27 @@ void run(int outer, int inner, int pairs_a_style, int limit) {
 /// A quarter of the limit, which no search may ever meet.
 constexpr int expected_evaluations = vesica::detail::support_minimum::evaluation_limit / 4;
 
+/// An ellipse and its copy within it, about one centre: F is 1 - within times a support function, and least along the lesser
+/// half length. A tolerance below 0 calls no value least, so that arcs are refined until a limit ends it.
+vesica::detail::support_minimum::Minimum of_copy(double within) {
+  using namespace vesica::detail::support_minimum;
+  const CentredShape outer{{1, 0}, 1, 0.25, true}, inner{{1, 0}, within, within * 0.25, true};
+  return minimise({outer, inner, -1, {0, 0}, -1});
+}
+
+TEST(GlobalMinimum, EndsAtItsLimits) {
+  using vesica::detail::support_minimum::arc_limit, vesica::detail::support_minimum::evaluation_limit;
+  const auto flat = of_copy(1), deep = of_copy(1 - 0x1p-20);
+  EXPECT_FALSE(flat.settled);
+  EXPECT_EQ(flat.most_arcs, arc_limit);
+  EXPECT_LT(flat.evaluations, evaluation_limit);
+  EXPECT_EQ(flat.at.value, 0);
+  EXPECT_FALSE(deep.settled);
+  EXPECT_LT(deep.most_arcs, arc_limit);
+  EXPECT_GE(deep.evaluations, evaluation_limit);
+  EXPECT_NEAR(deep.at.value, 0x1p-22, 0x1p-52);
+}
+
 TEST(GlobalMinimum, EllipseInEllipse) { run(VESICA_ELLIPSE, VESICA_ELLIPSE, 18000, expected_evaluations); }
 TEST(GlobalMinimum, CircleInEllipse) { run(VESICA_ELLIPSE, VESICA_CIRCLE, 2000, expected_evaluations); }
 TEST(GlobalMinimum, EllipseInCircle) { run(VESICA_CIRCLE, VESICA_ELLIPSE, 2000, expected_evaluations); }

@@ -49,5 +49,5 @@ export_coverage() {
     -ignore-filename-regex "^(/usr|$root/(tests|bench|docs))" 2>/dev/null
 }
 export_coverage -format=lcov >"$folder/lines"
-export_coverage -format=text -skip-functions -skip-expansions >"$folder/details"
+export_coverage -format=text -skip-expansions >"$folder/details"
 python3 "$here/table.py" "$root" "$folder/lines" "$folder/details" "$here/exceptions.txt"

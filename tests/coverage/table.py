@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """table.py ROOT LCOV DETAILS EXCEPTIONS: coverage by folder, and what is not covered.
 
-A line counts as reached, and a branch as taken, where any instantiation of its template does (LCOV; branches by their
-column, DETAILS). Conditions (MC/DC) are those of the instantiation that reaches most, which is all that llvm-cov tells.
-An exception is for its line and for the branches that leave from it.
+A line counts as reached, a branch as taken, and a condition as shown to decide alone (MC/DC), where any instantiation of
+its template does (LCOV; branches and conditions by their columns, DETAILS). Clang 19 keeps no record of a decision that
+chooses between objects of a class by ?:. So of a decision with && alone, or with || alone, the branches tell as well: there
+a condition decides alone where it has ended the evaluation, and all have once been evaluated to the other end.
+An exception is for its line and for the branches and conditions that leave from it.
 """
 
 import collections
 import json
+import operator
 import pathlib
 import re
 import sys
@@ -45,16 +48,50 @@ def never_run(text):
 
 
 def read_details(path, root):
-    """({file: {(line, column, way): count}}, {file: [conditions, covered]}). A branch has two ways."""
+    """({file: {(line, column, way): count}}, {file: {(place of the decision, number): whether a condition is shown}}). A
+    branch has two ways."""
     branches, conditions = {}, {}
-    for file in json.load(open(path))["data"][0]["files"]:
+    data = json.load(open(path))["data"][0]
+    for file in data["files"]:
         name = str(pathlib.Path(file["filename"]).relative_to(root))
         taken = branches.setdefault(name, {})
+        conditions[name] = {}
         for line, column, _, _, when_true, when_false, *_ in file["branches"]:
             for way, count in ((True, when_true), (False, when_false)):
                 taken[line, column, way] = taken.get((line, column, way), 0) + count
-        conditions[name] = [file["summary"]["mcdc"][n] for n in ("count", "covered")]
+    texts = {name: (pathlib.Path(root) / name).read_text().splitlines() for name in conditions}
+    for function in data["functions"]:
+        path = pathlib.Path(function["filenames"][0])
+        name = str(path.relative_to(root)) if path.is_relative_to(root) else ""
+        if name not in conditions:
+            continue
+        for *begin_and_end, _, _, recorded in function["mcdc_records"]:
+            begin, end = tuple(begin_and_end[:2]), tuple(begin_and_end[2:])
+            within = sorted(b for b in function["branches"] if b[6] == 0 and begin <= tuple(b[:2]) and tuple(b[2:4]) <= end)
+            # Fewer where the compiler knows one, more where an operand has branches of its own.
+            counts = [b[4:6] for b in within] if len(within) == len(recorded) else [(0, 0)] * len(recorded)
+            told = by_branches(text_between(texts[name], begin, end), counts)
+            for number, shown in enumerate(map(operator.or_, recorded, told)):
+                conditions[name][begin, number] = conditions[name].get((begin, number), False) or shown
     return branches, conditions
+
+
+def text_between(lines, begin, end):
+    """From one place to another, counted from 1, the end not among it."""
+    first, last = lines[begin[0] - 1], lines[end[0] - 1]
+    if begin[0] == end[0]:
+        return first[begin[1] - 1:end[1] - 1]
+    return "\n".join([first[begin[1] - 1:], *lines[begin[0]:end[0] - 1], last[:end[1] - 1]])
+
+
+def by_branches(text, counts):
+    """Of the conditions of one decision, in order, with how often each was true and false: whether each decided alone. No
+    answer where operators are mixed."""
+    operators = set(re.findall(r"&&|\|\|", text))
+    if operators not in ({"&&"}, {"||"}):
+        return [False] * len(counts)
+    end, on = (1, 0) if operators == {"&&"} else (0, 1)
+    return [c[end] > 0 and counts[-1][on] > 0 for c in counts]
 
 
 def read_exceptions(path):
@@ -76,17 +113,21 @@ def main():
     root, lcov, details, exceptions = sys.argv[1:]
     files, (branches, conditions) = read_lcov(lcov, root), read_details(details, root)
     excused, used = read_exceptions(exceptions), set()
-    tallies, missed, untaken = collections.defaultdict(lambda: [0] * 6), [], []
+    tallies, missed, untaken, unshown = collections.defaultdict(lambda: [0] * 6), [], [], []
     for file, lines in sorted(files.items()):
         text = (pathlib.Path(root) / file).read_text().splitlines()
         unreached = [line for line, count in lines.items() if count == 0]
         open_branches = [place for place, count in branches[file].items() if count == 0]
-        n, b = len(lines), len(branches[file])
+        shown = conditions[file]
+        hidden = [place for place, is_shown in shown.items() if not is_shown]
+        n, b, c = len(lines), len(branches[file]), len(shown)
         for tally in (tallies[folder_of(file)], tallies["all"]):
-            tally[:] = map(sum, zip(tally, [n, n - len(unreached), b, b - len(open_branches), *conditions[file]]))
+            tally[:] = map(sum, zip(tally, [n, n - len(unreached), b, b - len(open_branches), c, c - len(hidden)]))
         listed = [(line, missed) for line in unreached]
         # A line that is not reached has no branch that is taken: it is listed once.
-        listed += [(line, untaken) for line in {line for line, _, _ in open_branches} - set(unreached)]
+        untaken_lines = {line for line, _, _ in open_branches} - set(unreached)
+        listed += [(line, untaken) for line in untaken_lines]
+        listed += [(line, unshown) for line in {begin[0] for begin, _ in hidden} - untaken_lines - set(unreached)]
         for line, those in sorted(listed, key=lambda pair: pair[0]):
             place = (file, text[line - 1].strip())
             if place in excused:
@@ -103,7 +144,9 @@ def main():
     print("\n".join(missed))
     print(f"{len(untaken)} lines that are reached have a branch that is never taken:")
     print("\n".join(untaken))
-    sys.exit(1 if missed or untaken or excused - used else 0)
+    print(f"{len(unshown)} more lines have a condition that never decides alone:")
+    print("\n".join(unshown))
+    sys.exit(1 if missed or untaken or unshown or excused - used else 0)
 
 
 if __name__ == "__main__":

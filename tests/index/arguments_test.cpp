@@ -72,6 +72,12 @@ TYPED_TEST(ArgumentsTest, Build) {
   EXPECT_EQ(step(1, 2, 2), VESICA_E_ARGUMENT);
   EXPECT_EQ(step(1, -1, 2), VESICA_E_ARGUMENT);
   EXPECT_EQ(step(1, 0, 0), VESICA_E_ARGUMENT);
+  EXPECT_EQ(step(4, 0, 2), VESICA_E_ARGUMENT);
+  auto fewer = sets.sets[0];
+  --fewer.count;
+  EXPECT_EQ(Face<TypeParam>::index_step(1, 0, 1, &fewer, 1, index.get(), index.size, scratch.get(), scratch.size),
+            VESICA_E_ARGUMENT)
+      << "step 0 was of more shapes";
 }
 
 TYPED_TEST(ArgumentsTest, Join) {

@@ -58,6 +58,31 @@ TEST(Damage, EveryByteOfAnIndex) {
   ASSERT_EQ(vesica_index_check(copy.get(), copy.size), 0);
 }
 
+/// Numbers of the header and of a block that are each possible, but not together.
+TEST(Damage, NumbersThatDisagree) {
+  enum Field { size = 2, blocks = 5, places = 6 };  // of the header's numbers of 8 bytes
+  const Indexed<double> whole(rects<double>("two_scales", 5000, 1));
+  const auto refuses = [&](auto change) {
+    const Memory copy(whole.result + 64);
+    std::memcpy(copy.get(), whole.index.get(), static_cast<std::size_t>(whole.result));
+    change(static_cast<std::int64_t*>(copy.get()), static_cast<unsigned char*>(copy.get()));
+    return vesica_index_check(copy.get(), copy.size) == VESICA_E_INDEX;
+  };
+  ASSERT_FALSE(refuses([](std::int64_t*, unsigned char*) {}));
+  EXPECT_TRUE(refuses([](std::int64_t* header, unsigned char*) { ++header[size]; }));
+  EXPECT_TRUE(refuses([](std::int64_t* header, unsigned char*) { header[size] += 64; }));
+  EXPECT_TRUE(refuses([](std::int64_t* header, unsigned char*) {  // the directory alone
+    header[size] -= header[places];
+    header[places] = 0;
+  }));
+  EXPECT_TRUE(refuses([](std::int64_t* header, unsigned char* bytes) {  // the last block as long as any
+    std::uint32_t place;
+    std::memcpy(&place, bytes + header[places] + 4 * (header[blocks] - 1), 4);
+    const std::int32_t count_and_leaves[] = {1024, 32};
+    std::memcpy(bytes + 64 * std::int64_t{place} + 24, count_and_leaves, 8);
+  }));
+}
+
 TEST(Damage, EveryLength) {
   const Indexed<double> whole(rects<double>("two_scales", 200, 1));
   for (std::int64_t size = 0; size < whole.result; ++size) {

@@ -118,8 +118,8 @@ TEST_P(Laws, EveryWorkload) {
       if (HasFailure()) FAIL() << properties::name(workload);
     }
   }
-  // Few pairs can be moved exactly in float: of a quarter of the 660, 12 were seen.
-  EXPECT_GT(moves_, 40 * properties::repeat());
+  // Few pairs can be moved exactly in float: of a quarter of the 660, 12 were seen, and 8 of those that Clang draws.
+  EXPECT_GT(moves_, properties::draws_all() ? 40 : 4);
   EXPECT_GT(scales_, 50 * properties::repeat());
 }
 

@@ -185,15 +185,15 @@ inline Piece piece(const Pair& p, int i) noexcept {
   return piece;
 }
 
-/// Where corner i of a is on the outline of b, on which it is.
+/// Where corner i of a is on the outline of b, on which it is: it is in b, and an edge of a that begins or ends there has
+/// no piece in b. From the inside of b such an edge has one.
 inline Place place_of(const Pair& p, int i) noexcept {
   for (int k = 0; k < 4; ++k) {
     if (p.is_on_edge(i, k) && p.is_on_edge(i, before(k))) return {k, true};
   }
-  for (int k = 0; k < 4; ++k) {
-    if (p.is_on_edge(i, k)) return {k, false};
-  }
-  return {0, false};
+  int edge = 0;
+  while (edge < 3 && !p.is_on_edge(i, edge)) ++edge;  // if on none of three, on the fourth
+  return {edge, false};
 }
 
 /// Corners of b from one place of its outline to another, counter-clockwise, neither of them among these.

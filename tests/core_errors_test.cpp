@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// The header where an answer is an error, or just not one: arguments and shapes that are invalid, one at a time, numbers
+// beyond the finite ones, and what the plain forms give then.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vesica/vesica.hpp>
+
+namespace {
+
+using namespace vesica;
+
+constexpr double largest = std::numeric_limits<double>::max(), infinity = std::numeric_limits<double>::infinity(),
+                 nan = std::numeric_limits<double>::quiet_NaN();
+constexpr float largest_f32 = std::numeric_limits<float>::max(), infinity_f32 = std::numeric_limits<float>::infinity();
+
+constexpr Circle<double> unit{0, 0, 1}, invalid{0, 0, -1};
+constexpr Ellipse<double> oval{9, 0, 1, 0, 2, 1}, invalid_oval{9, 0, 1, 0, 2, -1};
+
+TEST(CoreErrors, AnInvalidShapeIsDisjointAndNotNear) {
+  EXPECT_EQ(relation(invalid, unit), Relation::disjoint);
+  EXPECT_FALSE(contains(unit, invalid));
+  EXPECT_EQ(within(unit, invalid_oval, 100.0), Within::no);
+  EXPECT_EQ(within(invalid, unit, 100.0), Within::no);
+  EXPECT_EQ(depth(invalid, unit).depth, 0);
+  EXPECT_TRUE(std::isnan(nearest(invalid_oval, Ellipse<double>{100, 0, 1, 0, 2, 1}).distance));
+  EXPECT_TRUE(std::isnan(signed_distance(unit, invalid)));
+  EXPECT_EQ(within(unit, oval, 5.0), Within::no);  // they are 6 apart
+  EXPECT_EQ(within(unit, oval, 7.0), Within::yes);
+}
+
+TEST(CoreErrors, EachShapeIsLookedAt) {
+  double out = 7;
+  for (int which = 0; which < ratio_count; ++which) {
+    EXPECT_EQ(ratio_or_error(static_cast<Ratio>(which), unit, invalid, out), error_shape);
+    EXPECT_EQ(ratio_or_error(static_cast<Ratio>(which), invalid, unit, out), error_shape);
+  }
+  EXPECT_EQ(ratio(Ratio::over_first, unit, unit), 1);
+  TurnedBox<double> box;
+  EXPECT_EQ(box_from_rect(Rect<double>{0, 0, 0, 0, 1, 1}, {AngleUnit::degrees}, box), error_shape);
+  CrossingPoints<double> points;
+  EXPECT_EQ(crossings_or_error(unit, Circle<double>{1, 0, 1}, points), 2);
+  EXPECT_EQ(crossings_or_error(unit, Circle<double>{2, 0, 1}, points), 1);
+  EXPECT_EQ(crossings_or_error(unit, Circle<double>{5, 0, 1}, points), 0);
+  EXPECT_EQ(crossings_or_error(unit, invalid, points), error_shape);
+  EXPECT_EQ(crossings_or_error(invalid, unit, points), error_shape);
+  double corner[8];
+  EXPECT_EQ(corners(Rect<double>{0, 0, 0, 0, 1, 1}, corner), error_shape);
+  EXPECT_EQ(out, 7);
+}
+
+TEST(CoreErrors, EachArgumentIsLookedAt) {
+  for (const double distance : {-1.0, nan}) {
+    EXPECT_EQ(within_or_error(unit, oval, distance), error_argument);
+    EXPECT_EQ(within_or_error(unit, unit, distance), error_argument);
+  }
+  Impact<double> impact;
+  EXPECT_EQ(cast_or_error(unit, oval, infinity, 0.0, 1.0, impact), error_argument);
+  EXPECT_EQ(cast_or_error(unit, oval, 0.0, infinity, 1.0, impact), error_argument);
+  EXPECT_EQ(cast_or_error(unit, oval, 0.0, 0.0, -1.0, impact), error_argument);
+  EXPECT_EQ(cast_or_error(unit, oval, 0.0, 0.0, nan, impact), error_argument);
+  Aabb<double> box;
+  EXPECT_EQ(sweep_bounds(unit, nan, 0.0, 1.0, box), error_argument);
+  constexpr Turn<double> still{0, 0, 0}, lost{nan, 0, 0};
+  double gap;
+  EXPECT_EQ(impact_time_or_error(unit, still, oval, still, 0x1p-20, impact, gap), static_cast<int>(cast_miss));
+  EXPECT_EQ(impact_time_or_error(unit, lost, oval, still, 0x1p-20, impact, gap), error_argument);
+  EXPECT_EQ(impact_time_or_error(unit, still, oval, lost, 0x1p-20, impact, gap), error_argument);
+  EXPECT_EQ(impact_time_or_error(unit, still, oval, still, 0.0, impact, gap), error_argument);
+  EXPECT_EQ(impact_time_or_error(unit, still, oval, still, nan, impact, gap), error_argument);
+  Rect<double> rect;
+  Ellipse<double> ellipse;
+  EXPECT_EQ(rect_from_box(TurnedBox<double>{0, 0, -1, 1, 0}, {AngleUnit::degrees}, rect), error_negative_size);
+  EXPECT_EQ(rect_from_box(TurnedBox<double>{0, 0, 1, -1, 0}, {AngleUnit::degrees}, rect), error_negative_size);
+  EXPECT_EQ(ellipse_from_box(TurnedBox<double>{0, 0, 1, -1, 0}, {AngleUnit::degrees}, ellipse), error_negative_size);
+}
+
+// Distances and depths of up to twice the greatest number.
+TEST(CoreErrors, BeyondTheFiniteNumbers) {
+  const Point<float> left{-largest_f32, 0}, right{largest_f32, 0};
+  const Circle<float> great{0, 0, largest_f32};
+  float out = 7;
+  EXPECT_EQ(signed_distance_or_error(left, right, out), error_range);
+  EXPECT_EQ(signed_distance_or_error(great, great, out), error_range);
+  EXPECT_EQ(out, 7);
+  EXPECT_EQ(depth(great, great).depth, 0);
+  EXPECT_TRUE(std::isnan(signed_distance(Point<double>{-largest, 0}, Point<double>{largest, 0})));
+  Impact<float> impact{7, 7, 7, 7, 7};
+  EXPECT_EQ(cast_or_error(great, great, 1.0f, 0.0f, 1.0f, impact), error_range);
+  constexpr Turn<float> still{0, 0, 0};
+  float gap = 7;
+  EXPECT_EQ(impact_time_or_error(great, still, great, still, 0x1p-10f, impact, gap), error_range);
+  // After 2^200 units of time.
+  EXPECT_EQ(cast_or_error(Circle<float>{0, 0, 1}, Point<float>{0x1p100f, 0}, -0x1p-100f, 0.0f, infinity_f32, impact),
+            error_range);
+  EXPECT_EQ(impact.t, 7);
+  EXPECT_EQ(gap, 7);
+}
+
+// In units of 2^127 the circle is about (2, 0) of radius 1. The point, at (1.5 + t, 1.9375 - 1.25 t), meets it where
+// 2.5625 t^2 - 5.84375 t + 3.00390625 = 0, at x = 2.28: a double, but no float.
+TEST(CoreErrors, AContactBeyondTheFiniteFloats) {
+  const Circle<float> circle{largest_f32, 0, 0x1p127f};
+  const Point<float> point{0x1.8p127f, 0x1.fp127f};
+  Impact<double> wide;
+  ASSERT_EQ(cast_or_error(widen(circle), widen(point), 0x1p127, -0x1.4p127, 2.0, wide), static_cast<int>(cast_hit));
+  EXPECT_NEAR(wide.t, (5.84375 - std::sqrt(5.84375 * 5.84375 - 4 * 2.5625 * 3.00390625)) / 5.125, 1e-6);
+  Impact<float> impact{7, 7, 7, 7, 7};
+  EXPECT_EQ(cast_or_error(circle, point, 0x1p127f, -0x1.4p127f, 2.0f, impact), error_range);
+  constexpr Turn<float> still{0, 0, 0}, moves{0x1p127f, -0x1.4p127f, 0};
+  float gap = 7;
+  EXPECT_EQ(impact_time_or_error(circle, still, point, moves, 0x1p100f, impact, gap), error_range);
+  EXPECT_EQ(impact.t, 7);
+  EXPECT_EQ(gap, 7);
+}
+
+// Differences overflow: such boxes are compared exactly.
+TEST(CoreErrors, RelationOfBoxesFarApart) {
+  const Aabb<double> left{-largest, 0, -largest, 1}, right{largest, 0, largest, 1};
+  const Aabb<double> below{0, -largest, 1, -largest}, above{0, largest, 1, largest};
+  EXPECT_EQ(relation(left, right), Relation::disjoint);
+  EXPECT_EQ(relation(right, left), Relation::disjoint);
+  EXPECT_EQ(relation(below, above), Relation::disjoint);
+  EXPECT_EQ(relation(above, below), Relation::disjoint);
+  EXPECT_EQ(relation(left, Aabb<double>{-largest, 0, largest, 1}), Relation::inside_touch);
+}
+
+// What is known of an answer before changes nothing of it.
+TEST(CoreErrors, NearestWithKnownOverlap) {
+  const Ellipse<double> near{1, 0, 1, 0, 2, 1}, other{0, 1, 3, 4, 0.5, 0.25};
+  const auto distance = [](const Ellipse<double>& a, const Ellipse<double>& b, std::int32_t known) {
+    ClosestPoints<double> found{};
+    EXPECT_EQ(detail::nearest::nearest_in_order(a, b, known, found), 0);
+    return found.distance;
+  };
+  EXPECT_EQ(distance(near, oval, 0), 4);  // from x = 3 to x = 7
+  EXPECT_EQ(distance(near, oval, detail::nearest::not_asked), 4);
+  EXPECT_EQ(distance(near, other, 1), 0);
+}
+
+// Areas on both sides of 2^-400 and 2^400, where they are no longer plain doubles, and far beyond.
+TEST(CoreErrors, RatiosOfAreasOfAnyMagnitude) {
+  for (const double side :
+       {0x1p-600, 0x1p-250, 0x1.8p-201, 0x1p-200, 1.0, 0x1p200, 0x1.8p200, 0x1p201, 0x1p250, 0x1p600}) {
+    const Aabb<double> whole{0, 0, side, side}, half{0, 0, side, side / 2};
+    EXPECT_EQ(ratio(Ratio::over_first, whole, half), 0.5) << side;
+    EXPECT_EQ(ratio(Ratio::over_second, whole, half), 1) << side;
+    EXPECT_EQ(ratio(Ratio::over_smaller, whole, half), 1) << side;
+    EXPECT_EQ(ratio(Ratio::over_union, whole, half), 0.5) << side;
+    const Aabb<double> apart{0, side, side, 2 * side};
+    EXPECT_EQ(ratio(Ratio::over_first, half, apart), 0) << side;
+  }
+}
+
+TEST(CoreErrors, BoundsAndVectors) {
+  Aabb<double> box;
+  EXPECT_EQ(sweep_bounds(unit, 3.0, 4.0, 0.0, box), 0);
+  EXPECT_TRUE(box.min_x == -1 && box.min_y == -1 && box.max_x == 1 && box.max_y == 1);
+  // From a centre near one end of the numbers, an extent beyond them leads to a side that is one.
+  for (const double extent : {0x1p423, 0x1.8p423, 0x1p424, 0x1.8p424, 0x1p430}) {
+    EXPECT_EQ(bounds(Ellipse<double>{-largest, 0, 0x1p600, 0, extent, 1}, box), error_range);
+    EXPECT_EQ(bounds(Rect<double>{-largest, 0, 0x1p600, 0, extent, 1}, box), error_range);
+  }
+  Ellipse<double> e;
+  EXPECT_EQ(ellipse_from_radius_vector(1.0, 2.0, 0.0, 3.0, 0.5, e), 0);
+  EXPECT_TRUE(e.cx == 1 && e.cy == 2 && e.ux == 0 && e.uy == 3 && e.a == 1 && e.b == 0.5);
+  EXPECT_EQ(ellipse_from_radius_vector(1.0, 2.0, 0.0, 0.0, 0.5, e), 0);
+  EXPECT_TRUE(e.ux == 1 && e.uy == 0 && e.a == 0 && e.b == 0);
+}
+
+}  // namespace
