@@ -39,15 +39,15 @@ namespace vesica {
 
 namespace detail {
 
-/// By the pair's filter, for kinds in order: 1, 0, or -1 for undecided; by arithmetic, since a jump on the answer could not
-/// be predicted.
+/// By the pair's filter, for kinds in order: 1, 0, or -1 for undecided. Computed by arithmetic, because a branch on the
+/// answer would be mispredicted.
 template <class A, class B>
 VESICA_INLINE constexpr std::int32_t decide_by_filter(const A& a, const B& b) noexcept {
   const auto verdict = detail::overlap::filter(a, b);
   return 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
 }
 
-/// The same where nothing is rounded.
+/// The same by evaluations that detect that nothing was rounded. They decide exact contact among short numbers.
 template <class A, class B>
 VESICA_INLINE constexpr std::int32_t decide_without_errors(const A& a, const B& b) noexcept {
   if constexpr (filter::HasShortNumbers<A, B>) {
@@ -62,7 +62,8 @@ VESICA_INLINE constexpr std::int32_t decide_without_errors(const A& a, const B& 
   }
 }
 
-/// For pairs in double that a filter left undecided. Invalid shapes get their error here, valid ones their exact answer.
+/// For pairs in double that a filter left undecided. Invalid shapes get their error here, valid ones their exact
+/// answer.
 template <class A, class B>
 VESICA_COLD constexpr std::int32_t decide_undecided(const A& a, const B& b) noexcept {
   if (!std::is_constant_evaluated()) {
@@ -72,7 +73,7 @@ VESICA_COLD constexpr std::int32_t decide_undecided(const A& a, const B& b) noex
   if (check(a) != 0 || check(b) != 0) return error_shape;
   return detail::overlap::exact(a, b) ? 1 : 0;
 }
-/// Here and not by the caller, who would widen floats to memory before it knew that it must.
+/// Floats are widened here, in the cold code, so that the hot code does not.
 template <template <class> class A, template <class> class B>
 VESICA_COLD constexpr std::int32_t decide_undecided(const A<float>& a, const B<float>& b) noexcept {
   return decide_undecided(widen(a), widen(b));
