@@ -12,7 +12,7 @@ namespace queries {
 
 namespace {
 
-/// Called, so that the code of a pair exists once.
+/// Not inlined, so that the code of a pair exists once.
 template <class A, class B>
 VESICA_CALLED std::int32_t answer(const double* a, const double* b, double distance) noexcept {
   return within_or_error(load<A>(a), load<B>(b), distance);
