@@ -119,8 +119,7 @@ VESICA_COLD inline std::int32_t exact_contact_at(const Body& a, const Body& b, c
   return contact == Contact::beyond ? static_cast<std::int32_t>(error_range) : contact != Contact::none ? 1 : 0;
 }
 
-/// The time by trial of doubles, from an estimate. Returns error_range where it or the place then is beyond the
-/// numbers.
+/// The time by trial of doubles, from an estimate. Returns error_range where it or the place then is beyond the numbers.
 VESICA_COLD inline std::int32_t exact_floor(const Body& a, const Body& b, const Motion& motion, double estimate,
                                             double& out) noexcept {
   const ExactPair pair(a, b, motion);

@@ -45,8 +45,8 @@ VESICA_INLINE Quick decided(bool usable, const Signed& line, const Signed& apart
 }
 
 /// Of a disc of radius r about the origin, and a point at (dx, dy). With w = v x D, q = D.v: w and q are off by 3u of
-/// the sums of their terms, at most |v| |D|. So w^2 is off by 7u v.v D.D, r^2 v.v by 6u of itself (r may be a sum that
-/// was rounded), and D.D - r^2 by 4u (D.D + r^2).
+/// the sums of their terms, at most |v| |D|. So w^2 is off by 7u v.v D.D, r^2 v.v by 6u of itself (r may be a sum that was
+/// rounded), and D.D - r^2 by 4u (D.D + r^2).
 VESICA_INLINE Quick filter_disc(double dx, double dy, double r, const Motion& v) noexcept {
   constexpr double u = 0x1p-53;
   const double vv = v.vx * v.vx + v.vy * v.vy, dd = dx * dx + dy * dy, rr = r * r;
@@ -85,9 +85,9 @@ VESICA_INLINE Quick quick_filter(const Ellipse<double>& e, const Point<double>& 
                  {-q - reach - whole, forward_error + 8 * u * (reach + whole) + whole_error});
 }
 
-/// Of a box, whose sizes may be 0. c and k are off by 3u A V, or 5u where they are of differences, and the reach by
-/// twice that times hx + hy. Contact comes when the ray has entered both slabs, at the later of two times, which the
-/// caller compares; here is told only whether it lies before the box along v.
+/// Of a box, whose sizes may be 0. c and k are off by 3u A V, or 5u where they are of differences, and the reach by twice
+/// that times hx + hy. Contact comes when the ray has entered both slabs, at the later of two times, which the caller
+/// compares; here is told only whether it lies before the box along v.
 template <class Box>
 VESICA_INLINE Quick filter_box(const Box& box, const Point<double>& p, const Motion& v) noexcept {
   constexpr double u = 0x1p-53;
