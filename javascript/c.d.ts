@@ -2301,12 +2301,12 @@ export interface C {
    *
    * Velocity i is `i * stride` bytes after vx and vy; stride 0 repeats one velocity.
    *
-   * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
-   * the larger count. Some, but not all, may be NULL. Returns: how many touch, including those that overlap at the
-   * start. Errors: those of vesica_cast_f64. An element with an invalid shape, a velocity that is not finite or a
-   * result out of range gets NaN for all its numbers, and all others are written as usual. The call then returns
-   * VESICA_E_SHAPE if a shape is invalid, else the error of such an element. Accuracy: every result has the same bits
-   * as vesica_cast_f64. Since: 0.1.
+   * Requires: velocities and t_end as vesica_cast_f64; equal counts, or one count of 1, whose shape is used for all.
+   * Each output has room for as many numbers as the larger count. Some, but not all, may be NULL. Returns: how many
+   * touch, including those that overlap at the start. Errors: those of vesica_cast_f64. An element with an invalid
+   * shape, a velocity that is not finite or a result out of range gets NaN for all its numbers, and all others are
+   * written as usual. The call then returns VESICA_E_SHAPE if a shape is invalid, else the error of such an element.
+   * Accuracy: every result has the same bits as vesica_cast_f64. Since: 0.1.
    */
   vesica_cast_many_f64(a: number, b: number, vx: number, vy: number, stride: number, t_end: number, t: number,
     x: number, y: number, nx: number, ny: number): bigint;
@@ -2314,7 +2314,7 @@ export interface C {
    * Which of many shapes at rest does one moving shape touch first? If several are touched at that time, the one with
    * the lowest index.
    *
-   * Requires: one, the shape that moves, an array of count 1.
+   * Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f64.
    * Returns: its index, or the count of `many` if none is touched. *out is its contact, the normal pointing to `one`.
    * Errors: those of vesica_cast_f64. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f64
    * returns it for a shape that might be touched first.
@@ -2335,17 +2335,20 @@ export interface C {
   /**
    * Which items of an index does one moving shape touch? They come in the index's order.
    *
-   * Requires: sets are those of the index. one, an array of count 1. out has room for `capacity` items. With capacity
-   * 0, out and state may be NULL. Returns: the number of items written; with capacity 0, how many there are. Errors:
-   * those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a pointer
-   * that is not aligned, or a state from another call. Invalid items are never touched. Accuracy: exact. Since: 0.1.
+   * Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f64. out has room
+   * for `capacity` items. With capacity 0, out and state may be NULL.
+   * Returns: the number of items written; with capacity 0, how many there are.
+   * Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a
+   * pointer that is not aligned, or a state from another call. Invalid items are never touched.
+   * Accuracy: exact.
+   * Since: 0.1.
    */
   vesica_index_cast_f64(index: number, sets: number, set_count: number, one: number, vx: number, vy: number,
     t_end: number, out: number, capacity: bigint, state: number): bigint;
   /**
    * Which item of an index does one moving shape touch first? If several are touched at that time, the lowest item.
    *
-   * Requires: sets are those of the index. one, an array of count 1.
+   * Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f64.
    * Returns: the item, or the index's count if none is touched. *out is its contact, the normal pointing to `one`.
    * Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as for vesica_cast_first_f64.
    * Since: 0.1.
@@ -2475,12 +2478,12 @@ export interface C {
    *
    * Velocity i is `i * stride` bytes after vx and vy; stride 0 repeats one velocity.
    *
-   * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
-   * the larger count. Some, but not all, may be NULL. Returns: how many touch, including those that overlap at the
-   * start. Errors: those of vesica_cast_f32. An element with an invalid shape, a velocity that is not finite or a
-   * result out of range gets NaN for all its numbers, and all others are written as usual. The call then returns
-   * VESICA_E_SHAPE if a shape is invalid, else the error of such an element. Accuracy: every result has the same bits
-   * as vesica_cast_f32. Since: 0.1.
+   * Requires: velocities and t_end as vesica_cast_f32; equal counts, or one count of 1, whose shape is used for all.
+   * Each output has room for as many numbers as the larger count. Some, but not all, may be NULL. Returns: how many
+   * touch, including those that overlap at the start. Errors: those of vesica_cast_f32. An element with an invalid
+   * shape, a velocity that is not finite or a result out of range gets NaN for all its numbers, and all others are
+   * written as usual. The call then returns VESICA_E_SHAPE if a shape is invalid, else the error of such an element.
+   * Accuracy: every result has the same bits as vesica_cast_f32. Since: 0.1.
    */
   vesica_cast_many_f32(a: number, b: number, vx: number, vy: number, stride: number, t_end: number, t: number,
     x: number, y: number, nx: number, ny: number): bigint;
@@ -2488,7 +2491,7 @@ export interface C {
    * Which of many shapes at rest does one moving shape touch first? If several are touched at that time, the one with
    * the lowest index.
    *
-   * Requires: one, the shape that moves, an array of count 1.
+   * Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f32.
    * Returns: its index, or the count of `many` if none is touched. *out is its contact, the normal pointing to `one`.
    * Errors: those of vesica_cast_f32. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f32
    * returns it for a shape that might be touched first.
@@ -2509,17 +2512,20 @@ export interface C {
   /**
    * Which items of an index does one moving shape touch? They come in the index's order.
    *
-   * Requires: sets are those of the index. one, an array of count 1. out has room for `capacity` items. With capacity
-   * 0, out and state may be NULL. Returns: the number of items written; with capacity 0, how many there are. Errors:
-   * those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a pointer
-   * that is not aligned, or a state from another call. Invalid items are never touched. Accuracy: exact. Since: 0.1.
+   * Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f32. out has room
+   * for `capacity` items. With capacity 0, out and state may be NULL.
+   * Returns: the number of items written; with capacity 0, how many there are.
+   * Errors: those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a
+   * pointer that is not aligned, or a state from another call. Invalid items are never touched.
+   * Accuracy: exact.
+   * Since: 0.1.
    */
   vesica_index_cast_f32(index: number, sets: number, set_count: number, one: number, vx: number, vy: number,
     t_end: number, out: number, capacity: bigint, state: number): bigint;
   /**
    * Which item of an index does one moving shape touch first? If several are touched at that time, the lowest item.
    *
-   * Requires: sets are those of the index. one, an array of count 1.
+   * Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f32.
    * Returns: the item, or the index's count if none is touched. *out is its contact, the normal pointing to `one`.
    * Errors: those of vesica_index_cast_f32; VESICA_E_RANGE only as for vesica_cast_first_f32.
    * Since: 0.1.

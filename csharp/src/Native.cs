@@ -2272,8 +2272,9 @@ namespace Vesica
         /// <para>When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of
         /// vesica_cast_f64's result.</para>
         /// <para>Velocity i is `i * stride` bytes after vx and vy; stride 0 repeats one velocity.</para>
-        /// <para>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as
-        /// many numbers as the larger count. Some, but not all, may be NULL.</para>
+        /// <para>Requires: velocities and t_end as vesica_cast_f64; equal counts, or one count of 1, whose shape is
+        /// used for all. Each output has room for as many numbers as the larger count. Some, but not all, may be
+        /// NULL.</para>
         /// <para>Returns: how many touch, including those that overlap at the start.</para>
         /// <para>Errors: those of vesica_cast_f64. An element with an invalid shape, a velocity that is not finite or a
         /// result out of range gets NaN for all its numbers, and all others are written as usual. The call then returns
@@ -2288,7 +2289,7 @@ namespace Vesica
         /// <summary>
         /// <para>Which of many shapes at rest does one moving shape touch first? If several are touched at that time,
         /// the one with the lowest index.</para>
-        /// <para>Requires: one, the shape that moves, an array of count 1.</para>
+        /// <para>Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f64.</para>
         /// <para>Returns: its index, or the count of `many` if none is touched. *out is its contact, the normal
         /// pointing to `one`.</para>
         /// <para>Errors: those of vesica_cast_f64. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if
@@ -2316,8 +2317,8 @@ namespace Vesica
 
         /// <summary>
         /// <para>Which items of an index does one moving shape touch? They come in the index's order.</para>
-        /// <para>Requires: sets are those of the index. one, an array of count 1. out has room for `capacity` items.
-        /// With capacity 0, out and state may be NULL.</para>
+        /// <para>Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f64.
+        /// out has room for `capacity` items. With capacity 0, out and state may be NULL.</para>
         /// <para>Returns: the number of items written; with capacity 0, how many there are.</para>
         /// <para>Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the
         /// index's, a pointer that is not aligned, or a state from another call. Invalid items are never
@@ -2332,7 +2333,8 @@ namespace Vesica
         /// <summary>
         /// <para>Which item of an index does one moving shape touch first? If several are touched at that time, the
         /// lowest item.</para>
-        /// <para>Requires: sets are those of the index. one, an array of count 1.</para>
+        /// <para>Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as
+        /// vesica_cast_f64.</para>
         /// <para>Returns: the item, or the index's count if none is touched. *out is its contact, the normal pointing
         /// to `one`.</para>
         /// <para>Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as for vesica_cast_first_f64.</para>
@@ -2511,8 +2513,9 @@ namespace Vesica
         /// <para>When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of
         /// vesica_cast_f32's result.</para>
         /// <para>Velocity i is `i * stride` bytes after vx and vy; stride 0 repeats one velocity.</para>
-        /// <para>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as
-        /// many numbers as the larger count. Some, but not all, may be NULL.</para>
+        /// <para>Requires: velocities and t_end as vesica_cast_f32; equal counts, or one count of 1, whose shape is
+        /// used for all. Each output has room for as many numbers as the larger count. Some, but not all, may be
+        /// NULL.</para>
         /// <para>Returns: how many touch, including those that overlap at the start.</para>
         /// <para>Errors: those of vesica_cast_f32. An element with an invalid shape, a velocity that is not finite or a
         /// result out of range gets NaN for all its numbers, and all others are written as usual. The call then returns
@@ -2527,7 +2530,7 @@ namespace Vesica
         /// <summary>
         /// <para>Which of many shapes at rest does one moving shape touch first? If several are touched at that time,
         /// the one with the lowest index.</para>
-        /// <para>Requires: one, the shape that moves, an array of count 1.</para>
+        /// <para>Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f32.</para>
         /// <para>Returns: its index, or the count of `many` if none is touched. *out is its contact, the normal
         /// pointing to `one`.</para>
         /// <para>Errors: those of vesica_cast_f32. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if
@@ -2555,8 +2558,8 @@ namespace Vesica
 
         /// <summary>
         /// <para>Which items of an index does one moving shape touch? They come in the index's order.</para>
-        /// <para>Requires: sets are those of the index. one, an array of count 1. out has room for `capacity` items.
-        /// With capacity 0, out and state may be NULL.</para>
+        /// <para>Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f32.
+        /// out has room for `capacity` items. With capacity 0, out and state may be NULL.</para>
         /// <para>Returns: the number of items written; with capacity 0, how many there are.</para>
         /// <para>Errors: those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the
         /// index's, a pointer that is not aligned, or a state from another call. Invalid items are never
@@ -2571,7 +2574,8 @@ namespace Vesica
         /// <summary>
         /// <para>Which item of an index does one moving shape touch first? If several are touched at that time, the
         /// lowest item.</para>
-        /// <para>Requires: sets are those of the index. one, an array of count 1.</para>
+        /// <para>Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as
+        /// vesica_cast_f32.</para>
         /// <para>Returns: the item, or the index's count if none is touched. *out is its contact, the normal pointing
         /// to `one`.</para>
         /// <para>Errors: those of vesica_index_cast_f32; VESICA_E_RANGE only as for vesica_cast_first_f32.</para>

@@ -2733,8 +2733,8 @@ final class Native {
    *
    * <p>Velocity i is `i * stride` bytes after vx and vy; stride 0 repeats one velocity.
    *
-   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
-   * as the larger count. Some, but not all, may be NULL.
+   * <p>Requires: velocities and t_end as vesica_cast_f64; equal counts, or one count of 1, whose shape is used for all.
+   * Each output has room for as many numbers as the larger count. Some, but not all, may be NULL.
    *
    * <p>Returns: how many touch, including those that overlap at the start.
    *
@@ -2754,7 +2754,7 @@ final class Native {
    * Which of many shapes at rest does one moving shape touch first? If several are touched at that time, the one with
    * the lowest index.
    *
-   * <p>Requires: one, the shape that moves, an array of count 1.
+   * <p>Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f64.
    *
    * <p>Returns: its index, or the count of `many` if none is touched. *out is its contact, the normal pointing to
    * `one`.
@@ -2787,8 +2787,8 @@ final class Native {
   /**
    * Which items of an index does one moving shape touch? They come in the index's order.
    *
-   * <p>Requires: sets are those of the index. one, an array of count 1. out has room for `capacity` items. With
-   * capacity 0, out and state may be NULL.
+   * <p>Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f64. out has
+   * room for `capacity` items. With capacity 0, out and state may be NULL.
    *
    * <p>Returns: the number of items written; with capacity 0, how many there are.
    *
@@ -2806,7 +2806,7 @@ final class Native {
   /**
    * Which item of an index does one moving shape touch first? If several are touched at that time, the lowest item.
    *
-   * <p>Requires: sets are those of the index. one, an array of count 1.
+   * <p>Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f64.
    *
    * <p>Returns: the item, or the index's count if none is touched. *out is its contact, the normal pointing to `one`.
    *
@@ -3030,8 +3030,8 @@ final class Native {
    *
    * <p>Velocity i is `i * stride` bytes after vx and vy; stride 0 repeats one velocity.
    *
-   * <p>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
-   * as the larger count. Some, but not all, may be NULL.
+   * <p>Requires: velocities and t_end as vesica_cast_f32; equal counts, or one count of 1, whose shape is used for all.
+   * Each output has room for as many numbers as the larger count. Some, but not all, may be NULL.
    *
    * <p>Returns: how many touch, including those that overlap at the start.
    *
@@ -3051,7 +3051,7 @@ final class Native {
    * Which of many shapes at rest does one moving shape touch first? If several are touched at that time, the one with
    * the lowest index.
    *
-   * <p>Requires: one, the shape that moves, an array of count 1.
+   * <p>Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f32.
    *
    * <p>Returns: its index, or the count of `many` if none is touched. *out is its contact, the normal pointing to
    * `one`.
@@ -3084,8 +3084,8 @@ final class Native {
   /**
    * Which items of an index does one moving shape touch? They come in the index's order.
    *
-   * <p>Requires: sets are those of the index. one, an array of count 1. out has room for `capacity` items. With
-   * capacity 0, out and state may be NULL.
+   * <p>Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f32. out has
+   * room for `capacity` items. With capacity 0, out and state may be NULL.
    *
    * <p>Returns: the number of items written; with capacity 0, how many there are.
    *
@@ -3103,7 +3103,7 @@ final class Native {
   /**
    * Which item of an index does one moving shape touch first? If several are touched at that time, the lowest item.
    *
-   * <p>Requires: sets are those of the index. one, an array of count 1.
+   * <p>Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f32.
    *
    * <p>Returns: the item, or the index's count if none is touched. *out is its contact, the normal pointing to `one`.
    *

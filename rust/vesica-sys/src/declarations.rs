@@ -3180,8 +3180,8 @@ extern "C" {
     ///
     /// Velocity i is `i \* stride` bytes after vx and vy; stride 0 repeats one velocity.
     ///
-    /// Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
-    /// as the larger count. Some, but not all, may be NULL.
+    /// Requires: velocities and t_end as vesica_cast_f64; equal counts, or one count of 1, whose shape is used for all.
+    /// Each output has room for as many numbers as the larger count. Some, but not all, may be NULL.
     ///
     /// Returns: how many touch, including those that overlap at the start.
     ///
@@ -3197,7 +3197,7 @@ extern "C" {
     /// Which of many shapes at rest does one moving shape touch first? If several are touched at that time, the one
     /// with the lowest index.
     ///
-    /// Requires: one, the shape that moves, an array of count 1.
+    /// Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f64.
     ///
     /// Returns: its index, or the count of `many` if none is touched. \*out is its contact, the normal pointing to
     /// `one`.
@@ -3224,8 +3224,8 @@ extern "C" {
         out: *mut Aabb<f64>) -> i32;
     /// Which items of an index does one moving shape touch? They come in the index's order.
     ///
-    /// Requires: sets are those of the index. one, an array of count 1. out has room for `capacity` items. With
-    /// capacity 0, out and state may be NULL.
+    /// Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f64. out has
+    /// room for `capacity` items. With capacity 0, out and state may be NULL.
     ///
     /// Returns: the number of items written; with capacity 0, how many there are.
     ///
@@ -3239,7 +3239,7 @@ extern "C" {
         one: *const Shapes<f64>, vx: f64, vy: f64, t_end: f64, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
     /// Which item of an index does one moving shape touch first? If several are touched at that time, the lowest item.
     ///
-    /// Requires: sets are those of the index. one, an array of count 1.
+    /// Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f64.
     ///
     /// Returns: the item, or the index's count if none is touched. \*out is its contact, the normal pointing to `one`.
     ///
@@ -3438,8 +3438,8 @@ extern "C" {
     ///
     /// Velocity i is `i \* stride` bytes after vx and vy; stride 0 repeats one velocity.
     ///
-    /// Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
-    /// as the larger count. Some, but not all, may be NULL.
+    /// Requires: velocities and t_end as vesica_cast_f32; equal counts, or one count of 1, whose shape is used for all.
+    /// Each output has room for as many numbers as the larger count. Some, but not all, may be NULL.
     ///
     /// Returns: how many touch, including those that overlap at the start.
     ///
@@ -3455,7 +3455,7 @@ extern "C" {
     /// Which of many shapes at rest does one moving shape touch first? If several are touched at that time, the one
     /// with the lowest index.
     ///
-    /// Requires: one, the shape that moves, an array of count 1.
+    /// Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f32.
     ///
     /// Returns: its index, or the count of `many` if none is touched. \*out is its contact, the normal pointing to
     /// `one`.
@@ -3482,8 +3482,8 @@ extern "C" {
         out: *mut Aabb<f32>) -> i32;
     /// Which items of an index does one moving shape touch? They come in the index's order.
     ///
-    /// Requires: sets are those of the index. one, an array of count 1. out has room for `capacity` items. With
-    /// capacity 0, out and state may be NULL.
+    /// Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f32. out has
+    /// room for `capacity` items. With capacity 0, out and state may be NULL.
     ///
     /// Returns: the number of items written; with capacity 0, how many there are.
     ///
@@ -3497,7 +3497,7 @@ extern "C" {
         one: *const Shapes<f32>, vx: f32, vy: f32, t_end: f32, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
     /// Which item of an index does one moving shape touch first? If several are touched at that time, the lowest item.
     ///
-    /// Requires: sets are those of the index. one, an array of count 1.
+    /// Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f32.
     ///
     /// Returns: the item, or the index's count if none is touched. \*out is its contact, the normal pointing to `one`.
     ///
