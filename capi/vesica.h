@@ -25,7 +25,7 @@
  *
  * Results:
  *  - An int32_t or int64_t result is an answer >= 0 or an error < 0 (VESICA_E_...). Errors are checked in this order:
- *    NULL pointers, unknown kinds, invalid shapes, results out of range.
+ *    NULL pointers, unknown kinds, arguments out of range, invalid shapes, results out of range.
  *  - On error nothing is written. Batches are the exception: an invalid shape spoils its own results alone.
  *  - If several answers are equally right, a function returns one of them, always the same for the same input.
  *
@@ -659,7 +659,7 @@ VESICA_API int64_t vesica_nms_scratch(int64_t count);
  * Returns: 0, with *kept set to how many are kept. keep has their indices in the order of their scores; the rest of
  * keep is not written.
  * Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of the others is
- * written. Before anything is written: VESICA_E_NULL (with count 0, only shapes and kept must not be), VESICA_E_KIND
+ * written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may be NULL), VESICA_E_KIND
  * (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too little scratch).
  * Cost: 0.3 to 1.2 us a shape.
  */

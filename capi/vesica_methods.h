@@ -11,7 +11,8 @@
  * docs/methods.md counts how often. Approximate methods answer VESICA_YES, VESICA_NO or VESICA_UNCERTAIN, never a
  * guess. A roundoff is 2^-53 in double and 2^-24 in float.
  *
- * The rules of vesica.h hold. Comments have the same parts: Requires, Returns, Errors, Accuracy, Cost, Since.
+ * The rules of vesica.h hold, but arguments are checked after shapes. Comments have the same parts: Requires, Returns,
+ * Errors, Accuracy, Cost, Since.
  */
 #ifndef VESICA_METHODS_H
 #define VESICA_METHODS_H

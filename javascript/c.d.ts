@@ -759,15 +759,13 @@ export interface C {
    *
    * Of equal scores the lower index comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
    *
-   * Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to
-   * 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
+   * Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to 1;
+   * scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
    * Returns: 0, with *kept set to how many are kept. keep has their indices in the order of their scores; the rest of
-   * keep is not written.
-   * Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of the others is
-   * written. Before anything is written: VESICA_E_NULL (with count 0, only shapes and kept must not be), VESICA_E_KIND
-   * (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too little scratch).
-   * Cost: 0.3 to 1.2 us a shape.
-   * Since: 0.1.
+   * keep is not written. Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the
+   * result of the others is written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept
+   * may be NULL), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64,
+   * threshold, too little scratch). Cost: 0.3 to 1.2 us a shape. Since: 0.1.
    */
   vesica_nms_f64(shapes: number, scores: number, threshold: number, scratch: number, scratch_size: bigint, keep: number,
     kept: number): number;
@@ -1466,15 +1464,13 @@ export interface C {
    *
    * Of equal scores the lower index comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
    *
-   * Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to
-   * 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
+   * Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to 1;
+   * scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
    * Returns: 0, with *kept set to how many are kept. keep has their indices in the order of their scores; the rest of
-   * keep is not written.
-   * Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of the others is
-   * written. Before anything is written: VESICA_E_NULL (with count 0, only shapes and kept must not be), VESICA_E_KIND
-   * (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32, threshold, too little scratch).
-   * Cost: 0.3 to 1.2 us a shape.
-   * Since: 0.1.
+   * keep is not written. Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the
+   * result of the others is written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept
+   * may be NULL), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32,
+   * threshold, too little scratch). Cost: 0.3 to 1.2 us a shape. Since: 0.1.
    */
   vesica_nms_f32(shapes: number, scores: number, threshold: number, scratch: number, scratch_size: bigint, keep: number,
     kept: number): number;

@@ -667,8 +667,8 @@ namespace Vesica
         /// <para>Returns: 0, with *kept set to how many are kept. keep has their indices in the order of their scores;
         /// the rest of keep is not written.</para>
         /// <para>Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of
-        /// the others is written. Before anything is written: VESICA_E_NULL (with count 0, only shapes and kept must
-        /// not be), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64,
+        /// the others is written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may
+        /// be NULL), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64,
         /// threshold, too little scratch).</para>
         /// <para>Cost: 0.3 to 1.2 us a shape.</para>
         /// <para>Since: 0.1.</para>
@@ -1258,8 +1258,8 @@ namespace Vesica
         /// <para>Returns: 0, with *kept set to how many are kept. keep has their indices in the order of their scores;
         /// the rest of keep is not written.</para>
         /// <para>Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of
-        /// the others is written. Before anything is written: VESICA_E_NULL (with count 0, only shapes and kept must
-        /// not be), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32,
+        /// the others is written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may
+        /// be NULL), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32,
         /// threshold, too little scratch).</para>
         /// <para>Cost: 0.3 to 1.2 us a shape.</para>
         /// <para>Since: 0.1.</para>

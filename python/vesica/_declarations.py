@@ -1241,8 +1241,9 @@ Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one fo
 indices. Returns: 0, with *kept set to how many are kept. keep has their indices in the order of their
 scores; the rest of keep is not written. Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN:
 it is left out, and the result of the others is written. Before anything is written: VESICA_E_NULL (with
-count 0, only shapes and kept must not be), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the
-array as vesica_overlap_many_f64, threshold, too little scratch). Cost: 0.3 to 1.2 us a shape. Since: 0.1.""",
+count 0 all but shapes and kept may be NULL), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT
+(the array as vesica_overlap_many_f64, threshold, too little scratch). Cost: 0.3 to 1.2 us a shape. Since:
+0.1.""",
     ),
     "vesica_check_f32": (
         c_int32,
@@ -2052,8 +2053,9 @@ Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one fo
 indices. Returns: 0, with *kept set to how many are kept. keep has their indices in the order of their
 scores; the rest of keep is not written. Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN:
 it is left out, and the result of the others is written. Before anything is written: VESICA_E_NULL (with
-count 0, only shapes and kept must not be), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the
-array as vesica_overlap_many_f32, threshold, too little scratch). Cost: 0.3 to 1.2 us a shape. Since: 0.1.""",
+count 0 all but shapes and kept may be NULL), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT
+(the array as vesica_overlap_many_f32, threshold, too little scratch). Cost: 0.3 to 1.2 us a shape. Since:
+0.1.""",
     ),
     "vesica_rects_from_boxes_f64": (
         c_int64,

@@ -784,7 +784,7 @@ final class Native {
    * of keep is not written.
    *
    * <p>Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of the others
-   * is written. Before anything is written: VESICA_E_NULL (with count 0, only shapes and kept must not be),
+   * is written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may be NULL),
    * VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too
    * little scratch).
    *
@@ -1500,7 +1500,7 @@ final class Native {
    * of keep is not written.
    *
    * <p>Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of the others
-   * is written. Before anything is written: VESICA_E_NULL (with count 0, only shapes and kept must not be),
+   * is written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may be NULL),
    * VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32, threshold, too
    * little scratch).
    *
