@@ -3,36 +3,36 @@
  *
  * SPDX-License-Identifier: Apache-2.0
  *
- * These rules hold for every function. Comments below add only what is particular to one.
+ * These rules hold for every function. The comment of a function adds what is special to it.
  *
  * Shapes:
  *  - A shape is exactly the set of points that its stored numbers describe. Shapes are closed and solid: touching is
  *    overlap, and a shape inside another overlaps it.
- *  - The axis (ux, uy) of a rectangle or an ellipse is a direction and a unit of length. It is never normalised: axis
- *    (2, 0) with half extent 1 is the same shape as axis (1, 0) with half extent 2. With the cosine and sine of an
- *    angle as the axis, lengths are in the unit of the coordinates. perp(u) is (-uy, ux).
+ *  - The axis u = (ux, uy) of a rectangle or an ellipse is a direction and a unit of length. It is never normalised:
+ *    axis (2, 0) with half extent 1 is the same shape as axis (1, 0) with half extent 2. If the axis is the cosine and
+ *    sine of an angle, lengths are in the unit of the coordinates. perp(u) is (-uy, ux); u.v is the scalar product.
  *  - Zero sizes are legal. A rectangle with half height 0 is a segment, and a circle with radius 0 is a point.
- *  - All coordinates and sizes share one unit, whichever it is. Tiny, huge and mixed magnitudes are all legal.
+ *  - All coordinates and sizes share one unit, which may be any. Tiny, huge and mixed magnitudes are all legal.
  *  - A shape is invalid if a number is NaN or infinite, a size is negative, the axis is (0, 0), or min exceeds max. An
  *    invalid shape gives an error, never a guess.
  *
  * Arguments:
- *  - A shape of any kind is passed as its kind (VESICA_POINT ...) and its numbers, in the order of its struct. Two such
- *    shapes may come in either order of kinds. Where a function is named after two kinds, shapes come in that order.
+ *  - A shape of any kind is passed as its kind (VESICA_POINT ...) and a pointer to its numbers, in the order of its
+ *    struct. Two such shapes may be of any two kinds. A function named after two kinds takes its shapes in that order.
  *  - Input is only read. The same memory may be passed as several inputs.
  *  - An output must not overlap an input or another output.
  *  - A pointer is aligned for its type, as always in C. The numbers behind vesica_shapes need no alignment.
  *
  * Results:
- *  - An int32_t or int64_t result is an answer >= 0 or an error < 0 (VESICA_E_...). Errors are looked for in this
- *    order: NULL pointers, unknown kinds, invalid shapes, results out of range.
- *  - On error nothing is written. Only batches of shapes also write when a shape is invalid, as they say.
- *  - Where several answers are equally right, a function returns one of them, always the same for the same input.
+ *  - An int32_t or int64_t result is an answer >= 0 or an error < 0 (VESICA_E_...). Errors are checked in this order:
+ *    NULL pointers, unknown kinds, arguments out of range, invalid shapes, results out of range.
+ *  - On error nothing is written. Batches are the exception: an invalid shape spoils its own results alone.
+ *  - If several answers are equally right, a function returns one of them, always the same for the same input.
  *
  * Accuracy:
  *  - Answers that are yes or no, a relation or a count are exact for all valid shapes.
  *  - Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
- *    centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+ *    centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x.
  *  - A float function computes in double, within the bounds stated, and then rounds each number of the result to float
  *    once. A distance or a depth above 0 stays above 0.
  *
@@ -40,10 +40,12 @@
  *  - No function allocates, locks, prints, sets errno or keeps state. All are thread-safe and reentrant.
  *  - Results are the same bits in every floating-point environment (any rounding mode, flush-to-zero,
  *    denormals-are-zero, traps), and a call leaves the environment as it was. Calls may raise floating-point flags.
- *  - A call uses at most 128 KiB of stack, a batch at most 256 KiB. Costs are measurements, not promises.
+ *  - A call uses at most 128 KiB of stack, a batch at most 256 KiB.
+ *  - Costs are measurements on one core of an AMD EPYC, not promises. "At worst" is the costliest input found, with
+ *    magnitudes as far apart as 2^1000 and 2^-1000.
  *
- * Comments have up to six parts, always in this order: Requires, Returns, Errors, Accuracy, Cost, Since. Parts in the
- * heading of a group hold for each function of the group that does not have its own.
+ * Comments have up to six parts, in this order: Requires, Returns, Errors, Accuracy, Cost, Since. A part in the heading
+ * of a group holds for each function of the group that does not have that part itself.
  */
 #ifndef VESICA_H
 #define VESICA_H
@@ -88,21 +90,21 @@ extern "C" {
 
 /* Errors. */
 #define VESICA_E_NULL (-1)          /**< a pointer is NULL */
-#define VESICA_E_SHAPE (-2)         /**< a shape is invalid; vesica_check_f64 and _f32 tell why */
+#define VESICA_E_SHAPE (-2)         /**< a shape is invalid; vesica_check_f64 or _f32 says why */
 #define VESICA_E_KIND (-3)          /**< a kind is not one of the six */
 #define VESICA_E_ARGUMENT (-4)      /**< another argument is out of its documented range */
 #define VESICA_E_NOT_FINITE (-5)    /**< a number is NaN or infinite */
 #define VESICA_E_NEGATIVE_SIZE (-6) /**< a radius, half extent or half length is negative */
 #define VESICA_E_ZERO_AXIS (-7)     /**< the axis (ux, uy) is (0, 0) */
 #define VESICA_E_INVERTED (-8)      /**< an AABB's min exceeds its max */
-#define VESICA_E_RANGE (-9)         /**< a number of the result would be beyond the finite numbers of its type */
+#define VESICA_E_RANGE (-9)         /**< a number of the result would overflow its type */
 #define VESICA_E_INDEX (-10)        /**< bytes are not an index of this version, or are damaged */
 
-/* ---- Version and names. Texts are static: they are not to be freed. ----
+/* ---- Version and names. Texts are static: do not free them. ----
  * Since: 0.1.
  */
 
-/** Version of the loaded library, to be compared with VESICA_VERSION: a smaller one is older than the header. */
+/** Version of the loaded library. If it is below VESICA_VERSION, the library is older than the header. */
 VESICA_API int32_t vesica_version(void);
 /** VESICA_VERSION_MAJOR of the loaded library. */
 VESICA_API int32_t vesica_version_major(void);
@@ -112,7 +114,7 @@ VESICA_API int32_t vesica_version_minor(void);
 VESICA_API int32_t vesica_version_patch(void);
 
 /**
- * What an error code means, as one English phrase without a final stop.
+ * What an error code means, as one English phrase without a full stop.
  * Returns: static text, never NULL: "success" for answers (>= 0), "unknown error" for unknown codes.
  */
 VESICA_API const char *vesica_strerror(int32_t code);
@@ -131,10 +133,10 @@ VESICA_API int32_t vesica_field_count(int32_t kind);
 VESICA_API const char *vesica_kind_name(int32_t kind);
 
 /**
- * Name of the instruction set that batches run on: the best that this processor has. Answers never depend on it.
+ * Name of the instruction set that batches use: the best one of this processor. Answers never depend on it.
  *
- * The environment variable VESICA_ISA forces another one. It is read once, when the library is loaded. A name that is
- * unknown, or of a set that the processor lacks, is ignored.
+ * The environment variable VESICA_ISA selects another one. It is read once, when the library is loaded. An unknown name
+ * is ignored, and so is a set that the processor lacks.
  * Returns: static text: "sse2", "avx2", "avx512", "neon", "simd128" or "portable".
  */
 VESICA_API const char *vesica_isa_name(void);
@@ -176,7 +178,7 @@ typedef struct {
     double distance, ax, ay, bx, by;
 } vesica_closest_points_f64;
 
-/** Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if they have a stretch in common. */
+/** Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if the outlines share a stretch. */
 typedef struct {
     int32_t count, shared;
     double x[8], y[8];
@@ -213,19 +215,19 @@ VESICA_API int32_t vesica_overlap_f64(int32_t kind_a, const double *numbers_a, i
  * How does a relate to b? The answer is one of the eight relations of the region connection calculus (RCC-8).
  *
  * The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with one size zero,
- * is its two end points. A point, or a shape without any size, has no outline. The inside is all but the outline. If
- * several relations fit, VESICA_EQUAL comes first, then those of containment, then VESICA_CROSS. So a segment that ends
- * on the middle of another touches it, two segments along one line that overlap in part cross, and a point on the rim
- * of a disc is inside with touch. Exchanging the shapes always gives the converse relation.
+ * is its two end points. A point, or a shape without any size, has no outline. The inside is the shape without its
+ * outline. If several relations fit, VESICA_EQUAL comes first, then those of containment, then VESICA_CROSS. So a
+ * segment that ends on the middle of another touches it; two segments on one line that overlap in part cross; a point
+ * on the rim of a disc is VESICA_INSIDE_TOUCH. Exchanging the shapes always gives the converse relation.
  * Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe them.
  * Accuracy: exact.
- * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal, at worst 30.
+ * Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 30 us.
  */
 VESICA_API int32_t vesica_relation_f64(int32_t kind_a, const double *numbers_a,
                                        int32_t kind_b, const double *numbers_b);
 
 /**
- * Does a contain all of b? A shape contains itself, and what touches its outline from inside.
+ * Does a contain all of b? A shape contains itself, and whatever touches its outline from inside.
  * Returns: 1 if vesica_relation_f64 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0.
  * Accuracy: exact.
  * Cost: that of vesica_relation_f64.
@@ -243,15 +245,15 @@ VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const double *numbers_a,
  * Where do the outlines of two shapes meet? Touching counts.
  *
  * The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their own
- * outlines. A contact of any order is one place. If straight outlines have a stretch in common, its two end points are
- * places, and out->shared is 1. So equal boxes have their four corners. Equal curves have no single places: then the
- * count is 0 and out->shared is 1.
+ * outlines. A contact counts as one place, however closely the curves touch there. If straight outlines share a
+ * stretch, its two end points are places, and out->shared is 1; so equal boxes meet at their four corners. Two equal
+ * curves meet everywhere: then the count is 0 and out->shared is 1.
  * Places come in order along a's outline, counter-clockwise in the frame of its axis. The start is a box's corner
  * C - hx u - hy perp(u), an ellipse's point C + a u, a circle's point C + (r, 0), or a segment's first end.
  * Returns: the number of places, 0 to 8.
- * Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, however
- * closely the outlines touch or coincide. Places closer to one another than that may come in either order or be equal.
- * Cost: 1 to 10 us; at worst 100 us, where exponents are wildly unlike.
+ * Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, even
+ * where the outlines nearly coincide. Places closer to one another than that may come in either order or be equal.
+ * Cost: 1 to 10 us; at worst 100 us.
  */
 VESICA_API int32_t vesica_crossings_f64(int32_t kind_a, const double *numbers_a,
                                         int32_t kind_b, const double *numbers_b, vesica_crossing_points_f64 *out);
@@ -260,14 +262,13 @@ VESICA_API int32_t vesica_crossings_f64(int32_t kind_a, const double *numbers_a,
  * How far apart are two solid shapes, and which of their points are closest?
  *
  * If the shapes overlap (as vesica_overlap_f64 tells), the distance is 0 and both points are one common point. If not,
- * the distance is > 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes by the same
- * exact amounts changes no bit of the distance.
- * Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale. It is right
- * to 2 u of itself if it is above 1e-10 scale (aspect ratios up to 1e6) or above 1e-14 scale (up to 1000). Before their
- * coordinates are rounded, closest points are within 4 u scale of the outlines, and a common point is within 8 u scale
- * of both shapes.
+ * the distance is > 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes alike changes
+ * no bit of the distance if no coordinate is rounded.
+ * Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale. Its relative
+ * error is at most 2 u above 1e-10 scale (aspect ratios up to 1e6) or 1e-14 scale (up to 1000). Closest points are
+ * right to 4 u scale, and a common point to 8 u scale, before they are rounded.
  * Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre;
- * 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst 40.
+ * 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 40 us.
  */
 VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
                                       vesica_closest_points_f64 *out);
@@ -279,11 +280,11 @@ VESICA_API int32_t vesica_nearest_f64(int32_t kind_a, const double *numbers_a, i
  * own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If shapes are disjoint,
  * the result is that of vesica_nearest_f64. If one is strictly inside the other, the distance is the least over the
  * whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes exchanges the points
- * and changes no bit. Moving both shapes by the same exact amounts changes no bit of the distance.
+ * and changes no bit. Moving both shapes alike changes no bit of the distance if no coordinate is rounded.
  * Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u
- * scale. At any, it is above 0 if outlines do not meet, and points are on them to 12 u scale before they are rounded.
- * Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2 us
- * for a common point, of needles as vesica_crossings_f64; 5 us more if exact arithmetic must tell; at worst 100 us.
+ * scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before they are rounded.
+ * Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to 2 us
+ * if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 100 us.
  */
 VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b,
                                                 const double *numbers_b, vesica_closest_points_f64 *out);
@@ -293,21 +294,20 @@ VESICA_API int32_t vesica_boundary_distance_f64(int32_t kind_a, const double *nu
  *
  * Moving b by out->depth along the unit vector (x, y) is the shortest translation after which a line separates the
  * shapes: a on one side, b on the other, where both may touch the line. For disjoint shapes all three numbers are 0.
- * Overlapping shapes always get a direction. Their depth is 0 if such a line is there already: if they touch from
+ * Overlapping shapes always get a direction. Their depth is 0 if such a line exists without a move: if they touch from
  * outside, if a point lies on an outline, or if points and segments lie along one line. Otherwise the depth is > 0.
  * Exchanging the shapes reverses the direction and changes no other bit, except for two equal shapes in one place.
- * Moving both shapes by the same exact amounts changes no bit.
- * Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; of two circles, and of a point and a circle, to
- * its last place. The length of (x, y) is 1 but for 3 u, and it moves b clear but for 8 u scale. Whether the depth is 0
- * is exact.
- * Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5 us
- * if only exact arithmetic can tell the depth from 0; at worst 40 us, where exponents are wildly unlike.
+ * Moving both shapes alike changes no bit if no coordinate is rounded.
+ * Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place. The
+ * length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is exact.
+ * Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if only
+ * exact arithmetic can tell the depth from 0; at worst 40 us.
  */
 VESICA_API int32_t vesica_depth_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
                                     vesica_penetration_f64 *out);
 
 /**
- * Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+ * Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
  * Accuracy: the double nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another never
  * has the greater area, and equal shapes have equal areas, whatever kinds and numbers describe them.
  * Cost: about 20 ns.
@@ -321,10 +321,10 @@ VESICA_API int32_t vesica_shape_area_f64(int32_t kind, const double *numbers, do
  * the vesica_shape_area_f64 of the inner one. It is never more than the area of either, and more than 0 if the insides
  * of shapes with area meet, unless that underflows. Exchanging the shapes changes no bit. Scaling both by a power of
  * two scales the area by its square.
- * Accuracy: within 64 u of the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4, however
- * near the outlines are to touching or coinciding and however different the sizes are.
+ * Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4,
+ * even if the outlines nearly touch or coincide and whatever the sizes are.
  * Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines
- * nearly touch or coincide, or if one shape is far larger; at worst 40 us, where exponents are wildly unlike.
+ * nearly touch or coincide, or if one shape is far larger; at worst 40 us.
  */
 VESICA_API int32_t vesica_area_f64(int32_t kind_a, const double *numbers_a,
                                    int32_t kind_b, const double *numbers_b, double *out);
@@ -332,10 +332,10 @@ VESICA_API int32_t vesica_area_f64(int32_t kind_a, const double *numbers_a,
 /**
  * Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
  *
- * It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Nothing overflows or underflows on the
- * way, whatever the sizes. Exchanging the shapes, or scaling both by a power of two, changes no bit.
+ * It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Intermediate results never overflow or
+ * underflow. Exchanging the shapes, or scaling both by a power of two, changes no bit.
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (neither shape has an area).
- * Accuracy: the bound of vesica_area_f64, over the area of the union.
+ * Accuracy: the bound of vesica_area_f64, divided by the area of the union.
  * Cost: that of vesica_area_f64 and of vesica_shape_area_f64 twice.
  */
 VESICA_API int32_t vesica_iou_f64(int32_t kind_a, const double *numbers_a,
@@ -344,8 +344,8 @@ VESICA_API int32_t vesica_iou_f64(int32_t kind_a, const double *numbers_a,
 /**
  * Smallest box of representable numbers that contains a shape.
  * Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
- * Cost: up to 80 ns; 1 to 3 us for magnitudes beyond 2^+-400, and for an ellipse with an oblique axis and representable
- * sides; at worst 20 us.
+ * Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and
+ * representable sides; at worst 20 us.
  */
 VESICA_API int32_t vesica_bounds_f64(int32_t kind, const double *numbers, vesica_aabb_f64 *out);
 
@@ -353,7 +353,7 @@ VESICA_API int32_t vesica_bounds_f64(int32_t kind, const double *numbers, vesica
  * Returns: 1 if the shapes share a point (touching counts), 0 if not.
  * Errors: VESICA_E_NULL, VESICA_E_SHAPE.
  * Accuracy: exact.
- * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+ * Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
  * Since: 0.1.
  */
 
@@ -416,9 +416,9 @@ VESICA_API int32_t vesica_aabb_from_corners_f64(double x0, double y0, double x1,
  * Rectangle from centre, angle and full size: width along the angle, height across it.
  * Requires: the angle in radians, counter-clockwise from +x if y points up; width, height >= 0.
  * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
- * Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No number is exactly a quarter turn, so the
- * axis of one is parallel to a coordinate axis only to that rounding. Sizes are exact: if halving one would round (an
- * odd multiple of the smallest subnormal number), the axis is halved instead.
+ * Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No double is exactly pi/2, so a quarter
+ * turn has an exact axis only by vesica_rects_from_boxes_f64, which takes degrees too. Sizes are exact: if halving one
+ * would round (an odd multiple of the smallest subnormal number), the axis is halved instead.
  * Cost: about 40 ns.
  */
 VESICA_API int32_t vesica_rect_from_angle_f64(double cx, double cy, double angle, double width, double height,
@@ -433,8 +433,8 @@ VESICA_API int32_t vesica_rect_from_angle_f64(double cx, double cy, double angle
  * Two or four equal corners are legal: they give a segment, or a point with axis (1, 0).
  * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent overflows).
  * Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the longer one;
- * the centre is right to 1 unit in its own. To both comes 2^-98 times the largest coordinate. The corners of an
- * axis-parallel rectangle give exactly it if its centre and half extents are representable.
+ * the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the largest coordinate. A rectangle
+ * along the coordinate axes is found exactly if its centre and half extents are representable.
  * Cost: about 110 ns.
  */
 VESICA_API int32_t vesica_rect_from_corners_f64(const double corners[8], vesica_rect_f64 *out);
@@ -443,7 +443,7 @@ VESICA_API int32_t vesica_rect_from_corners_f64(const double corners[8], vesica_
  * Ellipse from centre, angle and half lengths: a along the angle, b across it.
  * Requires: the angle in radians, counter-clockwise from +x if y points up; a, b >= 0.
  * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
- * Accuracy: the axis as that of vesica_rect_from_angle_f64; half lengths are exact.
+ * Accuracy: the axis is that of vesica_rect_from_angle_f64; half lengths are exact.
  * Cost: about 40 ns.
  */
 VESICA_API int32_t vesica_ellipse_from_angle_f64(double cx, double cy, double angle, double a, double b,
@@ -468,8 +468,8 @@ VESICA_API int32_t vesica_ellipse_from_radius_vector_f64(double cx, double cy, d
  * Requires: the covariance cxx, cxy, cyy (units squared) positive semidefinite: cxy^2 <= cxx cyy as stored; k >= 0.
  * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k < 0), VESICA_E_ARGUMENT (not a covariance),
  * VESICA_E_RANGE (a half length overflows).
- * Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, however near the
- * matrix is to a singular one or to a circle's.
+ * Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, even if the
+ * matrix is nearly singular or nearly a circle's.
  * Cost: about 90 ns.
  */
 VESICA_API int32_t vesica_ellipse_from_covariance_f64(double mean_x, double mean_y, double cxx, double cxy, double cyy,
@@ -481,18 +481,18 @@ VESICA_API int32_t vesica_ellipse_from_covariance_f64(double mean_x, double mean
  * The result is that of vesica_ellipse_from_covariance_f64 for the inverse of M and k = 1.
  * Requires: M positive definite as stored.
  * Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_ARGUMENT (not positive definite).
- * Accuracy: that of vesica_ellipse_from_covariance_f64; no half length overflows.
+ * Accuracy: that of vesica_ellipse_from_covariance_f64. No half length overflows.
  * Cost: about 90 ns.
  */
 VESICA_API int32_t vesica_ellipse_from_matrix_f64(double cx, double cy, double mxx, double mxy, double myy,
                                                   vesica_ellipse_f64 *out);
 
 /**
- * An array of shapes of one kind, however it lies in memory: as records, packed or padded, or as one column per number.
+ * An array of shapes of one kind in any memory layout: records, packed or padded, or one column per number.
  *
  * Number k of element i is at field[k] + i * stride bytes, with k in the order of the shape's struct. stride is the
  * size of a record for records, sizeof(double) for columns, 0 to repeat one shape, and negative to run backwards.
- * Fields beyond those of the kind are not looked at. Numbers need no alignment. reserved must be 0.
+ * Fields beyond those of the kind are ignored. Numbers need no alignment. reserved must be 0.
  */
 typedef struct {
     int32_t kind;
@@ -516,17 +516,17 @@ VESICA_API int32_t vesica_shapes_from_records_f64(int32_t kind, int64_t count, c
  * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
  * the larger count, or for none if a count is 0. Of several output columns some, but not all, may be NULL.
  * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
- * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be
- * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array
- * that is beyond the address space).
- * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+ * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL),
+ * VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that
+ * exceeds the address space).
+ * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
  * Since: 0.1.
  */
 
 /**
  * Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f64.
  * Returns: how many are 1.
- * Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float (see README.md).
+ * Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float.
  */
 VESICA_API int64_t vesica_overlap_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, uint8_t *out);
 
@@ -581,11 +581,11 @@ VESICA_API int64_t vesica_iou_many_f64(const vesica_shapes_f64 *a, const vesica_
  * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
  * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
  * Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
- * written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may be
- * NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
- * beyond the address space).
- * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
- * Cost: that of one shape against many, however large the arrays are.
+ * written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+ * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
+ * exceed the address space).
+ * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
+ * Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
  * Since: 0.1.
  */
 
@@ -633,18 +633,18 @@ VESICA_API int64_t vesica_iou_matrix_f64(const vesica_shapes_f64 *a, const vesic
 /**
  * Which of many shapes overlap one? Their indices are written to out[0], out[1] ..., in ascending order.
  * Requires: one, an array of count 1; capacity, how many indices out has room for. It may be 0, and out then NULL.
- * Returns: how many there are, even if that is beyond the capacity. If room is left, the entry after the last is -1.
- * Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the indices of valid ones are written; -1 or
- * the capacity ends them. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's count is
- * not 1, a negative capacity, and as vesica_overlap_many_f64).
+ * Returns: how many there are, even if that exceeds the capacity. If room is left, the entry after the last is -1.
+ * Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the others are written as usual, up to the -1
+ * or the capacity. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's count is not 1, a
+ * negative capacity, and as vesica_overlap_many_f64).
  * Accuracy: every answer is that of vesica_overlap_f64.
  */
 VESICA_API int64_t vesica_overlap_select_f64(const vesica_shapes_f64 *one, const vesica_shapes_f64 *many, int64_t *out,
                                              int64_t capacity);
 
 /**
- * Bytes of scratch memory that vesica_nms_f64 and vesica_nms_f32 need for that many shapes.
- * Returns: about 97 bytes for each, and 380,416.
+ * How many bytes of scratch do vesica_nms_f64, vesica_suppress_f64 and their float forms need for `count` shapes?
+ * Returns: 380,416 bytes and about 97 a shape.
  * Errors: VESICA_E_ARGUMENT (a negative count, or one above 2147483647).
  */
 VESICA_API int64_t vesica_nms_scratch(int64_t count);
@@ -653,15 +653,15 @@ VESICA_API int64_t vesica_nms_scratch(int64_t count);
  * Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one whose
  * vesica_iou_f64 with every shape kept before is at most the threshold.
  *
- * Equal scores go by index, and infinite scores are legal. At threshold 1 all shapes are kept.
+ * Of equal scores the lower index comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
  * Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to
  * 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
- * Returns: 0. keep has the indices of the kept shapes in the order of their scores, and *kept how many they are. What
- * follows them in keep is not written.
- * Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: the result is that without it, and is written.
- * Before anything is written: VESICA_E_NULL (if there are no shapes, only shapes and kept are looked at), VESICA_E_KIND
+ * Returns: 0, with *kept set to how many are kept. keep has their indices in the order of their scores; the rest of
+ * keep is not written.
+ * Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of the others is
+ * written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may be NULL), VESICA_E_KIND
  * (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too little scratch).
- * Cost: an index, sorting, and an IoU where bounds and areas allow one above the threshold: 0.3 to 1.2 us a shape.
+ * Cost: 0.3 to 1.2 us a shape.
  */
 VESICA_API int32_t vesica_nms_f64(const vesica_shapes_f64 *shapes, const double *scores, double threshold,
                                   void *scratch, int64_t scratch_size, int64_t *keep, int64_t *kept);
@@ -842,9 +842,9 @@ VESICA_API int32_t vesica_nms_f32(const vesica_shapes_f32 *shapes, const float *
 #endif
 
 #include "vesica_boxes.h"    /* arrays of boxes by centre, size and angle; corners and bounds of arrays */
-#include "vesica_generic.h"  /* C11 only: vesica_overlap(&a, &b) and the like, with kinds and scalar by the types */
+#include "vesica_generic.h"  /* C11 only: vesica_overlap(&a, &b) and the like take kinds and scalar from the types */
 #include "vesica_index.h"    /* index and join, for the pairs among millions of shapes */
-#include "vesica_measures.h" /* ratios of shared area, distances by arrays */
+#include "vesica_measures.h" /* ratios of shared area, suppression, signed distance, within a distance */
 #include "vesica_motion.h"   /* casts of moving shapes, rays */
 #include "vesica_topology.h" /* nine-intersection matrices, shared regions */
 #endif /* VESICA_H */

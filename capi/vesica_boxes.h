@@ -1,5 +1,5 @@
 /*
- * Vesica: arrays of boxes as detectors write them, by centre, width, height and angle; corners and bounds of arrays.
+ * Vesica: arrays of boxes as detectors write them, with centre, width, height and angle; corners and bounds of arrays.
  *
  * SPDX-License-Identifier: Apache-2.0
  *
@@ -23,20 +23,21 @@ extern "C" {
 #define VESICA_ANGLE_RADIANS 0
 #define VESICA_ANGLE_DEGREES 1
 #define VESICA_ANGLE_QUARTERS 2 /**< quarter turns */
-#define VESICA_ANGLE_REVERSED 4 /**< added to a unit: angles turn from +x away from +y */
+#define VESICA_ANGLE_REVERSED 4 /**< added to a unit: angles turn the other way, from +x towards -y */
 
 /* ---- Arrays, double ----
  * Returns: 0.
- * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
- * finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
- * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond
- * the address space, an unknown unit of angles).
+ * Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+ * numbers of that result are NaN, and all other results are written as usual. Before anything is written: VESICA_E_NULL
+ * (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array that exceeds the
+ * address space, an unknown unit of angles).
  * Since: 0.1.
  */
 
 /**
  * Rectangles from boxes.
- * Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
+ * Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; angle, a unit of angles, or
+ * its sum with VESICA_ANGLE_REVERSED; out, room for `count`.
  * Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90, and
  * whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
  * Cost: about 30 ns a box.
@@ -45,7 +46,7 @@ VESICA_API int64_t vesica_rects_from_boxes_f64(const double *boxes, int64_t coun
                                                vesica_rect_f64 *out);
 
 /**
- * Ellipses from the boxes about them, whose sides they touch in the middle.
+ * Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
  * Requires: as vesica_rects_from_boxes_f64.
  * Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
  * Cost: about 30 ns a box.
@@ -54,28 +55,29 @@ VESICA_API int64_t vesica_ellipses_from_boxes_f64(const double *boxes, int64_t c
                                                   vesica_ellipse_f64 *out);
 
 /**
- * Boxes from rectangles, or about ellipses: the way back.
+ * Boxes from rectangles or from ellipses: the inverse of the two functions above.
  *
- * An angle is from -180 to 180 degrees.
- * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without gaps.
+ * Angles are from -180 to 180 degrees, in the unit asked for.
+ * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; angle as vesica_rects_from_boxes_f64; boxes, room for
+ * `count` rows of five numbers, without gaps.
  * Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of a
- * quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
+ * quarter turn. If an axis lies exactly along a coordinate axis, degrees and quarter turns are exact.
  * Cost: about 70 ns a shape.
  */
 VESICA_API int64_t vesica_boxes_from_shapes_f64(const vesica_shapes_f64 *shapes, int32_t angle, double *boxes);
 
 /**
- * The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+ * The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
  *
- * Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
+ * The first corner is C - hx u - hy perp(u), the next C + hx u - hy perp(u), and so on round the outline.
  * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
- * Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
+ * Accuracy: a coordinate is right to 1 unit in its last place plus 2^-98 times the largest of its three terms.
  * Cost: about 70 ns a shape.
  */
 VESICA_API int64_t vesica_corners_of_shapes_f64(const vesica_shapes_f64 *shapes, double *corners);
 
 /**
- * The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.
+ * Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.
  * Requires: out, room for `count`.
  * Accuracy: that of vesica_bounds_f64.
  * Cost: that of vesica_bounds_f64.

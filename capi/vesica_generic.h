@@ -1,5 +1,5 @@
 /*
- * Vesica in C11: every query by one name, with kinds and scalar taken from the types of its arguments.
+ * Vesica in C11: one name for each query, which takes kinds and scalar from the types of its arguments.
  *
  * SPDX-License-Identifier: Apache-2.0
  *
@@ -10,8 +10,8 @@
  *     vesica_closest_points_f64 out;
  *     int32_t error = vesica_nearest(&car, &person, &out);
  *
- * Every argument is a pointer to a shape, a motion or a result, or a number. Each is evaluated once. Double and float cannot
- * be mixed: such a call does not compile. Results and errors are those of the functions, such as vesica_nearest_f64.
+ * Every argument is a pointer to a shape, a motion or a result, or a number. Each is evaluated once. A call that mixes
+ * double and float does not compile. Results and errors are those of the functions, such as vesica_nearest_f64.
  */
 #if !defined(VESICA_GENERIC_H) && !defined(__cplusplus) && defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
 #define VESICA_GENERIC_H
@@ -64,7 +64,7 @@
         vesica_rect_f64: VESICA_RECT, vesica_rect_f32: VESICA_RECT, \
         vesica_ellipse_f64: VESICA_ELLIPSE, vesica_ellipse_f32: VESICA_ELLIPSE)
 
-/* ---- The rest is how it works. ---- */
+/* ---- Implementation. Names that end in _ may change in any release. ---- */
 
 /* Bytes of one number in what a pointer points to, a shape or a result: 8 for double, 4 for float. */
 #define VESICA_SIZE_(pointer) \
@@ -76,7 +76,7 @@
         vesica_rect_f32: 4, vesica_ellipse_f32: 4, vesica_closest_points_f32: 4, vesica_crossing_points_f32: 4, \
         vesica_penetration_f32: 4, vesica_impact_f32: 4, vesica_turn_f32: 4)
 
-/* Picks by a constant size. Sizes of several arguments are joined by &: 8 & 4 is 0, for which there is no choice. */
+/* Chooses by a constant size. Sizes of several arguments are joined by &: 8 & 4 is 0, which matches nothing. */
 #define VESICA_PICK_(size, of_double, of_float) \
     _Generic((char (*)[size])0, char (*)[8]: of_double, char (*)[4]: of_float)
 #define VESICA_QUERY_(query, size) VESICA_PICK_(size, query##_f64, query##_f32)

@@ -5,18 +5,19 @@
  *
  * vesica.h includes this header, and both belong to one library.
  *
- * An index is flat memory of the caller's, without pointers. It may be saved, sent, mapped and read by any number of
- * threads. It holds bounds of shapes and not the shapes themselves: functions that look at shapes take both.
+ * An index is a flat block of memory that the caller provides, without pointers. It may be saved, sent, mapped, and
+ * read by any number of threads at once. It holds the bounds of shapes and not the shapes: functions that need the
+ * shapes take both.
  *
- * The shapes of an index are some sets, laid end to end: item i of the index is shape i of the first set, and the items
- * of the next set follow. An index holds at most 64 sets that are not empty, and 2^31 - 1 items. sets[s] may be of any
- * kind. The index's bytes depend on the shapes alone, whatever the processor, the layout of the arrays or the number of
- * threads. Only the order of the bytes within a number is the machine's.
+ * An index is built from one or more sets, each an array of shapes of one kind; kinds may differ between sets. Items
+ * are numbered through all sets: those of the first set come first, in their order, then those of the next. An index
+ * holds at most 64 sets that are not empty, and 2^31 - 1 items. Its bytes depend on the shapes alone, not on the
+ * processor, the layout of the arrays or the number of threads. Only the byte order of numbers is the machine's.
  *
- * An index and its scratch memory are aligned to 64 bytes.
+ * An index and its scratch memory must be aligned to 64 bytes.
  *
- * A function that may have more to say than there is room for takes a state of four numbers. All are 0 at the first
- * call. After each call state[0] is -1 if that was all. If not, the same call gives more. A state may be saved or sent.
+ * A function whose output may exceed the room for it takes a state of four numbers. Set all to 0 before the first call.
+ * After a call state[0] is -1 if nothing is left; otherwise the same call continues. A state may be saved or sent.
  *
  * The rules of vesica.h hold. Comments have the same parts: Requires, Returns, Errors, Accuracy, Cost, Since.
  */
@@ -31,10 +32,10 @@ extern "C" {
 
 /* ---- Constants ---- */
 
-/* What makes item a of one index and item b of another a pair of a join. */
-#define VESICA_JOIN_OVERLAP 0  /**< a and b share a point, as vesica_overlap_f64 tells */
+/* Which pairs a join finds: those of item a of one index and item b of another for which this holds. */
+#define VESICA_JOIN_OVERLAP 0  /**< a and b overlap, as by vesica_overlap_f64 */
 #define VESICA_JOIN_BOUNDS 1   /**< their bounds in the indexes do: all pairs that overlap, and some that do not */
-#define VESICA_JOIN_CONTAINS 2 /**< a contains b, as vesica_contains_f64 tells */
+#define VESICA_JOIN_CONTAINS 2 /**< a contains b, as by vesica_contains_f64 */
 #define VESICA_JOIN_INSIDE 3   /**< b contains a */
 
 /* ---- Memory ----
@@ -43,7 +44,7 @@ extern "C" {
 
 /**
  * How many bytes suffice for an index of `count` shapes, of any kinds?
- * Returns: 17 bytes a shape and 64 KiB. A built index takes fewer, mostly 13 a shape: vesica_index_bytes tells.
+ * Returns: 17 bytes a shape and 64 KiB. A built index takes fewer, mostly 13 a shape: see vesica_index_bytes.
  * Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
  */
 VESICA_API int64_t vesica_index_size(int64_t count);
@@ -61,49 +62,49 @@ VESICA_API int64_t vesica_index_scratch(int64_t count);
  */
 VESICA_API int64_t vesica_join_scratch(void);
 
-/* ---- Reading an index. All but vesica_index_check trust it beyond its header. ----
- * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (its header is none).
+/* ---- Reading an index. All functions but vesica_index_check verify only its header, and trust the rest. ----
+ * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (not an index's header).
  * Since: 0.1.
  */
 
 /**
- * Are these bytes an index that queries can read?
+ * Are these bytes an index that is safe to read?
  *
- * Ask it once of bytes that come from elsewhere. They may be short, foreign or damaged, or from a machine of the other
- * byte order. What passes is safe to read.
- * Requires: size is the number of bytes there. The index may be shorter.
- * Returns: 0.
- * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (it is none).
+ * Call it once for bytes that you did not just build: they may be cut off, damaged, something else, or from a machine
+ * of the other byte order.
+ * Requires: size, the number of readable bytes. The index may be shorter.
+ * Returns: 0 if they are.
+ * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (they are not).
  * Cost: it reads all bytes once.
  */
 VESICA_API int32_t vesica_index_check(const void *index, int64_t size);
 
 /**
- * How many bytes does a built index take? So many are to be saved.
+ * How many bytes does a built index take? Save that many.
  * Returns: the bytes, a multiple of 64.
  */
 VESICA_API int64_t vesica_index_bytes(const void *index);
 
 /**
  * How many shapes was an index built from?
- * Returns: the number of its items, invalid shapes included.
+ * Returns: the number of its items, including invalid shapes.
  */
 VESICA_API int64_t vesica_index_count(const void *index);
 
 /**
  * A box around all valid shapes of an index.
  *
- * Indexes whose boxes are disjoint have no pairs.
+ * Two indexes whose boxes are disjoint have no overlapping pairs.
  * Returns: 0.
- * Accuracy: the box is a little larger than the smallest one. It is infinite where that exceeds the finite numbers.
- * Without valid shapes min is infinity and max is -infinity.
+ * Accuracy: the box is a little larger than the smallest one; a side that overflows is infinite. Without valid shapes
+ * min is infinity and max is -infinity.
  */
 VESICA_API int32_t vesica_index_bounds(const void *index, vesica_aabb_f64 *out);
 
 /**
- * The items of an index in spatial order: shapes that are near to each other stand near to each other.
+ * The items of an index in spatial order: shapes near each other have nearby places in it.
  *
- * A join is faster if the arrays of shapes have this order, for then it reads them from near to near.
+ * A join is faster if the arrays of shapes have this order, as it then reads nearby memory.
  * Requires: out has room for `capacity` items. It may be NULL if that is 0.
  * Returns: how many items there are, without the invalid shapes. The first `capacity` of them are written.
  * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned, capacity < 0), VESICA_E_INDEX.
@@ -111,28 +112,28 @@ VESICA_API int32_t vesica_index_bounds(const void *index, vesica_aabb_f64 *out);
 VESICA_API int64_t vesica_index_order(const void *index, int64_t *out, int64_t capacity);
 
 /* ---- Building an index, double ----
- * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a count, a size or an alignment), VESICA_E_SHAPE.
+ * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a wrong count, size or alignment), VESICA_E_SHAPE.
  * Since: 0.1.
  */
 
 /**
  * Builds the index of some sets of shapes.
  *
- * Invalid shapes are left out. The call then returns VESICA_E_SHAPE, and the index of all others is complete. After any
- * other error nothing is written. Shapes that moved need a new index.
- * Requires: index_size >= vesica_index_size(items) and scratch_size >= vesica_index_scratch(items). The scratch is free
- * again after the call.
- * Returns: the bytes of the index that are used.
+ * If shapes are invalid, the call returns VESICA_E_SHAPE, and the index is complete without them. When shapes have
+ * moved, build it again.
+ * Requires: index_size >= vesica_index_size(items) and scratch_size >= vesica_index_scratch(items). The scratch may be
+ * reused after the call.
+ * Returns: how many bytes of the index are used.
  * Cost: 30 to 50 ns a shape.
  */
 VESICA_API int64_t vesica_index_build_f64(const vesica_shapes_f64 *sets, int32_t set_count, void *index,
                                           int64_t index_size, void *scratch, int64_t scratch_size);
 
 /**
- * One part of a build in five steps, for several threads. The bytes are those of vesica_index_build_f64.
+ * One part of a build by several threads, in five steps. The bytes are those of vesica_index_build_f64.
  *
  * Steps 0 and 4 have one part. Steps 1, 2 and 3 have as many parts as the caller likes, and these may run at the same
- * time. All parts of a step must be done before the next step begins. All other arguments are the same in all calls.
+ * time. All parts of a step must end before the next step begins. All other arguments are the same in all calls.
  * Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build.
  * Returns: 0; at step 4 what vesica_index_build_f64 returns.
  * Errors: those of vesica_index_build_f64. VESICA_E_ARGUMENT also if step, part or parts is out of range, or if the
@@ -143,17 +144,17 @@ VESICA_API int64_t vesica_index_step_f64(int32_t step, int64_t part, int64_t par
                                          int64_t scratch_size);
 
 /* ---- Questions about one or two indexes, double ----
- * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number or
- * a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this call).
+ * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a number
+ * or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another call).
  * Since: 0.1.
  */
 
 /**
  * Which items of an index does one shape overlap? They come in the index's order.
  *
- * Many shapes are better joined: index them too.
- * Requires: sets are those of the index. NULL with set_count 0 asks for the items whose bounds meet those of the shape.
- * one is a single shape (count 1). out has room for `capacity` items. With capacity 0, out and state may be NULL.
+ * To ask for many shapes, index them too and call vesica_join_f64.
+ * Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet the shape's.
+ * one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be NULL.
  * Returns: the number of items written; with capacity 0, how many there are.
  * Accuracy: exact, if there are sets.
  */
@@ -162,17 +163,18 @@ VESICA_API int64_t vesica_index_select_f64(const void *index, const vesica_shape
                                            int64_t *state);
 
 /**
- * All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+ * Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
  *
  * If both indexes are the same pointer, pairs are those of two different items a < b. Pair i is out_a[i] and out_b[i].
  * The order of pairs depends on the bytes of the indexes and the query alone.
- * Work may be shared out: each part of `parts` is about as much work as any other, and may run at the same time with a
- * scratch of its own. The pairs of all parts, one part after the other, are the pairs of part 0 of 1.
+ * The work may be divided into `parts` of about equal work, which may run at the same time, each with its own scratch.
+ * The pairs of all parts, one part after the other, are those of a call with part 0 and parts 1.
  * Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes; with
- * VESICA_JOIN_BOUNDS they are not looked at. 0 <= part < parts. scratch_size >= vesica_join_scratch(); the scratch is
- * free between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and state may be NULL.
+ * VESICA_JOIN_BOUNDS they are ignored. 0 <= part < parts. scratch_size >= vesica_join_scratch(); nothing is kept in the
+ * scratch between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and state may be NULL.
  * Returns: the number of pairs written; with capacity 0, how many the whole part has.
- * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (as above, and for an unknown query).
+ * Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a size out of
+ * range, a pointer that is not aligned, sets that are not the index's, a state from another call).
  * Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
  * Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.
  */
@@ -183,17 +185,17 @@ VESICA_API int64_t vesica_join_f64(int32_t query, const void *index_a, const ves
                                    int64_t *state);
 
 /**
- * All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those whose
- * answer from vesica_within_f64 is > 0.
+ * All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those for
+ * which vesica_within_f64 is > 0.
  *
  * If both indexes are the same pointer, pairs are those of two different items a < b. They come in index_a's order.
- * Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f64.
- * Requires: distance >= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity and
- * state as vesica_join_f64.
+ * Each part takes about the same number of items of index_a; all else is as for vesica_join_f64.
+ * Requires: distance >= 0, or infinity for all pairs of valid shapes; sets, part, outputs, capacity and state as
+ * vesica_join_f64.
  * Returns: the number of pairs written; with capacity 0, how many the whole part has.
  * Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
- * Accuracy: that of vesica_within_f64; a pair that is VESICA_WITHIN_NEARLY is among them.
- * Cost: about 1 us a shape of index_a and that of vesica_within_f64 a candidate: seven times that of vesica_join_f64.
+ * Accuracy: that of vesica_within_f64; pairs that are VESICA_WITHIN_NEARLY are included.
+ * Cost: about 1 us a shape of index_a, and that of vesica_within_f64 a candidate: seven times that of vesica_join_f64.
  */
 VESICA_API int64_t vesica_join_within_f64(const void *index_a, const vesica_shapes_f64 *sets_a, int32_t set_count_a,
                                           const void *index_b, const vesica_shapes_f64 *sets_b, int32_t set_count_b,
@@ -201,11 +203,11 @@ VESICA_API int64_t vesica_join_within_f64(const void *index_a, const vesica_shap
                                           int64_t *out_b, int64_t capacity, int64_t *state);
 
 /**
- * Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by number.
+ * Which items of an index are nearest to one shape? The nearest comes first, of equally near ones the lower item.
  *
- * An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is not found.
- * Requires: sets are those of the index. one is a single shape (count 1). k >= 0, and out and distance have room for k
- * each. With k = 0 they may be NULL. within >= 0 is the largest distance asked for; infinity asks for any.
+ * An item that overlaps the shape has distance 0. An item whose distance overflows is not found.
+ * Requires: sets are those of the index. one, an array of count 1. k >= 0, and out and distance have room for k each.
+ * With k = 0 they may be NULL. within, the largest distance to look for, >= 0 or infinity.
  * Returns: how many items were found and written; with k = 0, how many there are within the distance.
  * Accuracy: distances are those of vesica_nearest_f64, bit for bit.
  */
@@ -216,12 +218,12 @@ VESICA_API int64_t vesica_index_nearest_f64(const void *index, const vesica_shap
 /**
  * Which items of index_b are nearest to each item of sets_a? Row i is out[i * k] ... out[i * k + k - 1].
  *
- * A row is what vesica_index_nearest_f64 says of item i, followed by -1, with distance infinity, up to k. Of one set
- * with itself each item finds itself too, at distance 0. If an item of sets_a is invalid, its row holds -1, all other
- * rows are right, and the call returns VESICA_E_SHAPE.
- * Each of `parts` is a run of about as many items as any other, and only its rows are written.
+ * A row is the result of vesica_index_nearest_f64 for item i. If it has fewer than k items, the rest are -1 with
+ * distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0. If an item of
+ * sets_a is invalid, its row holds -1, all other rows are right, and the call returns VESICA_E_SHAPE. Each part takes
+ * about the same number of items, and writes only their rows.
  * Requires: sets_b are those of index_b. k >= 1, and out and distance have room for k items a row. 0 <= part < parts.
- * within >= 0 is the largest distance asked for; infinity asks for any.
+ * within, the largest distance to look for, >= 0 or infinity.
  * Returns: how many items were found in all rows of the part.
  * Accuracy: distances are those of vesica_nearest_f64, bit for bit.
  */
@@ -229,7 +231,7 @@ VESICA_API int64_t vesica_join_nearest_f64(const vesica_shapes_f64 *sets_a, int3
                                            const vesica_shapes_f64 *sets_b, int32_t set_count_b, int64_t k,
                                            double within, int64_t part, int64_t parts, int64_t *out, double *distance);
 
-/* ---- float ---- */
+/* ---- The same functions with float in place of double ---- */
 
 /** As vesica_index_build_f64. */
 VESICA_API int64_t vesica_index_build_f32(const vesica_shapes_f32 *sets, int32_t set_count, void *index,

@@ -2,7 +2,8 @@
 /// vesica::Index<T>: an index that owns its memory, and loops over the pairs of two. A C++20 face of vesica.h, for
 /// programs that link the library.
 ///
-///     const vesica::Index<double> trees({vesica::shapes(circles), vesica::shapes(boxes)}), roads({vesica::shapes(rects)});
+///   const vesica::Index<double> trees({vesica::shapes(circles), vesica::shapes(boxes)}),
+///   roads({vesica::shapes(rects)});
 ///     for (const auto& [tree, road] : vesica::pairs(trees, roads)) ...
 ///
 /// The shapes stay the caller's: an index keeps the descriptors of their arrays, and the arrays must outlive it.
@@ -118,7 +119,7 @@ auto shapes(const Array& array) {
   return out;
 }
 
-/// An index of sets of shapes laid end to end. Invalid shapes are left out, and has_invalid() tells.
+/// An index of one or more sets of shapes. Invalid shapes are left out; has_invalid() says whether there were any.
 template <class T>
 class Index {
  public:
@@ -218,7 +219,7 @@ class Pairs {
    private:
     Pairs* pairs_;
   };
-  /// Begins anew; one loop at a time.
+  /// Starts the loop again; only one loop at a time.
   Iterator begin() {
     for (std::int64_t& s : state_) s = 0;
     return Iterator(*this);

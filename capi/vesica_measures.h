@@ -1,6 +1,6 @@
 /*
- * Vesica: measures beside those of vesica.h. Ratios of shared area, suppression by them; signed distances, what is
- * within a distance, matrices of distances.
+ * Vesica: more measures of two shapes. Ratios of shared area, and suppression by them; signed distances, tests whether
+ * shapes are within a distance, matrices of distances.
  *
  * SPDX-License-Identifier: Apache-2.0
  *
@@ -19,20 +19,20 @@ extern "C" {
 /* ---- Constants ---- */
 
 /* What a shared area is compared with. The hull of two shapes is the smallest box along the axes about both. */
-#define VESICA_RATIO_OVER_UNION 0   /**< shared area / area of a and b together (IoU) */
+#define VESICA_RATIO_OVER_UNION 0   /**< shared area / area of the union of a and b (IoU) */
 #define VESICA_RATIO_OVER_FIRST 1   /**< shared area / area of a (IoF) */
 #define VESICA_RATIO_OVER_SECOND 2  /**< shared area / area of b (IoA) */
 #define VESICA_RATIO_OVER_SMALLER 3 /**< shared area / the smaller of the areas (IoS) */
-#define VESICA_RATIO_GENERALIZED 4  /**< IoU - the part of the hull that neither covers (GIoU) */
+#define VESICA_RATIO_GENERALIZED 4  /**< IoU - (area of the hull that neither covers / area of the hull) (GIoU) */
 #define VESICA_RATIO_DISTANCE 5     /**< IoU - (distance of the centres / diagonal of the hull)^2 (DIoU) */
 #define VESICA_RATIO_COMPLETE 6     /**< DIoU - v^2 / (1 - IoU + v), v = (difference of angles / 90 degrees)^2 (CIoU) */
 
 /* Are two shapes within a distance of each other? */
 #define VESICA_WITHIN_NO 0     /**< they are farther apart */
-#define VESICA_WITHIN_YES 1    /**< they are not */
-#define VESICA_WITHIN_NEARLY 2 /**< with an ellipse alone: their distance is too near the one asked for to tell */
+#define VESICA_WITHIN_YES 1    /**< they are at most that far apart */
+#define VESICA_WITHIN_NEARLY 2 /**< only with an ellipse: their distance is too close to the one asked for to tell */
 
-/* How soft suppression lowers the score of a shape, by its ratio r with one that is kept. */
+/* How soft suppression lowers the score of a shape that has ratio r with a kept one. */
 #define VESICA_DECAY_LINEAR 0   /**< score * (1 - r) if r exceeds the parameter, a threshold from 0 to 1 */
 #define VESICA_DECAY_GAUSSIAN 1 /**< score * exp(-r^2 / parameter) if r > 0; the parameter is at least 2^-100 */
 
@@ -42,19 +42,19 @@ extern "C" {
  */
 
 /**
- * What share of a's area does b cover, or of b's area a? And other ratios by which detections are compared.
+ * What share of a's area does b cover? This and the other ratios by which detections are compared.
  *
- * The first four are from 0 to 1. One over a shape is 0 if no area is shared, and 1 if the other shape contains it. The
- * last three are at most the IoU, and at least -1, for CIoU -2. The angle of a shape in CIoU is that of the vector
- * (half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging the shapes exchanges
- * OVER_FIRST and OVER_SECOND, and changes no bit of the others.
+ * The first four ratios are from 0 to 1. Shared area over one shape's is 0 if no area is shared, and 1 if the other
+ * shape contains it. The last three are at most the IoU, and at least -1 (CIoU: -2). The angle of a shape in CIoU is
+ * that of the vector (half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging the
+ * shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
  * Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
  * Returns: 0.
- * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the shape whose
- * area divides has none; for the others, neither shape has one).
- * Accuracy: within 8 u of what follows from the shared area or the IoU, which are right as vesica_area_f64 and
- * vesica_iou_f64 tell, for half lengths from 2^-200 to 2^200.
- * Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; 40 to 100 in arrays.
+ * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the area to
+ * divide by is 0; or, for GIoU, DIoU and CIoU, neither shape has an area).
+ * Accuracy: computed from the result of vesica_area_f64 or vesica_iou_f64 with at most 8 u of further error, for half
+ * lengths from 2^-200 to 2^200.
+ * Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; in arrays 40 to 100 ns more.
  */
 VESICA_API int32_t vesica_ratio_f64(int32_t ratio, int32_t kind_a, const double *numbers_a, int32_t kind_b,
                                     const double *numbers_b, double *out);
@@ -62,10 +62,10 @@ VESICA_API int32_t vesica_ratio_f64(int32_t ratio, int32_t kind_a, const double 
 /**
  * A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
  *
- * Arrays and errors are those of vesica_iou_many_f64. If a pair has no ratio since an area is 0, out[i] is NaN, and the
- * call returns VESICA_E_ARGUMENT unless a shape is invalid.
+ * Arrays and errors are those of vesica_iou_many_f64. If a pair has no ratio because an area is 0, out[i] is NaN, and
+ * the call returns VESICA_E_ARGUMENT unless a shape is invalid.
  * Returns: how many are > 0.
- * Accuracy: every result has the bits of vesica_ratio_f64, on every instruction set and in every layout.
+ * Accuracy: every result has the same bits as vesica_ratio_f64, on every instruction set and in every layout.
  */
 VESICA_API int64_t vesica_ratio_many_f64(int32_t ratio, const vesica_shapes_f64 *a, const vesica_shapes_f64 *b,
                                          double *out);
@@ -73,10 +73,10 @@ VESICA_API int64_t vesica_ratio_many_f64(int32_t ratio, const vesica_shapes_f64 
 /**
  * A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f64.
  *
- * Arrays, row_stride and errors are those of vesica_iou_matrix_f64. If a pair has no ratio since an area is 0, it gets
- * NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+ * Arrays, row_stride and errors are those of vesica_iou_matrix_f64. If a pair has no ratio because an area is 0, it
+ * gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
  * Returns: how many are > 0.
- * Accuracy: every result has the bits of vesica_ratio_f64, on every instruction set and in every layout.
+ * Accuracy: every result has the same bits as vesica_ratio_f64, on every instruction set and in every layout.
  */
 VESICA_API int64_t vesica_ratio_matrix_f64(int32_t ratio, const vesica_shapes_f64 *a, const vesica_shapes_f64 *b,
                                            double *out, ptrdiff_t row_stride);
@@ -84,7 +84,7 @@ VESICA_API int64_t vesica_ratio_matrix_f64(int32_t ratio, const vesica_shapes_f6
 /* ---- Every a with every b, double: distances and depths alone, without their points or directions ----
  * Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64.
  * Errors: as vesica_iou_matrix_f64.
- * Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every layout.
+ * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
  * Since: 0.1.
  */
 
@@ -111,17 +111,17 @@ VESICA_API int64_t vesica_depth_matrix_f64(const vesica_shapes_f64 *a, const ves
 
 /* ---- Signed distance, double ----
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
- * Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.
+ * Accuracy: the same bits as vesica_nearest_f64 or, negated, vesica_depth_f64. The sign is exact.
  * Since: 0.1.
  */
 
 /**
- * How far apart are two shapes or, as a number below 0, how deep do they overlap?
+ * Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
  *
- * The distance of vesica_nearest_f64 if they are disjoint, else minus the depth of vesica_depth_f64: 0 where they only
- * touch. Exchanging the shapes changes no bit.
+ * It is the distance of vesica_nearest_f64 if they are disjoint, else minus the depth of vesica_depth_f64: 0 if they
+ * only touch. Exchanging the shapes changes no bit.
  * Returns: 0.
- * Cost: that of vesica_nearest_f64 or of vesica_depth_f64, whichever it is.
+ * Cost: that of vesica_nearest_f64 or vesica_depth_f64.
  */
 VESICA_API int32_t vesica_signed_distance_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b,
                                               const double *numbers_b, double *out);
@@ -140,22 +140,22 @@ VESICA_API int64_t vesica_signed_distance_matrix_f64(const vesica_shapes_f64 *a,
                                                      double *out, ptrdiff_t row_stride);
 
 /* ---- Within a distance, double ----
- * Requires: distance >= 0, or infinity, of which any two valid shapes are within.
+ * Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes.
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
- * Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A pair
- * with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f64 has it, is less
- * than 5 u scale from the one asked for; the answers yes and no are certain.
+ * Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no other
+ * answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f64 differs
+ * by less than 5 u scale from the one asked for.
  * Since: 0.1.
  */
 
 /**
- * Are two shapes at most `distance` apart? Exactly so far apart counts, as touching does.
+ * Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.
  *
- * Distance 0 asks what vesica_overlap_f64 does, and is exact for all kinds. Who must not miss a pair takes an answer
- * > 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the shapes changes nothing.
+ * With distance 0 the answer is that of vesica_overlap_f64, exact for all kinds. If no pair may be missed, test for
+ * > 0; if no answer may be wrong, for VESICA_WITHIN_YES. Exchanging the shapes changes nothing.
  * Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
  * Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide, as
- * it must for distances that are exact; more where exponents are wildly unlike.
+ * when the distance is met exactly; more for extreme magnitudes.
  */
 VESICA_API int32_t vesica_within_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
                                      double distance);
@@ -183,16 +183,16 @@ VESICA_API int64_t vesica_within_matrix_f64(const vesica_shapes_f64 *a, const ve
  */
 
 /**
- * Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
+ * Greedy non-maximum suppression as vesica_nms_f64, by any ratio, each label on its own.
  *
  * Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape kept before, of
- * the same label, is at most the threshold. Shapes whose score is below least_score are not looked at.
- * Requires: shapes, scores, threshold, scratch and keep as vesica_nms_f64; labels, one for each, or NULL if all are
- * alike; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be -infinity; most, how many
- * are kept at most: keep needs room for no more.
+ * the same label, is at most the threshold. Shapes whose score is below least_score are left out.
+ * Requires: shapes, scores, threshold and scratch as vesica_nms_f64; labels, one for each shape, or NULL if all are the
+ * same; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be -infinity; most, the largest
+ * number to keep; keep, with room for that number or for all shapes, whichever is less.
  * Returns: 0, and keep and *kept as vesica_nms_f64.
  * Errors: as vesica_nms_f64; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative most.
- * Cost: that of vesica_nms_f64; ratios other than IoU cost 0.1 us more a comparison.
+ * Cost: that of vesica_nms_f64; ratios other than IoU take 0.1 us more a comparison.
  */
 VESICA_API int32_t vesica_suppress_f64(const vesica_shapes_f64 *shapes, const double *scores, const int32_t *labels,
                                        int32_t ratio, double threshold, double least_score, int64_t most,
@@ -206,21 +206,21 @@ VESICA_API int32_t vesica_suppress_f64(const vesica_shapes_f64 *shapes, const do
 VESICA_API int64_t vesica_suppress_soft_scratch(int64_t count);
 
 /**
- * Soft suppression: what a better shape covers keeps a lower score.
+ * Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
  *
- * Again and again takes the shape with the highest score, of equal ones the first, keeps it, and lowers the score of
- * each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or no score is left
- * that is at least least_score. keep[k] is the shape taken in turn k, and decayed[k] the score that it then had.
+ * Repeats these steps: take the shape with the highest score, of equal ones the first; keep it; lower the score of each
+ * shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or every score left is
+ * below least_score. keep[k] is the shape kept in step k, and decayed[k] the score that it had then.
  * Requires: shapes, scores and labels as vesica_suppress_f64; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND;
  * decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score >= 0; scratch of at least
  * vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are kept.
  * Returns: 0, with *kept set to how many are kept.
- * Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and all
- * else is written.
- * Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right
- * to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every machine.
- * Floats are widened first, and only the final scores rounded.
- * Cost: for each kept shape, that of vesica_ratio_matrix_f64 with all of its label that are left.
+ * Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and the
+ * result of the others is written.
+ * Accuracy: in every step a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right
+ * to 1 unit in the last place. So the same shapes are kept, with the same bits, on every machine. The float function
+ * computes in double and rounds only the final scores.
+ * Cost: for each kept shape, that of vesica_ratio_matrix_f64 with the shapes of its label that are left.
  */
 VESICA_API int32_t vesica_suppress_soft_f64(const vesica_shapes_f64 *shapes, const double *scores,
                                             const int32_t *labels, int32_t ratio, int32_t decay, double parameter,

@@ -3,15 +3,16 @@
  *
  * SPDX-License-Identifier: Apache-2.0
  *
- * For teaching, for comparison, and for approximate work with a known bound. They are a library of their own,
+ * For teaching, for comparison, and for approximate work with a known bound. They are a separate library,
  * libvesica-methods. To know whether two shapes overlap, call vesica_overlap_f64 of vesica.h: it is exact, and mostly
  * faster.
  *
  * Exact methods evaluate an exact formula in the rounded arithmetic of the given scalar. Near contact they may err;
  * docs/methods.md counts how often. Approximate methods answer VESICA_YES, VESICA_NO or VESICA_UNCERTAIN, never a
- * guess. "Roundoff" is the scalar's: 2^-53 in double, 2^-24 in float.
+ * guess. A roundoff is 2^-53 in double and 2^-24 in float.
  *
- * The rules of vesica.h hold. Comments have the same parts: Requires, Returns, Errors, Accuracy, Cost, Since.
+ * The rules of vesica.h hold, but arguments are checked after shapes. Comments have the same parts: Requires, Returns,
+ * Errors, Accuracy, Cost, Since.
  */
 #ifndef VESICA_METHODS_H
 #define VESICA_METHODS_H
@@ -30,8 +31,8 @@ extern "C" {
 #define VESICA_UNCERTAIN 2 /**< the method cannot tell; its bound says how near to contact the shapes are */
 
 /* Schedules of the gradient descent. */
-#define VESICA_SCHEDULE_SCALE_AWARE 0 /**< steps in proportion to the pair: the same at any scale, never up */
-#define VESICA_SCHEDULE_LITERAL 1     /**< steps as printed, which fit shapes of size about 5 */
+#define VESICA_SCHEDULE_SCALE_AWARE 0 /**< steps in proportion to the pair: the same at any scale, and never uphill */
+#define VESICA_SCHEDULE_LITERAL 1     /**< steps as published, which fit shapes of size about 5 */
 
 /* Limits of arguments. */
 #define VESICA_MOST_SAMPLE_POINTS 1000         /**< the largest k of vesica_method_rect_rect_sample_points_f64, _f32 */
@@ -40,7 +41,7 @@ extern "C" {
 
 /* ---- Structs, double. They have no padding, and their layout is frozen. ---- */
 
-/** A point of a rectangle, and its level in the measure of an ellipse: -1 at the ellipse's centre, 0 on its outline. */
+/** A point of a rectangle, and its level for an ellipse: -1 at the ellipse's centre, 0 on its outline. */
 typedef struct {
     double x, y, c_min;
 } vesica_metric_closest_f64;
@@ -55,11 +56,11 @@ typedef struct {
 } vesica_turned_rect_f64;
 
 /**
- * How far an approximate method went: the bound on the error of the outline that it reached, and its iterations.
+ * How far an approximate method went: its iterations, and the bound on the error of the outline after them.
  *
- * outline_error is 2^(0.303 - 2 iterations) times the longer half axis, in units of length. No point of the inner or
- * the outer polygon is farther from the outline. It is 0 if the exact overlap answered, and may be infinite if the half
- * axis is. reserved is 0.
+ * outline_error is 2^(0.303 - 2 iterations) times the longer half axis, a length. No point of the inner or the outer
+ * polygon is farther from the outline. It is 0 if the exact overlap answered, and may be infinite if the half axis
+ * overflows. reserved is 0.
  */
 typedef struct {
     double outline_error;
@@ -119,7 +120,7 @@ VESICA_API int32_t vesica_method_rect_ellipse_all_features_f64(const vesica_rect
 
 /**
  * Rectangle and ellipse by closest features (Eberly, section 3): which of the nine regions about the rectangle holds
- * the ellipse's centre? It names at most two edges and three vertices to try.
+ * the ellipse's centre? The region leaves at most two edges and three vertices to try.
  */
 VESICA_API int32_t vesica_method_rect_ellipse_closest_features_f64(const vesica_rect_f64 *rect,
                                                                    const vesica_ellipse_f64 *ellipse);
@@ -128,7 +129,7 @@ VESICA_API int32_t vesica_method_rect_ellipse_closest_features_f64(const vesica_
  * Rectangle and ellipse by their Minkowski sum (Eberly, section 5): is the ellipse's centre in the rectangle grown by
  * the ellipse?
  *
- * Corrected: which corner's arc applies is told by the extreme points, not by the signs of the centre's coordinates.
+ * Corrected: the extreme points decide which corner's arc applies, not the signs of the centre's coordinates.
  * Cost: about 20 ns.
  */
 VESICA_API int32_t vesica_method_rect_ellipse_minkowski_sum_f64(const vesica_rect_f64 *rect,
@@ -136,12 +137,12 @@ VESICA_API int32_t vesica_method_rect_ellipse_minkowski_sum_f64(const vesica_rec
 
 /**
  * Rectangle and ellipse by the distance of a point to a parallelogram (Eberly, section 4): which point of the rectangle
- * has the least level in the measure of the ellipse?
+ * has the least level for the ellipse?
  *
  * The level is Q(X) = |X - K|^2 - 1, where K is the centre and lengths are measured so that |X - K| is 1 on the
- * outline. The result is that point, in the rectangle but for rounding, and its level c_min. If the rectangle holds the
- * ellipse's centre, it is that centre and -1. Off the line of a segment (a or b is 0) every level is infinite: then
- * c_min may be infinite, and the point is the limit for ever thinner ellipses.
+ * outline. The result is that point, in the rectangle up to rounding, and its level c_min. If the rectangle holds the
+ * ellipse's centre, it is that centre and -1. If the ellipse is a segment (a or b is 0), levels off its line are
+ * infinite: then c_min may be infinite, and the point is the limit for ever thinner ellipses.
  * Returns: 1 if they overlap, which is c_min <= 0, else 0.
  * Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the point is beyond the finite numbers).
  * Cost: about 50 ns.
@@ -165,13 +166,13 @@ VESICA_API int32_t vesica_method_rect_ellipse_point_parallelogram_distance_f64(c
 VESICA_API int32_t vesica_method_rect_rect_bounds_f64(const vesica_rect_f64 *a, const vesica_rect_f64 *b);
 
 /**
- * Two rectangles by sample points: does the other one hold a corner, or one of k evenly spaced points of the middle
- * line along the long side? Tried both ways round.
+ * Two rectangles by sample points: does one hold a corner of the other, or one of k evenly spaced points on the other's
+ * middle line along its long side? Tried both ways round.
  * Requires: k from 0 to VESICA_MOST_SAMPLE_POINTS.
  * Returns: VESICA_YES, which is certain, or VESICA_UNCERTAIN: no k makes the method exact.
  * Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_ARGUMENT (k).
- * Accuracy: with k >= 1 uncertain means this for both rectangles: of the middle line of one, of length l, no stretch of
- * l / (k + 1) lies in the other one, made smaller by 50 roundoffs of the size of the pair.
+ * Accuracy: with k >= 1 uncertain means, both ways round: no stretch of length l / (k + 1) of one's middle line, of
+ * length l, lies in the other one when that is made smaller by 50 roundoffs of the size of the pair.
  * Cost: about 30 ns, and at worst 2 ns more for each k.
  */
 VESICA_API int32_t vesica_method_rect_rect_sample_points_f64(const vesica_rect_f64 *a, const vesica_rect_f64 *b,
@@ -199,7 +200,7 @@ VESICA_API int32_t vesica_method_turned_rects_separating_lines_f64(const vesica_
  * Their signs along and across the axis are (-, -), (+, -), (+, +), (-, +), in this order.
  * Returns: 0.
  * Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_RANGE (a corner is beyond the finite numbers).
- * Accuracy: each coordinate is right to 3 roundoffs of |c| + |hx u| + |hy u|, and 2 of the smallest numbers.
+ * Accuracy: each coordinate is right to 3 roundoffs of |c| + |hx u| + |hy u| plus twice the smallest positive number.
  * Cost: about 10 ns.
  */
 VESICA_API int32_t vesica_method_rect_corners_f64(const vesica_rect_f64 *rect, double out[8]);
@@ -230,9 +231,8 @@ VESICA_API int32_t vesica_method_aabb_aabb_intervals_f64(const vesica_aabb_f64 *
  */
 
 /**
- * Circle and ellipse in closed form: the point of the ellipse nearest to the circle's centre is the root of a quartic.
- *
- * The form used takes no root of a negative number and has no cancellation.
+ * Circle and ellipse in closed form: the point of the ellipse nearest to the circle's centre follows from a root of a
+ * quartic. The form used takes no root of a negative number and has no cancellation.
  * Accuracy: may err within a few roundings of contact. An ellipse whose smaller half axis is less than about 2^-144
  * (float: 2^-18) of the largest length, such as 0, is answered exactly.
  * Cost: about 40 ns.
@@ -260,8 +260,8 @@ VESICA_API int32_t vesica_method_segment_circle_division_free_f64(const vesica_s
 /**
  * Circle and ellipse by a polygonal sandwich: one polygon inside the ellipse and one around it.
  *
- * Each iteration halves the corner that matters, until one of the polygons decides. n iterations amount to polygons of
- * 2^(2 + n) sides.
+ * Each iteration refines the corner that matters, until one of the polygons decides. n iterations are as good as
+ * polygons of 2^(2 + n) sides.
  * Accuracy: uncertain means that the outlines touch if the circle's radius is changed by less than out->outline_error
  * and 50 + 64 iterations roundoffs of the size of the pair.
  * Cost: about 35 ns, and 10 ns for each iteration done.
@@ -302,8 +302,8 @@ VESICA_API int32_t vesica_method_ellipse_ellipse_parallel_axes_f64(const vesica_
  *
  * It starts from the images of a's radius vectors. If b has a half length of at most about 2^-176 (float: 2^-22) of the
  * largest length, a and b change places. If both have, the answer is exact.
- * Accuracy: that of vesica_method_ellipse_ellipse_parallel_axes_f64, with the rounding of the images. If both are thin,
- * that is up to as many roundoffs of the product of the longer half axes over b's shorter one.
+ * Accuracy: that of vesica_method_ellipse_ellipse_parallel_axes_f64, and the rounding of the images: if both are thin,
+ * up to as many roundoffs of the product of the longer half axes over b's shorter one.
  * Cost: about 65 ns, and 10 ns for each iteration done.
  */
 VESICA_API int32_t vesica_method_ellipse_ellipse_any_axes_f64(const vesica_ellipse_f64 *a,
@@ -311,8 +311,8 @@ VESICA_API int32_t vesica_method_ellipse_ellipse_any_axes_f64(const vesica_ellip
                                                               vesica_approximation_f64 *out);
 
 /**
- * Two ellipses with any axes, from centre, radius vector and ratio: those that vesica_ellipse_from_radius_vector_f64
- * makes of these.
+ * Two ellipses with any axes, from centre, radius vector and ratio, as vesica_ellipse_from_radius_vector_f64 takes
+ * them.
  * Accuracy: that of vesica_method_ellipse_ellipse_any_axes_f64.
  * Cost: about 65 ns, and 10 ns for each iteration done.
  */
@@ -320,7 +320,7 @@ VESICA_API int32_t vesica_method_radius_vector_ellipses_any_axes_f64(const vesic
                                                                      const vesica_radius_vector_ellipse_f64 *b,
                                                                      int32_t n, vesica_approximation_f64 *out);
 
-/* ---- Distance between outlines by gradient descent, double. "Minimum Distance Between Ellipses", 2021. ----
+/* ---- Distance of outlines by gradient descent, double. "Minimum Distance Between Ellipses", 2021. ----
  * Since: 0.1.
  */
 
@@ -337,18 +337,18 @@ VESICA_API int32_t vesica_method_descent_settings_f64(int32_t schedule, vesica_d
 /**
  * Distance between the outlines of two ellipses by gradient descent over the angles of a point on each.
  *
- * Overlapping ellipses start from the nearest two of 24 vertices on each, others on the line of centres. Descent is in
- * double for both scalars. The errors of the first `capacity` iterations are written to errors; what lies beyond
- * out->iterations is untouched.
+ * Overlapping ellipses start from the nearest two of 24 vertices on each, disjoint ones on the line of centres. Descent
+ * is in double for both scalars. The errors of the first `capacity` iterations are written to errors; what lies beyond
+ * out->iterations is not written.
  * Requires: settings, or NULL for those of the scale-aware schedule; errors, with room for `capacity` numbers, or NULL
  * with capacity 0.
  * Returns: 1 if it converged, else 0, which is out->success.
  * Errors: VESICA_E_NULL, VESICA_E_SHAPE, VESICA_E_ARGUMENT (a setting, or capacity < 0), VESICA_E_RANGE (the distance
  * is beyond the finite numbers; errors may then be written).
- * Accuracy: with the scale-aware defaults the distance is never below the true one but by rounding. Let d be the
- * distance, and s the sum of d and of the larger half length of each ellipse. For disjoint ellipses the distance is
- * right to about 1e-16 s^3 / d^2. If they are nearer than about s / 1000, the iterations may run out. Outlines of
- * overlapping ellipses have several local minima: 0.4% to 3% of pairs end in one that is not the least.
+ * Accuracy: with the scale-aware defaults the distance is never below the true one, up to rounding. Let d be the
+ * distance, and s the sum of d and the larger half length of each ellipse. For disjoint ellipses the distance is right
+ * to about 1e-16 s^3 / d^2. If they are nearer than about s / 1000, the iterations may run out. Outlines of overlapping
+ * ellipses have several local minima: 0.4% to 3% of pairs end in one that is not the least.
  * Cost: 60 ns an iteration, about 18 s / d iterations.
  */
 VESICA_API int32_t vesica_method_ellipse_ellipse_distance_gradient_descent_f64(
@@ -443,7 +443,7 @@ VESICA_API int32_t vesica_method_radius_vector_ellipses_any_axes_f32(const vesic
 VESICA_API int32_t vesica_method_descent_settings_f32(int32_t schedule, vesica_descent_settings_f32 *out);
 /** As vesica_method_ellipse_ellipse_distance_gradient_descent_f64. */
 VESICA_API int32_t vesica_method_ellipse_ellipse_distance_gradient_descent_f32(
-     const vesica_ellipse_f32 *a, const vesica_ellipse_f32 *b, const vesica_descent_settings_f32 *settings,
+    const vesica_ellipse_f32 *a, const vesica_ellipse_f32 *b, const vesica_descent_settings_f32 *settings,
     vesica_descent_result_f32 *out, float *errors, int32_t capacity);
 
 #ifdef __cplusplus

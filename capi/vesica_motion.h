@@ -1,17 +1,16 @@
 /*
- * Vesica: shapes that move. Rays, casts, and the first that is hit.
+ * Vesica: shapes that move. Rays, casts, and the first of many shapes that is hit.
  *
  * SPDX-License-Identifier: Apache-2.0
  *
  * vesica.h includes this header, and both belong to one library.
  *
- * A shape a is at rest, and b is moved by t (vx, vy) while t runs from 0 to t_end. t_end may be infinite. A ray is a
- * point that moves. The velocity and t_end are exactly the numbers that are stored, and so is the product: a time of
- * contact is that of b moved without rounding. Moving b by the time and velocity in floating point may give another
- * place by a rounding.
+ * Shape a is at rest, and b is moved by t (vx, vy) while t runs from 0 to t_end, which may be infinite. A ray is a
+ * point that moves. Velocity and t_end are taken as exactly the numbers given, and their product is not rounded. If you
+ * move b by time and velocity in floating point, the place may differ by a rounding.
  *
- * Whether there is contact is exact for all valid shapes; touching counts. The time is the greatest number of its type
- * with no contact before it: the true time of first contact, rounded down.
+ * Whether there is contact is exact for all valid shapes; touching counts. The time is that of first contact, rounded
+ * down: the greatest number of its type with no contact before it.
  *
  * The rules of vesica.h hold. Comments have the same parts: Requires, Returns, Errors, Accuracy, Cost, Since.
  */
@@ -30,20 +29,20 @@ extern "C" {
 #define VESICA_CAST_MISS 0  /**< no contact from 0 to t_end */
 #define VESICA_CAST_HIT 1   /**< contact, the first after t = 0 */
 #define VESICA_CAST_START 2 /**< the shapes overlap at t = 0, as vesica_overlap_f64 tells */
-#define VESICA_CAST_NEAR 3  /**< vesica_impact_time_f64 alone: none before t, and perhaps none later */
+#define VESICA_CAST_NEAR 3  /**< only from vesica_impact_time_f64: none before t, and perhaps none later */
 
 /* ---- Motion, double ----
  * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative or
- * NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed the finite numbers; or the
- * digits of a place at some time span more than 2000 bits, which takes exponents that are wildly unlike).
+ * NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would overflow; or an exact position
+ * would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000).
  * Since: 0.1.
  */
 
 /**
- * A first contact: when, where and along which normal.
+ * A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
  *
- * (nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are NaN.
+ * After a miss t is infinity and all other numbers are NaN.
  */
 typedef struct {
     double t, x, y, nx, ny;
@@ -52,67 +51,66 @@ typedef struct {
 /**
  * Does b touch a while it moves, when first, and where?
  *
- * The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
- * there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of what
+ * The normal is that of the face or the round outline that is met; if a corner meets a corner, that of an edge there;
+ * if b only slides along a, it is perpendicular to the velocity. If two faces meet, the point is the middle of what
  * they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of
- * vesica_nearest_f64. So shapes that only touch, with a normal that does not point against the velocity, are moving
- * apart. Exchanging the shapes and turning the velocity round changes neither the answer nor the time, and the normal
- * but for its sign and rounding.
+ * vesica_nearest_f64. So shapes that only touch at the start are moving apart if the normal does not point against the
+ * velocity. Exchanging the shapes and reversing the velocity changes neither the answer nor the time; it reverses the
+ * normal, up to rounding.
  * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
- * Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along that
- * it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u.
- * Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; of a ray (b a point), two circles and two ellipses less, see
- * the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide;
- * at worst 2 ms, where exponents are wildly unlike.
+ * Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along the
+ * outline it may be off by 8 u scale / |n.v|, n and v of unit length. The normal has length 1 to 4 u.
+ * Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses, see
+ * the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms.
  */
 VESICA_API int32_t vesica_cast_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b, const double *numbers_b,
                                    double vx, double vy, double t_end, vesica_impact_f64 *out);
 
 /**
- * When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of vesica_cast_f64's
+ * When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of vesica_cast_f64's
  * result.
  *
- * Velocity i is at vx and vy + i * stride bytes; stride 0 repeats one.
- * Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers as
- * the larger count. Some, but not all, may be NULL.
- * Returns: how many touch, those that overlap at the start included.
- * Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of range has NaN
- * for its numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there is an invalid shape,
- * else the error.
- * Accuracy: every result has the bits of vesica_cast_f64.
+ * Velocity i is `i * stride` bytes after vx and vy; stride 0 repeats one velocity.
+ * Requires: velocities and t_end as vesica_cast_f64; equal counts, or one count of 1, whose shape is used for all. Each
+ * output has room for as many numbers as the larger count. Some, but not all, may be NULL.
+ * Returns: how many touch, including those that overlap at the start.
+ * Errors: those of vesica_cast_f64. An element with an invalid shape, a velocity that is not finite or a result out of
+ * range gets NaN for all its numbers, and all others are written as usual. The call then returns VESICA_E_SHAPE if a
+ * shape is invalid, else the error of such an element.
+ * Accuracy: every result has the same bits as vesica_cast_f64.
  */
 VESICA_API int64_t vesica_cast_many_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, const double *vx,
                                         const double *vy, ptrdiff_t stride, double t_end, double *t, double *x,
                                         double *y, double *nx, double *ny);
 
 /**
- * Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
- * number.
- * Requires: one, the shape that moves, is a single one (count 1).
- * Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing to `one`.
- * Errors: as above. An invalid shape anywhere is one. VESICA_E_RANGE only if vesica_cast_f64 returns it for one of the
- * shapes, and that might be touched first: where another one is certainly touched before, there is no error.
+ * Which of many shapes at rest does one moving shape touch first? If several are touched at that time, the one with the
+ * lowest index.
+ * Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f64.
+ * Returns: its index, or the count of `many` if none is touched. *out is its contact, the normal pointing to `one`.
+ * Errors: those of vesica_cast_f64. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f64
+ * returns it for a shape that might be touched first.
  */
 VESICA_API int64_t vesica_cast_first_f64(const vesica_shapes_f64 *one, const vesica_shapes_f64 *many, double vx,
                                          double vy, double t_end, vesica_impact_f64 *out);
 
 /**
- * A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+ * A box that holds a shape throughout its motion, t from 0 to t_end. The shape touches nothing outside it.
  * Returns: 0.
- * Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.
- * Accuracy: a side that does not move is that of vesica_bounds_f64. One that does is too far out by at most three steps
- * between numbers as large as the largest of the side at rest, its way and where it ends.
+ * Errors: those of vesica_cast_f64; VESICA_E_RANGE if a side would overflow.
+ * Accuracy: a side that does not move is that of vesica_bounds_f64. One that moves is too far out by at most three
+ * units in the last place of the largest of three numbers: the side at rest, the way it moves, and where it ends.
  */
 VESICA_API int32_t vesica_sweep_bounds_f64(int32_t kind, const double *numbers, double vx, double vy, double t_end,
                                            vesica_aabb_f64 *out);
 
 /**
  * Which items of an index does one moving shape touch? They come in the index's order.
- * Requires: sets are those of the index. one is a single shape (count 1). out has room for `capacity` items. With
- * capacity 0, out and state may be NULL.
+ * Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f64. out has room
+ * for `capacity` items. With capacity 0, out and state may be NULL.
  * Returns: the number of items written; with capacity 0, how many there are.
- * Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a pointer that is not
- * aligned, or a state that is not of this call. Invalid items are never touched.
+ * Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a
+ * pointer that is not aligned, or a state from another call. Invalid items are never touched.
  * Accuracy: exact.
  */
 VESICA_API int64_t vesica_index_cast_f64(const void *index, const vesica_shapes_f64 *sets, int32_t set_count,
@@ -120,56 +118,56 @@ VESICA_API int64_t vesica_index_cast_f64(const void *index, const vesica_shapes_
                                          int64_t capacity, int64_t *state);
 
 /**
- * Which item of an index does one moving shape touch first? Of several at one time the one with the lowest number.
- * Requires: sets are those of the index. one is a single shape (count 1).
- * Returns: the item, or the index's count if there is none. *out is its contact, the normal pointing to `one`.
- * Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as of vesica_cast_first_f64.
+ * Which item of an index does one moving shape touch first? If several are touched at that time, the lowest item.
+ * Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f64.
+ * Returns: the item, or the index's count if none is touched. *out is its contact, the normal pointing to `one`.
+ * Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as for vesica_cast_first_f64.
  */
 VESICA_API int64_t vesica_index_cast_first_f64(const void *index, const vesica_shapes_f64 *sets, int32_t set_count,
                                                const vesica_shapes_f64 *one, double vx, double vy, double t_end,
                                                vesica_impact_f64 *out);
 
 /**
- * How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that, in
- * radians. Positive angles turn counter-clockwise where y points up.
+ * How a shape moves while t runs from 0 to 1: the way (vx, vy) of its centre, and the angle in radians by which it
+ * turns about its centre. Positive angles turn counter-clockwise if y points up.
  */
 typedef struct {
     double vx, vy, angle;
 } vesica_turn_f64;
 
 /**
- * When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they turn,
- * there is no contact before.
+ * When do two shapes that move and turn touch first? It is proved that there is no contact before t, however thin the
+ * shapes are and however fast they turn.
  *
- * At t, from 0 to 1, a centre has moved by t (vx, vy) and an axis has turned by t times the angle, as real numbers do.
- * *out is the place then: the point of a that is nearest to b, and the normal that separates them. They are at most
- * *gap apart.
- * Requires: numbers of turn_a and turn_b finite, angles at most 2^20 in magnitude; tolerance above 0, a length. No
- * pointer may be NULL.
- * Returns: VESICA_CAST_MISS: proved, there is no contact from 0 to 1; then t is infinity, all other numbers and the gap
- * are NaN. VESICA_CAST_HIT: proved, there is contact after t. VESICA_CAST_NEAR: there may be contact after t. Of a point
- * and a segment, or two points, which have no depth in each other, contact is never proved. VESICA_CAST_START: the
- * shapes overlap at t = 0, which is exact; *out is as of vesica_cast_f64, and the gap 0.
+ * At t, from 0 to 1, a centre has moved by t (vx, vy) and an axis has turned by t times the angle, without rounding.
+ * *out describes that moment: the point of a that is nearest to b, and the normal that separates them. They are then at
+ * most *gap apart.
+ * Requires: numbers of turn_a and turn_b finite, angles at most 2^20 in magnitude; tolerance, a length > 0. No pointer
+ * may be NULL.
+ * Returns: VESICA_CAST_MISS: it is proved that there is no contact from 0 to 1; t is infinity, and all other numbers
+ * and the gap are NaN. VESICA_CAST_HIT: it is proved that there is contact after t. VESICA_CAST_NEAR: there may be
+ * contact after t; contact of a point with a segment or a point, where there is no depth, is never proved.
+ * VESICA_CAST_START: the shapes overlap at t = 0, which is exact; *out is that of vesica_cast_f64, and the gap is 0.
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the point,
- * or the gap, would exceed the finite numbers). On an error nothing is written.
- * Accuracy: that there is no contact before t, a miss and a hit are certain. The gap is at most the tolerance, unless
- * that is below what rounding allows, (120 + 4 |angles|) u times the sum of all lengths, u = 2^-53, the motion's
- * included; or 256 directions or 4096 poses were looked at.
- * Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us where one shape is round; 0.14 ms was seen at spins of
- * 10^6 radians, 1.4 ms where exponents are wildly unlike.
+ * or the gap, would overflow).
+ * Accuracy: what is said to be proved is certain. The gap is at most the tolerance, except in two cases: the tolerance
+ * is below (120 + 4 |angles|) u times the sum of all lengths, the motion's included, u = 2^-53; or the search stopped
+ * after 256 directions or 4096 poses.
+ * Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us if one shape is round; 0.14 ms was seen at spins of 10^6 radians; at worst
+ * 1.4 ms.
  * Since: 0.1.
  */
 VESICA_API int32_t vesica_impact_time_f64(int32_t kind_a, const double *numbers_a, const vesica_turn_f64 *turn_a,
                                           int32_t kind_b, const double *numbers_b, const vesica_turn_f64 *turn_b,
                                           double tolerance, vesica_impact_f64 *out, double *gap);
 
-/* ---- Casts of two given kinds, double: vesica_cast_f64 to the bit, without its choice of kinds ----
+/* ---- Casts of two given kinds, double: the same bits as vesica_cast_f64, without its dispatch by kind ----
  * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
  * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
- * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+ * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
  * Accuracy: that of vesica_cast_f64.
- * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way
- * leaves open costs what vesica_cast_f64 does of other kinds.
+ * Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what
+ * vesica_cast_f64 does for other kinds.
  * Since: 0.1.
  */
 
@@ -198,7 +196,7 @@ VESICA_API int32_t vesica_cast_circle_circle_f64(const vesica_circle_f64 *a, con
 VESICA_API int32_t vesica_cast_rect_rect_f64(const vesica_rect_f64 *a, const vesica_rect_f64 *b, double vx, double vy,
                                              double t_end, vesica_impact_f64 *out);
 
-/* ---- Motion, float: the same functions. The time is rounded down to a float: still no contact is before it. ----
+/* ---- Motion, float: the same functions. The time is rounded down to a float, so no contact is before it. ----
  * Errors: those of the double functions.
  * Since: 0.1.
  */

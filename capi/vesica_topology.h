@@ -1,5 +1,5 @@
 /*
- * Vesica: how the parts of two shapes meet. Nine-intersection matrices, and shared regions as vertices.
+ * Vesica: how the parts of two shapes meet. Nine-intersection matrices, and the vertices of shared regions.
  *
  * SPDX-License-Identifier: Apache-2.0
  *
@@ -25,14 +25,13 @@ extern "C" {
  */
 
 /**
- * The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+ * The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
  *
- * Every shape has an inside, an outline and an outside. The nine characters say of a's inside with b's inside, outline
- * and outside, then of a's outline with those three, then of a's outside, what they share: F for nothing, else the
- * dimension: 0 for single points, 1 for lines, 2 for an area. The outline of a segment is its two end points; a point
- * has none; that of a shape with area is the curve around it. A segment without length is a point; a shape with one
- * size 0 is a segment, with both a point. So a box that shares a side with another gives "FF2F11212". Exchanging the
- * shapes exchanges rows and columns.
+ * Every shape has an inside, an outline and an outside. The first three characters say what a's inside shares with b's
+ * inside, outline and outside; the next three say it of a's outline, the last three of a's outside. F means nothing, 0
+ * single points, 1 lines, 2 an area. The outline of a shape with area is the curve around it, that of a segment its two
+ * end points; a point has none. A segment without length is a point; a shape with one size 0 is a segment, with both 0
+ * a point. Two boxes side by side that share a side give "FF2F11212". Exchanging the shapes exchanges rows and columns.
  * Requires: matrix with room for VESICA_DE9IM_SIZE characters.
  * Returns: 0, and nine characters and a final NUL in matrix.
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
@@ -43,33 +42,31 @@ VESICA_API int32_t vesica_de9im_f64(int32_t kind_a, const double *numbers_a, int
                                     char *matrix);
 
 /**
- * Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
+ * Does a nine-intersection matrix match a pattern, such as "T*F**F***" for "a is within b"?
  *
- * Each character of the pattern is one of F, 0, 1 and 2, which is meant literally; T, any of 0, 1 and 2; and *, which
- * fits all.
+ * In a pattern F, 0, 1 and 2 match themselves, T matches 0, 1 and 2, and * matches all four.
  * Requires: matrix and pattern, nine such characters and a final NUL each; no T or * in the matrix.
- * Returns: 1 if it fits, 0 if not.
+ * Returns: 1 if it matches, 0 if not.
  * Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (another length or another character).
  * Accuracy: exact.
  */
 VESICA_API int32_t vesica_de9im_match(const char *matrix, const char *pattern);
 
 /**
- * The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
+ * The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
  *
- * The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle or an ellipse.
- * The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the one that is
- * lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two are a segment's
- * ends. Of the same two shapes in either order they are the same numbers, and the same bits: a zero is +0.
- * Vertices that are not used become 0.
- * Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is shared.
- * Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE (a
- * vertex, or the length of a side that makes one, exceeds the finite numbers).
- * Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has the
- * numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f64. Others are right to 4 u times the
- * largest coordinate or size of either shape.
+ * The kinds are points, segments, boxes and rectangles; a point or a segment may also meet a circle or an ellipse.
+ * The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise if y points up. The first is the one with
+ * the least y, of equal ones that with the least x, by the numbers written. One vertex is a point, two are the ends of
+ * a segment. Exchanging the shapes changes no bit; a zero is +0. Unused vertices become 0.
+ * Returns: the number of vertices, 1 to 8, or 0 if the shapes share nothing.
+ * Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_SHAPE, VESICA_E_RANGE (a
+ * vertex, or the length of a side that makes one, overflows).
+ * Accuracy: the number of vertices is exact: it is that of the true region. A corner of a shape that lies in the other
+ * keeps the stored numbers, or those of vesica_corners_of_shapes_f64 for a rectangle. Other vertices are right to 4 u
+ * times the largest coordinate or size of either shape.
  * Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
- * 300 us, where exponents are wildly unlike.
+ * 300 us.
  */
 VESICA_API int32_t vesica_intersection_f64(int32_t kind_a, const double *numbers_a, int32_t kind_b,
                                            const double *numbers_b, double vertices[16]);

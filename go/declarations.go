@@ -60,7 +60,7 @@ type Error int32
 const (
 	// ErrNull: a pointer is NULL
 	ErrNull Error = -1
-	// ErrShape: a shape is invalid; vesica_check_f64 and _f32 tell why
+	// ErrShape: a shape is invalid; vesica_check_f64 or _f32 says why
 	ErrShape Error = -2
 	// ErrKind: a kind is not one of the six
 	ErrKind Error = -3
@@ -74,7 +74,7 @@ const (
 	ErrZeroAxis Error = -7
 	// ErrInverted: an AABB's min exceeds its max
 	ErrInverted Error = -8
-	// ErrRange: a number of the result would be beyond the finite numbers of its type
+	// ErrRange: a number of the result would overflow its type
 	ErrRange Error = -9
 	// ErrIndex: bytes are not an index of this version, or are damaged
 	ErrIndex Error = -10
@@ -85,11 +85,11 @@ type JoinQuery int32
 
 // JoinQuery values.
 const (
-	// JoinOverlap: a and b share a point, as vesica_overlap_f64 tells
+	// JoinOverlap: a and b overlap, as by vesica_overlap_f64
 	JoinOverlap JoinQuery = 0
 	// JoinBounds: their bounds in the indexes do: all pairs that overlap, and some that do not
 	JoinBounds JoinQuery = 1
-	// JoinContains: a contains b, as vesica_contains_f64 tells
+	// JoinContains: a contains b, as by vesica_contains_f64
 	JoinContains JoinQuery = 2
 	// JoinInside: b contains a
 	JoinInside JoinQuery = 3
@@ -100,7 +100,7 @@ type Ratio int32
 
 // Ratio values.
 const (
-	// RatioOverUnion: shared area / area of a and b together (IoU)
+	// RatioOverUnion: shared area / area of the union of a and b (IoU)
 	RatioOverUnion Ratio = 0
 	// RatioOverFirst: shared area / area of a (IoF)
 	RatioOverFirst Ratio = 1
@@ -108,7 +108,7 @@ const (
 	RatioOverSecond Ratio = 2
 	// RatioOverSmaller: shared area / the smaller of the areas (IoS)
 	RatioOverSmaller Ratio = 3
-	// RatioGeneralized: IoU - the part of the hull that neither covers (GIoU)
+	// RatioGeneralized: IoU - (area of the hull that neither covers / area of the hull) (GIoU)
 	RatioGeneralized Ratio = 4
 	// RatioDistance: IoU - (distance of the centres / diagonal of the hull)^2 (DIoU)
 	RatioDistance Ratio = 5
@@ -127,7 +127,7 @@ const (
 	AngleDegrees Angle = 1
 	// AngleQuarters: quarter turns
 	AngleQuarters Angle = 2
-	// AngleReversed: added to a unit: angles turn from +x away from +y
+	// AngleReversed: added to a unit: angles turn the other way, from +x towards -y
 	AngleReversed Angle = 4
 )
 
@@ -149,9 +149,9 @@ type WithinResult uint8
 const (
 	// WithinNo: they are farther apart
 	WithinNo WithinResult = 0
-	// WithinYes: they are not
+	// WithinYes: they are at most that far apart
 	WithinYes WithinResult = 1
-	// WithinNearly: with an ellipse alone: their distance is too near the one asked for to tell
+	// WithinNearly: only with an ellipse: their distance is too close to the one asked for to tell
 	WithinNearly WithinResult = 2
 )
 
@@ -166,7 +166,7 @@ const (
 	CastHit CastResult = 1
 	// CastStart: the shapes overlap at t = 0, as vesica_overlap_f64 tells
 	CastStart CastResult = 2
-	// CastNear: vesica_impact_time_f64 alone: none before t, and perhaps none later
+	// CastNear: only from vesica_impact_time_f64: none before t, and perhaps none later
 	CastNear CastResult = 3
 )
 
@@ -270,8 +270,8 @@ type ClosestPoints[T Float] struct {
 	BY       T
 }
 
-// CrossingPoints: Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if they have a stretch
-// in common.
+// CrossingPoints: Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if the outlines share a
+// stretch.
 type CrossingPoints[T Float] struct {
 	Count  int32
 	Shared int32
@@ -286,9 +286,9 @@ type Penetration[T Float] struct {
 	Y     T
 }
 
-// Impact: A first contact: when, where and along which normal.
+// Impact: A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
 //
-// (nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are NaN.
+// After a miss t is infinity and all other numbers are NaN.
 type Impact[T Float] struct {
 	T  T
 	X  T
@@ -297,8 +297,8 @@ type Impact[T Float] struct {
 	NY T
 }
 
-// Turn: How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that,
-// in radians. Positive angles turn counter-clockwise where y points up.
+// Turn: How a shape moves while t runs from 0 to 1: the way (vx, vy) of its centre, and the angle in radians by which
+// it turns about its centre. Positive angles turn counter-clockwise if y points up.
 type Turn[T Float] struct {
 	VX    T
 	VY    T

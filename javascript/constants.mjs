@@ -36,7 +36,7 @@ export const CONTAINS_TOUCH = 6;
 export const EQUAL = 7;
 /** a pointer is NULL */
 export const E_NULL = -1;
-/** a shape is invalid; vesica_check_f64 and _f32 tell why */
+/** a shape is invalid; vesica_check_f64 or _f32 says why */
 export const E_SHAPE = -2;
 /** a kind is not one of the six */
 export const E_KIND = -3;
@@ -50,7 +50,7 @@ export const E_NEGATIVE_SIZE = -6;
 export const E_ZERO_AXIS = -7;
 /** an AABB's min exceeds its max */
 export const E_INVERTED = -8;
-/** a number of the result would be beyond the finite numbers of its type */
+/** a number of the result would overflow its type */
 export const E_RANGE = -9;
 /** bytes are not an index of this version, or are damaged */
 export const E_INDEX = -10;
@@ -58,17 +58,17 @@ export const ANGLE_RADIANS = 0;
 export const ANGLE_DEGREES = 1;
 /** quarter turns */
 export const ANGLE_QUARTERS = 2;
-/** added to a unit: angles turn from +x away from +y */
+/** added to a unit: angles turn the other way, from +x towards -y */
 export const ANGLE_REVERSED = 4;
-/** a and b share a point, as vesica_overlap_f64 tells */
+/** a and b overlap, as by vesica_overlap_f64 */
 export const JOIN_OVERLAP = 0;
 /** their bounds in the indexes do: all pairs that overlap, and some that do not */
 export const JOIN_BOUNDS = 1;
-/** a contains b, as vesica_contains_f64 tells */
+/** a contains b, as by vesica_contains_f64 */
 export const JOIN_CONTAINS = 2;
 /** b contains a */
 export const JOIN_INSIDE = 3;
-/** shared area / area of a and b together (IoU) */
+/** shared area / area of the union of a and b (IoU) */
 export const RATIO_OVER_UNION = 0;
 /** shared area / area of a (IoF) */
 export const RATIO_OVER_FIRST = 1;
@@ -76,7 +76,7 @@ export const RATIO_OVER_FIRST = 1;
 export const RATIO_OVER_SECOND = 2;
 /** shared area / the smaller of the areas (IoS) */
 export const RATIO_OVER_SMALLER = 3;
-/** IoU - the part of the hull that neither covers (GIoU) */
+/** IoU - (area of the hull that neither covers / area of the hull) (GIoU) */
 export const RATIO_GENERALIZED = 4;
 /** IoU - (distance of the centres / diagonal of the hull)^2 (DIoU) */
 export const RATIO_DISTANCE = 5;
@@ -84,9 +84,9 @@ export const RATIO_DISTANCE = 5;
 export const RATIO_COMPLETE = 6;
 /** they are farther apart */
 export const WITHIN_NO = 0;
-/** they are not */
+/** they are at most that far apart */
 export const WITHIN_YES = 1;
-/** with an ellipse alone: their distance is too near the one asked for to tell */
+/** only with an ellipse: their distance is too close to the one asked for to tell */
 export const WITHIN_NEARLY = 2;
 /** score * (1 - r) if r exceeds the parameter, a threshold from 0 to 1 */
 export const DECAY_LINEAR = 0;
@@ -98,7 +98,7 @@ export const CAST_MISS = 0;
 export const CAST_HIT = 1;
 /** the shapes overlap at t = 0, as vesica_overlap_f64 tells */
 export const CAST_START = 2;
-/** vesica_impact_time_f64 alone: none before t, and perhaps none later */
+/** only from vesica_impact_time_f64: none before t, and perhaps none later */
 export const CAST_NEAR = 3;
 /** characters of a nine-intersection matrix with its final NUL */
 export const DE9IM_SIZE = 10;

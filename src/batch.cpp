@@ -33,8 +33,8 @@ struct Question {
   Question<double> in_double() const noexcept { return {kernels, kind_first, kind_second}; }
 };
 
-/// Answers a block by a kernel, which takes whole vectors only. The rest lies in the last vector, which is answered a
-/// second time as a whole, or where the block is shorter than a vector, in a copy.
+/// Answers a block by a kernel, which takes whole vectors only. If elements are left over, the last whole vector of the
+/// block is answered too, so that some elements are answered twice; a block shorter than a vector is copied and padded.
 template <class T>
 class RestOfBlock {
  public:
@@ -119,7 +119,7 @@ BlockResult answer_block(const Question<T>& question, Repeat repeat, BlockKernel
   return RestOfBlock<T>(question, repeat).answer(kernel, block);
 }
 
-/// Undecided elements are asked again in double lanes, so many at a time. Up to `few` go straight to the scalar function.
+/// Undecided elements are evaluated again in double lanes, in groups. Up to `few` go straight to the scalar function.
 inline constexpr std::int32_t retry_chunk = 128, few = 8;
 
 struct RetryBlock {
@@ -175,8 +175,8 @@ struct Answerer {
     settle(queries::overlap.doubles.of[question.kind_first][question.kind_second](a, b, nullptr), block.out + i);
   }
 
-  /// Asks in double lanes for elements that a quick kernel or float lanes left undecided. What those leave undecided too is
-  /// asked one by one.
+  /// Answers elements that a quick kernel or float lanes left undecided, in double lanes. Those that double lanes leave
+  /// undecided too go to the scalar function.
   void retry(const Block<T>& block, Repeat repeat, const std::int32_t* index, std::int32_t n) noexcept {
     RetryBlock retry(n);
     gather(block.first, question.fields_first, repeat == Repeat::first, index, n, retry.first);
@@ -187,7 +187,7 @@ struct Answerer {
     for (std::int32_t i = 0; i < result.undecided; ++i) resolve(block, repeat, index[retry.open[i]]);
   }
 
-  /// Answers a whole block in double lanes: float lanes left much of it undecided, as happens near contact.
+  /// Answers a whole block in double lanes, after float lanes left much of it undecided, as happens near contact.
   void redo_in_double(const Block<T>& block, Repeat repeat) noexcept {
     const Question<double> in_double = question.in_double();
     for (std::int32_t begin = 0; begin < block.count; begin += retry_chunk) {
@@ -209,7 +209,7 @@ struct Answerer {
     }
   }
 
-  /// Answers the elements that a kernel left undecided; `final` where lanes of double know no more.
+  /// Answers the elements that a kernel left undecided. `final`: double lanes would not decide more.
   void finish(const Block<T>& block, Repeat repeat, std::int32_t undecided, bool final) noexcept {
     if (undecided <= few || final) {
       for (std::int32_t i = 0; i < undecided; ++i) resolve(block, repeat, block.undecided[i]);
@@ -220,8 +220,8 @@ struct Answerer {
     }
   }
 
-  /// Answers a block by the general kernel. Where that leaves much undecided, float lanes hand over to double lanes, and
-  /// those to the kernel that decides ties.
+  /// Answers a block by the general kernel. If much stays undecided, double lanes follow after float lanes, and then
+  /// the kernel that decides exact contacts.
   void answer_generally(Block<T>& block, Repeat repeat) noexcept {
     const bool ties_in_place = !is_float && repeat == Repeat::none && question.ties != nullptr;
     block.give_up = is_float || ties_in_place ? block.count / 4 : block.count;
@@ -245,7 +245,7 @@ struct Answerer {
     finish(block, Repeat::none, result.undecided, true);
   }
 
-  /// Answers a block by the kernel for unit axes. Where that leaves too much undecided to pay, another way is taken.
+  /// Answers a block by the kernel for unit axes. If it leaves too much undecided to pay, other kernels take over.
   void answer(Block<T>& block, Repeat repeat) noexcept {
     const BlockKernel<T> unit = question.pair.unit[static_cast<int>(repeat)];
     if (unit == question.pair.general[static_cast<int>(repeat)]) return answer_generally(block, repeat);
@@ -261,8 +261,8 @@ struct Answerer {
     finish(block, repeat, result.undecided, false);
   }
 
-  /// Whether the general kernel decides the first element that the kernel for unit axes left undecided. It does where the
-  /// cause was an axis of another length, and does not near contact.
+  /// Whether the general kernel decides the first element that the kernel for unit axes left undecided. It does where
+  /// the cause was an axis of another length, and does not near contact.
   bool general_decides(const Block<T>& block, Repeat repeat) noexcept {
     const std::int32_t i = block.undecided[0];
     std::uint8_t answer;
@@ -295,7 +295,8 @@ Block<T> make_block(const Numbers* first, const Numbers* second, std::int32_t n,
   return block;
 }
 
-/// Rows of a matrix against one block of columns after another, by the checked kernel where there is one that pays.
+/// Rows of a matrix against one block of columns after another, by a checked kernel (kernels/checked.hpp) where it
+/// pays.
 template <class T>
 class Rows {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Overlap of whole arrays: layouts, blocks, and how an undecided lane gets its exact answer.
+// Overlap of whole arrays: memory layouts, blocks, and the exact answers of undecided lanes.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct Shapes {
   Unaligned<T> field[max_fields];
 };
 
-/// What was found: how many pairs overlap, and whether any shape was invalid.
+/// How many pairs overlap, and whether any shape was invalid.
 struct Tally {
   std::int64_t overlaps = 0;
   bool invalid = false;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arrays of shapes, read a block at a time. Both engines, overlap's and that of the other queries, read through this.
+// Arrays of shapes, read a block at a time, by both engines: that of overlap (batch.cpp) and that of the other queries
+// (queries.cpp).
 #pragma once
 
 #include "batch.hpp"
@@ -17,7 +18,7 @@ inline constexpr std::int32_t block_size = 4096 / sizeof(T);
 template <class T>
 inline constexpr std::int32_t copied_block_size = 1024 / sizeof(T);
 
-/// Elements a block holds where no operand needs copying: what is spent on a block then shows less.
+/// Elements in a block if no operand needs copying: the fixed cost of a block is then shared by more elements.
 inline constexpr std::int32_t long_block_size = 4096;
 
 constexpr std::int32_t block_length(std::int64_t rest, std::int32_t size) noexcept {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Long functions of the core that several objects call are compiled in one of them. The others include this file, which
-// declares them, and then compile neither these functions nor what these alone call. The core stays header-only: with
-// VESICA_EACH_ALONE, as tests/flags has it, an object compiles all that it calls, as users' programs do.
+// Long functions of the core that several object files need are compiled in one of them. The others include this file:
+// it declares the functions extern template, so that they are not compiled again. The core stays header-only: with
+// VESICA_EACH_ALONE, as in tests/flags, an object compiles all that it calls, as users' programs do.
 #pragma once
 
 #include <vesica/area.hpp>

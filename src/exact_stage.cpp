@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What filters leave undecided, of every pair.
+// The exact stage of overlap for every pair.
 #include "compiled_once.hpp"
 
 namespace vesica {

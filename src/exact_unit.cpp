@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The exact stage and the queries that take most of it with them, compiled as one: each by itself would compile the same
+// The exact stage and the queries that use most of it, compiled as one object: each by itself would compile the same
 // predicates again.
 // NOLINTBEGIN(bugprone-suspicious-include)
 #include "exact_stage.cpp"

@@ -16,8 +16,8 @@ constexpr std::int32_t whole_vectors(std::int32_t n) noexcept {
   return (n + widest_vector - 1) / widest_vector * widest_vector;
 }
 
-/// The radius of a circle about a rectangle's centre that holds it, at most 2^-47 of itself too great. NaN, of which
-/// nothing follows, for a rectangle that is invalid or whose squares are not normal numbers.
+/// The reach of a rectangle: the radius of a circle about its centre that holds it, at most 2^-47 of itself too great.
+/// NaN, from which nothing follows, if the rectangle is invalid or its squares are not normal numbers.
 inline double reach_of(double cx, double cy, double ux, double uy, double hx, double hy) noexcept {
   constexpr double least = 0x1p-400, most = 0x1p400;
   const double uu = ux * ux + uy * uy, hh = hx * hx + hy * hy, square = uu * hh;
@@ -41,7 +41,7 @@ class NumberColumns {
     kind_ = shapes.kind;
     repeated_ = shapes.stride == 0;
     if (repeated_) n = 1;
-    // overlap_block() reads whole columns.
+    // The rest of the columns is set too, since overlap_block() reads whole columns.
     const std::int32_t end = repeated_ && known == Known::overlap ? query_block : whole_vectors(n);
     if (!read_in_place(shapes, begin, n, end)) {
       if (n < widest_vector) {
@@ -116,7 +116,7 @@ class NumberColumns {
   }
   static bool read_in_place(const Shapes<float>&, std::int64_t, std::int32_t, std::int32_t) noexcept { return false; }
 
-  /// Number by number. For few shapes a transposition would cost more than it saves.
+  /// Reads number by number. For few shapes a transposition would cost more than it saves.
   template <class T>
   void read_few(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n) noexcept {
     for (int k = 0; k < field_count(kind_); ++k) {

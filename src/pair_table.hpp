@@ -56,7 +56,7 @@ consteval bool answers() noexcept {
   }
 }
 
-/// Stands in the table for a pair that the query does not answer.
+/// The table's entry for a pair that the query does not answer.
 inline std::int32_t unknown_pair(const void*, const void*, void*) noexcept { return error_kind; }
 
 /// Query::answer for shapes read, and a result written, in place: flat numbers and the C structs are the core's shapes
@@ -73,13 +73,13 @@ template <class Query, class A, class B>
   }
 }
 
-/// A float direction cannot be turned round: a component that was rounded to 0 has lost the sign that turning gives it.
+/// A float direction must be reversed before it is rounded: a component that rounds to 0 would lose its sign.
 template <class Query, class Scalar>
 inline constexpr bool can_be_reversed =
     Query::reversal != Reversal::unknown && !(Query::reversal == Reversal::direction && std::is_same_v<Scalar, float>);
 
-/// A pair in the other order. Of a relation's code the converse would take longer than to ask in that order; the other
-/// queries that can be reversed are there in one order only.
+/// A pair in the other order. Relations are compiled in both orders, because converting a code takes longer; the other
+/// queries that can be reversed are compiled in one order only.
 template <class Query, class A, class B>
 std::int32_t answer_reversed(const void* a, const void* b, void* out) noexcept {
   using T = typename ShapeTraits<A>::Scalar;

@@ -44,7 +44,7 @@ class Engine {
  public:
   Engine(const Query& query, const KernelTable& kernels) noexcept : query_(query), kernels_(kernels) {}
 
-  /// Results of all pairs as Out; NaN, or code 0, where there is an error.
+  /// Results of all pairs as Out; for an error NaN, or code 0.
   template <class Out>
   void answer(const Pairs& pairs, Stored<Out>& out) noexcept {
     Results results;
@@ -72,7 +72,7 @@ class Engine {
     ask_scalar(query, pairs, kernel == nullptr, results);
   }
 
-  /// What is an error of the other query is looked at anew.
+  /// A pair that is an error of the other query is answered by this query's scalar function.
   void derive(const Query& query, const Pairs& pairs, Results& results) noexcept {
     const std::int32_t error = error_;
     answer(*query.asked_instead, pairs, results);
@@ -88,7 +88,7 @@ class Engine {
     return query.kernels == nullptr ? nullptr : (kernels_.queries->*query.kernels)[first][second];
   }
 
-  /// Whether that answered all.
+  /// Returns whether that answered all pairs.
   bool ask_kernel(QueryKernel kernel, const Query& query, const Pairs& pairs, Results& results) noexcept {
     double known[query_block];
     const QueryColumns asked{pairs.first().operand(), pairs.second().operand(), known};
@@ -120,7 +120,7 @@ class Engine {
     return count;
   }
 
-  /// Only the listed pairs, put side by side; what shapes that are apart share is 0.
+  /// Answers only the listed pairs, copied side by side; the others are apart and share nothing: 0.
   bool ask_kernel_of(const std::int32_t* list, std::int32_t count, QueryKernel kernel, const Pairs& pairs,
                      Results& results) noexcept {
     for (std::int32_t i = 0; i < pairs.n; ++i) results[0][i] = 0;
@@ -141,7 +141,7 @@ class Engine {
     return room.operand();
   }
 
-  /// Whether they overlap. Errors show again when the scalar function is asked.
+  /// Whether the pairs overlap. Errors are found again by the scalar function.
   void tell(const Query& query, const Pairs& pairs, const QueryColumns& asked, double (&known)[query_block]) noexcept {
     if (query.known == Known::overlap) {
       std::uint8_t bytes[query_block];
@@ -156,7 +156,7 @@ class Engine {
     if (error < 0 && error_ != error_shape) error_ = error;
   }
 
-  /// All pairs, or only those that a kernel left open by a NaN.
+  /// Calls the scalar function for all pairs, or only for those that a kernel left open by a NaN.
   void ask_scalar(const Query& query, const Pairs& pairs, bool all, Results& results) noexcept {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const PairFunction answer_pair = query.doubles.of[pairs.a.kind()][pairs.b.kind()];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Queries other than overlap, of whole arrays. Every element gets the bits that the scalar function gives.
+// Queries other than overlap, for whole arrays. Every element gets the same bits as from the scalar function.
 #pragma once
 
 #include "batch.hpp"
@@ -13,7 +13,7 @@ struct QueryTally {
 };
 
 /// columns[k][i] = number k of the result for a[i] and b[i], i < n; a column may be null. Numbers are rounded to Out
-/// once. Where there is an error they are NaN, or 0 where Out is an integer.
+/// once. For an error they are NaN, or 0 if Out is an integer.
 template <class T, class Out>
 QueryTally query_many(const Query& query, const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b,
                       std::int64_t n, Out* const* columns) noexcept;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A query is one descriptor: scalar calls and batches follow from it. Each is defined in queries/<name>.cpp.
+// The descriptor of a query, from which scalar calls and batches follow. queries/<name>.cpp defines each.
 #pragma once
 
 #include "by_kind.hpp"
@@ -15,7 +15,7 @@ enum class Known {
   reach,    // of rectangles, the radius of a circle about each
 };
 
-/// The area of a shape given by kind and flat numbers; NaN for one that is invalid or whose area is beyond the range.
+/// The area of a shape given by kind and flat numbers; NaN if the shape is invalid or its area overflows.
 using ShapeArea = double (*)(std::int32_t kind, const double* numbers) noexcept;
 
 /// A shape by its kind and flat numbers, with its area as ShapeArea gives it.
@@ -25,34 +25,34 @@ struct ShapeOfKind {
   double area;
 };
 
-/// A number that follows from another query's and the two shapes. Returns 0 or an error; out is then untouched.
+/// Computes a number from another query's number and the two shapes. Returns 0, or an error and writes nothing.
 using Derive = std::int32_t (*)(double asked, const ShapeOfKind& a, const ShapeOfKind& b, double& out) noexcept;
 
 struct Query {
   PairTable doubles, floats;
   Reversal reversal;
 
-  // What follows is about batches.
-  /// Numbers of a result; 0 where it is the returned code.
+  // The rest is for batches.
+  /// How many numbers a result has; 0 if it is the returned code.
   int numbers = 0;
-  /// The first number is a distance or a depth, of any sign: one that is not 0 stays so when it is rounded to float.
+  /// The first number is a distance or a depth, of any sign: if it is not 0, rounding to float does not make it 0.
   bool is_length = false;
-  /// A batch counts the pairs whose first number is 0 or less; otherwise those where it is positive.
+  /// A batch counts the pairs whose first number is at most 0; otherwise those whose first number is positive.
   bool counts_zero = false;
-  /// Null where the scalar function does it all.
+  /// Null if there are no kernels: the scalar function answers all.
   QueryKernels QueryTable::*kernels = nullptr;
   Known known = Known::nothing;
-  /// Set where a kernel or `derive` must know the shapes' areas.
+  /// Set if a kernel or `derive` needs the shapes' areas.
   ShapeArea shape_area = nullptr;
-  /// Set where batches ask another query. Then from_code turns its codes into this one's, where NaN stays NaN, or
-  /// derive makes its number, or a NaN for an error, into this one's.
+  /// Set if batches run another query and convert its results: from_code converts its codes (NaN stays NaN), or derive
+  /// converts its number, which is NaN for an error.
   const Query* asked_instead = nullptr;
   double (*from_code)(double code) noexcept = nullptr;
   Derive derive = nullptr;
 
   /// Columns that a batch writes.
   constexpr int columns() const noexcept { return numbers == 0 ? 1 : numbers; }
-  /// The query that batches ask.
+  /// The query that batches run.
   const Query& asked() const noexcept { return asked_instead == nullptr ? *this : *asked_instead; }
   /// Whether the query knows these kinds; both are kinds.
   bool answers(std::int32_t kind_a, std::int32_t kind_b) const noexcept {
@@ -69,8 +69,8 @@ extern const Query overlap, relation, contains, nearest, boundary_distance, dept
 
 }  // namespace queries
 
-/// Asks about two shapes given by kind and flat numbers. Returns the answer, or the error that comes first of NULL, kind
-/// and what the query looks at. `out` has room for the result, and is null where that is the returned code.
+/// Answers a query for two shapes given by kind and flat numbers. Returns the answer or the first error: NULL, then the
+/// kinds, then the query's own. `out` has room for the result; it is null if the result is the returned code.
 template <class T>
 VESICA_INLINE std::int32_t ask(const Query& query, std::int32_t kind_a, const T* a, std::int32_t kind_b, const T* b,
                                void* out) noexcept {

@@ -18,7 +18,7 @@ using Results = double[max_results][query_block];
 template <class Out>
 using Stored = Out[max_results][query_block];
 
-/// Whether any of n floats is infinite. By their bits: comparisons of floats a compiler would make one by one.
+/// Whether any of n floats is infinite. By their bits, since compilers do not vectorise comparisons of floats here.
 bool any_infinite(const float* numbers, std::int32_t n) noexcept {
   std::uint32_t any = 0;
   for (std::int32_t i = 0; i < n; ++i) any |= (std::bit_cast<std::uint32_t>(numbers[i]) & 0x7fffffffu) == 0x7f800000u;
@@ -35,7 +35,7 @@ bool any_lost(const double* lengths, const float* rounded, std::int32_t n) noexc
   return any != 0;
 }
 
-/// Where rounding to float made a length 0 or left the range: the least float, or an error.
+/// Repairs lengths that rounding to float made 0 (they become the smallest float) or infinite (an error).
 std::int32_t mend(const Query& query, std::int32_t n, const Results& results, Stored<float>& out) noexcept {
   std::int32_t error = 0;
   for (std::int32_t i = 0; i < n; ++i) {

@@ -14,7 +14,7 @@ namespace Vesica
         internal const int Version = 100;
 
         /// <summary>
-        /// <para>Version of the loaded library, to be compared with VESICA_VERSION: a smaller one is older than the
+        /// <para>Version of the loaded library. If it is below VESICA_VERSION, the library is older than the
         /// header.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -43,7 +43,7 @@ namespace Vesica
         internal static extern int vesica_version_patch();
 
         /// <summary>
-        /// <para>What an error code means, as one English phrase without a final stop.</para>
+        /// <para>What an error code means, as one English phrase without a full stop.</para>
         /// <para>Returns: static text, never NULL: "success" for answers (&gt;= 0), "unknown error" for unknown
         /// codes.</para>
         /// <para>Since: 0.1.</para>
@@ -70,10 +70,10 @@ namespace Vesica
         internal static extern IntPtr vesica_kind_name(int kind);
 
         /// <summary>
-        /// <para>Name of the instruction set that batches run on: the best that this processor has. Answers never
-        /// depend on it.</para>
-        /// <para>The environment variable VESICA_ISA forces another one. It is read once, when the library is loaded. A
-        /// name that is unknown, or of a set that the processor lacks, is ignored.</para>
+        /// <para>Name of the instruction set that batches use: the best one of this processor. Answers never depend on
+        /// it.</para>
+        /// <para>The environment variable VESICA_ISA selects another one. It is read once, when the library is loaded.
+        /// An unknown name is ignored, and so is a set that the processor lacks.</para>
         /// <para>Returns: static text: "sse2", "avx2", "avx512", "neon", "simd128" or "portable".</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -107,23 +107,23 @@ namespace Vesica
         /// (RCC-8).</para>
         /// <para>The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with
         /// one size zero, is its two end points. A point, or a shape without any size, has no outline. The inside is
-        /// all but the outline. If several relations fit, VESICA_EQUAL comes first, then those of containment, then
-        /// VESICA_CROSS. So a segment that ends on the middle of another touches it, two segments along one line that
-        /// overlap in part cross, and a point on the rim of a disc is inside with touch. Exchanging the shapes always
-        /// gives the converse relation.</para>
+        /// the shape without its outline. If several relations fit, VESICA_EQUAL comes first, then those of
+        /// containment, then VESICA_CROSS. So a segment that ends on the middle of another touches it; two segments on
+        /// one line that overlap in part cross; a point on the rim of a disc is VESICA_INSIDE_TOUCH. Exchanging the
+        /// shapes always gives the converse relation.</para>
         /// <para>Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers
         /// describe them.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
-        /// <para>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal, at worst
-        /// 30.</para>
+        /// <para>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 30
+        /// us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int vesica_relation_f64(int kindA, void* numbersA, int kindB, void* numbersB);
 
         /// <summary>
-        /// <para>Does a contain all of b? A shape contains itself, and what touches its outline from inside.</para>
+        /// <para>Does a contain all of b? A shape contains itself, and whatever touches its outline from inside.</para>
         /// <para>Returns: 1 if vesica_relation_f64 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else
         /// 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
@@ -137,19 +137,19 @@ namespace Vesica
         /// <summary>
         /// <para>Where do the outlines of two shapes meet? Touching counts.</para>
         /// <para>The outline of a shape with area is the curve around it. A segment, a point and a shape without area
-        /// are their own outlines. A contact of any order is one place. If straight outlines have a stretch in common,
-        /// its two end points are places, and out-&gt;shared is 1. So equal boxes have their four corners. Equal curves
-        /// have no single places: then the count is 0 and out-&gt;shared is 1. Places come in order along a's outline,
-        /// counter-clockwise in the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's
-        /// point C + a u, a circle's point C + (r, 0), or a segment's first end.</para>
+        /// are their own outlines. A contact counts as one place, however closely the curves touch there. If straight
+        /// outlines share a stretch, its two end points are places, and out-&gt;shared is 1; so equal boxes meet at
+        /// their four corners. Two equal curves meet everywhere: then the count is 0 and out-&gt;shared is 1. Places
+        /// come in order along a's outline, counter-clockwise in the frame of its axis. The start is a box's corner C -
+        /// hx u - hy perp(u), an ellipse's point C + a u, a circle's point C + (r, 0), or a segment's first end.</para>
         /// <para>Returns: the number of places, 0 to 8.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
         /// <para>Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either
-        /// shape, however closely the outlines touch or coincide. Places closer to one another than that may come in
-        /// either order or be equal. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest
-        /// of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size
-        /// over its shorter one.</para>
-        /// <para>Cost: 1 to 10 us; at worst 100 us, where exponents are wildly unlike.</para>
+        /// shape, even where the outlines nearly coincide. Places closer to one another than that may come in either
+        /// order or be equal. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx|
+        /// and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
+        /// "Right to x": the error is &lt;= x.</para>
+        /// <para>Cost: 1 to 10 us; at worst 100 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -160,18 +160,18 @@ namespace Vesica
         /// <para>How far apart are two solid shapes, and which of their points are closest?</para>
         /// <para>If the shapes overlap (as vesica_overlap_f64 tells), the distance is 0 and both points are one common
         /// point. If not, the distance is &gt; 0. Exchanging the shapes exchanges the points and changes no bit. Moving
-        /// both shapes by the same exact amounts changes no bit of the distance.</para>
+        /// both shapes alike changes no bit of the distance if no coordinate is rounded.</para>
         /// <para>Returns: 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
         /// <para>Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u
-        /// scale. It is right to 2 u of itself if it is above 1e-10 scale (aspect ratios up to 1e6) or above 1e-14
-        /// scale (up to 1000). Before their coordinates are rounded, closest points are within 4 u scale of the
-        /// outlines, and a common point is within 8 u scale of both shapes. Bounds on computed numbers use u = 2^-53.
-        /// The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
-        /// aspect ratio is a shape's longer size over its shorter one.</para>
+        /// scale. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up to 1e6) or 1e-14 scale (up to
+        /// 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before they are rounded.
+        /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
+        /// their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
+        /// error is &lt;= x.</para>
         /// <para>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the
-        /// other's centre; 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond
-        /// 2^+-40; at worst 40.</para>
+        /// other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at
+        /// worst 40 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -184,18 +184,18 @@ namespace Vesica
         /// size are their own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both.
         /// If shapes are disjoint, the result is that of vesica_nearest_f64. If one is strictly inside the other, the
         /// distance is the least over the whole outline, never a local minimum. Which case holds is decided exactly.
-        /// Exchanging the shapes exchanges the points and changes no bit. Moving both shapes by the same exact amounts
-        /// changes no bit of the distance.</para>
+        /// Exchanging the shapes exchanges the points and changes no bit. Moving both shapes alike changes no bit of
+        /// the distance if no coordinate is rounded.</para>
         /// <para>Returns: 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
         /// <para>Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far
-        /// apart to 16 u scale. At any, it is above 0 if outlines do not meet, and points are on them to 12 u scale
+        /// apart to 16 u scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale
         /// before they are rounded. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of
-        /// |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over
-        /// its shorter one.</para>
-        /// <para>Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for
-        /// few; 0.5 to 2 us for a common point, of needles as vesica_crossings_f64; 5 us more if exact arithmetic must
-        /// tell; at worst 100 us.</para>
+        /// |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
+        /// "Right to x": the error is &lt;= x.</para>
+        /// <para>Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us
+        /// more; 0.5 to 2 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties;
+        /// at worst 100 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -206,28 +206,27 @@ namespace Vesica
         /// <para>Penetration depth: how far and which way must b be moved until the two shapes only touch?</para>
         /// <para>Moving b by out-&gt;depth along the unit vector (x, y) is the shortest translation after which a line
         /// separates the shapes: a on one side, b on the other, where both may touch the line. For disjoint shapes all
-        /// three numbers are 0. Overlapping shapes always get a direction. Their depth is 0 if such a line is there
-        /// already: if they touch from outside, if a point lies on an outline, or if points and segments lie along one
-        /// line. Otherwise the depth is &gt; 0. Exchanging the shapes reverses the direction and changes no other bit,
-        /// except for two equal shapes in one place. Moving both shapes by the same exact amounts changes no
-        /// bit.</para>
+        /// three numbers are 0. Overlapping shapes always get a direction. Their depth is 0 if such a line exists
+        /// without a move: if they touch from outside, if a point lies on an outline, or if points and segments lie
+        /// along one line. Otherwise the depth is &gt; 0. Exchanging the shapes reverses the direction and changes no
+        /// other bit, except for two equal shapes in one place. Moving both shapes alike changes no bit if no
+        /// coordinate is rounded.</para>
         /// <para>Returns: 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
-        /// <para>Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; of two circles, and of a point
-        /// and a circle, to its last place. The length of (x, y) is 1 but for 3 u, and it moves b clear but for 8 u
-        /// scale. Whether the depth is 0 is exact. Bounds on computed numbers use u = 2^-53. The scale of two shapes is
-        /// the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's
-        /// longer size over its shorter one.</para>
-        /// <para>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of
-        /// these; up to 5 us if only exact arithmetic can tell the depth from 0; at worst 40 us, where exponents are
-        /// wildly unlike.</para>
+        /// <para>Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its
+        /// last place. The length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether
+        /// the depth is 0 is exact. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of
+        /// |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
+        /// "Right to x": the error is &lt;= x.</para>
+        /// <para>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to
+        /// 5 us if only exact arithmetic can tell the depth from 0; at worst 40 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int vesica_depth_f64(int kindA, void* numbersA, int kindB, void* numbersB, void* output);
 
         /// <summary>
-        /// <para>Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a
+        /// <para>Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a
         /// segment.</para>
         /// <para>Returns: 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
@@ -248,13 +247,12 @@ namespace Vesica
         /// bit. Scaling both by a power of two scales the area by its square.</para>
         /// <para>Returns: 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
-        /// <para>Accuracy: within 64 u of the smaller shape's area times the larger aspect ratio, at aspect ratios up
-        /// to 10^4, however near the outlines are to touching or coinciding and however different the sizes are. Bounds
-        /// on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
-        /// centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.</para>
+        /// <para>Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios
+        /// up to 10^4, even if the outlines nearly touch or coincide and whatever the sizes are. Bounds on computed
+        /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
+        /// their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us
-        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us, where exponents are
-        /// wildly unlike.</para>
+        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -263,13 +261,13 @@ namespace Vesica
         /// <summary>
         /// <para>Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover
         /// together.</para>
-        /// <para>It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Nothing overflows or
-        /// underflows on the way, whatever the sizes. Exchanging the shapes, or scaling both by a power of two, changes
-        /// no bit.</para>
+        /// <para>It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Intermediate results
+        /// never overflow or underflow. Exchanging the shapes, or scaling both by a power of two, changes no
+        /// bit.</para>
         /// <para>Returns: 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (neither shape has an
         /// area).</para>
-        /// <para>Accuracy: the bound of vesica_area_f64, over the area of the union.</para>
+        /// <para>Accuracy: the bound of vesica_area_f64, divided by the area of the union.</para>
         /// <para>Cost: that of vesica_area_f64 and of vesica_shape_area_f64 twice.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -282,8 +280,8 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
         /// <para>Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is
         /// exact.</para>
-        /// <para>Cost: up to 80 ns; 1 to 3 us for magnitudes beyond 2^+-400, and for an ellipse with an oblique axis
-        /// and representable sides; at worst 20 us.</para>
+        /// <para>Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an
+        /// oblique axis and representable sides; at worst 20 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -306,9 +304,9 @@ namespace Vesica
         /// 0.</para>
         /// <para>Returns: 0; the shape is valid.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.</para>
-        /// <para>Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No number is exactly a
-        /// quarter turn, so the axis of one is parallel to a coordinate axis only to that rounding. Sizes are exact: if
-        /// halving one would round (an odd multiple of the smallest subnormal number), the axis is halved
+        /// <para>Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No double is exactly pi/2,
+        /// so a quarter turn has an exact axis only by vesica_rects_from_boxes_f64, which takes degrees too. Sizes are
+        /// exact: if halving one would round (an odd multiple of the smallest subnormal number), the axis is halved
         /// instead.</para>
         /// <para>Cost: about 40 ns.</para>
         /// <para>Since: 0.1.</para>
@@ -327,8 +325,8 @@ namespace Vesica
         /// <para>Returns: 0; the shape is valid.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent overflows).</para>
         /// <para>Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of
-        /// the longer one; the centre is right to 1 unit in its own. To both comes 2^-98 times the largest coordinate.
-        /// The corners of an axis-parallel rectangle give exactly it if its centre and half extents are
+        /// the longer one; the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the largest
+        /// coordinate. A rectangle along the coordinate axes is found exactly if its centre and half extents are
         /// representable.</para>
         /// <para>Cost: about 110 ns.</para>
         /// <para>Since: 0.1.</para>
@@ -341,7 +339,7 @@ namespace Vesica
         /// <para>Requires: the angle in radians, counter-clockwise from +x if y points up; a, b &gt;= 0.</para>
         /// <para>Returns: 0; the shape is valid.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.</para>
-        /// <para>Accuracy: the axis as that of vesica_rect_from_angle_f64; half lengths are exact.</para>
+        /// <para>Accuracy: the axis is that of vesica_rect_from_angle_f64; half lengths are exact.</para>
         /// <para>Cost: about 40 ns.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -373,7 +371,7 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k &lt; 0), VESICA_E_ARGUMENT (not
         /// a covariance), VESICA_E_RANGE (a half length overflows).</para>
         /// <para>Accuracy: half lengths and both components of the axis are right to 8 units in their own last place,
-        /// however near the matrix is to a singular one or to a circle's.</para>
+        /// even if the matrix is nearly singular or nearly a circle's.</para>
         /// <para>Cost: about 90 ns.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -388,7 +386,7 @@ namespace Vesica
         /// <para>Requires: M positive definite as stored.</para>
         /// <para>Returns: 0; the shape is valid.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_ARGUMENT (not positive definite).</para>
-        /// <para>Accuracy: that of vesica_ellipse_from_covariance_f64; no half length overflows.</para>
+        /// <para>Accuracy: that of vesica_ellipse_from_covariance_f64. No half length overflows.</para>
         /// <para>Cost: about 90 ns.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -403,13 +401,13 @@ namespace Vesica
         /// may be NULL.</para>
         /// <para>Returns: how many are 1.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree,
-        /// reserved is not 0, or an array that is beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
+        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
+        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float
-        /// (see README.md).</para>
+        /// <para>Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in
+        /// float.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -422,10 +420,10 @@ namespace Vesica
         /// may be NULL.</para>
         /// <para>Returns: how many are not VESICA_DISJOINT.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree,
-        /// reserved is not 0, or an array that is beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
+        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
+        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -439,10 +437,10 @@ namespace Vesica
         /// may be NULL.</para>
         /// <para>Returns: how many are 1.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree,
-        /// reserved is not 0, or an array that is beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
+        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
+        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -457,10 +455,10 @@ namespace Vesica
         /// may be NULL.</para>
         /// <para>Returns: how many pairs overlap (distance 0).</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree,
-        /// reserved is not 0, or an array that is beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
+        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
+        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -476,10 +474,10 @@ namespace Vesica
         /// may be NULL.</para>
         /// <para>Returns: how many pairs of outlines meet (distance 0).</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree,
-        /// reserved is not 0, or an array that is beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
+        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
+        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -494,10 +492,10 @@ namespace Vesica
         /// may be NULL.</para>
         /// <para>Returns: how many depths are &gt; 0.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree,
-        /// reserved is not 0, or an array that is beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
+        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
+        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -511,10 +509,10 @@ namespace Vesica
         /// may be NULL.</para>
         /// <para>Returns: how many areas are &gt; 0.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree,
-        /// reserved is not 0, or an array that is beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
+        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
+        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -530,10 +528,10 @@ namespace Vesica
         /// may be NULL.</para>
         /// <para>Returns: how many are &gt; 0.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree,
-        /// reserved is not 0, or an array that is beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
+        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
+        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -547,12 +545,12 @@ namespace Vesica
         /// run backwards in memory.</para>
         /// <para>Returns: how many are 1.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows
-        /// that overlap, or an array or rows beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out
+        /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or
+        /// an array or rows that exceed the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: that of one shape against many, however large the arrays are.</para>
+        /// <para>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -565,12 +563,12 @@ namespace Vesica
         /// run backwards in memory.</para>
         /// <para>Returns: how many are not VESICA_DISJOINT.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows
-        /// that overlap, or an array or rows beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out
+        /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or
+        /// an array or rows that exceed the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: that of one shape against many, however large the arrays are.</para>
+        /// <para>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -583,12 +581,12 @@ namespace Vesica
         /// run backwards in memory.</para>
         /// <para>Returns: how many are 1.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows
-        /// that overlap, or an array or rows beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out
+        /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or
+        /// an array or rows that exceed the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: that of one shape against many, however large the arrays are.</para>
+        /// <para>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -601,12 +599,12 @@ namespace Vesica
         /// run backwards in memory.</para>
         /// <para>Returns: how many are &gt; 0.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows
-        /// that overlap, or an array or rows beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out
+        /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or
+        /// an array or rows that exceed the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: that of one shape against many, however large the arrays are.</para>
+        /// <para>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -621,12 +619,12 @@ namespace Vesica
         /// run backwards in memory.</para>
         /// <para>Returns: how many are &gt; 0.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows
-        /// that overlap, or an array or rows beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out
+        /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or
+        /// an array or rows that exceed the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: that of one shape against many, however large the arrays are.</para>
+        /// <para>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -637,11 +635,11 @@ namespace Vesica
         /// order.</para>
         /// <para>Requires: one, an array of count 1; capacity, how many indices out has room for. It may be 0, and out
         /// then NULL.</para>
-        /// <para>Returns: how many there are, even if that is beyond the capacity. If room is left, the entry after the
+        /// <para>Returns: how many there are, even if that exceeds the capacity. If room is left, the entry after the
         /// last is -1.</para>
-        /// <para>Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the indices of valid ones are
-        /// written; -1 or the capacity ends them. Before anything is written: VESICA_E_NULL, VESICA_E_KIND,
-        /// VESICA_E_ARGUMENT (one's count is not 1, a negative capacity, and as vesica_overlap_many_f64).</para>
+        /// <para>Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the others are written as usual,
+        /// up to the -1 or the capacity. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT
+        /// (one's count is not 1, a negative capacity, and as vesica_overlap_many_f64).</para>
         /// <para>Accuracy: every answer is that of vesica_overlap_f64.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -649,8 +647,9 @@ namespace Vesica
         internal static extern long vesica_overlap_select_f64(void* one, void* many, void* output, long capacity);
 
         /// <summary>
-        /// <para>Bytes of scratch memory that vesica_nms_f64 and vesica_nms_f32 need for that many shapes.</para>
-        /// <para>Returns: about 97 bytes for each, and 380,416.</para>
+        /// <para>How many bytes of scratch do vesica_nms_f64, vesica_suppress_f64 and their float forms need for
+        /// `count` shapes?</para>
+        /// <para>Returns: 380,416 bytes and about 97 a shape.</para>
         /// <para>Errors: VESICA_E_ARGUMENT (a negative count, or one above 2147483647).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -660,18 +659,18 @@ namespace Vesica
         /// <summary>
         /// <para>Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps
         /// each one whose vesica_iou_f64 with every shape kept before is at most the threshold.</para>
-        /// <para>Equal scores go by index, and infinite scores are legal. At threshold 1 all shapes are kept.</para>
+        /// <para>Of equal scores the lower index comes first. Infinite scores are legal. At threshold 1 all shapes are
+        /// kept.</para>
         /// <para>Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from
         /// 0 to 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for
         /// all indices.</para>
-        /// <para>Returns: 0. keep has the indices of the kept shapes in the order of their scores, and *kept how many
-        /// they are. What follows them in keep is not written.</para>
-        /// <para>Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: the result is that without it, and
-        /// is written. Before anything is written: VESICA_E_NULL (if there are no shapes, only shapes and kept are
-        /// looked at), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as
-        /// vesica_overlap_many_f64, threshold, too little scratch).</para>
-        /// <para>Cost: an index, sorting, and an IoU where bounds and areas allow one above the threshold: 0.3 to 1.2
-        /// us a shape.</para>
+        /// <para>Returns: 0, with *kept set to how many are kept. keep has their indices in the order of their scores;
+        /// the rest of keep is not written.</para>
+        /// <para>Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of
+        /// the others is written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may
+        /// be NULL), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64,
+        /// threshold, too little scratch).</para>
+        /// <para>Cost: 0.3 to 1.2 us a shape.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -705,23 +704,23 @@ namespace Vesica
         /// (RCC-8).</para>
         /// <para>The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with
         /// one size zero, is its two end points. A point, or a shape without any size, has no outline. The inside is
-        /// all but the outline. If several relations fit, VESICA_EQUAL comes first, then those of containment, then
-        /// VESICA_CROSS. So a segment that ends on the middle of another touches it, two segments along one line that
-        /// overlap in part cross, and a point on the rim of a disc is inside with touch. Exchanging the shapes always
-        /// gives the converse relation.</para>
+        /// the shape without its outline. If several relations fit, VESICA_EQUAL comes first, then those of
+        /// containment, then VESICA_CROSS. So a segment that ends on the middle of another touches it; two segments on
+        /// one line that overlap in part cross; a point on the rim of a disc is VESICA_INSIDE_TOUCH. Exchanging the
+        /// shapes always gives the converse relation.</para>
         /// <para>Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers
         /// describe them.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
-        /// <para>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal, at worst
-        /// 30.</para>
+        /// <para>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 30
+        /// us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int vesica_relation_f32(int kindA, void* numbersA, int kindB, void* numbersB);
 
         /// <summary>
-        /// <para>Does a contain all of b? A shape contains itself, and what touches its outline from inside.</para>
+        /// <para>Does a contain all of b? A shape contains itself, and whatever touches its outline from inside.</para>
         /// <para>Returns: 1 if vesica_relation_f32 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else
         /// 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
@@ -735,20 +734,20 @@ namespace Vesica
         /// <summary>
         /// <para>Where do the outlines of two shapes meet? Touching counts.</para>
         /// <para>The outline of a shape with area is the curve around it. A segment, a point and a shape without area
-        /// are their own outlines. A contact of any order is one place. If straight outlines have a stretch in common,
-        /// its two end points are places, and out-&gt;shared is 1. So equal boxes have their four corners. Equal curves
-        /// have no single places: then the count is 0 and out-&gt;shared is 1. Places come in order along a's outline,
-        /// counter-clockwise in the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's
-        /// point C + a u, a circle's point C + (r, 0), or a segment's first end.</para>
+        /// are their own outlines. A contact counts as one place, however closely the curves touch there. If straight
+        /// outlines share a stretch, its two end points are places, and out-&gt;shared is 1; so equal boxes meet at
+        /// their four corners. Two equal curves meet everywhere: then the count is 0 and out-&gt;shared is 1. Places
+        /// come in order along a's outline, counter-clockwise in the frame of its axis. The start is a box's corner C -
+        /// hx u - hy perp(u), an ellipse's point C + a u, a circle's point C + (r, 0), or a segment's first end.</para>
         /// <para>Returns: the number of places, 0 to 8.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
         /// <para>Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either
-        /// shape, however closely the outlines touch or coincide. Places closer to one another than that may come in
-        /// either order or be equal. Each number is computed in double, within these bounds, and then rounded to float
-        /// once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-        /// between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
-        /// one.</para>
-        /// <para>Cost: 1 to 10 us; at worst 100 us, where exponents are wildly unlike.</para>
+        /// shape, even where the outlines nearly coincide. Places closer to one another than that may come in either
+        /// order or be equal. Each number is computed in double, within these bounds, and then rounded to float once.
+        /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
+        /// their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
+        /// error is &lt;= x.</para>
+        /// <para>Cost: 1 to 10 us; at worst 100 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -759,19 +758,18 @@ namespace Vesica
         /// <para>How far apart are two solid shapes, and which of their points are closest?</para>
         /// <para>If the shapes overlap (as vesica_overlap_f32 tells), the distance is 0 and both points are one common
         /// point. If not, the distance is &gt; 0. Exchanging the shapes exchanges the points and changes no bit. Moving
-        /// both shapes by the same exact amounts changes no bit of the distance.</para>
+        /// both shapes alike changes no bit of the distance if no coordinate is rounded.</para>
         /// <para>Returns: 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
         /// <para>Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u
-        /// scale. It is right to 2 u of itself if it is above 1e-10 scale (aspect ratios up to 1e6) or above 1e-14
-        /// scale (up to 1000). Before their coordinates are rounded, closest points are within 4 u scale of the
-        /// outlines, and a common point is within 8 u scale of both shapes. Each number is computed in double, within
-        /// these bounds, and then rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of two
-        /// shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a
-        /// shape's longer size over its shorter one.</para>
+        /// scale. Its relative error is at most 2 u above 1e-10 scale (aspect ratios up to 1e6) or 1e-14 scale (up to
+        /// 1000). Closest points are right to 4 u scale, and a common point to 8 u scale, before they are rounded. Each
+        /// number is computed in double, within these bounds, and then rounded to float once. Bounds on computed
+        /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
+        /// their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the
-        /// other's centre; 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond
-        /// 2^+-40; at worst 40.</para>
+        /// other's centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at
+        /// worst 40 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -784,19 +782,19 @@ namespace Vesica
         /// size are their own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both.
         /// If shapes are disjoint, the result is that of vesica_nearest_f32. If one is strictly inside the other, the
         /// distance is the least over the whole outline, never a local minimum. Which case holds is decided exactly.
-        /// Exchanging the shapes exchanges the points and changes no bit. Moving both shapes by the same exact amounts
-        /// changes no bit of the distance.</para>
+        /// Exchanging the shapes exchanges the points and changes no bit. Moving both shapes alike changes no bit of
+        /// the distance if no coordinate is rounded.</para>
         /// <para>Returns: 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
         /// <para>Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far
-        /// apart to 16 u scale. At any, it is above 0 if outlines do not meet, and points are on them to 12 u scale
+        /// apart to 16 u scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale
         /// before they are rounded. Each number is computed in double, within these bounds, and then rounded to float
         /// once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-        /// between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
-        /// one.</para>
-        /// <para>Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for
-        /// few; 0.5 to 2 us for a common point, of needles as vesica_crossings_f32; 5 us more if exact arithmetic must
-        /// tell; at worst 100 us.</para>
+        /// between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x":
+        /// the error is &lt;= x.</para>
+        /// <para>Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us
+        /// more; 0.5 to 2 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties;
+        /// at worst 100 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -807,29 +805,28 @@ namespace Vesica
         /// <para>Penetration depth: how far and which way must b be moved until the two shapes only touch?</para>
         /// <para>Moving b by out-&gt;depth along the unit vector (x, y) is the shortest translation after which a line
         /// separates the shapes: a on one side, b on the other, where both may touch the line. For disjoint shapes all
-        /// three numbers are 0. Overlapping shapes always get a direction. Their depth is 0 if such a line is there
-        /// already: if they touch from outside, if a point lies on an outline, or if points and segments lie along one
-        /// line. Otherwise the depth is &gt; 0. Exchanging the shapes reverses the direction and changes no other bit,
-        /// except for two equal shapes in one place. Moving both shapes by the same exact amounts changes no
-        /// bit.</para>
+        /// three numbers are 0. Overlapping shapes always get a direction. Their depth is 0 if such a line exists
+        /// without a move: if they touch from outside, if a point lies on an outline, or if points and segments lie
+        /// along one line. Otherwise the depth is &gt; 0. Exchanging the shapes reverses the direction and changes no
+        /// other bit, except for two equal shapes in one place. Moving both shapes alike changes no bit if no
+        /// coordinate is rounded.</para>
         /// <para>Returns: 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
-        /// <para>Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; of two circles, and of a point
-        /// and a circle, to its last place. The length of (x, y) is 1 but for 3 u, and it moves b clear but for 8 u
-        /// scale. Whether the depth is 0 is exact. Each number is computed in double, within these bounds, and then
-        /// rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of
-        /// |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over
-        /// its shorter one.</para>
-        /// <para>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of
-        /// these; up to 5 us if only exact arithmetic can tell the depth from 0; at worst 40 us, where exponents are
-        /// wildly unlike.</para>
+        /// <para>Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its
+        /// last place. The length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether
+        /// the depth is 0 is exact. Each number is computed in double, within these bounds, and then rounded to float
+        /// once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
+        /// between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x":
+        /// the error is &lt;= x.</para>
+        /// <para>Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to
+        /// 5 us if only exact arithmetic can tell the depth from 0; at worst 40 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int vesica_depth_f32(int kindA, void* numbersA, int kindB, void* numbersB, void* output);
 
         /// <summary>
-        /// <para>Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a
+        /// <para>Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a
         /// segment.</para>
         /// <para>Returns: 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
@@ -850,14 +847,13 @@ namespace Vesica
         /// bit. Scaling both by a power of two scales the area by its square.</para>
         /// <para>Returns: 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
-        /// <para>Accuracy: within 64 u of the smaller shape's area times the larger aspect ratio, at aspect ratios up
-        /// to 10^4, however near the outlines are to touching or coinciding and however different the sizes are. Each
-        /// number is computed in double, within these bounds, and then rounded to float once. Bounds on computed
-        /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
-        /// their half lengths. An aspect ratio is a shape's longer size over its shorter one.</para>
+        /// <para>Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios
+        /// up to 10^4, even if the outlines nearly touch or coincide and whatever the sizes are. Each number is
+        /// computed in double, within these bounds, and then rounded to float once. Bounds on computed numbers use u =
+        /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+        /// lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us
-        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us, where exponents are
-        /// wildly unlike.</para>
+        /// if outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -866,13 +862,13 @@ namespace Vesica
         /// <summary>
         /// <para>Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover
         /// together.</para>
-        /// <para>It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Nothing overflows or
-        /// underflows on the way, whatever the sizes. Exchanging the shapes, or scaling both by a power of two, changes
-        /// no bit.</para>
+        /// <para>It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Intermediate results
+        /// never overflow or underflow. Exchanging the shapes, or scaling both by a power of two, changes no
+        /// bit.</para>
         /// <para>Returns: 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (neither shape has an
         /// area).</para>
-        /// <para>Accuracy: the bound of vesica_area_f32, over the area of the union.
+        /// <para>Accuracy: the bound of vesica_area_f32, divided by the area of the union.
         /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
         /// <para>Cost: that of vesica_area_f32 and of vesica_shape_area_f32 twice.</para>
         /// <para>Since: 0.1.</para>
@@ -886,8 +882,8 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
         /// <para>Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is
         /// exact.</para>
-        /// <para>Cost: up to 80 ns; 1 to 3 us for magnitudes beyond 2^+-400, and for an ellipse with an oblique axis
-        /// and representable sides; at worst 20 us.</para>
+        /// <para>Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an
+        /// oblique axis and representable sides; at worst 20 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -909,9 +905,9 @@ namespace Vesica
         /// 0.</para>
         /// <para>Returns: 0; the shape is valid.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.</para>
-        /// <para>Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No number is exactly a
-        /// quarter turn, so the axis of one is parallel to a coordinate axis only to that rounding. Sizes are exact: if
-        /// halving one would round (an odd multiple of the smallest subnormal number), the axis is halved
+        /// <para>Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No double is exactly pi/2,
+        /// so a quarter turn has an exact axis only by vesica_rects_from_boxes_f32, which takes degrees too. Sizes are
+        /// exact: if halving one would round (an odd multiple of the smallest subnormal number), the axis is halved
         /// instead.</para>
         /// <para>Cost: about 40 ns.</para>
         /// <para>Since: 0.1.</para>
@@ -930,8 +926,8 @@ namespace Vesica
         /// <para>Returns: 0; the shape is valid.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent overflows).</para>
         /// <para>Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of
-        /// the longer one; the centre is right to 1 unit in its own. To both comes 2^-98 times the largest coordinate.
-        /// The corners of an axis-parallel rectangle give exactly it if its centre and half extents are
+        /// the longer one; the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the largest
+        /// coordinate. A rectangle along the coordinate axes is found exactly if its centre and half extents are
         /// representable.</para>
         /// <para>Cost: about 110 ns.</para>
         /// <para>Since: 0.1.</para>
@@ -944,7 +940,7 @@ namespace Vesica
         /// <para>Requires: the angle in radians, counter-clockwise from +x if y points up; a, b &gt;= 0.</para>
         /// <para>Returns: 0; the shape is valid.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.</para>
-        /// <para>Accuracy: the axis as that of vesica_rect_from_angle_f32; half lengths are exact.</para>
+        /// <para>Accuracy: the axis is that of vesica_rect_from_angle_f32; half lengths are exact.</para>
         /// <para>Cost: about 40 ns.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -976,7 +972,7 @@ namespace Vesica
         /// <para>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k &lt; 0), VESICA_E_ARGUMENT (not
         /// a covariance), VESICA_E_RANGE (a half length overflows).</para>
         /// <para>Accuracy: half lengths and both components of the axis are right to 8 units in their own last place,
-        /// however near the matrix is to a singular one or to a circle's.</para>
+        /// even if the matrix is nearly singular or nearly a circle's.</para>
         /// <para>Cost: about 90 ns.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -991,7 +987,7 @@ namespace Vesica
         /// <para>Requires: M positive definite as stored.</para>
         /// <para>Returns: 0; the shape is valid.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_ARGUMENT (not positive definite).</para>
-        /// <para>Accuracy: that of vesica_ellipse_from_covariance_f32; no half length overflows.</para>
+        /// <para>Accuracy: that of vesica_ellipse_from_covariance_f32. No half length overflows.</para>
         /// <para>Cost: about 90 ns.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1006,13 +1002,13 @@ namespace Vesica
         /// may be NULL.</para>
         /// <para>Returns: how many are 1.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree,
-        /// reserved is not 0, or an array that is beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
+        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
+        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float
-        /// (see README.md).</para>
+        /// <para>Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in
+        /// float.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1025,10 +1021,10 @@ namespace Vesica
         /// may be NULL.</para>
         /// <para>Returns: how many are not VESICA_DISJOINT.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree,
-        /// reserved is not 0, or an array that is beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
+        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
+        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1042,10 +1038,10 @@ namespace Vesica
         /// may be NULL.</para>
         /// <para>Returns: how many are 1.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree,
-        /// reserved is not 0, or an array that is beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
+        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
+        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1060,10 +1056,10 @@ namespace Vesica
         /// may be NULL.</para>
         /// <para>Returns: how many pairs overlap (distance 0).</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree,
-        /// reserved is not 0, or an array that is beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
+        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
+        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1079,10 +1075,10 @@ namespace Vesica
         /// may be NULL.</para>
         /// <para>Returns: how many pairs of outlines meet (distance 0).</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree,
-        /// reserved is not 0, or an array that is beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
+        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
+        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1097,10 +1093,10 @@ namespace Vesica
         /// may be NULL.</para>
         /// <para>Returns: how many depths are &gt; 0.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree,
-        /// reserved is not 0, or an array that is beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
+        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
+        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1114,10 +1110,10 @@ namespace Vesica
         /// may be NULL.</para>
         /// <para>Returns: how many areas are &gt; 0.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree,
-        /// reserved is not 0, or an array that is beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
+        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
+        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1133,10 +1129,10 @@ namespace Vesica
         /// may be NULL.</para>
         /// <para>Returns: how many are &gt; 0.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree,
-        /// reserved is not 0, or an array that is beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and
+        /// outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved
+        /// is not 0, or an array that exceeds the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1150,12 +1146,12 @@ namespace Vesica
         /// run backwards in memory.</para>
         /// <para>Returns: how many are 1.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows
-        /// that overlap, or an array or rows beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out
+        /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or
+        /// an array or rows that exceed the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: that of one shape against many, however large the arrays are.</para>
+        /// <para>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1168,12 +1164,12 @@ namespace Vesica
         /// run backwards in memory.</para>
         /// <para>Returns: how many are not VESICA_DISJOINT.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows
-        /// that overlap, or an array or rows beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out
+        /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or
+        /// an array or rows that exceed the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: that of one shape against many, however large the arrays are.</para>
+        /// <para>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1186,12 +1182,12 @@ namespace Vesica
         /// run backwards in memory.</para>
         /// <para>Returns: how many are 1.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows
-        /// that overlap, or an array or rows beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out
+        /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or
+        /// an array or rows that exceed the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: that of one shape against many, however large the arrays are.</para>
+        /// <para>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1204,12 +1200,12 @@ namespace Vesica
         /// run backwards in memory.</para>
         /// <para>Returns: how many are &gt; 0.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows
-        /// that overlap, or an array or rows beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out
+        /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or
+        /// an array or rows that exceed the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: that of one shape against many, however large the arrays are.</para>
+        /// <para>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1224,12 +1220,12 @@ namespace Vesica
         /// run backwards in memory.</para>
         /// <para>Returns: how many are &gt; 0.</para>
         /// <para>Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all
-        /// others are written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer,
-        /// fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows
-        /// that overlap, or an array or rows beyond the address space).</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// others are written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out
+        /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or
+        /// an array or rows that exceed the address space).</para>
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: that of one shape against many, however large the arrays are.</para>
+        /// <para>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1240,11 +1236,11 @@ namespace Vesica
         /// order.</para>
         /// <para>Requires: one, an array of count 1; capacity, how many indices out has room for. It may be 0, and out
         /// then NULL.</para>
-        /// <para>Returns: how many there are, even if that is beyond the capacity. If room is left, the entry after the
+        /// <para>Returns: how many there are, even if that exceeds the capacity. If room is left, the entry after the
         /// last is -1.</para>
-        /// <para>Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the indices of valid ones are
-        /// written; -1 or the capacity ends them. Before anything is written: VESICA_E_NULL, VESICA_E_KIND,
-        /// VESICA_E_ARGUMENT (one's count is not 1, a negative capacity, and as vesica_overlap_many_f32).</para>
+        /// <para>Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the others are written as usual,
+        /// up to the -1 or the capacity. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT
+        /// (one's count is not 1, a negative capacity, and as vesica_overlap_many_f32).</para>
         /// <para>Accuracy: every answer is that of vesica_overlap_f32.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1254,18 +1250,18 @@ namespace Vesica
         /// <summary>
         /// <para>Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps
         /// each one whose vesica_iou_f32 with every shape kept before is at most the threshold.</para>
-        /// <para>Equal scores go by index, and infinite scores are legal. At threshold 1 all shapes are kept.</para>
+        /// <para>Of equal scores the lower index comes first. Infinite scores are legal. At threshold 1 all shapes are
+        /// kept.</para>
         /// <para>Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from
         /// 0 to 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for
         /// all indices.</para>
-        /// <para>Returns: 0. keep has the indices of the kept shapes in the order of their scores, and *kept how many
-        /// they are. What follows them in keep is not written.</para>
-        /// <para>Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: the result is that without it, and
-        /// is written. Before anything is written: VESICA_E_NULL (if there are no shapes, only shapes and kept are
-        /// looked at), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as
-        /// vesica_overlap_many_f32, threshold, too little scratch).</para>
-        /// <para>Cost: an index, sorting, and an IoU where bounds and areas allow one above the threshold: 0.3 to 1.2
-        /// us a shape.</para>
+        /// <para>Returns: 0, with *kept set to how many are kept. keep has their indices in the order of their scores;
+        /// the rest of keep is not written.</para>
+        /// <para>Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of
+        /// the others is written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may
+        /// be NULL), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32,
+        /// threshold, too little scratch).</para>
+        /// <para>Cost: 0.3 to 1.2 us a shape.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1274,13 +1270,13 @@ namespace Vesica
 
         /// <summary>
         /// <para>Rectangles from boxes.</para>
-        /// <para>Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for
-        /// `count`.</para>
+        /// <para>Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; angle, a unit
+        /// of angles, or its sum with VESICA_ANGLE_REVERSED; out, room for `count`.</para>
         /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be
-        /// beyond the finite ones: its result is NaN throughout, and all others are written as usual. Before anything
-        /// is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
-        /// count, an array beyond the address space, an unknown unit of angles).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would
+        /// overflow: all numbers of that result are NaN, and all other results are written as usual. Before anything is
+        /// written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
+        /// count, an array that exceeds the address space, an unknown unit of angles).</para>
         /// <para>Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are
         /// multiples of 90, and whole quarter turns, give exact axes. Sizes are those of
         /// vesica_rect_from_angle_f64.</para>
@@ -1292,13 +1288,13 @@ namespace Vesica
             void* output);
 
         /// <summary>
-        /// <para>Ellipses from the boxes about them, whose sides they touch in the middle.</para>
+        /// <para>Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.</para>
         /// <para>Requires: as vesica_rects_from_boxes_f64.</para>
         /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be
-        /// beyond the finite ones: its result is NaN throughout, and all others are written as usual. Before anything
-        /// is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
-        /// count, an array beyond the address space, an unknown unit of angles).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would
+        /// overflow: all numbers of that result are NaN, and all other results are written as usual. Before anything is
+        /// written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
+        /// count, an array that exceeds the address space, an unknown unit of angles).</para>
         /// <para>Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.</para>
         /// <para>Cost: about 30 ns a box.</para>
         /// <para>Since: 0.1.</para>
@@ -1308,18 +1304,18 @@ namespace Vesica
             void* output);
 
         /// <summary>
-        /// <para>Boxes from rectangles, or about ellipses: the way back.</para>
-        /// <para>An angle is from -180 to 180 degrees.</para>
-        /// <para>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers,
-        /// without gaps.</para>
+        /// <para>Boxes from rectangles or from ellipses: the inverse of the two functions above.</para>
+        /// <para>Angles are from -180 to 180 degrees, in the unit asked for.</para>
+        /// <para>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; angle as vesica_rects_from_boxes_f64; boxes,
+        /// room for `count` rows of five numbers, without gaps.</para>
         /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be
-        /// beyond the finite ones: its result is NaN throughout, and all others are written as usual. Before anything
-        /// is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
-        /// count, an array beyond the address space, an unknown unit of angles).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would
+        /// overflow: all numbers of that result are NaN, and all other results are written as usual. Before anything is
+        /// written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
+        /// count, an array that exceeds the address space, an unknown unit of angles).</para>
         /// <para>Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the
-        /// last place of a quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns
-        /// are exact.</para>
+        /// last place of a quarter turn. If an axis lies exactly along a coordinate axis, degrees and quarter turns are
+        /// exact.</para>
         /// <para>Cost: about 70 ns a shape.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1327,16 +1323,17 @@ namespace Vesica
         internal static extern long vesica_boxes_from_shapes_f64(void* shapes, int angle, void* boxes);
 
         /// <summary>
-        /// <para>The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.</para>
-        /// <para>Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).</para>
+        /// <para>The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.</para>
+        /// <para>The first corner is C - hx u - hy perp(u), the next C + hx u - hy perp(u), and so on round the
+        /// outline.</para>
         /// <para>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight
         /// numbers.</para>
         /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be
-        /// beyond the finite ones: its result is NaN throughout, and all others are written as usual. Before anything
-        /// is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
-        /// count, an array beyond the address space, an unknown unit of angles).</para>
-        /// <para>Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would
+        /// overflow: all numbers of that result are NaN, and all other results are written as usual. Before anything is
+        /// written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
+        /// count, an array that exceeds the address space, an unknown unit of angles).</para>
+        /// <para>Accuracy: a coordinate is right to 1 unit in its last place plus 2^-98 times the largest of its three
         /// terms.</para>
         /// <para>Cost: about 70 ns a shape.</para>
         /// <para>Since: 0.1.</para>
@@ -1345,13 +1342,13 @@ namespace Vesica
         internal static extern long vesica_corners_of_shapes_f64(void* shapes, void* corners);
 
         /// <summary>
-        /// <para>The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.</para>
+        /// <para>Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.</para>
         /// <para>Requires: out, room for `count`.</para>
         /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be
-        /// beyond the finite ones: its result is NaN throughout, and all others are written as usual. Before anything
-        /// is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
-        /// count, an array beyond the address space, an unknown unit of angles).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would
+        /// overflow: all numbers of that result are NaN, and all other results are written as usual. Before anything is
+        /// written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
+        /// count, an array that exceeds the address space, an unknown unit of angles).</para>
         /// <para>Accuracy: that of vesica_bounds_f64.</para>
         /// <para>Cost: that of vesica_bounds_f64.</para>
         /// <para>Since: 0.1.</para>
@@ -1361,13 +1358,13 @@ namespace Vesica
 
         /// <summary>
         /// <para>Rectangles from boxes.</para>
-        /// <para>Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for
-        /// `count`.</para>
+        /// <para>Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; angle, a unit
+        /// of angles, or its sum with VESICA_ANGLE_REVERSED; out, room for `count`.</para>
         /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be
-        /// beyond the finite ones: its result is NaN throughout, and all others are written as usual. Before anything
-        /// is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
-        /// count, an array beyond the address space, an unknown unit of angles).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would
+        /// overflow: all numbers of that result are NaN, and all other results are written as usual. Before anything is
+        /// written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
+        /// count, an array that exceeds the address space, an unknown unit of angles).</para>
         /// <para>Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are
         /// multiples of 90, and whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32.
         /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
@@ -1379,13 +1376,13 @@ namespace Vesica
             void* output);
 
         /// <summary>
-        /// <para>Ellipses from the boxes about them, whose sides they touch in the middle.</para>
+        /// <para>Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.</para>
         /// <para>Requires: as vesica_rects_from_boxes_f32.</para>
         /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be
-        /// beyond the finite ones: its result is NaN throughout, and all others are written as usual. Before anything
-        /// is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
-        /// count, an array beyond the address space, an unknown unit of angles).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would
+        /// overflow: all numbers of that result are NaN, and all other results are written as usual. Before anything is
+        /// written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
+        /// count, an array that exceeds the address space, an unknown unit of angles).</para>
         /// <para>Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
         /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
         /// <para>Cost: about 30 ns a box.</para>
@@ -1396,18 +1393,18 @@ namespace Vesica
             void* output);
 
         /// <summary>
-        /// <para>Boxes from rectangles, or about ellipses: the way back.</para>
-        /// <para>An angle is from -180 to 180 degrees.</para>
-        /// <para>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers,
-        /// without gaps.</para>
+        /// <para>Boxes from rectangles or from ellipses: the inverse of the two functions above.</para>
+        /// <para>Angles are from -180 to 180 degrees, in the unit asked for.</para>
+        /// <para>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; angle as vesica_rects_from_boxes_f32; boxes,
+        /// room for `count` rows of five numbers, without gaps.</para>
         /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be
-        /// beyond the finite ones: its result is NaN throughout, and all others are written as usual. Before anything
-        /// is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
-        /// count, an array beyond the address space, an unknown unit of angles).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would
+        /// overflow: all numbers of that result are NaN, and all other results are written as usual. Before anything is
+        /// written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
+        /// count, an array that exceeds the address space, an unknown unit of angles).</para>
         /// <para>Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the
-        /// last place of a quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns
-        /// are exact. Each number is computed in double, within these bounds, and then rounded to float once.</para>
+        /// last place of a quarter turn. If an axis lies exactly along a coordinate axis, degrees and quarter turns are
+        /// exact. Each number is computed in double, within these bounds, and then rounded to float once.</para>
         /// <para>Cost: about 70 ns a shape.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1415,16 +1412,17 @@ namespace Vesica
         internal static extern long vesica_boxes_from_shapes_f32(void* shapes, int angle, void* boxes);
 
         /// <summary>
-        /// <para>The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.</para>
-        /// <para>Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).</para>
+        /// <para>The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.</para>
+        /// <para>The first corner is C - hx u - hy perp(u), the next C + hx u - hy perp(u), and so on round the
+        /// outline.</para>
         /// <para>Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight
         /// numbers.</para>
         /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be
-        /// beyond the finite ones: its result is NaN throughout, and all others are written as usual. Before anything
-        /// is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
-        /// count, an array beyond the address space, an unknown unit of angles).</para>
-        /// <para>Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would
+        /// overflow: all numbers of that result are NaN, and all other results are written as usual. Before anything is
+        /// written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
+        /// count, an array that exceeds the address space, an unknown unit of angles).</para>
+        /// <para>Accuracy: a coordinate is right to 1 unit in its last place plus 2^-98 times the largest of its three
         /// terms. Each number is computed in double, within these bounds, and then rounded to float once.</para>
         /// <para>Cost: about 70 ns a shape.</para>
         /// <para>Since: 0.1.</para>
@@ -1433,13 +1431,13 @@ namespace Vesica
         internal static extern long vesica_corners_of_shapes_f32(void* shapes, void* corners);
 
         /// <summary>
-        /// <para>The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.</para>
+        /// <para>Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f32.</para>
         /// <para>Requires: out, room for `count`.</para>
         /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be
-        /// beyond the finite ones: its result is NaN throughout, and all others are written as usual. Before anything
-        /// is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
-        /// count, an array beyond the address space, an unknown unit of angles).</para>
+        /// <para>Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would
+        /// overflow: all numbers of that result are NaN, and all other results are written as usual. Before anything is
+        /// written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
+        /// count, an array that exceeds the address space, an unknown unit of angles).</para>
         /// <para>Accuracy: that of vesica_bounds_f32.</para>
         /// <para>Cost: that of vesica_bounds_f32.</para>
         /// <para>Since: 0.1.</para>
@@ -1449,8 +1447,8 @@ namespace Vesica
 
         /// <summary>
         /// <para>How many bytes suffice for an index of `count` shapes, of any kinds?</para>
-        /// <para>Returns: 17 bytes a shape and 64 KiB. A built index takes fewer, mostly 13 a shape: vesica_index_bytes
-        /// tells.</para>
+        /// <para>Returns: 17 bytes a shape and 64 KiB. A built index takes fewer, mostly 13 a shape: see
+        /// vesica_index_bytes.</para>
         /// <para>Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1475,13 +1473,13 @@ namespace Vesica
         internal static extern long vesica_join_scratch();
 
         /// <summary>
-        /// <para>Are these bytes an index that queries can read?</para>
-        /// <para>Ask it once of bytes that come from elsewhere. They may be short, foreign or damaged, or from a
-        /// machine of the other byte order. What passes is safe to read.</para>
-        /// <para>Requires: size is the number of bytes there. The index may be shorter.</para>
-        /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (it is
-        /// none).</para>
+        /// <para>Are these bytes an index that is safe to read?</para>
+        /// <para>Call it once for bytes that you did not just build: they may be cut off, damaged, something else, or
+        /// from a machine of the other byte order.</para>
+        /// <para>Requires: size, the number of readable bytes. The index may be shorter.</para>
+        /// <para>Returns: 0 if they are.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (they are
+        /// not).</para>
         /// <para>Cost: it reads all bytes once.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1489,10 +1487,10 @@ namespace Vesica
         internal static extern int vesica_index_check(void* index, long size);
 
         /// <summary>
-        /// <para>How many bytes does a built index take? So many are to be saved.</para>
+        /// <para>How many bytes does a built index take? Save that many.</para>
         /// <para>Returns: the bytes, a multiple of 64.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (its header is
-        /// none).</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (not an index's
+        /// header).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1500,9 +1498,9 @@ namespace Vesica
 
         /// <summary>
         /// <para>How many shapes was an index built from?</para>
-        /// <para>Returns: the number of its items, invalid shapes included.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (its header is
-        /// none).</para>
+        /// <para>Returns: the number of its items, including invalid shapes.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (not an index's
+        /// header).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1510,22 +1508,20 @@ namespace Vesica
 
         /// <summary>
         /// <para>A box around all valid shapes of an index.</para>
-        /// <para>Indexes whose boxes are disjoint have no pairs.</para>
+        /// <para>Two indexes whose boxes are disjoint have no overlapping pairs.</para>
         /// <para>Returns: 0.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (its header is
-        /// none).</para>
-        /// <para>Accuracy: the box is a little larger than the smallest one. It is infinite where that exceeds the
-        /// finite numbers. Without valid shapes min is infinity and max is -infinity.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (not an index's
+        /// header).</para>
+        /// <para>Accuracy: the box is a little larger than the smallest one; a side that overflows is infinite. Without
+        /// valid shapes min is infinity and max is -infinity.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int vesica_index_bounds(void* index, void* output);
 
         /// <summary>
-        /// <para>The items of an index in spatial order: shapes that are near to each other stand near to each
-        /// other.</para>
-        /// <para>A join is faster if the arrays of shapes have this order, for then it reads them from near to
-        /// near.</para>
+        /// <para>The items of an index in spatial order: shapes near each other have nearby places in it.</para>
+        /// <para>A join is faster if the arrays of shapes have this order, as it then reads nearby memory.</para>
         /// <para>Requires: out has room for `capacity` items. It may be NULL if that is 0.</para>
         /// <para>Returns: how many items there are, without the invalid shapes. The first `capacity` of them are
         /// written.</para>
@@ -1538,12 +1534,12 @@ namespace Vesica
 
         /// <summary>
         /// <para>Builds the index of some sets of shapes.</para>
-        /// <para>Invalid shapes are left out. The call then returns VESICA_E_SHAPE, and the index of all others is
-        /// complete. After any other error nothing is written. Shapes that moved need a new index.</para>
+        /// <para>If shapes are invalid, the call returns VESICA_E_SHAPE, and the index is complete without them. When
+        /// shapes have moved, build it again.</para>
         /// <para>Requires: index_size &gt;= vesica_index_size(items) and scratch_size &gt;=
-        /// vesica_index_scratch(items). The scratch is free again after the call.</para>
-        /// <para>Returns: the bytes of the index that are used.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a count, a size or an alignment),
+        /// vesica_index_scratch(items). The scratch may be reused after the call.</para>
+        /// <para>Returns: how many bytes of the index are used.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a wrong count, size or alignment),
         /// VESICA_E_SHAPE.</para>
         /// <para>Cost: 30 to 50 ns a shape.</para>
         /// <para>Since: 0.1.</para>
@@ -1554,14 +1550,14 @@ namespace Vesica
 
         /// <summary>
         /// <para>Which items of an index does one shape overlap? They come in the index's order.</para>
-        /// <para>Many shapes are better joined: index them too.</para>
-        /// <para>Requires: sets are those of the index. NULL with set_count 0 asks for the items whose bounds meet
-        /// those of the shape. one is a single shape (count 1). out has room for `capacity` items. With capacity 0, out
-        /// and state may be NULL.</para>
+        /// <para>To ask for many shapes, index them too and call vesica_join_f64.</para>
+        /// <para>Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet
+        /// the shape's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may
+        /// be NULL.</para>
         /// <para>Returns: the number of items written; with capacity 0, how many there are.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid),
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid),
         /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the index's,
-        /// the state is not of this call).</para>
+        /// the state is from another call).</para>
         /// <para>Accuracy: exact, if there are sets.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1570,18 +1566,20 @@ namespace Vesica
             void* output, long capacity, void* state);
 
         /// <summary>
-        /// <para>All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.</para>
+        /// <para>Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair
+        /// once.</para>
         /// <para>If both indexes are the same pointer, pairs are those of two different items a &lt; b. Pair i is
-        /// out_a[i] and out_b[i]. The order of pairs depends on the bytes of the indexes and the query alone. Work may
-        /// be shared out: each part of `parts` is about as much work as any other, and may run at the same time with a
-        /// scratch of its own. The pairs of all parts, one part after the other, are the pairs of part 0 of 1.</para>
+        /// out_a[i] and out_b[i]. The order of pairs depends on the bytes of the indexes and the query alone. The work
+        /// may be divided into `parts` of about equal work, which may run at the same time, each with its own scratch.
+        /// The pairs of all parts, one part after the other, are those of a call with part 0 and parts 1.</para>
         /// <para>Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the
-        /// indexes; with VESICA_JOIN_BOUNDS they are not looked at. 0 &lt;= part &lt; parts. scratch_size &gt;=
-        /// vesica_join_scratch(); the scratch is free between calls. out_a and out_b have room for `capacity` items.
-        /// With capacity 0, they and state may be NULL.</para>
+        /// indexes; with VESICA_JOIN_BOUNDS they are ignored. 0 &lt;= part &lt; parts. scratch_size &gt;=
+        /// vesica_join_scratch(); nothing is kept in the scratch between calls. out_a and out_b have room for
+        /// `capacity` items. With capacity 0, they and state may be NULL.</para>
         /// <para>Returns: the number of pairs written; with capacity 0, how many the whole part has.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (as above, and for an unknown
-        /// query).</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or
+        /// a size out of range, a pointer that is not aligned, sets that are not the index's, a state from another
+        /// call).</para>
         /// <para>Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.</para>
         /// <para>Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.</para>
         /// <para>Since: 0.1.</para>
@@ -1593,17 +1591,17 @@ namespace Vesica
 
         /// <summary>
         /// <para>All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair
-        /// once: those whose answer from vesica_within_f64 is &gt; 0.</para>
+        /// once: those for which vesica_within_f64 is &gt; 0.</para>
         /// <para>If both indexes are the same pointer, pairs are those of two different items a &lt; b. They come in
-        /// index_a's order. Parts are runs of about as many items of index_a as any other; all else is as with
+        /// index_a's order. Each part takes about the same number of items of index_a; all else is as for
         /// vesica_join_f64.</para>
-        /// <para>Requires: distance &gt;= 0, or infinity, which asks for all pairs of valid shapes; sets, part,
-        /// outputs, capacity and state as vesica_join_f64.</para>
+        /// <para>Requires: distance &gt;= 0, or infinity for all pairs of valid shapes; sets, part, outputs, capacity
+        /// and state as vesica_join_f64.</para>
         /// <para>Returns: the number of pairs written; with capacity 0, how many the whole part has.</para>
         /// <para>Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or
         /// NaN.</para>
-        /// <para>Accuracy: that of vesica_within_f64; a pair that is VESICA_WITHIN_NEARLY is among them.</para>
-        /// <para>Cost: about 1 us a shape of index_a and that of vesica_within_f64 a candidate: seven times that of
+        /// <para>Accuracy: that of vesica_within_f64; pairs that are VESICA_WITHIN_NEARLY are included.</para>
+        /// <para>Cost: about 1 us a shape of index_a, and that of vesica_within_f64 a candidate: seven times that of
         /// vesica_join_f64.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1613,18 +1611,17 @@ namespace Vesica
             void* state);
 
         /// <summary>
-        /// <para>Which items of an index are nearest to one shape? They come with the nearest first; at equal distances
-        /// by number.</para>
-        /// <para>An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is
-        /// not found.</para>
-        /// <para>Requires: sets are those of the index. one is a single shape (count 1). k &gt;= 0, and out and
-        /// distance have room for k each. With k = 0 they may be NULL. within &gt;= 0 is the largest distance asked
-        /// for; infinity asks for any.</para>
+        /// <para>Which items of an index are nearest to one shape? The nearest comes first, of equally near ones the
+        /// lower item.</para>
+        /// <para>An item that overlaps the shape has distance 0. An item whose distance overflows is not found.</para>
+        /// <para>Requires: sets are those of the index. one, an array of count 1. k &gt;= 0, and out and distance have
+        /// room for k each. With k = 0 they may be NULL. within, the largest distance to look for, &gt;= 0 or
+        /// infinity.</para>
         /// <para>Returns: how many items were found and written; with k = 0, how many there are within the
         /// distance.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid),
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid),
         /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the index's,
-        /// the state is not of this call).</para>
+        /// the state is from another call).</para>
         /// <para>Accuracy: distances are those of vesica_nearest_f64, bit for bit.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1635,16 +1632,16 @@ namespace Vesica
         /// <summary>
         /// <para>Which items of index_b are nearest to each item of sets_a? Row i is out[i * k] ... out[i * k + k -
         /// 1].</para>
-        /// <para>A row is what vesica_index_nearest_f64 says of item i, followed by -1, with distance infinity, up to
-        /// k. Of one set with itself each item finds itself too, at distance 0. If an item of sets_a is invalid, its
-        /// row holds -1, all other rows are right, and the call returns VESICA_E_SHAPE. Each of `parts` is a run of
-        /// about as many items as any other, and only its rows are written.</para>
+        /// <para>A row is the result of vesica_index_nearest_f64 for item i. If it has fewer than k items, the rest are
+        /// -1 with distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance
+        /// 0. If an item of sets_a is invalid, its row holds -1, all other rows are right, and the call returns
+        /// VESICA_E_SHAPE. Each part takes about the same number of items, and writes only their rows.</para>
         /// <para>Requires: sets_b are those of index_b. k &gt;= 1, and out and distance have room for k items a row. 0
-        /// &lt;= part &lt; parts. within &gt;= 0 is the largest distance asked for; infinity asks for any.</para>
+        /// &lt;= part &lt; parts. within, the largest distance to look for, &gt;= 0 or infinity.</para>
         /// <para>Returns: how many items were found in all rows of the part.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid),
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid),
         /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the index's,
-        /// the state is not of this call).</para>
+        /// the state is from another call).</para>
         /// <para>Accuracy: distances are those of vesica_nearest_f64, bit for bit.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1654,12 +1651,12 @@ namespace Vesica
 
         /// <summary>
         /// <para>Builds the index of some sets of shapes.</para>
-        /// <para>Invalid shapes are left out. The call then returns VESICA_E_SHAPE, and the index of all others is
-        /// complete. After any other error nothing is written. Shapes that moved need a new index.</para>
+        /// <para>If shapes are invalid, the call returns VESICA_E_SHAPE, and the index is complete without them. When
+        /// shapes have moved, build it again.</para>
         /// <para>Requires: index_size &gt;= vesica_index_size(items) and scratch_size &gt;=
-        /// vesica_index_scratch(items). The scratch is free again after the call.</para>
-        /// <para>Returns: the bytes of the index that are used.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a count, a size or an alignment),
+        /// vesica_index_scratch(items). The scratch may be reused after the call.</para>
+        /// <para>Returns: how many bytes of the index are used.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a wrong count, size or alignment),
         /// VESICA_E_SHAPE.</para>
         /// <para>Cost: 30 to 50 ns a shape.</para>
         /// <para>Since: 0.1.</para>
@@ -1670,14 +1667,14 @@ namespace Vesica
 
         /// <summary>
         /// <para>Which items of an index does one shape overlap? They come in the index's order.</para>
-        /// <para>Many shapes are better joined: index them too.</para>
-        /// <para>Requires: sets are those of the index. NULL with set_count 0 asks for the items whose bounds meet
-        /// those of the shape. one is a single shape (count 1). out has room for `capacity` items. With capacity 0, out
-        /// and state may be NULL.</para>
+        /// <para>To ask for many shapes, index them too and call vesica_join_f32.</para>
+        /// <para>Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet
+        /// the shape's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may
+        /// be NULL.</para>
         /// <para>Returns: the number of items written; with capacity 0, how many there are.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid),
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid),
         /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the index's,
-        /// the state is not of this call).</para>
+        /// the state is from another call).</para>
         /// <para>Accuracy: exact, if there are sets.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1686,18 +1683,20 @@ namespace Vesica
             void* output, long capacity, void* state);
 
         /// <summary>
-        /// <para>All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.</para>
+        /// <para>Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair
+        /// once.</para>
         /// <para>If both indexes are the same pointer, pairs are those of two different items a &lt; b. Pair i is
-        /// out_a[i] and out_b[i]. The order of pairs depends on the bytes of the indexes and the query alone. Work may
-        /// be shared out: each part of `parts` is about as much work as any other, and may run at the same time with a
-        /// scratch of its own. The pairs of all parts, one part after the other, are the pairs of part 0 of 1.</para>
+        /// out_a[i] and out_b[i]. The order of pairs depends on the bytes of the indexes and the query alone. The work
+        /// may be divided into `parts` of about equal work, which may run at the same time, each with its own scratch.
+        /// The pairs of all parts, one part after the other, are those of a call with part 0 and parts 1.</para>
         /// <para>Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the
-        /// indexes; with VESICA_JOIN_BOUNDS they are not looked at. 0 &lt;= part &lt; parts. scratch_size &gt;=
-        /// vesica_join_scratch(); the scratch is free between calls. out_a and out_b have room for `capacity` items.
-        /// With capacity 0, they and state may be NULL.</para>
+        /// indexes; with VESICA_JOIN_BOUNDS they are ignored. 0 &lt;= part &lt; parts. scratch_size &gt;=
+        /// vesica_join_scratch(); nothing is kept in the scratch between calls. out_a and out_b have room for
+        /// `capacity` items. With capacity 0, they and state may be NULL.</para>
         /// <para>Returns: the number of pairs written; with capacity 0, how many the whole part has.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (as above, and for an unknown
-        /// query).</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or
+        /// a size out of range, a pointer that is not aligned, sets that are not the index's, a state from another
+        /// call).</para>
         /// <para>Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.</para>
         /// <para>Cost: 10 to 15 ns a shape to find candidates, and 15 to 25 ns a candidate to decide.</para>
         /// <para>Since: 0.1.</para>
@@ -1709,17 +1708,17 @@ namespace Vesica
 
         /// <summary>
         /// <para>All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair
-        /// once: those whose answer from vesica_within_f32 is &gt; 0.</para>
+        /// once: those for which vesica_within_f32 is &gt; 0.</para>
         /// <para>If both indexes are the same pointer, pairs are those of two different items a &lt; b. They come in
-        /// index_a's order. Parts are runs of about as many items of index_a as any other; all else is as with
+        /// index_a's order. Each part takes about the same number of items of index_a; all else is as for
         /// vesica_join_f32.</para>
-        /// <para>Requires: distance &gt;= 0, or infinity, which asks for all pairs of valid shapes; sets, part,
-        /// outputs, capacity and state as vesica_join_f32.</para>
+        /// <para>Requires: distance &gt;= 0, or infinity for all pairs of valid shapes; sets, part, outputs, capacity
+        /// and state as vesica_join_f32.</para>
         /// <para>Returns: the number of pairs written; with capacity 0, how many the whole part has.</para>
         /// <para>Errors: those of vesica_join_f32; VESICA_E_ARGUMENT also for a distance that is negative or
         /// NaN.</para>
-        /// <para>Accuracy: that of vesica_within_f32; a pair that is VESICA_WITHIN_NEARLY is among them.</para>
-        /// <para>Cost: about 1 us a shape of index_a and that of vesica_within_f32 a candidate: seven times that of
+        /// <para>Accuracy: that of vesica_within_f32; pairs that are VESICA_WITHIN_NEARLY are included.</para>
+        /// <para>Cost: about 1 us a shape of index_a, and that of vesica_within_f32 a candidate: seven times that of
         /// vesica_join_f32.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1729,18 +1728,17 @@ namespace Vesica
             void* state);
 
         /// <summary>
-        /// <para>Which items of an index are nearest to one shape? They come with the nearest first; at equal distances
-        /// by number.</para>
-        /// <para>An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is
-        /// not found.</para>
-        /// <para>Requires: sets are those of the index. one is a single shape (count 1). k &gt;= 0, and out and
-        /// distance have room for k each. With k = 0 they may be NULL. within &gt;= 0 is the largest distance asked
-        /// for; infinity asks for any.</para>
+        /// <para>Which items of an index are nearest to one shape? The nearest comes first, of equally near ones the
+        /// lower item.</para>
+        /// <para>An item that overlaps the shape has distance 0. An item whose distance overflows is not found.</para>
+        /// <para>Requires: sets are those of the index. one, an array of count 1. k &gt;= 0, and out and distance have
+        /// room for k each. With k = 0 they may be NULL. within, the largest distance to look for, &gt;= 0 or
+        /// infinity.</para>
         /// <para>Returns: how many items were found and written; with k = 0, how many there are within the
         /// distance.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid),
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid),
         /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the index's,
-        /// the state is not of this call).</para>
+        /// the state is from another call).</para>
         /// <para>Accuracy: distances are those of vesica_nearest_f32, bit for bit.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1751,16 +1749,16 @@ namespace Vesica
         /// <summary>
         /// <para>Which items of index_b are nearest to each item of sets_a? Row i is out[i * k] ... out[i * k + k -
         /// 1].</para>
-        /// <para>A row is what vesica_index_nearest_f32 says of item i, followed by -1, with distance infinity, up to
-        /// k. Of one set with itself each item finds itself too, at distance 0. If an item of sets_a is invalid, its
-        /// row holds -1, all other rows are right, and the call returns VESICA_E_SHAPE. Each of `parts` is a run of
-        /// about as many items as any other, and only its rows are written.</para>
+        /// <para>A row is the result of vesica_index_nearest_f32 for item i. If it has fewer than k items, the rest are
+        /// -1 with distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance
+        /// 0. If an item of sets_a is invalid, its row holds -1, all other rows are right, and the call returns
+        /// VESICA_E_SHAPE. Each part takes about the same number of items, and writes only their rows.</para>
         /// <para>Requires: sets_b are those of index_b. k &gt;= 1, and out and distance have room for k items a row. 0
-        /// &lt;= part &lt; parts. within &gt;= 0 is the largest distance asked for; infinity asks for any.</para>
+        /// &lt;= part &lt; parts. within, the largest distance to look for, &gt;= 0 or infinity.</para>
         /// <para>Returns: how many items were found in all rows of the part.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid),
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid),
         /// VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the index's,
-        /// the state is not of this call).</para>
+        /// the state is from another call).</para>
         /// <para>Accuracy: distances are those of vesica_nearest_f32, bit for bit.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1769,21 +1767,23 @@ namespace Vesica
             int setCountB, long k, float within, long part, long parts, void* output, void* distance);
 
         /// <summary>
-        /// <para>What share of a's area does b cover, or of b's area a? And other ratios by which detections are
+        /// <para>What share of a's area does b cover? This and the other ratios by which detections are
         /// compared.</para>
-        /// <para>The first four are from 0 to 1. One over a shape is 0 if no area is shared, and 1 if the other shape
-        /// contains it. The last three are at most the IoU, and at least -1, for CIoU -2. The angle of a shape in CIoU
-        /// is that of the vector (half length across its axis, half length along it); v is 0 if a shape has no size.
-        /// Exchanging the shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.</para>
+        /// <para>The first four ratios are from 0 to 1. Shared area over one shape's is 0 if no area is shared, and 1
+        /// if the other shape contains it. The last three are at most the IoU, and at least -1 (CIoU: -2). The angle of
+        /// a shape in CIoU is that of the vector (half length across its axis, half length along it); v is 0 if a shape
+        /// has no size. Exchanging the shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the
+        /// others.</para>
         /// <para>Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.</para>
         /// <para>Returns: 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant;
-        /// the shape whose area divides has none; for the others, neither shape has one).</para>
-        /// <para>Accuracy: within 8 u of what follows from the shared area or the IoU, which are right as
-        /// vesica_area_f64 and vesica_iou_f64 tell, for half lengths from 2^-200 to 2^200. Bounds on computed numbers
-        /// use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their
-        /// half lengths. An aspect ratio is a shape's longer size over its shorter one.</para>
-        /// <para>Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; 40 to 100 in arrays.</para>
+        /// the area to divide by is 0; or, for GIoU, DIoU and CIoU, neither shape has an area).</para>
+        /// <para>Accuracy: computed from the result of vesica_area_f64 or vesica_iou_f64 with at most 8 u of further
+        /// error, for half lengths from 2^-200 to 2^200. Bounds on computed numbers use u = 2^-53. The scale of two
+        /// shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is
+        /// longer over shorter size. "Right to x": the error is &lt;= x.</para>
+        /// <para>Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; in arrays 40 to 100 ns
+        /// more.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1792,11 +1792,11 @@ namespace Vesica
 
         /// <summary>
         /// <para>A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.</para>
-        /// <para>Arrays and errors are those of vesica_iou_many_f64. If a pair has no ratio since an area is 0, out[i]
-        /// is NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.</para>
+        /// <para>Arrays and errors are those of vesica_iou_many_f64. If a pair has no ratio because an area is 0,
+        /// out[i] is NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.</para>
         /// <para>Returns: how many are &gt; 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.</para>
-        /// <para>Accuracy: every result has the bits of vesica_ratio_f64, on every instruction set and in every
+        /// <para>Accuracy: every result has the same bits as vesica_ratio_f64, on every instruction set and in every
         /// layout.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1805,11 +1805,11 @@ namespace Vesica
 
         /// <summary>
         /// <para>A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f64.</para>
-        /// <para>Arrays, row_stride and errors are those of vesica_iou_matrix_f64. If a pair has no ratio since an area
-        /// is 0, it gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.</para>
+        /// <para>Arrays, row_stride and errors are those of vesica_iou_matrix_f64. If a pair has no ratio because an
+        /// area is 0, it gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.</para>
         /// <para>Returns: how many are &gt; 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.</para>
-        /// <para>Accuracy: every result has the bits of vesica_ratio_f64, on every instruction set and in every
+        /// <para>Accuracy: every result has the same bits as vesica_ratio_f64, on every instruction set and in every
         /// layout.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1822,7 +1822,7 @@ namespace Vesica
         /// <para>Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64.</para>
         /// <para>Returns: how many pairs overlap (distance 0).</para>
         /// <para>Errors: as vesica_iou_matrix_f64.</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1835,7 +1835,7 @@ namespace Vesica
         /// <para>Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64.</para>
         /// <para>Returns: how many pairs of outlines meet (distance 0).</para>
         /// <para>Errors: as vesica_iou_matrix_f64.</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1848,7 +1848,7 @@ namespace Vesica
         /// <para>Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64.</para>
         /// <para>Returns: how many depths are &gt; 0.</para>
         /// <para>Errors: as vesica_iou_matrix_f64.</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -1856,13 +1856,14 @@ namespace Vesica
         internal static extern long vesica_depth_matrix_f64(void* a, void* b, void* output, IntPtr rowStride);
 
         /// <summary>
-        /// <para>How far apart are two shapes or, as a number below 0, how deep do they overlap?</para>
-        /// <para>The distance of vesica_nearest_f64 if they are disjoint, else minus the depth of vesica_depth_f64: 0
-        /// where they only touch. Exchanging the shapes changes no bit.</para>
+        /// <para>Signed distance: how far apart are two shapes or, as a negative number, how deep do they
+        /// overlap?</para>
+        /// <para>It is the distance of vesica_nearest_f64 if they are disjoint, else minus the depth of
+        /// vesica_depth_f64: 0 if they only touch. Exchanging the shapes changes no bit.</para>
         /// <para>Returns: 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
-        /// <para>Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.</para>
-        /// <para>Cost: that of vesica_nearest_f64 or of vesica_depth_f64, whichever it is.</para>
+        /// <para>Accuracy: the same bits as vesica_nearest_f64 or, negated, vesica_depth_f64. The sign is exact.</para>
+        /// <para>Cost: that of vesica_nearest_f64 or vesica_depth_f64.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1873,7 +1874,7 @@ namespace Vesica
         /// <para>Signed distances of a[i] and b[i]. Arrays and errors are those of vesica_iou_many_f64.</para>
         /// <para>Returns: how many pairs overlap (signed distance &lt;= 0).</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
-        /// <para>Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.</para>
+        /// <para>Accuracy: the same bits as vesica_nearest_f64 or, negated, vesica_depth_f64. The sign is exact.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1884,29 +1885,29 @@ namespace Vesica
         /// vesica_iou_matrix_f64.</para>
         /// <para>Returns: how many pairs overlap (signed distance &lt;= 0).</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
-        /// <para>Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.</para>
+        /// <para>Accuracy: the same bits as vesica_nearest_f64 or, negated, vesica_depth_f64. The sign is exact.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern long vesica_signed_distance_matrix_f64(void* a, void* b, void* output, IntPtr rowStride);
 
         /// <summary>
-        /// <para>Are two shapes at most `distance` apart? Exactly so far apart counts, as touching does.</para>
-        /// <para>Distance 0 asks what vesica_overlap_f64 does, and is exact for all kinds. Who must not miss a pair
-        /// takes an answer &gt; 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the
-        /// shapes changes nothing.</para>
-        /// <para>Requires: distance &gt;= 0, or infinity, of which any two valid shapes are within.</para>
+        /// <para>Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.</para>
+        /// <para>With distance 0 the answer is that of vesica_overlap_f64, exact for all kinds. If no pair may be
+        /// missed, test for &gt; 0; if no answer may be wrong, for VESICA_WITHIN_YES. Exchanging the shapes changes
+        /// nothing.</para>
+        /// <para>Requires: distance &gt;= 0. It may be infinity: then the answer is yes for any two valid
+        /// shapes.</para>
         /// <para>Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
         /// VESICA_E_SHAPE.</para>
-        /// <para>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length
-        /// of 0. A pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as
-        /// vesica_nearest_f64 has it, is less than 5 u scale from the one asked for; the answers yes and no are
-        /// certain. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-        /// between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
-        /// one.</para>
+        /// <para>Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0,
+        /// get no other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
+        /// vesica_nearest_f64 differs by less than 5 u scale from the one asked for. Bounds on computed numbers use u =
+        /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+        /// lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can
-        /// decide, as it must for distances that are exact; more where exponents are wildly unlike.</para>
+        /// decide, as when the distance is met exactly; more for extreme magnitudes.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1916,16 +1917,16 @@ namespace Vesica
         /// <summary>
         /// <para>Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f64.</para>
         /// <para>Arrays and errors are those of vesica_overlap_many_f64.</para>
-        /// <para>Requires: distance &gt;= 0, or infinity, of which any two valid shapes are within.</para>
+        /// <para>Requires: distance &gt;= 0. It may be infinity: then the answer is yes for any two valid
+        /// shapes.</para>
         /// <para>Returns: how many answers are &gt; 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
         /// VESICA_E_SHAPE.</para>
-        /// <para>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length
-        /// of 0. A pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as
-        /// vesica_nearest_f64 has it, is less than 5 u scale from the one asked for; the answers yes and no are
-        /// certain. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-        /// between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
-        /// one.</para>
+        /// <para>Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0,
+        /// get no other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
+        /// vesica_nearest_f64 differs by less than 5 u scale from the one asked for. Bounds on computed numbers use u =
+        /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+        /// lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1935,16 +1936,16 @@ namespace Vesica
         /// <para>Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of
         /// vesica_within_f64.</para>
         /// <para>Arrays, row_stride and errors are those of vesica_overlap_matrix_f64.</para>
-        /// <para>Requires: distance &gt;= 0, or infinity, of which any two valid shapes are within.</para>
+        /// <para>Requires: distance &gt;= 0. It may be infinity: then the answer is yes for any two valid
+        /// shapes.</para>
         /// <para>Returns: how many answers are &gt; 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
         /// VESICA_E_SHAPE.</para>
-        /// <para>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length
-        /// of 0. A pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as
-        /// vesica_nearest_f64 has it, is less than 5 u scale from the one asked for; the answers yes and no are
-        /// certain. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-        /// between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
-        /// one.</para>
+        /// <para>Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0,
+        /// get no other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
+        /// vesica_nearest_f64 differs by less than 5 u scale from the one asked for. Bounds on computed numbers use u =
+        /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+        /// lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1952,17 +1953,18 @@ namespace Vesica
             IntPtr rowStride);
 
         /// <summary>
-        /// <para>Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.</para>
+        /// <para>Greedy non-maximum suppression as vesica_nms_f64, by any ratio, each label on its own.</para>
         /// <para>Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape
-        /// kept before, of the same label, is at most the threshold. Shapes whose score is below least_score are not
-        /// looked at.</para>
-        /// <para>Requires: shapes, scores, threshold, scratch and keep as vesica_nms_f64; labels, one for each, or NULL
-        /// if all are alike; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be
-        /// -infinity; most, how many are kept at most: keep needs room for no more.</para>
+        /// kept before, of the same label, is at most the threshold. Shapes whose score is below least_score are left
+        /// out.</para>
+        /// <para>Requires: shapes, scores, threshold and scratch as vesica_nms_f64; labels, one for each shape, or NULL
+        /// if all are the same; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be
+        /// -infinity; most, the largest number to keep; keep, with room for that number or for all shapes, whichever is
+        /// less.</para>
         /// <para>Returns: 0, and keep and *kept as vesica_nms_f64.</para>
         /// <para>Errors: as vesica_nms_f64; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative
         /// most.</para>
-        /// <para>Cost: that of vesica_nms_f64; ratios other than IoU cost 0.1 us more a comparison.</para>
+        /// <para>Cost: that of vesica_nms_f64; ratios other than IoU take 0.1 us more a comparison.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1979,22 +1981,24 @@ namespace Vesica
         internal static extern long vesica_suppress_soft_scratch(long count);
 
         /// <summary>
-        /// <para>Soft suppression: what a better shape covers keeps a lower score.</para>
-        /// <para>Again and again takes the shape with the highest score, of equal ones the first, keeps it, and lowers
+        /// <para>Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower
+        /// score.</para>
+        /// <para>Repeats these steps: take the shape with the highest score, of equal ones the first; keep it; lower
         /// the score of each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are
-        /// kept or no score is left that is at least least_score. keep[k] is the shape taken in turn k, and decayed[k]
-        /// the score that it then had.</para>
+        /// kept or every score left is below least_score. keep[k] is the shape kept in step k, and decayed[k] the score
+        /// that it had then.</para>
         /// <para>Requires: shapes, scores and labels as vesica_suppress_f64; ratio, any but VESICA_RATIO_OVER_FIRST and
         /// _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score &gt;= 0; scratch of
         /// at least vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as
         /// are kept.</para>
         /// <para>Returns: 0, with *kept set to how many are kept.</para>
         /// <para>Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left
-        /// out, and all else is written.</para>
-        /// <para>Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the
-        /// exponential, right to 1 unit in the last place. So the choice is that of the definition in double, the same
-        /// bits on every machine. Floats are widened first, and only the final scores rounded.</para>
-        /// <para>Cost: for each kept shape, that of vesica_ratio_matrix_f64 with all of its label that are left.</para>
+        /// out, and the result of the others is written.</para>
+        /// <para>Accuracy: in every step a score is multiplied once, in double, by 1 - r, rounded once, or by the
+        /// exponential, right to 1 unit in the last place. So the same shapes are kept, with the same bits, on every
+        /// machine. The float function computes in double and rounds only the final scores.</para>
+        /// <para>Cost: for each kept shape, that of vesica_ratio_matrix_f64 with the shapes of its label that are
+        /// left.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2003,22 +2007,24 @@ namespace Vesica
             void* decayed, void* kept);
 
         /// <summary>
-        /// <para>What share of a's area does b cover, or of b's area a? And other ratios by which detections are
+        /// <para>What share of a's area does b cover? This and the other ratios by which detections are
         /// compared.</para>
-        /// <para>The first four are from 0 to 1. One over a shape is 0 if no area is shared, and 1 if the other shape
-        /// contains it. The last three are at most the IoU, and at least -1, for CIoU -2. The angle of a shape in CIoU
-        /// is that of the vector (half length across its axis, half length along it); v is 0 if a shape has no size.
-        /// Exchanging the shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.</para>
+        /// <para>The first four ratios are from 0 to 1. Shared area over one shape's is 0 if no area is shared, and 1
+        /// if the other shape contains it. The last three are at most the IoU, and at least -1 (CIoU: -2). The angle of
+        /// a shape in CIoU is that of the vector (half length across its axis, half length along it); v is 0 if a shape
+        /// has no size. Exchanging the shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the
+        /// others.</para>
         /// <para>Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.</para>
         /// <para>Returns: 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant;
-        /// the shape whose area divides has none; for the others, neither shape has one).</para>
-        /// <para>Accuracy: within 8 u of what follows from the shared area or the IoU, which are right as
-        /// vesica_area_f32 and vesica_iou_f32 tell, for half lengths from 2^-200 to 2^200. Each number is computed in
-        /// double, within these bounds, and then rounded to float once. Bounds on computed numbers use u = 2^-53. The
-        /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
-        /// aspect ratio is a shape's longer size over its shorter one.</para>
-        /// <para>Cost: that of vesica_area_f32 or vesica_iou_f32, and 100 to 150 ns more; 40 to 100 in arrays.</para>
+        /// the area to divide by is 0; or, for GIoU, DIoU and CIoU, neither shape has an area).</para>
+        /// <para>Accuracy: computed from the result of vesica_area_f32 or vesica_iou_f32 with at most 8 u of further
+        /// error, for half lengths from 2^-200 to 2^200. Each number is computed in double, within these bounds, and
+        /// then rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest
+        /// of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter
+        /// size. "Right to x": the error is &lt;= x.</para>
+        /// <para>Cost: that of vesica_area_f32 or vesica_iou_f32, and 100 to 150 ns more; in arrays 40 to 100 ns
+        /// more.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2027,12 +2033,12 @@ namespace Vesica
 
         /// <summary>
         /// <para>A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.</para>
-        /// <para>Arrays and errors are those of vesica_iou_many_f32. If a pair has no ratio since an area is 0, out[i]
-        /// is NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.</para>
+        /// <para>Arrays and errors are those of vesica_iou_many_f32. If a pair has no ratio because an area is 0,
+        /// out[i] is NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.</para>
         /// <para>Returns: how many are &gt; 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.</para>
-        /// <para>Accuracy: every result has the bits of vesica_ratio_f32, on every instruction set and in every layout.
-        /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
+        /// <para>Accuracy: every result has the same bits as vesica_ratio_f32, on every instruction set and in every
+        /// layout. Each number is computed in double, within these bounds, and then rounded to float once.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2040,12 +2046,12 @@ namespace Vesica
 
         /// <summary>
         /// <para>A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f32.</para>
-        /// <para>Arrays, row_stride and errors are those of vesica_iou_matrix_f32. If a pair has no ratio since an area
-        /// is 0, it gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.</para>
+        /// <para>Arrays, row_stride and errors are those of vesica_iou_matrix_f32. If a pair has no ratio because an
+        /// area is 0, it gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.</para>
         /// <para>Returns: how many are &gt; 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.</para>
-        /// <para>Accuracy: every result has the bits of vesica_ratio_f32, on every instruction set and in every layout.
-        /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
+        /// <para>Accuracy: every result has the same bits as vesica_ratio_f32, on every instruction set and in every
+        /// layout. Each number is computed in double, within these bounds, and then rounded to float once.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2057,7 +2063,7 @@ namespace Vesica
         /// <para>Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32.</para>
         /// <para>Returns: how many pairs overlap (distance 0).</para>
         /// <para>Errors: as vesica_iou_matrix_f32.</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout. Each number is computed in double, within these bounds, and then rounded to float once.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -2070,7 +2076,7 @@ namespace Vesica
         /// <para>Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32.</para>
         /// <para>Returns: how many pairs of outlines meet (distance 0).</para>
         /// <para>Errors: as vesica_iou_matrix_f32.</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout. Each number is computed in double, within these bounds, and then rounded to float once.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -2083,7 +2089,7 @@ namespace Vesica
         /// <para>Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32.</para>
         /// <para>Returns: how many depths are &gt; 0.</para>
         /// <para>Errors: as vesica_iou_matrix_f32.</para>
-        /// <para>Accuracy: every result has the bits of the function for two shapes, on every instruction set and in
+        /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout. Each number is computed in double, within these bounds, and then rounded to float once.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -2091,17 +2097,18 @@ namespace Vesica
         internal static extern long vesica_depth_matrix_f32(void* a, void* b, void* output, IntPtr rowStride);
 
         /// <summary>
-        /// <para>Greedy non-maximum suppression as vesica_nms_f32, by any ratio and among like labels.</para>
+        /// <para>Greedy non-maximum suppression as vesica_nms_f32, by any ratio, each label on its own.</para>
         /// <para>Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape
-        /// kept before, of the same label, is at most the threshold. Shapes whose score is below least_score are not
-        /// looked at.</para>
-        /// <para>Requires: shapes, scores, threshold, scratch and keep as vesica_nms_f32; labels, one for each, or NULL
-        /// if all are alike; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be
-        /// -infinity; most, how many are kept at most: keep needs room for no more.</para>
+        /// kept before, of the same label, is at most the threshold. Shapes whose score is below least_score are left
+        /// out.</para>
+        /// <para>Requires: shapes, scores, threshold and scratch as vesica_nms_f32; labels, one for each shape, or NULL
+        /// if all are the same; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be
+        /// -infinity; most, the largest number to keep; keep, with room for that number or for all shapes, whichever is
+        /// less.</para>
         /// <para>Returns: 0, and keep and *kept as vesica_nms_f32.</para>
         /// <para>Errors: as vesica_nms_f32; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative
         /// most.</para>
-        /// <para>Cost: that of vesica_nms_f32; ratios other than IoU cost 0.1 us more a comparison.</para>
+        /// <para>Cost: that of vesica_nms_f32; ratios other than IoU take 0.1 us more a comparison.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2109,14 +2116,15 @@ namespace Vesica
             float threshold, float leastScore, long most, void* scratch, long scratchSize, void* keep, void* kept);
 
         /// <summary>
-        /// <para>How far apart are two shapes or, as a number below 0, how deep do they overlap?</para>
-        /// <para>The distance of vesica_nearest_f32 if they are disjoint, else minus the depth of vesica_depth_f32: 0
-        /// where they only touch. Exchanging the shapes changes no bit.</para>
+        /// <para>Signed distance: how far apart are two shapes or, as a negative number, how deep do they
+        /// overlap?</para>
+        /// <para>It is the distance of vesica_nearest_f32 if they are disjoint, else minus the depth of
+        /// vesica_depth_f32: 0 if they only touch. Exchanging the shapes changes no bit.</para>
         /// <para>Returns: 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
-        /// <para>Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+        /// <para>Accuracy: the same bits as vesica_nearest_f32 or, negated, vesica_depth_f32. The sign is exact.
         /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
-        /// <para>Cost: that of vesica_nearest_f32 or of vesica_depth_f32, whichever it is.</para>
+        /// <para>Cost: that of vesica_nearest_f32 or vesica_depth_f32.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2127,7 +2135,7 @@ namespace Vesica
         /// <para>Signed distances of a[i] and b[i]. Arrays and errors are those of vesica_iou_many_f32.</para>
         /// <para>Returns: how many pairs overlap (signed distance &lt;= 0).</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
-        /// <para>Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+        /// <para>Accuracy: the same bits as vesica_nearest_f32 or, negated, vesica_depth_f32. The sign is exact.
         /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -2139,7 +2147,7 @@ namespace Vesica
         /// vesica_iou_matrix_f32.</para>
         /// <para>Returns: how many pairs overlap (signed distance &lt;= 0).</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.</para>
-        /// <para>Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+        /// <para>Accuracy: the same bits as vesica_nearest_f32 or, negated, vesica_depth_f32. The sign is exact.
         /// Each number is computed in double, within these bounds, and then rounded to float once.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -2147,22 +2155,22 @@ namespace Vesica
         internal static extern long vesica_signed_distance_matrix_f32(void* a, void* b, void* output, IntPtr rowStride);
 
         /// <summary>
-        /// <para>Are two shapes at most `distance` apart? Exactly so far apart counts, as touching does.</para>
-        /// <para>Distance 0 asks what vesica_overlap_f32 does, and is exact for all kinds. Who must not miss a pair
-        /// takes an answer &gt; 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the
-        /// shapes changes nothing.</para>
-        /// <para>Requires: distance &gt;= 0, or infinity, of which any two valid shapes are within.</para>
+        /// <para>Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.</para>
+        /// <para>With distance 0 the answer is that of vesica_overlap_f32, exact for all kinds. If no pair may be
+        /// missed, test for &gt; 0; if no answer may be wrong, for VESICA_WITHIN_YES. Exchanging the shapes changes
+        /// nothing.</para>
+        /// <para>Requires: distance &gt;= 0. It may be infinity: then the answer is yes for any two valid
+        /// shapes.</para>
         /// <para>Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
         /// VESICA_E_SHAPE.</para>
-        /// <para>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length
-        /// of 0. A pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as
-        /// vesica_nearest_f32 has it, is less than 5 u scale from the one asked for; the answers yes and no are
-        /// certain. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-        /// between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
-        /// one.</para>
+        /// <para>Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0,
+        /// get no other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
+        /// vesica_nearest_f32 differs by less than 5 u scale from the one asked for. Bounds on computed numbers use u =
+        /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+        /// lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can
-        /// decide, as it must for distances that are exact; more where exponents are wildly unlike.</para>
+        /// decide, as when the distance is met exactly; more for extreme magnitudes.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2172,16 +2180,16 @@ namespace Vesica
         /// <summary>
         /// <para>Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_within_f32.</para>
         /// <para>Arrays and errors are those of vesica_overlap_many_f32.</para>
-        /// <para>Requires: distance &gt;= 0, or infinity, of which any two valid shapes are within.</para>
+        /// <para>Requires: distance &gt;= 0. It may be infinity: then the answer is yes for any two valid
+        /// shapes.</para>
         /// <para>Returns: how many answers are &gt; 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
         /// VESICA_E_SHAPE.</para>
-        /// <para>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length
-        /// of 0. A pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as
-        /// vesica_nearest_f32 has it, is less than 5 u scale from the one asked for; the answers yes and no are
-        /// certain. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-        /// between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
-        /// one.</para>
+        /// <para>Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0,
+        /// get no other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
+        /// vesica_nearest_f32 differs by less than 5 u scale from the one asked for. Bounds on computed numbers use u =
+        /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+        /// lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2191,16 +2199,16 @@ namespace Vesica
         /// <para>Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of
         /// vesica_within_f32.</para>
         /// <para>Arrays, row_stride and errors are those of vesica_overlap_matrix_f32.</para>
-        /// <para>Requires: distance &gt;= 0, or infinity, of which any two valid shapes are within.</para>
+        /// <para>Requires: distance &gt;= 0. It may be infinity: then the answer is yes for any two valid
+        /// shapes.</para>
         /// <para>Returns: how many answers are &gt; 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
         /// VESICA_E_SHAPE.</para>
-        /// <para>Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length
-        /// of 0. A pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as
-        /// vesica_nearest_f32 has it, is less than 5 u scale from the one asked for; the answers yes and no are
-        /// certain. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-        /// between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
-        /// one.</para>
+        /// <para>Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0,
+        /// get no other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
+        /// vesica_nearest_f32 differs by less than 5 u scale from the one asked for. Bounds on computed numbers use u =
+        /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+        /// lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2208,22 +2216,24 @@ namespace Vesica
             IntPtr rowStride);
 
         /// <summary>
-        /// <para>Soft suppression: what a better shape covers keeps a lower score.</para>
-        /// <para>Again and again takes the shape with the highest score, of equal ones the first, keeps it, and lowers
+        /// <para>Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower
+        /// score.</para>
+        /// <para>Repeats these steps: take the shape with the highest score, of equal ones the first; keep it; lower
         /// the score of each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are
-        /// kept or no score is left that is at least least_score. keep[k] is the shape taken in turn k, and decayed[k]
-        /// the score that it then had.</para>
+        /// kept or every score left is below least_score. keep[k] is the shape kept in step k, and decayed[k] the score
+        /// that it had then.</para>
         /// <para>Requires: shapes, scores and labels as vesica_suppress_f32; ratio, any but VESICA_RATIO_OVER_FIRST and
         /// _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score &gt;= 0; scratch of
         /// at least vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as
         /// are kept.</para>
         /// <para>Returns: 0, with *kept set to how many are kept.</para>
         /// <para>Errors: as vesica_suppress_f32. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left
-        /// out, and all else is written.</para>
-        /// <para>Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the
-        /// exponential, right to 1 unit in the last place. So the choice is that of the definition in double, the same
-        /// bits on every machine. Floats are widened first, and only the final scores rounded.</para>
-        /// <para>Cost: for each kept shape, that of vesica_ratio_matrix_f32 with all of its label that are left.</para>
+        /// out, and the result of the others is written.</para>
+        /// <para>Accuracy: in every step a score is multiplied once, in double, by 1 - r, rounded once, or by the
+        /// exponential, right to 1 unit in the last place. So the same shapes are kept, with the same bits, on every
+        /// machine. The float function computes in double and rounds only the final scores.</para>
+        /// <para>Cost: for each kept shape, that of vesica_ratio_matrix_f32 with the shapes of its label that are
+        /// left.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2233,26 +2243,25 @@ namespace Vesica
 
         /// <summary>
         /// <para>Does b touch a while it moves, when first, and where?</para>
-        /// <para>The normal is that of the face or the round outline that is met; where a corner meets a corner, that
-        /// of an edge there; where b only slides along a, it is across the velocity. The point of two faces that meet
+        /// <para>The normal is that of the face or the round outline that is met; if a corner meets a corner, that of
+        /// an edge there; if b only slides along a, it is perpendicular to the velocity. If two faces meet, the point
         /// is the middle of what they share. Shapes that overlap at the start have t = 0, the direction of
-        /// vesica_depth_f64 and the point of vesica_nearest_f64. So shapes that only touch, with a normal that does not
-        /// point against the velocity, are moving apart. Exchanging the shapes and turning the velocity round changes
-        /// neither the answer nor the time, and the normal but for its sign and rounding.</para>
+        /// vesica_depth_f64 and the point of vesica_nearest_f64. So shapes that only touch at the start are moving
+        /// apart if the normal does not point against the velocity. Exchanging the shapes and reversing the velocity
+        /// changes neither the answer nor the time; it reverses the normal, up to rounding.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that
-        /// is negative or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed
-        /// the finite numbers; or the digits of a place at some time span more than 2000 bits, which takes exponents
-        /// that are wildly unlike).</para>
+        /// is negative or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would overflow;
+        /// or an exact position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000).</para>
         /// <para>Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's
-        /// outline; along that it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4
-        /// u. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
-        /// their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
-        /// one.</para>
-        /// <para>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; of a ray (b a point), two circles and two
-        /// ellipses less, see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide; at
-        /// worst 2 ms, where exponents are wildly unlike.</para>
+        /// outline; along the outline it may be off by 8 u scale / |n.v|, n and v of unit length. The normal has length
+        /// 1 to 4 u. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
+        /// between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x":
+        /// the error is &lt;= x.</para>
+        /// <para>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two
+        /// ellipses, see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide; at worst
+        /// 2 ms.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2260,16 +2269,17 @@ namespace Vesica
             double vy, double tEnd, void* output);
 
         /// <summary>
-        /// <para>When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of
+        /// <para>When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of
         /// vesica_cast_f64's result.</para>
-        /// <para>Velocity i is at vx and vy + i * stride bytes; stride 0 repeats one.</para>
-        /// <para>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as
-        /// many numbers as the larger count. Some, but not all, may be NULL.</para>
-        /// <para>Returns: how many touch, those that overlap at the start included.</para>
-        /// <para>Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of
-        /// range has NaN for its numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there
-        /// is an invalid shape, else the error.</para>
-        /// <para>Accuracy: every result has the bits of vesica_cast_f64.</para>
+        /// <para>Velocity i is `i * stride` bytes after vx and vy; stride 0 repeats one velocity.</para>
+        /// <para>Requires: velocities and t_end as vesica_cast_f64; equal counts, or one count of 1, whose shape is
+        /// used for all. Each output has room for as many numbers as the larger count. Some, but not all, may be
+        /// NULL.</para>
+        /// <para>Returns: how many touch, including those that overlap at the start.</para>
+        /// <para>Errors: those of vesica_cast_f64. An element with an invalid shape, a velocity that is not finite or a
+        /// result out of range gets NaN for all its numbers, and all others are written as usual. The call then returns
+        /// VESICA_E_SHAPE if a shape is invalid, else the error of such an element.</para>
+        /// <para>Accuracy: every result has the same bits as vesica_cast_f64.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2277,14 +2287,13 @@ namespace Vesica
             double tEnd, void* t, void* x, void* y, void* nx, void* ny);
 
         /// <summary>
-        /// <para>Which of many shapes at rest does one moving shape touch first? Of several at one time the one with
-        /// the lowest number.</para>
-        /// <para>Requires: one, the shape that moves, is a single one (count 1).</para>
-        /// <para>Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing
-        /// to `one`.</para>
-        /// <para>Errors: as above. An invalid shape anywhere is one. VESICA_E_RANGE only if vesica_cast_f64 returns it
-        /// for one of the shapes, and that might be touched first: where another one is certainly touched before, there
-        /// is no error.</para>
+        /// <para>Which of many shapes at rest does one moving shape touch first? If several are touched at that time,
+        /// the one with the lowest index.</para>
+        /// <para>Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f64.</para>
+        /// <para>Returns: its index, or the count of `many` if none is touched. *out is its contact, the normal
+        /// pointing to `one`.</para>
+        /// <para>Errors: those of vesica_cast_f64. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if
+        /// vesica_cast_f64 returns it for a shape that might be touched first.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2292,14 +2301,14 @@ namespace Vesica
             void* output);
 
         /// <summary>
-        /// <para>A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never
-        /// touched.</para>
+        /// <para>A box that holds a shape throughout its motion, t from 0 to t_end. The shape touches nothing outside
+        /// it.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: 0.</para>
-        /// <para>Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.</para>
-        /// <para>Accuracy: a side that does not move is that of vesica_bounds_f64. One that does is too far out by at
-        /// most three steps between numbers as large as the largest of the side at rest, its way and where it
-        /// ends.</para>
+        /// <para>Errors: those of vesica_cast_f64; VESICA_E_RANGE if a side would overflow.</para>
+        /// <para>Accuracy: a side that does not move is that of vesica_bounds_f64. One that moves is too far out by at
+        /// most three units in the last place of the largest of three numbers: the side at rest, the way it moves, and
+        /// where it ends.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2308,11 +2317,12 @@ namespace Vesica
 
         /// <summary>
         /// <para>Which items of an index does one moving shape touch? They come in the index's order.</para>
-        /// <para>Requires: sets are those of the index. one is a single shape (count 1). out has room for `capacity`
-        /// items. With capacity 0, out and state may be NULL.</para>
+        /// <para>Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f64.
+        /// out has room for `capacity` items. With capacity 0, out and state may be NULL.</para>
         /// <para>Returns: the number of items written; with capacity 0, how many there are.</para>
-        /// <para>Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a
-        /// pointer that is not aligned, or a state that is not of this call. Invalid items are never touched.</para>
+        /// <para>Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the
+        /// index's, a pointer that is not aligned, or a state from another call. Invalid items are never
+        /// touched.</para>
         /// <para>Accuracy: exact.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -2321,12 +2331,13 @@ namespace Vesica
             double vy, double tEnd, void* output, long capacity, void* state);
 
         /// <summary>
-        /// <para>Which item of an index does one moving shape touch first? Of several at one time the one with the
-        /// lowest number.</para>
-        /// <para>Requires: sets are those of the index. one is a single shape (count 1).</para>
-        /// <para>Returns: the item, or the index's count if there is none. *out is its contact, the normal pointing to
-        /// `one`.</para>
-        /// <para>Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as of vesica_cast_first_f64.</para>
+        /// <para>Which item of an index does one moving shape touch first? If several are touched at that time, the
+        /// lowest item.</para>
+        /// <para>Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as
+        /// vesica_cast_f64.</para>
+        /// <para>Returns: the item, or the index's count if none is touched. *out is its contact, the normal pointing
+        /// to `one`.</para>
+        /// <para>Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as for vesica_cast_first_f64.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2334,25 +2345,25 @@ namespace Vesica
             double vx, double vy, double tEnd, void* output);
 
         /// <summary>
-        /// <para>When do two shapes that move and turn touch first? t is proved: however thin they are and however fast
-        /// they turn, there is no contact before.</para>
-        /// <para>At t, from 0 to 1, a centre has moved by t (vx, vy) and an axis has turned by t times the angle, as
-        /// real numbers do. *out is the place then: the point of a that is nearest to b, and the normal that separates
-        /// them. They are at most *gap apart.</para>
-        /// <para>Requires: numbers of turn_a and turn_b finite, angles at most 2^20 in magnitude; tolerance above 0, a
-        /// length. No pointer may be NULL.</para>
-        /// <para>Returns: VESICA_CAST_MISS: proved, there is no contact from 0 to 1; then t is infinity, all other
-        /// numbers and the gap are NaN. VESICA_CAST_HIT: proved, there is contact after t. VESICA_CAST_NEAR: there may
-        /// be contact after t. Of a point and a segment, or two points, which have no depth in each other, contact is
-        /// never proved. VESICA_CAST_START: the shapes overlap at t = 0, which is exact; *out is as of vesica_cast_f64,
-        /// and the gap 0.</para>
+        /// <para>When do two shapes that move and turn touch first? It is proved that there is no contact before t,
+        /// however thin the shapes are and however fast they turn.</para>
+        /// <para>At t, from 0 to 1, a centre has moved by t (vx, vy) and an axis has turned by t times the angle,
+        /// without rounding. *out describes that moment: the point of a that is nearest to b, and the normal that
+        /// separates them. They are then at most *gap apart.</para>
+        /// <para>Requires: numbers of turn_a and turn_b finite, angles at most 2^20 in magnitude; tolerance, a length
+        /// &gt; 0. No pointer may be NULL.</para>
+        /// <para>Returns: VESICA_CAST_MISS: it is proved that there is no contact from 0 to 1; t is infinity, and all
+        /// other numbers and the gap are NaN. VESICA_CAST_HIT: it is proved that there is contact after t.
+        /// VESICA_CAST_NEAR: there may be contact after t; contact of a point with a segment or a point, where there is
+        /// no depth, is never proved. VESICA_CAST_START: the shapes overlap at t = 0, which is exact; *out is that of
+        /// vesica_cast_f64, and the gap is 0.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate
-        /// of the point, or the gap, would exceed the finite numbers). On an error nothing is written.</para>
-        /// <para>Accuracy: that there is no contact before t, a miss and a hit are certain. The gap is at most the
-        /// tolerance, unless that is below what rounding allows, (120 + 4 |angles|) u times the sum of all lengths, u =
-        /// 2^-53, the motion's included; or 256 directions or 4096 poses were looked at.</para>
-        /// <para>Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us where one shape is round; 0.14 ms was seen at spins of
-        /// 10^6 radians, 1.4 ms where exponents are wildly unlike.</para>
+        /// of the point, or the gap, would overflow).</para>
+        /// <para>Accuracy: what is said to be proved is certain. The gap is at most the tolerance, except in two cases:
+        /// the tolerance is below (120 + 4 |angles|) u times the sum of all lengths, the motion's included, u = 2^-53;
+        /// or the search stopped after 256 directions or 4096 poses.</para>
+        /// <para>Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us if one shape is round; 0.14 ms was seen at spins of 10^6
+        /// radians; at worst 1.4 ms.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2363,11 +2374,10 @@ namespace Vesica
         /// <para>A ray at a point.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
-        /// vesica_cast_f64.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.</para>
         /// <para>Accuracy: that of vesica_cast_f64.</para>
-        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
-        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us.
+        /// Near-ties cost what vesica_cast_f64 does for other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2378,11 +2388,10 @@ namespace Vesica
         /// <para>A ray at a segment.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
-        /// vesica_cast_f64.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.</para>
         /// <para>Accuracy: that of vesica_cast_f64.</para>
-        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
-        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us.
+        /// Near-ties cost what vesica_cast_f64 does for other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2393,11 +2402,10 @@ namespace Vesica
         /// <para>A ray at a disc.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
-        /// vesica_cast_f64.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.</para>
         /// <para>Accuracy: that of vesica_cast_f64.</para>
-        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
-        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us.
+        /// Near-ties cost what vesica_cast_f64 does for other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2408,11 +2416,10 @@ namespace Vesica
         /// <para>A ray at an axis-aligned box.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
-        /// vesica_cast_f64.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.</para>
         /// <para>Accuracy: that of vesica_cast_f64.</para>
-        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
-        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us.
+        /// Near-ties cost what vesica_cast_f64 does for other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2423,11 +2430,10 @@ namespace Vesica
         /// <para>A ray at a rectangle.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
-        /// vesica_cast_f64.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.</para>
         /// <para>Accuracy: that of vesica_cast_f64.</para>
-        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
-        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us.
+        /// Near-ties cost what vesica_cast_f64 does for other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2438,11 +2444,10 @@ namespace Vesica
         /// <para>A ray at an ellipse.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
-        /// vesica_cast_f64.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.</para>
         /// <para>Accuracy: that of vesica_cast_f64.</para>
-        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
-        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us.
+        /// Near-ties cost what vesica_cast_f64 does for other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2453,11 +2458,10 @@ namespace Vesica
         /// <para>Two discs.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
-        /// vesica_cast_f64.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.</para>
         /// <para>Accuracy: that of vesica_cast_f64.</para>
-        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
-        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us.
+        /// Near-ties cost what vesica_cast_f64 does for other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2468,11 +2472,10 @@ namespace Vesica
         /// <para>Two rectangles.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
-        /// vesica_cast_f64.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.</para>
         /// <para>Accuracy: that of vesica_cast_f64.</para>
-        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
-        /// kinds' own way leaves open costs what vesica_cast_f64 does of other kinds.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us.
+        /// Near-ties cost what vesica_cast_f64 does for other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2481,26 +2484,25 @@ namespace Vesica
 
         /// <summary>
         /// <para>Does b touch a while it moves, when first, and where?</para>
-        /// <para>The normal is that of the face or the round outline that is met; where a corner meets a corner, that
-        /// of an edge there; where b only slides along a, it is across the velocity. The point of two faces that meet
+        /// <para>The normal is that of the face or the round outline that is met; if a corner meets a corner, that of
+        /// an edge there; if b only slides along a, it is perpendicular to the velocity. If two faces meet, the point
         /// is the middle of what they share. Shapes that overlap at the start have t = 0, the direction of
-        /// vesica_depth_f32 and the point of vesica_nearest_f32. So shapes that only touch, with a normal that does not
-        /// point against the velocity, are moving apart. Exchanging the shapes and turning the velocity round changes
-        /// neither the answer nor the time, and the normal but for its sign and rounding.</para>
+        /// vesica_depth_f32 and the point of vesica_nearest_f32. So shapes that only touch at the start are moving
+        /// apart if the normal does not point against the velocity. Exchanging the shapes and reversing the velocity
+        /// changes neither the answer nor the time; it reverses the normal, up to rounding.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that
-        /// is negative or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed
-        /// the finite numbers; or the digits of a place at some time span more than 2000 bits, which takes exponents
-        /// that are wildly unlike).</para>
+        /// is negative or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would overflow;
+        /// or an exact position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000).</para>
         /// <para>Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's
-        /// outline; along that it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4
-        /// u. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
-        /// their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
-        /// one.</para>
-        /// <para>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; of a ray (b a point), two circles and two
-        /// ellipses less, see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide; at
-        /// worst 2 ms, where exponents are wildly unlike.</para>
+        /// outline; along the outline it may be off by 8 u scale / |n.v|, n and v of unit length. The normal has length
+        /// 1 to 4 u. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
+        /// between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x":
+        /// the error is &lt;= x.</para>
+        /// <para>Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two
+        /// ellipses, see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide; at worst
+        /// 2 ms.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2508,16 +2510,17 @@ namespace Vesica
             float vy, float tEnd, void* output);
 
         /// <summary>
-        /// <para>When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of
+        /// <para>When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of
         /// vesica_cast_f32's result.</para>
-        /// <para>Velocity i is at vx and vy + i * stride bytes; stride 0 repeats one.</para>
-        /// <para>Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as
-        /// many numbers as the larger count. Some, but not all, may be NULL.</para>
-        /// <para>Returns: how many touch, those that overlap at the start included.</para>
-        /// <para>Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of
-        /// range has NaN for its numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there
-        /// is an invalid shape, else the error.</para>
-        /// <para>Accuracy: every result has the bits of vesica_cast_f32.</para>
+        /// <para>Velocity i is `i * stride` bytes after vx and vy; stride 0 repeats one velocity.</para>
+        /// <para>Requires: velocities and t_end as vesica_cast_f32; equal counts, or one count of 1, whose shape is
+        /// used for all. Each output has room for as many numbers as the larger count. Some, but not all, may be
+        /// NULL.</para>
+        /// <para>Returns: how many touch, including those that overlap at the start.</para>
+        /// <para>Errors: those of vesica_cast_f32. An element with an invalid shape, a velocity that is not finite or a
+        /// result out of range gets NaN for all its numbers, and all others are written as usual. The call then returns
+        /// VESICA_E_SHAPE if a shape is invalid, else the error of such an element.</para>
+        /// <para>Accuracy: every result has the same bits as vesica_cast_f32.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2525,14 +2528,13 @@ namespace Vesica
             float tEnd, void* t, void* x, void* y, void* nx, void* ny);
 
         /// <summary>
-        /// <para>Which of many shapes at rest does one moving shape touch first? Of several at one time the one with
-        /// the lowest number.</para>
-        /// <para>Requires: one, the shape that moves, is a single one (count 1).</para>
-        /// <para>Returns: its number, or the count of `many` if there is none. *out is its contact, the normal pointing
-        /// to `one`.</para>
-        /// <para>Errors: as above. An invalid shape anywhere is one. VESICA_E_RANGE only if vesica_cast_f32 returns it
-        /// for one of the shapes, and that might be touched first: where another one is certainly touched before, there
-        /// is no error.</para>
+        /// <para>Which of many shapes at rest does one moving shape touch first? If several are touched at that time,
+        /// the one with the lowest index.</para>
+        /// <para>Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f32.</para>
+        /// <para>Returns: its index, or the count of `many` if none is touched. *out is its contact, the normal
+        /// pointing to `one`.</para>
+        /// <para>Errors: those of vesica_cast_f32. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if
+        /// vesica_cast_f32 returns it for a shape that might be touched first.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2540,14 +2542,14 @@ namespace Vesica
             void* output);
 
         /// <summary>
-        /// <para>A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never
-        /// touched.</para>
+        /// <para>A box that holds a shape throughout its motion, t from 0 to t_end. The shape touches nothing outside
+        /// it.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: 0.</para>
-        /// <para>Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.</para>
-        /// <para>Accuracy: a side that does not move is that of vesica_bounds_f32. One that does is too far out by at
-        /// most three steps between numbers as large as the largest of the side at rest, its way and where it
-        /// ends.</para>
+        /// <para>Errors: those of vesica_cast_f32; VESICA_E_RANGE if a side would overflow.</para>
+        /// <para>Accuracy: a side that does not move is that of vesica_bounds_f32. One that moves is too far out by at
+        /// most three units in the last place of the largest of three numbers: the side at rest, the way it moves, and
+        /// where it ends.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2556,11 +2558,12 @@ namespace Vesica
 
         /// <summary>
         /// <para>Which items of an index does one moving shape touch? They come in the index's order.</para>
-        /// <para>Requires: sets are those of the index. one is a single shape (count 1). out has room for `capacity`
-        /// items. With capacity 0, out and state may be NULL.</para>
+        /// <para>Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f32.
+        /// out has room for `capacity` items. With capacity 0, out and state may be NULL.</para>
         /// <para>Returns: the number of items written; with capacity 0, how many there are.</para>
-        /// <para>Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a
-        /// pointer that is not aligned, or a state that is not of this call. Invalid items are never touched.</para>
+        /// <para>Errors: those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the
+        /// index's, a pointer that is not aligned, or a state from another call. Invalid items are never
+        /// touched.</para>
         /// <para>Accuracy: exact.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -2569,12 +2572,13 @@ namespace Vesica
             float vy, float tEnd, void* output, long capacity, void* state);
 
         /// <summary>
-        /// <para>Which item of an index does one moving shape touch first? Of several at one time the one with the
-        /// lowest number.</para>
-        /// <para>Requires: sets are those of the index. one is a single shape (count 1).</para>
-        /// <para>Returns: the item, or the index's count if there is none. *out is its contact, the normal pointing to
-        /// `one`.</para>
-        /// <para>Errors: those of vesica_index_cast_f32; VESICA_E_RANGE only as of vesica_cast_first_f32.</para>
+        /// <para>Which item of an index does one moving shape touch first? If several are touched at that time, the
+        /// lowest item.</para>
+        /// <para>Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as
+        /// vesica_cast_f32.</para>
+        /// <para>Returns: the item, or the index's count if none is touched. *out is its contact, the normal pointing
+        /// to `one`.</para>
+        /// <para>Errors: those of vesica_index_cast_f32; VESICA_E_RANGE only as for vesica_cast_first_f32.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2594,11 +2598,10 @@ namespace Vesica
         /// <para>A ray at a point.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
-        /// vesica_cast_f32.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.</para>
         /// <para>Accuracy: that of vesica_cast_f32.</para>
-        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
-        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us.
+        /// Near-ties cost what vesica_cast_f32 does for other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2609,11 +2612,10 @@ namespace Vesica
         /// <para>A ray at a segment.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
-        /// vesica_cast_f32.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.</para>
         /// <para>Accuracy: that of vesica_cast_f32.</para>
-        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
-        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us.
+        /// Near-ties cost what vesica_cast_f32 does for other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2624,11 +2626,10 @@ namespace Vesica
         /// <para>A ray at a disc.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
-        /// vesica_cast_f32.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.</para>
         /// <para>Accuracy: that of vesica_cast_f32.</para>
-        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
-        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us.
+        /// Near-ties cost what vesica_cast_f32 does for other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2639,11 +2640,10 @@ namespace Vesica
         /// <para>A ray at an axis-aligned box.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
-        /// vesica_cast_f32.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.</para>
         /// <para>Accuracy: that of vesica_cast_f32.</para>
-        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
-        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us.
+        /// Near-ties cost what vesica_cast_f32 does for other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2654,11 +2654,10 @@ namespace Vesica
         /// <para>A ray at a rectangle.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
-        /// vesica_cast_f32.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.</para>
         /// <para>Accuracy: that of vesica_cast_f32.</para>
-        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
-        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us.
+        /// Near-ties cost what vesica_cast_f32 does for other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2669,11 +2668,10 @@ namespace Vesica
         /// <para>A ray at an ellipse.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
-        /// vesica_cast_f32.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.</para>
         /// <para>Accuracy: that of vesica_cast_f32.</para>
-        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
-        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us.
+        /// Near-ties cost what vesica_cast_f32 does for other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2684,11 +2682,10 @@ namespace Vesica
         /// <para>Two discs.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
-        /// vesica_cast_f32.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.</para>
         /// <para>Accuracy: that of vesica_cast_f32.</para>
-        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
-        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us.
+        /// Near-ties cost what vesica_cast_f32 does for other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2699,11 +2696,10 @@ namespace Vesica
         /// <para>Two rectangles.</para>
         /// <para>Requires: vx and vy finite; both may be 0. t_end &gt;= 0, or infinity.</para>
         /// <para>Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of
-        /// vesica_cast_f32.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.</para>
         /// <para>Accuracy: that of vesica_cast_f32.</para>
-        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the
-        /// kinds' own way leaves open costs what vesica_cast_f32 does of other kinds.</para>
+        /// <para>Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us.
+        /// Near-ties cost what vesica_cast_f32 does for other kinds.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2711,13 +2707,13 @@ namespace Vesica
             void* output);
 
         /// <summary>
-        /// <para>The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.</para>
-        /// <para>Every shape has an inside, an outline and an outside. The nine characters say of a's inside with b's
-        /// inside, outline and outside, then of a's outline with those three, then of a's outside, what they share: F
-        /// for nothing, else the dimension: 0 for single points, 1 for lines, 2 for an area. The outline of a segment
-        /// is its two end points; a point has none; that of a shape with area is the curve around it. A segment without
-        /// length is a point; a shape with one size 0 is a segment, with both a point. So a box that shares a side with
-        /// another gives "FF2F11212". Exchanging the shapes exchanges rows and columns.</para>
+        /// <para>The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.</para>
+        /// <para>Every shape has an inside, an outline and an outside. The first three characters say what a's inside
+        /// shares with b's inside, outline and outside; the next three say it of a's outline, the last three of a's
+        /// outside. F means nothing, 0 single points, 1 lines, 2 an area. The outline of a shape with area is the curve
+        /// around it, that of a segment its two end points; a point has none. A segment without length is a point; a
+        /// shape with one size 0 is a segment, with both 0 a point. Two boxes side by side that share a side give
+        /// "FF2F11212". Exchanging the shapes exchanges rows and columns.</para>
         /// <para>Requires: matrix with room for VESICA_DE9IM_SIZE characters.</para>
         /// <para>Returns: 0, and nine characters and a final NUL in matrix.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
@@ -2730,12 +2726,11 @@ namespace Vesica
         internal static extern int vesica_de9im_f64(int kindA, void* numbersA, int kindB, void* numbersB, void* matrix);
 
         /// <summary>
-        /// <para>Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?</para>
-        /// <para>Each character of the pattern is one of F, 0, 1 and 2, which is meant literally; T, any of 0, 1 and 2;
-        /// and *, which fits all.</para>
+        /// <para>Does a nine-intersection matrix match a pattern, such as "T*F**F***" for "a is within b"?</para>
+        /// <para>In a pattern F, 0, 1 and 2 match themselves, T matches 0, 1 and 2, and * matches all four.</para>
         /// <para>Requires: matrix and pattern, nine such characters and a final NUL each; no T or * in the
         /// matrix.</para>
-        /// <para>Returns: 1 if it fits, 0 if not.</para>
+        /// <para>Returns: 1 if it matches, 0 if not.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (another length or another character).</para>
         /// <para>Accuracy: exact.</para>
         /// <para>Since: 0.1.</para>
@@ -2744,24 +2739,23 @@ namespace Vesica
         internal static extern int vesica_de9im_match(void* matrix, void* pattern);
 
         /// <summary>
-        /// <para>The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and
-        /// any shape.</para>
-        /// <para>The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle
-        /// or an ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up,
-        /// from the one that is lowest, of two equally low ones the left one, as their numbers have it. One vertex is a
-        /// point, two are a segment's ends. Of the same two shapes in either order they are the same numbers, and the
-        /// same bits: a zero is +0. Vertices that are not used become 0.</para>
-        /// <para>Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is
-        /// shared.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE,
-        /// VESICA_E_RANGE (a vertex, or the length of a side that makes one, exceeds the finite numbers).</para>
-        /// <para>Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own
-        /// corner has the numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f64. Others are
-        /// right to 4 u times the largest coordinate or size of either shape. Bounds on computed numbers use u = 2^-53.
-        /// The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
-        /// aspect ratio is a shape's longer size over its shorter one.</para>
+        /// <para>The vertices of the region that two shapes share: two with straight outlines, or a segment and any
+        /// shape.</para>
+        /// <para>The kinds are points, segments, boxes and rectangles; a point or a segment may also meet a circle or
+        /// an ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise if y points up. The
+        /// first is the one with the least y, of equal ones that with the least x, by the numbers written. One vertex
+        /// is a point, two are the ends of a segment. Exchanging the shapes changes no bit; a zero is +0. Unused
+        /// vertices become 0.</para>
+        /// <para>Returns: the number of vertices, 1 to 8, or 0 if the shapes share nothing.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_SHAPE,
+        /// VESICA_E_RANGE (a vertex, or the length of a side that makes one, overflows).</para>
+        /// <para>Accuracy: the number of vertices is exact: it is that of the true region. A corner of a shape that
+        /// lies in the other keeps the stored numbers, or those of vesica_corners_of_shapes_f64 for a rectangle. Other
+        /// vertices are right to 4 u times the largest coordinate or size of either shape. Bounds on computed numbers
+        /// use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their
+        /// half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas;
-        /// at worst 300 us, where exponents are wildly unlike.</para>
+        /// at worst 300 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2769,13 +2763,13 @@ namespace Vesica
             void* vertices);
 
         /// <summary>
-        /// <para>The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.</para>
-        /// <para>Every shape has an inside, an outline and an outside. The nine characters say of a's inside with b's
-        /// inside, outline and outside, then of a's outline with those three, then of a's outside, what they share: F
-        /// for nothing, else the dimension: 0 for single points, 1 for lines, 2 for an area. The outline of a segment
-        /// is its two end points; a point has none; that of a shape with area is the curve around it. A segment without
-        /// length is a point; a shape with one size 0 is a segment, with both a point. So a box that shares a side with
-        /// another gives "FF2F11212". Exchanging the shapes exchanges rows and columns.</para>
+        /// <para>The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.</para>
+        /// <para>Every shape has an inside, an outline and an outside. The first three characters say what a's inside
+        /// shares with b's inside, outline and outside; the next three say it of a's outline, the last three of a's
+        /// outside. F means nothing, 0 single points, 1 lines, 2 an area. The outline of a shape with area is the curve
+        /// around it, that of a segment its two end points; a point has none. A segment without length is a point; a
+        /// shape with one size 0 is a segment, with both 0 a point. Two boxes side by side that share a side give
+        /// "FF2F11212". Exchanging the shapes exchanges rows and columns.</para>
         /// <para>Requires: matrix with room for VESICA_DE9IM_SIZE characters.</para>
         /// <para>Returns: 0, and nine characters and a final NUL in matrix.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
@@ -2788,25 +2782,24 @@ namespace Vesica
         internal static extern int vesica_de9im_f32(int kindA, void* numbersA, int kindB, void* numbersB, void* matrix);
 
         /// <summary>
-        /// <para>The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and
-        /// any shape.</para>
-        /// <para>The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle
-        /// or an ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up,
-        /// from the one that is lowest, of two equally low ones the left one, as their numbers have it. One vertex is a
-        /// point, two are a segment's ends. Of the same two shapes in either order they are the same numbers, and the
-        /// same bits: a zero is +0. Vertices that are not used become 0.</para>
-        /// <para>Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f32 says that nothing is
-        /// shared.</para>
-        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE,
-        /// VESICA_E_RANGE (a vertex, or the length of a side that makes one, exceeds the finite numbers).</para>
-        /// <para>Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own
-        /// corner has the numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f32. Others are
-        /// right to 4 u times the largest coordinate or size of either shape. Each number is computed in double, within
-        /// these bounds, and then rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of two
-        /// shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a
-        /// shape's longer size over its shorter one.</para>
+        /// <para>The vertices of the region that two shapes share: two with straight outlines, or a segment and any
+        /// shape.</para>
+        /// <para>The kinds are points, segments, boxes and rectangles; a point or a segment may also meet a circle or
+        /// an ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise if y points up. The
+        /// first is the one with the least y, of equal ones that with the least x, by the numbers written. One vertex
+        /// is a point, two are the ends of a segment. Exchanging the shapes changes no bit; a zero is +0. Unused
+        /// vertices become 0.</para>
+        /// <para>Returns: the number of vertices, 1 to 8, or 0 if the shapes share nothing.</para>
+        /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_SHAPE,
+        /// VESICA_E_RANGE (a vertex, or the length of a side that makes one, overflows).</para>
+        /// <para>Accuracy: the number of vertices is exact: it is that of the true region. A corner of a shape that
+        /// lies in the other keeps the stored numbers, or those of vesica_corners_of_shapes_f32 for a rectangle. Other
+        /// vertices are right to 4 u times the largest coordinate or size of either shape. Each number is computed in
+        /// double, within these bounds, and then rounded to float once. Bounds on computed numbers use u = 2^-53. The
+        /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
+        /// aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: that of vesica_overlap_f32 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas;
-        /// at worst 300 us, where exponents are wildly unlike.</para>
+        /// at worst 300 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -80,7 +80,7 @@ namespace Vesica
     public enum JoinQuery
     {
         /// <summary>
-        /// a and b share a point, as vesica_overlap_f64 tells
+        /// a and b overlap, as by vesica_overlap_f64
         /// </summary>
         Overlap = 0,
         /// <summary>
@@ -88,7 +88,7 @@ namespace Vesica
         /// </summary>
         Bounds = 1,
         /// <summary>
-        /// a contains b, as vesica_contains_f64 tells
+        /// a contains b, as by vesica_contains_f64
         /// </summary>
         Contains = 2,
         /// <summary>
@@ -103,7 +103,7 @@ namespace Vesica
     public enum Ratio
     {
         /// <summary>
-        /// shared area / area of a and b together (IoU)
+        /// shared area / area of the union of a and b (IoU)
         /// </summary>
         OverUnion = 0,
         /// <summary>
@@ -119,7 +119,7 @@ namespace Vesica
         /// </summary>
         OverSmaller = 3,
         /// <summary>
-        /// IoU - the part of the hull that neither covers (GIoU)
+        /// IoU - (area of the hull that neither covers / area of the hull) (GIoU)
         /// </summary>
         Generalized = 4,
         /// <summary>
@@ -150,7 +150,7 @@ namespace Vesica
         /// </summary>
         Quarters = 2,
         /// <summary>
-        /// added to a unit: angles turn from +x away from +y
+        /// added to a unit: angles turn the other way, from +x towards -y
         /// </summary>
         Reversed = 4,
     }
@@ -180,11 +180,11 @@ namespace Vesica
         /// </summary>
         No = 0,
         /// <summary>
-        /// they are not
+        /// they are at most that far apart
         /// </summary>
         Yes = 1,
         /// <summary>
-        /// with an ellipse alone: their distance is too near the one asked for to tell
+        /// only with an ellipse: their distance is too close to the one asked for to tell
         /// </summary>
         Nearly = 2,
     }
@@ -207,7 +207,7 @@ namespace Vesica
         /// </summary>
         Start = 2,
         /// <summary>
-        /// vesica_impact_time_f64 alone: none before t, and perhaps none later
+        /// only from vesica_impact_time_f64: none before t, and perhaps none later
         /// </summary>
         Near = 3,
     }
@@ -222,7 +222,7 @@ namespace Vesica
         /// </summary>
         Null = -1,
         /// <summary>
-        /// a shape is invalid; vesica_check_f64 and _f32 tell why
+        /// a shape is invalid; vesica_check_f64 or _f32 says why
         /// </summary>
         Shape = -2,
         /// <summary>
@@ -250,7 +250,7 @@ namespace Vesica
         /// </summary>
         Inverted = -8,
         /// <summary>
-        /// a number of the result would be beyond the finite numbers of its type
+        /// a number of the result would overflow its type
         /// </summary>
         Range = -9,
         /// <summary>
@@ -902,9 +902,8 @@ namespace Vesica
     }
 
     /// <summary>
-    /// <para>A first contact: when, where and along which normal.</para>
-    /// <para>(nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are
-    /// NaN.</para>
+    /// <para>A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.</para>
+    /// <para>After a miss t is infinity and all other numbers are NaN.</para>
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct Impact
@@ -936,8 +935,8 @@ namespace Vesica
     }
 
     /// <summary>
-    /// How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that, in
-    /// radians. Positive angles turn counter-clockwise where y points up.
+    /// How a shape moves while t runs from 0 to 1: the way (vx, vy) of its centre, and the angle in radians by which it
+    /// turns about its centre. Positive angles turn counter-clockwise if y points up.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct Turn
@@ -961,9 +960,8 @@ namespace Vesica
     }
 
     /// <summary>
-    /// <para>A first contact: when, where and along which normal.</para>
-    /// <para>(nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are
-    /// NaN.</para>
+    /// <para>A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.</para>
+    /// <para>After a miss t is infinity and all other numbers are NaN.</para>
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct ImpactF
@@ -995,8 +993,8 @@ namespace Vesica
     }
 
     /// <summary>
-    /// How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that, in
-    /// radians. Positive angles turn counter-clockwise where y points up.
+    /// How a shape moves while t runs from 0 to 1: the way (vx, vy) of its centre, and the angle in radians by which it
+    /// turns about its centre. Positive angles turn counter-clockwise if y points up.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct TurnF

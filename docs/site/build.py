@@ -21,7 +21,7 @@ PAGES = [
     ("functions", HERE / "functions.html", "which function do I want?"),
     ("guide", ROOT / "docs/guide.md", "guide"),
     ("methods", ROOT / "docs/methods.md", "the named methods"),
-    ("benchmarks", ROOT / "docs/benchmarks.md", "accuracy and speed"),
+    ("benchmarks", ROOT / "docs/benchmarks.md", "speed"),
     ("join", ROOT / "docs/join.md", "index and join"),
     ("motion", ROOT / "docs/motion.md", "shapes that move"),
     ("cuda", ROOT / "docs/cuda.md", "at compile time and on a GPU"),

@@ -7,8 +7,8 @@
 /// never more than the area of either; more than 0 where insides meet, unless that underflows; 0 <= iou <= 1, and 1 for
 /// equal shapes; times 4^k, or unchanged for iou, when both shapes are scaled by 2^k without leaving the format.
 ///
-/// Accuracy: within 64u of the lesser shape's area times the larger of the shapes' aspects (their longer size over
-/// their shorter), u = 2^-53, for aspects of up to 10^4; however near the outlines come to touching or coinciding.
+/// Accuracy: within 64u times the smaller shape's area times the larger aspect ratio (longer size over shorter), u =
+/// 2^-53, for aspect ratios up to 10^4, even where the outlines nearly touch or coincide.
 #pragma once
 
 #include <cstring>
@@ -50,7 +50,7 @@ VESICA_INLINE Settled<double, bool> quick_area(const A& a, const B& b) noexcept 
   return crossing_area<A, B>(filter::box(a), filter::box(b), filter::offset(filter::place(a), filter::place(b)));
 }
 
-/// Which of two shapes of a form is to be the frame.
+/// Which of two shapes of a form gives the frame for the computation.
 inline bool frame_is_first(const StandardPair<double>& p, const Measure& area_a, const Measure& area_b) noexcept {
   const double rank_a = less(area_b, area_a) ? 1 : 0, rank_b = less(area_a, area_b) ? 1 : 0;
   return order(p.a, p.b, p.offset, rank_a, rank_b).first;
@@ -120,24 +120,25 @@ Measure precise_area(const A& a, const B& b, const Measure& area_a, const Measur
   }
 }
 
-/// Insides that meet share some area, and never more than the lesser shape has. A computed area that is not positive is
-/// replaced by one far below the accuracy.
+/// If insides meet, the shared area is positive and at most the smaller shape's. A computed area that is not positive
+/// is replaced by a positive one far below the error bound.
 inline Measure between_bounds(const Measure& area, const Measure& least) noexcept {
   if (!(area.value > 0)) return {least.value, least.exponent - 120};
   return detail::area::least(area, least);
 }
 
-/// What iou() and area() need to know of a pair: the shared area and, unless it is 0, that of each shape.
+/// What iou() and area() are computed from: the shared area and, unless it is 0, the area of each shape.
 struct Shares {
   Measure shared, a, b;
   bool equal;
 };
 
-/// The relation, with a short way to equality: detections often come twice, and exact arithmetic takes a microsecond.
+/// The relation, with a quick test for equal numbers: detections are often duplicates, and to prove them equal in exact
+/// arithmetic takes a microsecond.
 template <class A, class B>
 std::int32_t relation_of(const A& a, const B& b) noexcept {
   if constexpr (std::is_same_v<A, B>) {
-    // Bits, not values: shapes that differ in the sign of a zero go the long way.
+    // Bits, not values: shapes that differ in the sign of a zero take the usual path.
     if (std::memcmp(&a, &b, sizeof a) == 0)  // NOLINT(bugprone-suspicious-memory-comparison)
       return check(a) == 0 ? static_cast<std::int32_t>(Relation::equal) : error_shape;
   }

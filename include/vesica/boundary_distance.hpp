@@ -9,11 +9,12 @@
 ///
 /// Accuracy, u = 2^-53 and scale the largest coordinate of the offset of centres or half length: the distance is right
 /// to 4u scale at aspect ratios up to 1e6, and never rounded to 0 where outlines are apart. Before coordinates are
-/// rounded, points are within 12u scale of their outlines at any aspect ratio, a common point of both (a search that
-/// climbs found 6.8u); at aspects up to 1e6 they are as far apart as the distance to 16u scale (it found 10.6u).
+/// rounded, points are within 12u scale of their outlines at any aspect ratio, a common point of both (6.8u is the most
+/// that a search for large errors found); at aspects up to 1e6 they are as far apart as the distance to 16u scale (it
+/// found 10.6u).
 ///
 /// Laws, each tested: boundary_distance(b, a) has the same bits with the points exchanged; the distance is unchanged
-/// when both shapes are moved by the same exact amounts; it is at least nearest(), and equals it for disjoint shapes.
+/// when both shapes are moved alike without rounding; it is at least nearest(), and equals it for disjoint shapes.
 #pragma once
 
 #include <limits>
@@ -83,8 +84,8 @@ inline bool closest_points_of_forms(Relation relation, const Form& a, const Form
   return true;
 }
 
-/// The pairs that batches answer in lanes use the same core here if one shape is inside the other. Returns false where
-/// that core is not settled.
+/// For nested pairs that batches answer in vector lanes: the same core, so that the bits are the same. Returns false if
+/// that core does not reach its accuracy; then the general search must answer.
 template <class A, class B>
 bool settled_outlines(const A&, const B&, Relation, ClosestPoints<double>&) noexcept {
   return false;

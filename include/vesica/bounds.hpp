@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The smallest box of representable numbers that contains a shape: each side is the shape's true extreme rounded
-/// outward once. A double-double estimate decides nearly every side; the exact stage decides the rest, and all constants.
+/// outward once. A double-double estimate decides nearly every side; the exact stage decides the rest, and all
+/// constants.
 #pragma once
 
 #include <cmath>
@@ -20,7 +21,7 @@ struct Reach {
   double c, p0, q0, p1, q1;
 };
 
-/// Nothing is known.
+/// No estimate: the exact stage must decide.
 inline constexpr arithmetic::Estimate unknown{0, 0, std::numeric_limits<double>::infinity()};
 
 /// Whether the product of p and q is 0 exactly, or lies where its square and the remainders have full precision.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Boxes as detectors write them, by centre, width, height and angle: to and from rectangles and ellipses; and corners.
+/// Boxes as detectors write them, with centre, width, height and angle: to and from rectangles and ellipses; corners.
 #pragma once
 
 #include <vesica/arithmetic/turn.hpp>

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-/// cast(a, b, vx, vy, t_end): a is at rest, b moves by v t. Does b touch a while t runs from 0 to t_end, when first,
-/// where and along which normal? A ray is a point that moves; t_end may be infinite.
+/// cast(a, b, vx, vy, t_end): a is at rest, b moves by v t while t runs from 0 to t_end. Does b touch a, and if so,
+/// when first, where and along which normal? A ray is a point that moves; t_end may be infinite.
 ///
 /// Whether there is contact is exact for every valid input, touching included. The time is the greatest number of its
-/// type with no contact before it: the true time, rounded down. So b moved by v t, were that exact, overlaps nothing
-/// before t.
+/// type with no contact before it: the true time, rounded down.
 ///
 /// Accuracy, u = 2^-53, scale the largest coordinate of the offset of centres or half length: the point is within 8u
-/// scale of a's outline, before the rounding of its coordinates. Along the outline it is off by what t and the normal
-/// are, times 1 / |n.v| for unit n and v. The normal is a unit vector to 4u. Where a corner meets a corner it is that
-/// of one of the edges there; where b only slides along a it is across v. Shapes that overlap at the start have the
-/// direction of depth() for a normal and the point of nearest(): at depth 0 with n.v >= 0 they part again.
+/// scale of a's outline, before the rounding of its coordinates. Along the outline the error may be 1 / |n.v| times
+/// that, for unit n and v. The normal is a unit vector to 4u. If a corner meets a corner it is that of one of the edges
+/// there; if b only slides along a it is perpendicular to v. Shapes that overlap at the start have the direction of
+/// depth() as normal and the point of nearest(): if their depth is 0 and n.v >= 0, they are moving apart.
 ///
-/// Laws, each tested, of answers and times to the bit: cast(b, a, -v) has the same time and, but for rounding, the
+/// Laws, each tested, of answers and times to the bit: cast(b, a, -v) has the same time and, up to rounding, the
 /// opposite normal; mirroring, turning by quarters or scaling by powers of two changes nothing; half the velocity takes
-/// twice the time; a hit stays one for a later end, at the same time; the start is told iff the shapes overlap.
+/// twice the time; a later t_end changes no hit; the answer is cast_start iff the shapes overlap.
 #pragma once
 
 #include <limits>
@@ -29,7 +28,7 @@ namespace detail::cast {
 
 inline bool is_sound(const Motion& m) noexcept { return all_finite(m.vx, m.vy) && m.end >= 0; }
 
-/// What is said where there is no contact.
+/// The result of a miss.
 template <class T>
 constexpr Impact<T> no_impact() noexcept {
   constexpr T none = std::numeric_limits<T>::quiet_NaN();

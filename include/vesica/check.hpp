@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Is a shape valid, and if not, which rule does it break? Rules are looked at in the order of their error codes.
+/// Is a shape valid, and if not, which rule does it break? Rules are checked in the order of their error codes.
 #pragma once
 
 #include <vesica/shapes.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Shapes from what people have: corners, angles, radius vectors, covariances, matrices. Each returns 0 or an error
-/// and writes `out` only on 0; what it writes is valid. Floats are computed in double and rounded once, at the end.
+/// Shapes from other descriptions: corners, angles, radius vectors, covariances, matrices. Each function returns 0 and
+/// writes a valid shape, or returns an error and writes nothing. Floats are computed in double and rounded once, at the
+/// end.
 #pragma once
 
 #include <cmath>
@@ -13,7 +14,7 @@ namespace vesica {
 
 namespace detail {
 
-/// A computed shape can break one rule only: a number may have overflowed.
+/// A computed shape can be invalid in one way only: a number may have overflowed.
 template <class Shape>
 int store(const Shape& s, Shape& out) noexcept {
   if (check(s) != 0) return error_range;
@@ -72,8 +73,8 @@ inline MeanRect mean_rect(const double (&p)[8]) noexcept {
       arithmetic::unit_and_length(sum_of_four(p[2], -p[0], p[4], -p[6]), sum_of_four(p[3], -p[1], p[5], -p[7]));
   const auto second =
       arithmetic::unit_and_length(sum_of_four(p[6], -p[0], p[4], -p[2]), sum_of_four(p[7], -p[1], p[5], -p[3]));
-  // The longer pair gives the direction, since rounded corners turn it least. Of the shorter pair the part across it
-  // counts.
+  // The longer pair gives the direction, because rounding of corners turns it least. The shorter pair gives only its
+  // extent across that direction.
   const arithmetic::Scaled hx = quarter(first.length), hy = quarter(second.length);
   const double across = std::fabs(first.x * second.y - first.y * second.x);
   if (arithmetic::scale(hy.value, hy.exponent - hx.exponent) <= hx.value) {

@@ -2,15 +2,15 @@
 /// crossings(a, b): the places where the outlines of two shapes meet, touching included.
 ///
 /// The outline of a shape with area is the curve around it; a segment, a point, and a shape without area are their own
-/// outlines. How many places there are is decided by exact signs: a place where outlines touch counts once, however
-/// high the order of contact. A stretch that straight outlines have in common counts as its two end points, and sets
-/// `shared`. Equal boxes so have their corners; equal curves have no single places, and set `shared` alone.
+/// outlines. How many places there are is decided by exact signs: a place where outlines touch counts once, whatever
+/// the order of contact. A stretch that straight outlines share counts as its two end points, and sets `shared`; so
+/// equal boxes meet at their corners. Equal curves meet everywhere: no places, and `shared` is set.
 ///
 /// Places come in order along a's outline: counter-clockwise (in the frame of the stored axis) from the corner -hx u -
 /// hy perp u of a box, from the end of the axis +u of an ellipse (+x of a circle); from a segment's first end. A place
-/// exactly there is the first. Places closer than the accuracy may be in either order, or be equal; so may those of two
-/// ellipses that are within 2^-96 of a turn of each other on the lesser one, which needles of aspects beyond 2^90 can
-/// have.
+/// exactly there is the first. Places closer than the accuracy may be in either order, or be equal. The same holds for
+/// places of two ellipses within 2^-96 of a turn of each other on the smaller one, as can happen with needles of
+/// aspects beyond 2^90.
 ///
 /// Accuracy: within 4u of the greatest coordinate and size of either shape, u = 2^-53, of a true place, and so of both
 /// outlines, however closely these touch, osculate or coincide; each true place is met once. Exchanging the shapes
@@ -35,7 +35,7 @@ inline constexpr bool is_round = ShapeTraits<Shape>::kind == Kind::circle || Sha
 inline std::array<double, 3> numbers(const Circle<double>& s) noexcept { return {s.cx, s.cy, s.r}; }
 inline std::array<double, 6> numbers(const Ellipse<double>& s) noexcept { return {s.cx, s.cy, s.ux, s.uy, s.a, s.b}; }
 
-/// Which outline places are looked for along: the lesser one's, whichever comes first.
+/// Whether places are searched along a's outline: along the smaller shape's, in either order of the arguments.
 template <class A, class B>
 bool is_first(const A& a, const B& b) noexcept {
   const auto area_a = detail::area::shape_measure(a), area_b = detail::area::shape_measure(b);
@@ -74,8 +74,8 @@ CrossingPoints<double> between(const A& a, const B& b) noexcept {
   }
 }
 
-/// Of the places where outlines meet the first by its coordinates, which does not depend on the order of the shapes.
-/// Returns false where there is none.
+/// One place where outlines meet: the first by its coordinates, which does not depend on the order of the shapes.
+/// Returns false if there is none.
 template <class A, class B>
 VESICA_COLD bool one_place(const A& a, const B& b, double& x, double& y) noexcept {
   const CrossingPoints<double> met = between(a, b);
@@ -90,7 +90,7 @@ VESICA_COLD bool one_place(const A& a, const B& b, double& x, double& y) noexcep
   return true;
 }
 
-/// What the filter leaves open needs no exact answer: no places will be found.
+/// Pairs that the filter leaves undecided need no exact answer here: if they are disjoint, no places will be found.
 template <class A, class B>
 auto overlap_filter(const A& a, const B& b) noexcept {
   if constexpr (vesica::detail::in_order<A, B>) {

@@ -2,8 +2,9 @@
 /// de9im(a, b): the nine-intersection matrix of two shapes (DE-9IM). Exact for every valid input.
 ///
 /// Inside and outline are those of relation.hpp: the outline of a segment is its two ends, that of an area the curve
-/// around it; a point has none. The outside is the rest of the plane. The relation, which is exact, already says most of
-/// the matrix. The rest are exact signs: where the ends of a segment are, and whether straight outlines share a stretch.
+/// around it; a point has none. The outside is the rest of the plane. Most of the matrix follows from the relation,
+/// which is exact. The rest follows from exact signs: where the ends of a segment are, and whether straight outlines
+/// share a stretch.
 ///
 /// Laws, each tested: exchanging the shapes transposes the matrix; the relation follows from it.
 #pragma once
@@ -47,7 +48,7 @@ inline NineIntersections of_point(Relation r, int dimension_b) noexcept {
            '2', 0}};
 }
 
-/// Of a segment and what it does not meet, or what it is, or whose inside holds it.
+/// A segment and a shape that it does not meet, or that it equals, or whose inside holds it.
 inline bool of_segment_by_relation(Relation r, int dimension_b, NineIntersections& out) noexcept {
   if (r == Relation::disjoint) {
     out = dimension_b == 1 ? NineIntersections{"FF1FF0102"} : NineIntersections{"FF1FF0212"};

@@ -8,14 +8,14 @@
 /// directions are equally short, the answer is one of them.
 ///
 /// Accuracy, with u = 2^-53 and scale the largest coordinate of the offset of centres or half length: the depth is
-/// right to 4u scale; of two circles, and of a point and a circle, to its last place; so are depths along a coordinate
-/// axis of points, segments and AABBs. It is rounded once, among subnormals too. The direction is a unit vector to 3u;
-/// moving b along it by the depth separates the shapes to within 8u scale (5.1u was seen: a segment's stored ends give
-/// its direction). Whether the depth is 0 is decided exactly: it is 0 only where the true depth is.
+/// right to 4u scale. For two circles, a point and a circle, and depths of points, segments and AABBs along a
+/// coordinate axis, it is right to its last place. It is rounded once, also to subnormals. The direction is a unit
+/// vector to 3u. After b is moved along it by the depth, at most 8u scale of overlap is left (the most seen is 5.1u).
+/// Whether the depth is 0 is decided exactly.
 ///
 /// Laws, each tested: depth(b, a) has the same bits with the opposite direction (except for equal shapes at one place,
-/// where both calls are the same); the answer is unchanged when both shapes are moved by the same exact amounts; b
-/// moved by a billionth less than the depth overlaps a, by a billionth more it does not.
+/// where both calls are the same); the answer is unchanged when both shapes are moved alike without rounding; b moved
+/// by a billionth less than the depth overlaps a, by a billionth more it does not.
 #pragma once
 
 #include <limits>
@@ -32,7 +32,7 @@ namespace vesica {
 /// What depth() returns; members as in the C struct.
 template <class T>
 struct Penetration {
-  T depth;  ///< 0 for disjoint shapes and such as only touch
+  T depth;  ///< 0 for shapes that are disjoint or only touch
   T x, y;   ///< unit vector along which b must move; 0 for disjoint shapes
 };
 
@@ -52,13 +52,13 @@ VESICA_CALLED inline bool called_depth_of_boxes(const Form& f, const Form& g, Pe
   return depth_of_boxes(f, g, out);
 }
 
-/// Hardly ever asked, and long: kept out of the code that is.
+/// Rarely needed, and long: kept out of the hot code.
 template <class A, class B>
 VESICA_COLD bool has_no_depth_exactly(const A& a, const B& b) noexcept {
   return has_no_depth(exact::form(a), exact::form(b));
 }
 
-/// What the filter of overlap leaves undecided; of a shape that is not valid its error, a negative number.
+/// The exact overlap for pairs that the filter leaves undecided; a negative error if a shape is invalid.
 template <class A, class B>
 VESICA_COLD std::int32_t undecided_overlap(const A& a, const B& b) noexcept {
   if constexpr (ShapeTraits<A>::kind != Kind::point && ShapeTraits<B>::kind == Kind::ellipse) {
@@ -69,7 +69,7 @@ VESICA_COLD std::int32_t undecided_overlap(const A& a, const B& b) noexcept {
   }
 }
 
-/// The least number above 0 where `value` is not.
+/// `value`, or the smallest number above 0 if it is not above 0.
 inline double above_zero(double value) noexcept { return std::fmax(value, std::numeric_limits<double>::denorm_min()); }
 
 /// Boxes in the pair's unit, where no product underflows, by the same closed form; the rest by a search.
@@ -119,7 +119,8 @@ std::int32_t depth_of_overlapping(const A& a, const B& b, Overlap known, Penetra
   return 0;
 }
 
-/// The pairs that batches answer in lanes use the same core here. Returns false where that core is not settled.
+/// For pairs that batches answer in vector lanes: the same core, so that the bits are the same. Returns false if that
+/// core does not reach its accuracy; then the general search must answer.
 template <class A, class B>
 bool settled_depth(const A&, const B&, Penetration<double>&) noexcept {
   return false;

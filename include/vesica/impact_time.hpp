@@ -2,17 +2,17 @@
 /// impact_time(a, turn_a, b, turn_b, tolerance): both shapes move and turn while t runs from 0 to 1. When do they touch
 /// first? The answer is a time before which they surely do not, however thin they are and however fast they turn.
 ///
-/// The motion is that of real numbers: at t the centre has moved by t v, and the axis has turned by t times the angle.
-/// Such a place cannot be stored, so the time is not rounded from the true one, as cast() does, but stays before it:
+/// At t the centre has moved by t v, and the axis has turned by t times the angle, without rounding. Such positions are
+/// not representable, so unlike cast() the function does not find the true time, but one before it:
 ///
 ///   - a miss is proved: no contact from 0 to 1;
 ///   - a hit is proved: no contact before t, contact at some later time, and at t the shapes are `gap` apart;
 ///   - near: no contact before t, and at t the shapes are at most `gap` apart. There may be contact later.
 ///   - a start: the shapes overlap as they are stored. This is exact.
 ///
-/// The gap is at most the tolerance, unless rounding does not let the shapes be told apart that closely: that takes
-/// (120 + 4 |angles|) u times the sum of all lengths, u = 2^-53, the motion's included; or 256 directions or 4096
-/// poses were looked at.
+/// The gap is at most the tolerance, except in two cases: the tolerance is below what rounding can resolve, which is
+/// (120 + 4 |angles|) u times the sum of all lengths, the motion's included, u = 2^-53; or the search stopped after 256
+/// directions or 4096 poses.
 #pragma once
 
 #include <vesica/cast.hpp>
@@ -41,7 +41,7 @@ inline PlaneVector placed_point(const Body& a, const Turn<double>& turn, double 
   return {still.x + t * turn.vx + 0.0, still.y + t * turn.vy + 0.0};
 }
 
-/// What there is to say at a time without contact before it.
+/// The result for a time t with no contact before it.
 template <class T, class Ask>
 std::int32_t contact_at(const Body& a, const Turn<double>& turn_a, const Scene& s, const Advanced& found,
                         double tolerance, const Ask& ask, Impact<double>& out, double& gap) noexcept {
@@ -62,8 +62,8 @@ std::int32_t contact_at(const Body& a, const Turn<double>& turn_a, const Scene& 
   return meet ? static_cast<std::int32_t>(cast_hit) : cast_near;
 }
 
-/// cast_miss, cast_near, cast_hit or an error; cast_start is for the caller to describe. `ask` knows overlap_at_start(),
-/// and nearest() and depth() of bodies. T: what the time is rounded down to.
+/// cast_miss, cast_near, cast_hit or an error; cast_start is for the caller to describe. `ask` knows
+/// overlap_at_start(), and nearest() and depth() of bodies. T: what the time is rounded down to.
 template <class T, class Ask>
 std::int32_t impact_time(const Body& a, const Turn<double>& turn_a, const Body& b, const Turn<double>& turn_b,
                          double tolerance, const Ask& ask, Impact<double>& out, double& gap) noexcept {

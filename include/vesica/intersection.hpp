@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-/// intersection(a, b): the region that two shapes share, as the vertices of a convex polygon: of two straight shapes, or of
-/// a point or a segment and any shape.
+/// intersection(a, b): the region that two shapes share, as the vertices of a convex polygon: of two straight shapes,
+/// or of a point or a segment and any shape.
 ///
-/// Which corners and crossings are vertices is decided by exact signs; only coordinates are rounded. A corner of a shape
-/// has the shape's own numbers, of a rectangle those of corners(). Others are within 4u of the greatest coordinate and size
-/// of either shape, u = 2^-53.
+/// Which corners and crossings are vertices is decided by exact signs; only coordinates are rounded. A corner of a
+/// shape has the shape's own numbers, of a rectangle those of corners(). Others are within 4u of the greatest
+/// coordinate and size of either shape, u = 2^-53.
 ///
-/// Laws, each tested: there are vertices iff the shapes overlap; exchanging the shapes changes no bit; vertices are within
-/// that bound of both shapes; a region of area has the area that area() says, to its bounds.
+/// Laws, each tested: there are vertices iff the shapes overlap; exchanging the shapes changes no bit; vertices are
+/// within that bound of both shapes; the region has the area of area(), within the bounds of both.
 #pragma once
 
 #include <algorithm>
@@ -38,8 +38,8 @@ inline bool has_area(const Ellipse<double>& s) noexcept { return s.a > 0 && s.b 
 inline Point<double> straight(const Circle<double>& s) noexcept { return {s.cx, s.cy}; }
 inline Rect<double> straight(const Ellipse<double>& s) noexcept { return {s.cx, s.cy, s.ux, s.uy, s.a, s.b}; }
 
-/// A point or a segment that meets a disc or an ellipse with area. Where both ends are outside or only one is, the first or
-/// last place of the outline takes an end's part.
+/// A point or a segment that meets a disc or an ellipse with area. Ends that are inside are vertices; an end outside is
+/// replaced by the first or last place where the segment meets the outline.
 template <class A, class B>
 Vertices in_round(const A& a, const B& b) noexcept {
   const crossings::Corners ends(exact::form(a));
@@ -97,8 +97,8 @@ bool is_later(const Shape& a, const Shape& b) noexcept {
   });
 }
 
-/// Rounds to T, from the lowest vertex on. A zero is +0: which shape's own zero it is depends on their order. Returns the
-/// count, or error_range.
+/// Rounds to T, from the lowest vertex on. A zero becomes +0, as its sign could depend on the order of the shapes.
+/// Returns the count, or error_range.
 template <class T>
 std::int32_t store(const Vertices& v, SharedRegion<T>& out) noexcept {
   T x[10], y[10];
@@ -121,8 +121,8 @@ std::int32_t store(const Vertices& v, SharedRegion<T>& out) noexcept {
 
 }  // namespace detail::intersection
 
-/// The checked form: the number of vertices, 0 to 8, with the vertices in `out`; error_shape, or error_range where one is
-/// beyond the finite numbers, and then `out` is untouched. Floats are the double vertices, rounded.
+/// The checked form: the number of vertices, 0 to 8, with the vertices in `out`; error_shape, or error_range where one
+/// is beyond the finite numbers, and then `out` is untouched. Floats are the double vertices, rounded.
 template <template <class> class A, template <class> class B, class T>
 requires(detail::intersection::answers<A<T>, B<T>>) std::int32_t
     intersection_or_error(const A<T>& first, const B<T>& second, SharedRegion<T>& out)

@@ -13,7 +13,7 @@
 /// shapes, before the rounding of its coordinates.
 ///
 /// Laws, each tested: nearest(b, a) has the same bits with the points exchanged; the distance is unchanged when both
-/// shapes are moved by the same exact amounts, and is multiplied by a power of two when they are.
+/// shapes are moved alike without rounding, and is multiplied by a power of two when they are.
 #pragma once
 
 #include <limits>
@@ -37,7 +37,7 @@ inline double scaled_distance(const Twofold<double>& distance, int exponent) noe
   return arithmetic::scale_rounded(d.high, d.low, exponent);
 }
 
-/// Any disjoint pair. steps: how many its search took, which tests look at.
+/// Any disjoint pair. steps: how many steps the search took, for tests.
 template <class A, class B>
 ClosestPoints<double> disjoint_points(const A& a, const B& b, int& steps) noexcept {
   const ScaledPair p = scaled_pair(a, b);
@@ -68,7 +68,7 @@ VESICA_COLD ClosestPoints<double> common_points(const A& a, const B& b) noexcept
       common = c.of_a ? located(a, p.a, c.contact, p.exponent) : located(b, p.b, c.contact, p.exponent);
     }
   }
-  // Shapes at one place may differ by the sign of a zero, which must not tell which of them was called the first.
+  // The sign of a zero must not depend on the order of the shapes.
   const double x = common.x + 0.0, y = common.y + 0.0;
   return {0, x, y, x, y};
 }
@@ -79,7 +79,7 @@ VESICA_COLD ClosestPoints<double> general_points(const A& a, const B& b, bool ov
   return overlapping ? common_points(a, b) : disjoint_points(a, b, steps);
 }
 
-/// The core that batches run in lanes. Returns false where it is not settled.
+/// The core that batches run in vector lanes. Returns false if it does not reach its accuracy.
 template <class A, class B>
 VESICA_INLINE bool settled_points(const A& a, const B& b, bool overlapping, ClosestPoints<double>& out) noexcept {
   if constexpr (has_lanes<A, B>) {
@@ -105,15 +105,15 @@ VESICA_INLINE bool rounded_to(const ClosestPoints<double>& c, bool overlapping, 
   return true;
 }
 
-/// What overlap_or_error() has not been asked yet.
+/// overlap_or_error() was not called yet.
 inline constexpr std::int32_t not_asked = -1;
 
 /// nearest_or_error() for kinds in order; overlapping: 1, 0 or not_asked.
 template <class A, class B>
 VESICA_CALLED std::int32_t nearest_in_order(const A& a, const B& b, std::int32_t overlapping,
                                             ClosestPoints<double>& out) noexcept {
-  // Often spares the exact predicate. A settled answer is only given for shapes of moderate numbers, which are valid;
-  // otherwise the predicate is asked after all.
+  // Often makes the exact predicate unnecessary. The core answers only for shapes of moderate numbers, which are valid;
+  // otherwise the predicate is called after all.
   const bool apart = overlapping == not_asked && apart_along_offset(a, b);
   if (overlapping == not_asked) overlapping = apart ? 0 : overlap_or_error(a, b);
   if (overlapping < 0) return overlapping;

@@ -40,7 +40,7 @@ namespace vesica {
 
 namespace detail {
 
-/// 1, 0, or -1 for undecided; by arithmetic, since a jump on the answer could not be predicted.
+/// 1, 0, or -1 for undecided. Computed by arithmetic, because a branch on the answer would be mispredicted.
 VESICA_INLINE constexpr std::int32_t answer_of(const filter::Verdict<bool>& verdict) noexcept {
   return 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
 }
@@ -92,7 +92,8 @@ VESICA_COLD constexpr std::int32_t decide_long(const A& a, const B& b) noexcept 
   return detail::overlap::exact(a, b) ? 1 : 0;
 }
 
-/// For pairs in double that a filter left undecided. Invalid shapes get their error here, valid ones their exact answer.
+/// For pairs in double that a filter left undecided. Invalid shapes get their error here, valid ones their exact
+/// answer.
 template <class A, class B>
 VESICA_COLD constexpr std::int32_t decide_undecided(const A& a, const B& b) noexcept {
   if (!std::is_constant_evaluated()) {
@@ -101,7 +102,7 @@ VESICA_COLD constexpr std::int32_t decide_undecided(const A& a, const B& b) noex
   }
   return decide_long(a, b);
 }
-/// Here and not by the caller, who would widen floats to memory before it knew that it must.
+/// Floats are widened here, in the cold code, so that the hot code does not.
 template <template <class> class A, template <class> class B>
 VESICA_COLD constexpr std::int32_t decide_undecided(const A<float>& a, const B<float>& b) noexcept {
   return decide_undecided(widen(a), widen(b));

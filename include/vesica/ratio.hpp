@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// ratio(which, a, b): intersection over union and its relatives, by which detections and regions are compared.
+/// ratio(which, a, b): intersection over union and similar ratios, by which detections and regions are compared.
 ///
 /// Laws, each tested: over_union is iou(). over_first, over_second and over_smaller are from 0 to 1: 0 where no area is
 /// shared, and 1 where the divisor's shape lies in the other one. Exchanging the shapes exchanges over_first and
-/// over_second, and changes no bit of the others. generalized, distance and complete are at most over_union, at least -1
-/// for the first two, and -2 for the third; two equal shapes have 1, or for generalized 1 less what their box has more
-/// area than they. Both shapes times 2^k: nothing changes, unless digits are lost to
-/// subnormal numbers.
+/// over_second, and changes no bit of the others. generalized, distance and complete are at most over_union, at least
+/// -1 for the first two, and -2 for the third. Two equal shapes have 1; generalized is less by the share of their box
+/// that they leave empty. Scaling both shapes by 2^k changes nothing, unless digits are lost to subnormal numbers.
 ///
 /// Accuracy: that of area() and iou(), and 8u more (u = 2^-53), where lengths, and areas, are from 2^-400 to 2^400.
 /// An area beyond is a little less accurate; none overflows.
@@ -37,7 +36,7 @@ constexpr bool is_ratio(std::int32_t number) noexcept { return number >= 0 && nu
 
 namespace detail::ratio {
 
-/// Those that follow from the shared area, which can be had without the union's.
+/// Those that need the shared area, but not the union's.
 constexpr bool is_of_area(Ratio which) noexcept {
   return which == Ratio::over_first || which == Ratio::over_second || which == Ratio::over_smaller;
 }
@@ -106,7 +105,7 @@ inline Sides sides(const Facts& s) noexcept {
   return {arithmetic::scale_far(s.along, -exponent), arithmetic::scale_far(s.across, -exponent)};
 }
 
-/// What unlike ratios of width to height take away.
+/// CIoU's penalty for unlike ratios of width to height.
 inline double aspect_share(double r, const Facts& a, const Facts& b) noexcept {
   const Sides p = sides(a), q = sides(b);
   const double cross = std::fabs(p.along * q.across - q.along * p.across);

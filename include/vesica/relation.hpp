@@ -30,7 +30,7 @@ namespace vesica {
 
 namespace detail {
 
-/// Points and AABBs: comparisons alone are exact.
+/// Points and AABBs: comparisons are exact by themselves.
 template <class Shape>
 inline constexpr bool is_compared = ShapeTraits<Shape>::kind == Kind::point || ShapeTraits<Shape>::kind == Kind::aabb;
 
@@ -111,7 +111,7 @@ VESICA_INLINE constexpr std::int32_t relation_or_error(const A<T>& a, const B<T>
 
 namespace detail {
 
-/// The same as a call, for functions that do much more.
+/// The same, not inlined: for functions that do much more.
 template <class A, class B>
 VESICA_CALLED std::int32_t called_relation(const A& a, const B& b) noexcept {
   return relation_or_error(a, b);

@@ -10,8 +10,9 @@
 #include <type_traits>
 #include <vesica/square_root.hpp>
 
-// Error bounds and checks for NaN hold in IEEE arithmetic alone. What the compiler says about its flags is refused; Clang
-// says nothing of reassociation, reciprocals and signed zeros, and is told to do without them for the rest of the source.
+// Error bounds and checks for NaN hold only in IEEE arithmetic. So flags that change it are an error, if the compiler
+// defines a macro for them. Clang has none for reassociation, reciprocals and signed zeros: pragmas turn these off for
+// the rest of the source.
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
     defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "Vesica needs IEEE arithmetic: compile without -ffast-math, -Ofast and the flags that these stand for."
@@ -28,8 +29,8 @@
 #endif
 
 /// A filter is one expression spread over several functions, which must be inlined: a call in the middle would cost as
-/// much as the whole filter. Code for what filters leave undecided is kept out of the way. Long functions that several
-/// others ask are called: a call costs less than a copy.
+/// much as the whole filter (VESICA_INLINE). Code for undecided pairs is kept out of the hot code (VESICA_COLD). Long
+/// functions with several callers are not inlined: a call costs less than a copy.
 #if defined(__GNUC__)
 #define VESICA_INLINE [[gnu::always_inline]] inline
 #define VESICA_COLD [[gnu::noinline, gnu::cold]]
@@ -152,8 +153,8 @@ VESICA_DEVICE inline double fused_difference(double a, double b, double c) noexc
 
 namespace detail {
 
-/// The lesser and the greater of finite numbers, the first of two that are equal: of zeros too, whose sign fmin and fmax
-/// leave open.
+/// The lesser and the greater of finite numbers, the first of two that are equal: of zeros too, whose sign fmin and
+/// fmax leave open.
 template <class T>
 constexpr T lesser(T a, T b) noexcept {
   return b < a ? b : a;

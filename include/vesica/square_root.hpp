@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The square root in constant expressions, where the C library's is not to be had. Correctly rounded, hence the same bits
-/// as the processor's.
+/// The square root in constant expressions, where the C library's cannot be called. Correctly rounded, so the bits are
+/// those of the processor's.
 #pragma once
 
 #include <bit>

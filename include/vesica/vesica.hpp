@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Everything in the core.
+/// The whole core: every question about two shapes, in double and float.
 ///
-/// Invalid shapes: every question has a checked form, as overlap_or_error(a, b) or nearest_or_error(a, b, out), which
-/// returns a negative Error for a shape that check() refuses, and then leaves `out` as it was. The plain form, as
-/// overlap(a, b), is for shapes known to be valid: for it an invalid shape has nothing in common with any other (no
-/// overlap, no area, no depth, no crossings), and its distance from any other is NaN.
+/// Invalid shapes: every question has a checked form, such as overlap_or_error(a, b) or nearest_or_error(a, b, out). It
+/// returns a negative Error if check() finds a shape invalid, and then leaves `out` as it was. The plain form, such as
+/// overlap(a, b), is for shapes known to be valid. It treats an invalid shape as one that has nothing in common with
+/// any other (no overlap, no area, no depth, no crossings), at distance NaN.
 ///
 /// bounds() and the functions that construct shapes have the checked form only.
 #pragma once

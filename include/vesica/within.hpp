@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-/// within(a, b, distance): are two shapes at most that far apart? Exactly so far apart counts, as touching does.
+/// within(a, b, distance): are two shapes at most that far apart? A distance of exactly that counts, as touching does.
 ///
-/// Shapes without a curve are boxes, and a circle is a point that reaches its radius farther. So it is asked whether two
-/// boxes are at most a sum of three lengths apart, in two stages as everywhere: a filter, then exact polynomials of degree
-/// 6. The distance from an ellipse is no root of a low degree: it is computed, and the answer is a yes or a no only where
-/// the error of that number leaves no doubt.
+/// Shapes without a curve are boxes, and a circle is the points within its radius of its centre. So the question is
+/// whether two boxes are at most a sum of three lengths apart. It is answered in two stages, by a filter, then by exact
+/// polynomials of degree 6. The distance from an ellipse is not an algebraic number of low degree: it is computed, and
+/// the answer is yes or no only where the error of that number leaves no doubt.
 ///
-/// Laws, each tested: exchanging the shapes changes nothing; within(a, b, 0) == overlap(a, b); what is within a distance is
-/// within any greater one.
+/// Laws, each tested: exchanging the shapes changes nothing; within(a, b, 0) == overlap(a, b); shapes within a distance
+/// are within any greater one.
 #pragma once
 
 #include <limits>
@@ -22,12 +22,12 @@ namespace vesica {
 enum class Within : std::int32_t {
   no,
   yes,
-  nearly,  ///< with an ellipse alone: the distance is too near the one asked for to tell
+  nearly,  ///< only with an ellipse: the distance is too close to the one asked for to tell
 };
 
 namespace detail::within {
 
-/// A shape as the points at most `reach` from another.
+/// The points at most `reach` from `core`.
 template <class Shape>
 struct Swept {
   Shape core;
@@ -110,12 +110,12 @@ Shape<double> times(double k, const Shape<double>& s) noexcept {
   return {k * cx, k * cy, of_axis * ux, of_axis * uy, of_sizes * first, of_sizes * second};
 }
 
-/// Valid disjoint shapes, one of them an ellipse with an area, and a distance above 0. The distance of nearest() is right to
-/// 4u of the scale, and to half the least number; 4.5u leave room for the roundings here.
+/// Valid disjoint shapes, one of them an ellipse with an area, and a distance above 0. The distance of nearest() is
+/// right to 4u of the scale, and to half the least number; 4.5u leave room for the roundings here.
 template <class A, class B>
 VESICA_COLD Within by_distance(A a, B b, double distance) noexcept {
-  // Lengths are below 2^2050. In a unit of 2^600, or of its square or cube, none is beyond the range of double, and what
-  // underflows there is nothing beside them.
+  // Lengths are below 2^2050. In a unit of 2^600, or of its square or cube, none is beyond the range of double, and
+  // what underflows there is nothing beside them.
   for (int unit = 0; unit < 4; ++unit) {
     ClosestPoints<double> found;
     if (nearest_or_error(a, b, found) == 0) {
@@ -141,8 +141,8 @@ std::int32_t curved(const A& a, const B& b, double distance) noexcept {
 
 }  // namespace detail::within
 
-/// The checked form: a Within as a number, error_argument for a distance that is negative or NaN, error_shape when either
-/// shape is invalid. Shapes of any kinds, in either order.
+/// The checked form: a Within as a number, error_argument for a distance that is negative or NaN, error_shape when
+/// either shape is invalid. Shapes of any kinds, in either order.
 template <template <class> class A, template <class> class B>
 std::int32_t within_or_error(const A<double>& a, const B<double>& b, double distance) noexcept {
   namespace within = detail::within;

@@ -140,8 +140,8 @@ class closest_points_f64(Structure):
 
 
 class crossing_points_f64(Structure):
-    """Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if they have a stretch in
-common."""
+    """Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if the outlines share a
+stretch."""
 
     _fields_ = [
         ("count", c_int32),
@@ -162,12 +162,11 @@ class penetration_f64(Structure):
 
 
 class shapes_f64(Structure):
-    """An array of shapes of one kind, however it lies in memory: as records, packed or padded, or as one column
-per number.
+    """An array of shapes of one kind in any memory layout: records, packed or padded, or one column per number.
 
 Number k of element i is at field[k] + i * stride bytes, with k in the order of the shape's struct. stride
 is the size of a record for records, sizeof(double) for columns, 0 to repeat one shape, and negative to run
-backwards. Fields beyond those of the kind are not looked at. Numbers need no alignment. reserved must be 0."""
+backwards. Fields beyond those of the kind are ignored. Numbers need no alignment. reserved must be 0."""
 
     _fields_ = [
         ("kind", c_int32),
@@ -259,8 +258,8 @@ class closest_points_f32(Structure):
 
 
 class crossing_points_f32(Structure):
-    """Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if they have a stretch in
-common."""
+    """Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if the outlines share a
+stretch."""
 
     _fields_ = [
         ("count", c_int32),
@@ -281,12 +280,11 @@ class penetration_f32(Structure):
 
 
 class shapes_f32(Structure):
-    """An array of shapes of one kind, however it lies in memory: as records, packed or padded, or as one column
-per number.
+    """An array of shapes of one kind in any memory layout: records, packed or padded, or one column per number.
 
 Number k of element i is at field[k] + i * stride bytes, with k in the order of the shape's struct. stride
 is the size of a record for records, sizeof(float) for columns, 0 to repeat one shape, and negative to run
-backwards. Fields beyond those of the kind are not looked at. Numbers need no alignment. reserved must be 0."""
+backwards. Fields beyond those of the kind are ignored. Numbers need no alignment. reserved must be 0."""
 
     _fields_ = [
         ("kind", c_int32),
@@ -298,9 +296,9 @@ backwards. Fields beyond those of the kind are not looked at. Numbers need no al
 
 
 class impact_f64(Structure):
-    """A first contact: when, where and along which normal.
+    """A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
 
-(nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are NaN."""
+After a miss t is infinity and all other numbers are NaN."""
 
     _fields_ = [
         ("t", c_double),
@@ -312,8 +310,8 @@ class impact_f64(Structure):
 
 
 class turn_f64(Structure):
-    """How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about
-that, in radians. Positive angles turn counter-clockwise where y points up."""
+    """How a shape moves while t runs from 0 to 1: the way (vx, vy) of its centre, and the angle in radians by
+which it turns about its centre. Positive angles turn counter-clockwise if y points up."""
 
     _fields_ = [
         ("vx", c_double),
@@ -323,9 +321,9 @@ that, in radians. Positive angles turn counter-clockwise where y points up."""
 
 
 class impact_f32(Structure):
-    """A first contact: when, where and along which normal.
+    """A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
 
-(nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are NaN."""
+After a miss t is infinity and all other numbers are NaN."""
 
     _fields_ = [
         ("t", c_float),
@@ -337,8 +335,8 @@ class impact_f32(Structure):
 
 
 class turn_f32(Structure):
-    """How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about
-that, in radians. Positive angles turn counter-clockwise where y points up."""
+    """How a shape moves while t runs from 0 to 1: the way (vx, vy) of its centre, and the angle in radians by
+which it turns about its centre. Positive angles turn counter-clockwise if y points up."""
 
     _fields_ = [
         ("vx", c_float),
@@ -354,7 +352,7 @@ FUNCTIONS = {
         (),
         """vesica_version()
 
-Version of the loaded library, to be compared with VESICA_VERSION: a smaller one is older than the header.
+Version of the loaded library. If it is below VESICA_VERSION, the library is older than the header.
 
 Since: 0.1.""",
     ),
@@ -390,7 +388,7 @@ Since: 0.1.""",
         (c_int32,),
         """vesica_strerror(code)
 
-What an error code means, as one English phrase without a final stop.
+What an error code means, as one English phrase without a full stop.
 
 Returns: static text, never NULL: "success" for answers (>= 0), "unknown error" for unknown codes.
 Since: 0.1.""",
@@ -421,11 +419,10 @@ Since: 0.1.""",
         (),
         """vesica_isa_name()
 
-Name of the instruction set that batches run on: the best that this processor has. Answers never depend on
-it.
+Name of the instruction set that batches use: the best one of this processor. Answers never depend on it.
 
-The environment variable VESICA_ISA forces another one. It is read once, when the library is loaded. A name
-that is unknown, or of a set that the processor lacks, is ignored.
+The environment variable VESICA_ISA selects another one. It is read once, when the library is loaded. An
+unknown name is ignored, and so is a set that the processor lacks.
 
 Returns: static text: "sse2", "avx2", "avx512", "neon", "simd128" or "portable".
 Since: 0.1.""",
@@ -464,22 +461,22 @@ Since: 0.1.""",
 How does a relate to b? The answer is one of the eight relations of the region connection calculus (RCC-8).
 
 The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with one
-size zero, is its two end points. A point, or a shape without any size, has no outline. The inside is all
-but the outline. If several relations fit, VESICA_EQUAL comes first, then those of containment, then
-VESICA_CROSS. So a segment that ends on the middle of another touches it, two segments along one line that
-overlap in part cross, and a point on the rim of a disc is inside with touch. Exchanging the shapes always
+size zero, is its two end points. A point, or a shape without any size, has no outline. The inside is the
+shape without its outline. If several relations fit, VESICA_EQUAL comes first, then those of containment,
+then VESICA_CROSS. So a segment that ends on the middle of another touches it; two segments on one line that
+overlap in part cross; a point on the rim of a disc is VESICA_INSIDE_TOUCH. Exchanging the shapes always
 gives the converse relation.
 
 Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe
 them. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Accuracy: exact. Cost: up to twice that of
-vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal, at worst 30. Since: 0.1.""",
+vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_contains_f64": (
         c_int32,
         (c_int32, c_void_p, c_int32, c_void_p,),
         """vesica_contains_f64(kind_a, numbers_a, kind_b, numbers_b)
 
-Does a contain all of b? A shape contains itself, and what touches its outline from inside.
+Does a contain all of b? A shape contains itself, and whatever touches its outline from inside.
 
 Returns: 1 if vesica_relation_f64 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0.
 Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
@@ -495,18 +492,18 @@ Since: 0.1.""",
 Where do the outlines of two shapes meet? Touching counts.
 
 The outline of a shape with area is the curve around it. A segment, a point and a shape without area are
-their own outlines. A contact of any order is one place. If straight outlines have a stretch in common, its
-two end points are places, and out->shared is 1. So equal boxes have their four corners. Equal curves have
-no single places: then the count is 0 and out->shared is 1. Places come in order along a's outline,
-counter-clockwise in the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's
-point C + a u, a circle's point C + (r, 0), or a segment's first end.
+their own outlines. A contact counts as one place, however closely the curves touch there. If straight
+outlines share a stretch, its two end points are places, and out->shared is 1; so equal boxes meet at their
+four corners. Two equal curves meet everywhere: then the count is 0 and out->shared is 1. Places come in
+order along a's outline, counter-clockwise in the frame of its axis. The start is a box's corner C - hx u -
+hy perp(u), an ellipse's point C + a u, a circle's point C + (r, 0), or a segment's first end.
 
 Returns: the number of places, 0 to 8. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
 Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape,
-however closely the outlines touch or coincide. Places closer to one another than that may come in either
-order or be equal. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx|
-and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its
-shorter one. Cost: 1 to 10 us; at worst 100 us, where exponents are wildly unlike. Since: 0.1.""",
+even where the outlines nearly coincide. Places closer to one another than that may come in either order or
+be equal. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
+between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x":
+the error is <= x. Cost: 1 to 10 us; at worst 100 us. Since: 0.1.""",
     ),
     "vesica_nearest_f64": (
         c_int32,
@@ -517,17 +514,16 @@ How far apart are two solid shapes, and which of their points are closest?
 
 If the shapes overlap (as vesica_overlap_f64 tells), the distance is 0 and both points are one common point.
 If not, the distance is > 0. Exchanging the shapes exchanges the points and changes no bit. Moving both
-shapes by the same exact amounts changes no bit of the distance.
+shapes alike changes no bit of the distance if no coordinate is rounded.
 
 Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: the distance is
-right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale. It is right to 2 u of itself
-if it is above 1e-10 scale (aspect ratios up to 1e6) or above 1e-14 scale (up to 1000). Before their
-coordinates are rounded, closest points are within 4 u scale of the outlines, and a common point is within 8
-u scale of both shapes. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of
-|dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over
-its shorter one. Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape
-holds the other's centre; 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes
-beyond 2^+-40; at worst 40. Since: 0.1.""",
+right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale. Its relative error is at most
+2 u above 1e-10 scale (aspect ratios up to 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u
+scale, and a common point to 8 u scale, before they are rounded. Bounds on computed numbers use u = 2^-53.
+The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
+aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: 100 to 200 ns for disjoint
+shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes
+that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 40 us. Since: 0.1.""",
     ),
     "vesica_boundary_distance_f64": (
         c_int32,
@@ -540,17 +536,17 @@ The outline of a shape with area is the curve around it. A point, a segment and 
 their own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If
 shapes are disjoint, the result is that of vesica_nearest_f64. If one is strictly inside the other, the
 distance is the least over the whole outline, never a local minimum. Which case holds is decided exactly.
-Exchanging the shapes exchanges the points and changes no bit. Moving both shapes by the same exact amounts
-changes no bit of the distance.
+Exchanging the shapes exchanges the points and changes no bit. Moving both shapes alike changes no bit of
+the distance if no coordinate is rounded.
 
 Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: at aspect ratios
-up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u scale. At any, it is
-above 0 if outlines do not meet, and points are on them to 12 u scale before they are rounded. Bounds on
+up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u scale. At any ratio
+it is above 0 unless outlines meet, and points are on them to 12 u scale before they are rounded. Bounds on
 computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
-centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one. Cost: that
-of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2 us for
-a common point, of needles as vesica_crossings_f64; 5 us more if exact arithmetic must tell; at worst 100
-us. Since: 0.1.""",
+centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
+<= x. Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us
+more; 0.5 to 2 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties;
+at worst 100 us. Since: 0.1.""",
     ),
     "vesica_depth_f64": (
         c_int32,
@@ -561,26 +557,26 @@ Penetration depth: how far and which way must b be moved until the two shapes on
 
 Moving b by out->depth along the unit vector (x, y) is the shortest translation after which a line separates
 the shapes: a on one side, b on the other, where both may touch the line. For disjoint shapes all three
-numbers are 0. Overlapping shapes always get a direction. Their depth is 0 if such a line is there already:
-if they touch from outside, if a point lies on an outline, or if points and segments lie along one line.
-Otherwise the depth is > 0. Exchanging the shapes reverses the direction and changes no other bit, except
-for two equal shapes in one place. Moving both shapes by the same exact amounts changes no bit.
+numbers are 0. Overlapping shapes always get a direction. Their depth is 0 if such a line exists without a
+move: if they touch from outside, if a point lies on an outline, or if points and segments lie along one
+line. Otherwise the depth is > 0. Exchanging the shapes reverses the direction and changes no other bit,
+except for two equal shapes in one place. Moving both shapes alike changes no bit if no coordinate is
+rounded.
 
 Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: at aspect ratios
-up to 1e6 the depth is right to 4 u scale; of two circles, and of a point and a circle, to its last place.
-The length of (x, y) is 1 but for 3 u, and it moves b clear but for 8 u scale. Whether the depth is 0 is
-exact. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
-one. Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of
-these; up to 5 us if only exact arithmetic can tell the depth from 0; at worst 40 us, where exponents are
-wildly unlike. Since: 0.1.""",
+up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place. The length of (x, y)
+is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is exact. Bounds on
+computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
+centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
+<= x. Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to
+5 us if only exact arithmetic can tell the depth from 0; at worst 40 us. Since: 0.1.""",
     ),
     "vesica_shape_area_f64": (
         c_int32,
         (c_int32, c_void_p, c_void_p,),
         """vesica_shape_area_f64(kind, numbers, out)
 
-Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
 
 Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: the double
 nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another never has the
@@ -599,13 +595,13 @@ other, it is the vesica_shape_area_f64 of the inner one. It is never more than t
 than 0 if the insides of shapes with area meet, unless that underflows. Exchanging the shapes changes no
 bit. Scaling both by a power of two scales the area by its square.
 
-Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: within 64 u of
-the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4, however near the
-outlines are to touching or coinciding and however different the sizes are. Bounds on computed numbers use u
-= 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
-lengths. An aspect ratio is a shape's longer size over its shorter one. Cost: about 50 ns for two boxes, 150
-ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines nearly touch or coincide, or
-if one shape is far larger; at worst 40 us, where exponents are wildly unlike. Since: 0.1.""",
+Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: right to 64 u
+times the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4, even if the
+outlines nearly touch or coincide and whatever the sizes are. Bounds on computed numbers use u = 2^-53. The
+scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
+aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: about 50 ns for two boxes,
+150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines nearly touch or coincide,
+or if one shape is far larger; at worst 40 us. Since: 0.1.""",
     ),
     "vesica_iou_f64": (
         c_int32,
@@ -615,13 +611,12 @@ if one shape is far larger; at worst 40 us, where exponents are wildly unlike. S
 Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover
 together.
 
-It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Nothing overflows or
-underflows on the way, whatever the sizes. Exchanging the shapes, or scaling both by a power of two, changes
-no bit.
+It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Intermediate results never
+overflow or underflow. Exchanging the shapes, or scaling both by a power of two, changes no bit.
 
 Returns: 0.
 Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (neither shape has an area).
-Accuracy: the bound of vesica_area_f64, over the area of the union.
+Accuracy: the bound of vesica_area_f64, divided by the area of the union.
 Cost: that of vesica_area_f64 and of vesica_shape_area_f64 twice.
 Since: 0.1.""",
     ),
@@ -634,8 +629,8 @@ Smallest box of representable numbers that contains a shape.
 
 Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: each side is the
 true extreme of the shape, rounded outward once. So a representable box is exact. Cost: up to 80 ns; 1 to 3
-us for magnitudes beyond 2^+-400, and for an ellipse with an oblique axis and representable sides; at worst
-20 us. Since: 0.1.""",
+us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and representable
+sides; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_point_f64": (
         c_int32,
@@ -644,11 +639,9 @@ us for magnitudes beyond 2^+-400, and for an ellipse with an oblique axis and re
 
 Are the two points the same?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_segment_f64": (
         c_int32,
@@ -657,11 +650,9 @@ Since: 0.1.""",
 
 Does the point lie on the segment? End points count.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_circle_f64": (
         c_int32,
@@ -670,11 +661,9 @@ Since: 0.1.""",
 
 Does the point lie in the disc or on its rim?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_aabb_f64": (
         c_int32,
@@ -683,11 +672,9 @@ Since: 0.1.""",
 
 Does the point lie in the box or on its outline?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_rect_f64": (
         c_int32,
@@ -696,11 +683,9 @@ Since: 0.1.""",
 
 Does the point lie in the rectangle or on its outline?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_ellipse_f64": (
         c_int32,
@@ -709,11 +694,9 @@ Since: 0.1.""",
 
 Does the point lie in the ellipse or on its outline?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_segment_f64": (
         c_int32,
@@ -722,11 +705,9 @@ Since: 0.1.""",
 
 Do the segments share a point? End points count, and so do stretches along one line.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_circle_f64": (
         c_int32,
@@ -735,11 +716,9 @@ Since: 0.1.""",
 
 Does the segment meet the disc? A tangent segment does.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_aabb_f64": (
         c_int32,
@@ -748,11 +727,9 @@ Since: 0.1.""",
 
 Does the segment meet the box? A segment inside it does.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_rect_f64": (
         c_int32,
@@ -761,11 +738,9 @@ Since: 0.1.""",
 
 Does the segment meet the rectangle? A segment inside it does.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_ellipse_f64": (
         c_int32,
@@ -774,11 +749,9 @@ Since: 0.1.""",
 
 Does the segment meet the ellipse? A tangent segment does.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_circle_f64": (
         c_int32,
@@ -787,11 +760,9 @@ Since: 0.1.""",
 
 Do the discs share a point? Discs that touch from outside do.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_aabb_f64": (
         c_int32,
@@ -800,11 +771,9 @@ Since: 0.1.""",
 
 Do the disc and the box share a point?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_rect_f64": (
         c_int32,
@@ -813,11 +782,9 @@ Since: 0.1.""",
 
 Do the disc and the rectangle share a point?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_ellipse_f64": (
         c_int32,
@@ -826,11 +793,9 @@ Since: 0.1.""",
 
 Do the disc and the ellipse share a point?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_aabb_f64": (
         c_int32,
@@ -839,11 +804,9 @@ Since: 0.1.""",
 
 Do the boxes share a point? Boxes that share an edge or a corner do.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_rect_f64": (
         c_int32,
@@ -852,11 +815,9 @@ Since: 0.1.""",
 
 Do the box and the rectangle share a point?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_ellipse_f64": (
         c_int32,
@@ -865,11 +826,9 @@ Since: 0.1.""",
 
 Do the box and the ellipse share a point?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_rect_rect_f64": (
         c_int32,
@@ -878,11 +837,9 @@ Since: 0.1.""",
 
 Do the rectangles share a point? Rectangles that share an edge or a corner do.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_rect_ellipse_f64": (
         c_int32,
@@ -891,11 +848,9 @@ Since: 0.1.""",
 
 Do the rectangle and the ellipse share a point? They do if one is inside the other.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_ellipse_ellipse_f64": (
         c_int32,
@@ -904,11 +859,9 @@ Since: 0.1.""",
 
 Do the ellipses share a point? They do if one is inside the other.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_aabb_from_corners_f64": (
         c_int32,
@@ -931,9 +884,10 @@ Rectangle from centre, angle and full size: width along the angle, height across
 
 Requires: the angle in radians, counter-clockwise from +x if y points up; width, height >= 0. Returns: 0;
 the shape is valid. Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE. Accuracy: the axis
-is (cos, sin), each right to 1 unit in the last place. No number is exactly a quarter turn, so the axis of
-one is parallel to a coordinate axis only to that rounding. Sizes are exact: if halving one would round (an
-odd multiple of the smallest subnormal number), the axis is halved instead. Cost: about 40 ns. Since: 0.1.""",
+is (cos, sin), each right to 1 unit in the last place. No double is exactly pi/2, so a quarter turn has an
+exact axis only by vesica_rects_from_boxes_f64, which takes degrees too. Sizes are exact: if halving one
+would round (an odd multiple of the smallest subnormal number), the axis is halved instead. Cost: about 40
+ns. Since: 0.1.""",
     ),
     "vesica_rect_from_corners_f64": (
         c_int32,
@@ -950,9 +904,9 @@ axis (1, 0).
 
 Returns: 0; the shape is valid. Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent
 overflows). Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last
-place of the longer one; the centre is right to 1 unit in its own. To both comes 2^-98 times the largest
-coordinate. The corners of an axis-parallel rectangle give exactly it if its centre and half extents are
-representable. Cost: about 110 ns. Since: 0.1.""",
+place of the longer one; the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the
+largest coordinate. A rectangle along the coordinate axes is found exactly if its centre and half extents
+are representable. Cost: about 110 ns. Since: 0.1.""",
     ),
     "vesica_ellipse_from_angle_f64": (
         c_int32,
@@ -964,7 +918,7 @@ Ellipse from centre, angle and half lengths: a along the angle, b across it.
 Requires: the angle in radians, counter-clockwise from +x if y points up; a, b >= 0.
 Returns: 0; the shape is valid.
 Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
-Accuracy: the axis as that of vesica_rect_from_angle_f64; half lengths are exact.
+Accuracy: the axis is that of vesica_rect_from_angle_f64; half lengths are exact.
 Cost: about 40 ns.
 Since: 0.1.""",
     ),
@@ -997,8 +951,8 @@ vector with x >= 0, or (1, 0) for equal variances without correlation.
 Requires: the covariance cxx, cxy, cyy (units squared) positive semidefinite: cxy^2 <= cxx cyy as stored; k
 >= 0. Returns: 0; the shape is valid. Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k
 < 0), VESICA_E_ARGUMENT (not a covariance), VESICA_E_RANGE (a half length overflows). Accuracy: half lengths
-and both components of the axis are right to 8 units in their own last place, however near the matrix is to
-a singular one or to a circle's. Cost: about 90 ns. Since: 0.1.""",
+and both components of the axis are right to 8 units in their own last place, even if the matrix is nearly
+singular or nearly a circle's. Cost: about 90 ns. Since: 0.1.""",
     ),
     "vesica_ellipse_from_matrix_f64": (
         c_int32,
@@ -1012,7 +966,7 @@ The result is that of vesica_ellipse_from_covariance_f64 for the inverse of M an
 Requires: M positive definite as stored.
 Returns: 0; the shape is valid.
 Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_ARGUMENT (not positive definite).
-Accuracy: that of vesica_ellipse_from_covariance_f64; no half length overflows.
+Accuracy: that of vesica_ellipse_from_covariance_f64. No half length overflows.
 Cost: about 90 ns.
 Since: 0.1.""",
     ),
@@ -1037,12 +991,11 @@ Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f64.
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL. Returns: how many are 1. Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes)
-or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL (if there
-is nothing to answer, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
-negative or do not agree, reserved is not 0, or an array that is beyond the address space). Accuracy: every
-result has the bits of the function for two shapes, on every instruction set and in every layout. Cost: in
-cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float (see README.md).
-Since: 0.1.""",
+or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL (but if a
+count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or
+do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every result has the
+same bits as the function for two shapes, on every instruction set, in every layout. Cost: in cache, from
+columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float. Since: 0.1.""",
     ),
     "vesica_relation_many_f64": (
         c_int64,
@@ -1055,10 +1008,10 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL. Returns: how many are not VESICA_DISJOINT. Errors: VESICA_E_SHAPE if an element is invalid: its
 results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if there is nothing to answer, fields and outputs may be NULL), VESICA_E_KIND,
-VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that is beyond
-the address space). Accuracy: every result has the bits of the function for two shapes, on every instruction
-set and in every layout. Since: 0.1.""",
+VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+(counts that are negative or do not agree, reserved is not 0, or an array that exceeds the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout. Since: 0.1.""",
     ),
     "vesica_contains_many_f64": (
         c_int64,
@@ -1070,11 +1023,10 @@ Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f64.
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL. Returns: how many are 1. Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes)
-or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL (if there
-is nothing to answer, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
-negative or do not agree, reserved is not 0, or an array that is beyond the address space). Accuracy: every
-result has the bits of the function for two shapes, on every instruction set and in every layout. Since:
-0.1.""",
+or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL (but if a
+count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or
+do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every result has the
+same bits as the function for two shapes, on every instruction set, in every layout. Since: 0.1.""",
     ),
     "vesica_nearest_many_f64": (
         c_int64,
@@ -1087,10 +1039,10 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL. Returns: how many pairs overlap (distance 0). Errors: VESICA_E_SHAPE if an element is invalid: its
 results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if there is nothing to answer, fields and outputs may be NULL), VESICA_E_KIND,
-VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that is beyond
-the address space). Accuracy: every result has the bits of the function for two shapes, on every instruction
-set and in every layout. Since: 0.1.""",
+VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+(counts that are negative or do not agree, reserved is not 0, or an array that exceeds the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout. Since: 0.1.""",
     ),
     "vesica_boundary_distance_many_f64": (
         c_int64,
@@ -1104,10 +1056,10 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL. Returns: how many pairs of outlines meet (distance 0). Errors: VESICA_E_SHAPE if an element is
 invalid: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be NULL), VESICA_E_KIND,
-VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that is beyond
-the address space). Accuracy: every result has the bits of the function for two shapes, on every instruction
-set and in every layout. Since: 0.1.""",
+written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
+address space). Accuracy: every result has the same bits as the function for two shapes, on every
+instruction set, in every layout. Since: 0.1.""",
     ),
     "vesica_depth_many_f64": (
         c_int64,
@@ -1120,10 +1072,10 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL. Returns: how many depths are > 0. Errors: VESICA_E_SHAPE if an element is invalid: its results are
 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL
-(if there is nothing to answer, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts
-that are negative or do not agree, reserved is not 0, or an array that is beyond the address space).
-Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
-layout. Since: 0.1.""",
+(but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
+negative or do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every
+result has the same bits as the function for two shapes, on every instruction set, in every layout. Since:
+0.1.""",
     ),
     "vesica_area_many_f64": (
         c_int64,
@@ -1135,11 +1087,11 @@ What area do a[i] and b[i] share? out[i] is the result of vesica_area_f64.
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL. Returns: how many areas are > 0. Errors: VESICA_E_SHAPE if an element is invalid: its results are 0
-(bytes) or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-there is nothing to answer, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that
-are negative or do not agree, reserved is not 0, or an array that is beyond the address space). Accuracy:
-every result has the bits of the function for two shapes, on every instruction set and in every layout.
-Since: 0.1.""",
+(bytes) or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL
+(but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
+negative or do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every
+result has the same bits as the function for two shapes, on every instruction set, in every layout. Since:
+0.1.""",
     ),
     "vesica_iou_many_f64": (
         c_int64,
@@ -1154,11 +1106,11 @@ invalid.
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL. Returns: how many are > 0. Errors: VESICA_E_SHAPE if an element is invalid: its results are 0
-(bytes) or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-there is nothing to answer, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that
-are negative or do not agree, reserved is not 0, or an array that is beyond the address space). Accuracy:
-every result has the bits of the function for two shapes, on every instruction set and in every layout.
-Since: 0.1.""",
+(bytes) or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL
+(but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
+negative or do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every
+result has the same bits as the function for two shapes, on every instruction set, in every layout. Since:
+0.1.""",
     ),
     "vesica_overlap_matrix_f64": (
         c_int64,
@@ -1171,10 +1123,11 @@ Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and 
 elements of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run
 backwards in memory. Returns: how many are 1. Errors: VESICA_E_SHAPE if an element is invalid: its results
 are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if there is nothing to answer, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-(a negative count, reserved is not 0, rows that overlap, or an array or rows beyond the address space).
-Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
-layout. Cost: that of one shape against many, however large the arrays are. Since: 0.1.""",
+VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
+negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout. Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays. Since:
+0.1.""",
     ),
     "vesica_relation_matrix_f64": (
         c_int64,
@@ -1187,10 +1140,11 @@ Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and 
 elements of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run
 backwards in memory. Returns: how many are not VESICA_DISJOINT. Errors: VESICA_E_SHAPE if an element is
 invalid: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-written: VESICA_E_NULL (if there is nothing to answer, fields and out may be NULL), VESICA_E_KIND,
-VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows beyond the
-address space). Accuracy: every result has the bits of the function for two shapes, on every instruction set
-and in every layout. Cost: that of one shape against many, however large the arrays are. Since: 0.1.""",
+written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+(a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout. Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays. Since:
+0.1.""",
     ),
     "vesica_contains_matrix_f64": (
         c_int64,
@@ -1203,10 +1157,11 @@ Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and 
 elements of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run
 backwards in memory. Returns: how many are 1. Errors: VESICA_E_SHAPE if an element is invalid: its results
 are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if there is nothing to answer, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-(a negative count, reserved is not 0, rows that overlap, or an array or rows beyond the address space).
-Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
-layout. Cost: that of one shape against many, however large the arrays are. Since: 0.1.""",
+VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
+negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout. Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays. Since:
+0.1.""",
     ),
     "vesica_area_matrix_f64": (
         c_int64,
@@ -1219,10 +1174,11 @@ Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and 
 elements of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run
 backwards in memory. Returns: how many are > 0. Errors: VESICA_E_SHAPE if an element is invalid: its results
 are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if there is nothing to answer, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-(a negative count, reserved is not 0, rows that overlap, or an array or rows beyond the address space).
-Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
-layout. Cost: that of one shape against many, however large the arrays are. Since: 0.1.""",
+VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
+negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout. Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays. Since:
+0.1.""",
     ),
     "vesica_iou_matrix_f64": (
         c_int64,
@@ -1238,10 +1194,11 @@ Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and 
 elements of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run
 backwards in memory. Returns: how many are > 0. Errors: VESICA_E_SHAPE if an element is invalid: its results
 are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if there is nothing to answer, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-(a negative count, reserved is not 0, rows that overlap, or an array or rows beyond the address space).
-Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
-layout. Cost: that of one shape against many, however large the arrays are. Since: 0.1.""",
+VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
+negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout. Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays. Since:
+0.1.""",
     ),
     "vesica_overlap_select_f64": (
         c_int64,
@@ -1251,9 +1208,9 @@ layout. Cost: that of one shape against many, however large the arrays are. Sinc
 Which of many shapes overlap one? Their indices are written to out[0], out[1] ..., in ascending order.
 
 Requires: one, an array of count 1; capacity, how many indices out has room for. It may be 0, and out then
-NULL. Returns: how many there are, even if that is beyond the capacity. If room is left, the entry after the
-last is -1. Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the indices of valid ones
-are written; -1 or the capacity ends them. Before anything is written: VESICA_E_NULL, VESICA_E_KIND,
+NULL. Returns: how many there are, even if that exceeds the capacity. If room is left, the entry after the
+last is -1. Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the others are written as
+usual, up to the -1 or the capacity. Before anything is written: VESICA_E_NULL, VESICA_E_KIND,
 VESICA_E_ARGUMENT (one's count is not 1, a negative capacity, and as vesica_overlap_many_f64). Accuracy:
 every answer is that of vesica_overlap_f64. Since: 0.1.""",
     ),
@@ -1262,9 +1219,10 @@ every answer is that of vesica_overlap_f64. Since: 0.1.""",
         (c_int64,),
         """vesica_nms_scratch(count)
 
-Bytes of scratch memory that vesica_nms_f64 and vesica_nms_f32 need for that many shapes.
+How many bytes of scratch do vesica_nms_f64, vesica_suppress_f64 and their float forms need for `count`
+shapes?
 
-Returns: about 97 bytes for each, and 380,416.
+Returns: 380,416 bytes and about 97 a shape.
 Errors: VESICA_E_ARGUMENT (a negative count, or one above 2147483647).
 Since: 0.1.""",
     ),
@@ -1276,16 +1234,16 @@ Since: 0.1.""",
 Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one
 whose vesica_iou_f64 with every shape kept before is at most the threshold.
 
-Equal scores go by index, and infinite scores are legal. At threshold 1 all shapes are kept.
+Of equal scores the lower index comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
 
 Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to
 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all
-indices. Returns: 0. keep has the indices of the kept shapes in the order of their scores, and *kept how
-many they are. What follows them in keep is not written. Errors: VESICA_E_SHAPE if a shape is invalid or its
-score is NaN: the result is that without it, and is written. Before anything is written: VESICA_E_NULL (if
-there are no shapes, only shapes and kept are looked at), VESICA_E_KIND (points and segments too),
-VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too little scratch). Cost: an index,
-sorting, and an IoU where bounds and areas allow one above the threshold: 0.3 to 1.2 us a shape. Since: 0.1.""",
+indices. Returns: 0, with *kept set to how many are kept. keep has their indices in the order of their
+scores; the rest of keep is not written. Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN:
+it is left out, and the result of the others is written. Before anything is written: VESICA_E_NULL (with
+count 0 all but shapes and kept may be NULL), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT
+(the array as vesica_overlap_many_f64, threshold, too little scratch). Cost: 0.3 to 1.2 us a shape. Since:
+0.1.""",
     ),
     "vesica_check_f32": (
         c_int32,
@@ -1321,22 +1279,22 @@ Since: 0.1.""",
 How does a relate to b? The answer is one of the eight relations of the region connection calculus (RCC-8).
 
 The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with one
-size zero, is its two end points. A point, or a shape without any size, has no outline. The inside is all
-but the outline. If several relations fit, VESICA_EQUAL comes first, then those of containment, then
-VESICA_CROSS. So a segment that ends on the middle of another touches it, two segments along one line that
-overlap in part cross, and a point on the rim of a disc is inside with touch. Exchanging the shapes always
+size zero, is its two end points. A point, or a shape without any size, has no outline. The inside is the
+shape without its outline. If several relations fit, VESICA_EQUAL comes first, then those of containment,
+then VESICA_CROSS. So a segment that ends on the middle of another touches it; two segments on one line that
+overlap in part cross; a point on the rim of a disc is VESICA_INSIDE_TOUCH. Exchanging the shapes always
 gives the converse relation.
 
 Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe
 them. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Accuracy: exact. Cost: up to twice that of
-vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal, at worst 30. Since: 0.1.""",
+vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_contains_f32": (
         c_int32,
         (c_int32, c_void_p, c_int32, c_void_p,),
         """vesica_contains_f32(kind_a, numbers_a, kind_b, numbers_b)
 
-Does a contain all of b? A shape contains itself, and what touches its outline from inside.
+Does a contain all of b? A shape contains itself, and whatever touches its outline from inside.
 
 Returns: 1 if vesica_relation_f32 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0.
 Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.
@@ -1352,19 +1310,19 @@ Since: 0.1.""",
 Where do the outlines of two shapes meet? Touching counts.
 
 The outline of a shape with area is the curve around it. A segment, a point and a shape without area are
-their own outlines. A contact of any order is one place. If straight outlines have a stretch in common, its
-two end points are places, and out->shared is 1. So equal boxes have their four corners. Equal curves have
-no single places: then the count is 0 and out->shared is 1. Places come in order along a's outline,
-counter-clockwise in the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's
-point C + a u, a circle's point C + (r, 0), or a segment's first end.
+their own outlines. A contact counts as one place, however closely the curves touch there. If straight
+outlines share a stretch, its two end points are places, and out->shared is 1; so equal boxes meet at their
+four corners. Two equal curves meet everywhere: then the count is 0 and out->shared is 1. Places come in
+order along a's outline, counter-clockwise in the frame of its axis. The start is a box's corner C - hx u -
+hy perp(u), an ellipse's point C + a u, a circle's point C + (r, 0), or a segment's first end.
 
 Returns: the number of places, 0 to 8. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
 Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape,
-however closely the outlines touch or coincide. Places closer to one another than that may come in either
-order or be equal. Each number is computed in double, within these bounds, and then rounded to float once.
-Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
-their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
-Cost: 1 to 10 us; at worst 100 us, where exponents are wildly unlike. Since: 0.1.""",
+even where the outlines nearly coincide. Places closer to one another than that may come in either order or
+be equal. Each number is computed in double, within these bounds, and then rounded to float once. Bounds on
+computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
+centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
+<= x. Cost: 1 to 10 us; at worst 100 us. Since: 0.1.""",
     ),
     "vesica_nearest_f32": (
         c_int32,
@@ -1375,18 +1333,17 @@ How far apart are two solid shapes, and which of their points are closest?
 
 If the shapes overlap (as vesica_overlap_f32 tells), the distance is 0 and both points are one common point.
 If not, the distance is > 0. Exchanging the shapes exchanges the points and changes no bit. Moving both
-shapes by the same exact amounts changes no bit of the distance.
+shapes alike changes no bit of the distance if no coordinate is rounded.
 
 Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: the distance is
-right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale. It is right to 2 u of itself
-if it is above 1e-10 scale (aspect ratios up to 1e6) or above 1e-14 scale (up to 1000). Before their
-coordinates are rounded, closest points are within 4 u scale of the outlines, and a common point is within 8
-u scale of both shapes. Each number is computed in double, within these bounds, and then rounded to float
-once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
-one. Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the
-other's centre; 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond
-2^+-40; at worst 40. Since: 0.1.""",
+right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale. Its relative error is at most
+2 u above 1e-10 scale (aspect ratios up to 1e6) or 1e-14 scale (up to 1000). Closest points are right to 4 u
+scale, and a common point to 8 u scale, before they are rounded. Each number is computed in double, within
+these bounds, and then rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of two
+shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is
+longer over shorter size. "Right to x": the error is <= x. Cost: 100 to 200 ns for disjoint shapes, 300 ns
+for the thinnest ellipses; 50 ns if a shape holds the other's centre; 0.3 to 3 us for shapes that cross,
+near-ties and magnitudes above 2^40 or below 2^-40; at worst 40 us. Since: 0.1.""",
     ),
     "vesica_boundary_distance_f32": (
         c_int32,
@@ -1399,17 +1356,18 @@ The outline of a shape with area is the curve around it. A point, a segment and 
 their own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If
 shapes are disjoint, the result is that of vesica_nearest_f32. If one is strictly inside the other, the
 distance is the least over the whole outline, never a local minimum. Which case holds is decided exactly.
-Exchanging the shapes exchanges the points and changes no bit. Moving both shapes by the same exact amounts
-changes no bit of the distance.
+Exchanging the shapes exchanges the points and changes no bit. Moving both shapes alike changes no bit of
+the distance if no coordinate is rounded.
 
 Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: at aspect ratios
-up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u scale. At any, it is
-above 0 if outlines do not meet, and points are on them to 12 u scale before they are rounded. Each number
-is computed in double, within these bounds, and then rounded to float once. Bounds on computed numbers use u
-= 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
-lengths. An aspect ratio is a shape's longer size over its shorter one. Cost: that of vesica_nearest_f32 for
-disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2 us for a common point, of
-needles as vesica_crossings_f32; 5 us more if exact arithmetic must tell; at worst 100 us. Since: 0.1.""",
+up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16 u scale. At any ratio
+it is above 0 unless outlines meet, and points are on them to 12 u scale before they are rounded. Each
+number is computed in double, within these bounds, and then rounded to float once. Bounds on computed
+numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
+their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: that
+of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to 2 us
+if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 100 us.
+Since: 0.1.""",
     ),
     "vesica_depth_f32": (
         c_int32,
@@ -1420,27 +1378,27 @@ Penetration depth: how far and which way must b be moved until the two shapes on
 
 Moving b by out->depth along the unit vector (x, y) is the shortest translation after which a line separates
 the shapes: a on one side, b on the other, where both may touch the line. For disjoint shapes all three
-numbers are 0. Overlapping shapes always get a direction. Their depth is 0 if such a line is there already:
-if they touch from outside, if a point lies on an outline, or if points and segments lie along one line.
-Otherwise the depth is > 0. Exchanging the shapes reverses the direction and changes no other bit, except
-for two equal shapes in one place. Moving both shapes by the same exact amounts changes no bit.
+numbers are 0. Overlapping shapes always get a direction. Their depth is 0 if such a line exists without a
+move: if they touch from outside, if a point lies on an outline, or if points and segments lie along one
+line. Otherwise the depth is > 0. Exchanging the shapes reverses the direction and changes no other bit,
+except for two equal shapes in one place. Moving both shapes alike changes no bit if no coordinate is
+rounded.
 
 Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: at aspect ratios
-up to 1e6 the depth is right to 4 u scale; of two circles, and of a point and a circle, to its last place.
-The length of (x, y) is 1 but for 3 u, and it moves b clear but for 8 u scale. Whether the depth is 0 is
-exact. Each number is computed in double, within these bounds, and then rounded to float once. Bounds on
-computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
-centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one. Cost:
-about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to 5
-us if only exact arithmetic can tell the depth from 0; at worst 40 us, where exponents are wildly unlike.
-Since: 0.1.""",
+up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place. The length of (x, y)
+is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is exact. Each
+number is computed in double, within these bounds, and then rounded to float once. Bounds on computed
+numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
+their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost:
+about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if only
+exact arithmetic can tell the depth from 0; at worst 40 us. Since: 0.1.""",
     ),
     "vesica_shape_area_f32": (
         c_int32,
         (c_int32, c_void_p, c_void_p,),
         """vesica_shape_area_f32(kind, numbers, out)
 
-Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
 
 Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: the double
 nearest to the true area; a tiny area becomes subnormal or 0. So a shape inside another never has the
@@ -1459,14 +1417,14 @@ other, it is the vesica_shape_area_f32 of the inner one. It is never more than t
 than 0 if the insides of shapes with area meet, unless that underflows. Exchanging the shapes changes no
 bit. Scaling both by a power of two scales the area by its square.
 
-Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: within 64 u of
-the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4, however near the
-outlines are to touching or coinciding and however different the sizes are. Each number is computed in
-double, within these bounds, and then rounded to float once. Bounds on computed numbers use u = 2^-53. The
-scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
-aspect ratio is a shape's longer size over its shorter one. Cost: about 50 ns for two boxes, 150 ns for an
+Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: right to 64 u
+times the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4, even if the
+outlines nearly touch or coincide and whatever the sizes are. Each number is computed in double, within
+these bounds, and then rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of two
+shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is
+longer over shorter size. "Right to x": the error is <= x. Cost: about 50 ns for two boxes, 150 ns for an
 ellipse and a box, 0.6 us for two ellipses; up to 10 us if outlines nearly touch or coincide, or if one
-shape is far larger; at worst 40 us, where exponents are wildly unlike. Since: 0.1.""",
+shape is far larger; at worst 40 us. Since: 0.1.""",
     ),
     "vesica_iou_f32": (
         c_int32,
@@ -1476,13 +1434,12 @@ shape is far larger; at worst 40 us, where exponents are wildly unlike. Since: 0
 Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover
 together.
 
-It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Nothing overflows or
-underflows on the way, whatever the sizes. Exchanging the shapes, or scaling both by a power of two, changes
-no bit.
+It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Intermediate results never
+overflow or underflow. Exchanging the shapes, or scaling both by a power of two, changes no bit.
 
 Returns: 0.
 Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (neither shape has an area).
-Accuracy: the bound of vesica_area_f32, over the area of the union.
+Accuracy: the bound of vesica_area_f32, divided by the area of the union.
 Each number is computed in double, within these bounds, and then rounded to float once.
 Cost: that of vesica_area_f32 and of vesica_shape_area_f32 twice.
 Since: 0.1.""",
@@ -1496,8 +1453,8 @@ Smallest box of representable numbers that contains a shape.
 
 Returns: 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE. Accuracy: each side is the
 true extreme of the shape, rounded outward once. So a representable box is exact. Cost: up to 80 ns; 1 to 3
-us for magnitudes beyond 2^+-400, and for an ellipse with an oblique axis and representable sides; at worst
-20 us. Since: 0.1.""",
+us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis and representable
+sides; at worst 20 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_point_f32": (
         c_int32,
@@ -1506,11 +1463,9 @@ us for magnitudes beyond 2^+-400, and for an ellipse with an oblique axis and re
 
 Are the two points the same?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_segment_f32": (
         c_int32,
@@ -1519,11 +1474,9 @@ Since: 0.1.""",
 
 Does the point lie on the segment? End points count.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_circle_f32": (
         c_int32,
@@ -1532,11 +1485,9 @@ Since: 0.1.""",
 
 Does the point lie in the disc or on its rim?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_aabb_f32": (
         c_int32,
@@ -1545,11 +1496,9 @@ Since: 0.1.""",
 
 Does the point lie in the box or on its outline?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_rect_f32": (
         c_int32,
@@ -1558,11 +1507,9 @@ Since: 0.1.""",
 
 Does the point lie in the rectangle or on its outline?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_point_ellipse_f32": (
         c_int32,
@@ -1571,11 +1518,9 @@ Since: 0.1.""",
 
 Does the point lie in the ellipse or on its outline?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_segment_f32": (
         c_int32,
@@ -1584,11 +1529,9 @@ Since: 0.1.""",
 
 Do the segments share a point? End points count, and so do stretches along one line.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_circle_f32": (
         c_int32,
@@ -1597,11 +1540,9 @@ Since: 0.1.""",
 
 Does the segment meet the disc? A tangent segment does.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_aabb_f32": (
         c_int32,
@@ -1610,11 +1551,9 @@ Since: 0.1.""",
 
 Does the segment meet the box? A segment inside it does.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_rect_f32": (
         c_int32,
@@ -1623,11 +1562,9 @@ Since: 0.1.""",
 
 Does the segment meet the rectangle? A segment inside it does.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_segment_ellipse_f32": (
         c_int32,
@@ -1636,11 +1573,9 @@ Since: 0.1.""",
 
 Does the segment meet the ellipse? A tangent segment does.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_circle_f32": (
         c_int32,
@@ -1649,11 +1584,9 @@ Since: 0.1.""",
 
 Do the discs share a point? Discs that touch from outside do.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_aabb_f32": (
         c_int32,
@@ -1662,11 +1595,9 @@ Since: 0.1.""",
 
 Do the disc and the box share a point?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_rect_f32": (
         c_int32,
@@ -1675,11 +1606,9 @@ Since: 0.1.""",
 
 Do the disc and the rectangle share a point?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_circle_ellipse_f32": (
         c_int32,
@@ -1688,11 +1617,9 @@ Since: 0.1.""",
 
 Do the disc and the ellipse share a point?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_aabb_f32": (
         c_int32,
@@ -1701,11 +1628,9 @@ Since: 0.1.""",
 
 Do the boxes share a point? Boxes that share an edge or a corner do.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_rect_f32": (
         c_int32,
@@ -1714,11 +1639,9 @@ Since: 0.1.""",
 
 Do the box and the rectangle share a point?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_aabb_ellipse_f32": (
         c_int32,
@@ -1727,11 +1650,9 @@ Since: 0.1.""",
 
 Do the box and the ellipse share a point?
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_rect_rect_f32": (
         c_int32,
@@ -1740,11 +1661,9 @@ Since: 0.1.""",
 
 Do the rectangles share a point? Rectangles that share an edge or a corner do.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_rect_ellipse_f32": (
         c_int32,
@@ -1753,11 +1672,9 @@ Since: 0.1.""",
 
 Do the rectangle and the ellipse share a point? They do if one is inside the other.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_overlap_ellipse_ellipse_f32": (
         c_int32,
@@ -1766,11 +1683,9 @@ Since: 0.1.""",
 
 Do the ellipses share a point? They do if one is inside the other.
 
-Returns: 1 if the shapes share a point (touching counts), 0 if not.
-Errors: VESICA_E_NULL, VESICA_E_SHAPE.
-Accuracy: exact.
-Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
-Since: 0.1.""",
+Returns: 1 if the shapes share a point (touching counts), 0 if not. Errors: VESICA_E_NULL, VESICA_E_SHAPE.
+Accuracy: exact. Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can
+decide; at worst 30 us. Since: 0.1.""",
     ),
     "vesica_aabb_from_corners_f32": (
         c_int32,
@@ -1793,9 +1708,10 @@ Rectangle from centre, angle and full size: width along the angle, height across
 
 Requires: the angle in radians, counter-clockwise from +x if y points up; width, height >= 0. Returns: 0;
 the shape is valid. Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE. Accuracy: the axis
-is (cos, sin), each right to 1 unit in the last place. No number is exactly a quarter turn, so the axis of
-one is parallel to a coordinate axis only to that rounding. Sizes are exact: if halving one would round (an
-odd multiple of the smallest subnormal number), the axis is halved instead. Cost: about 40 ns. Since: 0.1.""",
+is (cos, sin), each right to 1 unit in the last place. No double is exactly pi/2, so a quarter turn has an
+exact axis only by vesica_rects_from_boxes_f32, which takes degrees too. Sizes are exact: if halving one
+would round (an odd multiple of the smallest subnormal number), the axis is halved instead. Cost: about 40
+ns. Since: 0.1.""",
     ),
     "vesica_rect_from_corners_f32": (
         c_int32,
@@ -1812,9 +1728,9 @@ axis (1, 0).
 
 Returns: 0; the shape is valid. Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent
 overflows). Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last
-place of the longer one; the centre is right to 1 unit in its own. To both comes 2^-98 times the largest
-coordinate. The corners of an axis-parallel rectangle give exactly it if its centre and half extents are
-representable. Cost: about 110 ns. Since: 0.1.""",
+place of the longer one; the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the
+largest coordinate. A rectangle along the coordinate axes is found exactly if its centre and half extents
+are representable. Cost: about 110 ns. Since: 0.1.""",
     ),
     "vesica_ellipse_from_angle_f32": (
         c_int32,
@@ -1826,7 +1742,7 @@ Ellipse from centre, angle and half lengths: a along the angle, b across it.
 Requires: the angle in radians, counter-clockwise from +x if y points up; a, b >= 0.
 Returns: 0; the shape is valid.
 Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
-Accuracy: the axis as that of vesica_rect_from_angle_f32; half lengths are exact.
+Accuracy: the axis is that of vesica_rect_from_angle_f32; half lengths are exact.
 Cost: about 40 ns.
 Since: 0.1.""",
     ),
@@ -1859,8 +1775,8 @@ vector with x >= 0, or (1, 0) for equal variances without correlation.
 Requires: the covariance cxx, cxy, cyy (units squared) positive semidefinite: cxy^2 <= cxx cyy as stored; k
 >= 0. Returns: 0; the shape is valid. Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k
 < 0), VESICA_E_ARGUMENT (not a covariance), VESICA_E_RANGE (a half length overflows). Accuracy: half lengths
-and both components of the axis are right to 8 units in their own last place, however near the matrix is to
-a singular one or to a circle's. Cost: about 90 ns. Since: 0.1.""",
+and both components of the axis are right to 8 units in their own last place, even if the matrix is nearly
+singular or nearly a circle's. Cost: about 90 ns. Since: 0.1.""",
     ),
     "vesica_ellipse_from_matrix_f32": (
         c_int32,
@@ -1874,7 +1790,7 @@ The result is that of vesica_ellipse_from_covariance_f32 for the inverse of M an
 Requires: M positive definite as stored.
 Returns: 0; the shape is valid.
 Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_ARGUMENT (not positive definite).
-Accuracy: that of vesica_ellipse_from_covariance_f32; no half length overflows.
+Accuracy: that of vesica_ellipse_from_covariance_f32. No half length overflows.
 Cost: about 90 ns.
 Since: 0.1.""",
     ),
@@ -1899,12 +1815,11 @@ Do a[i] and b[i] share a point? out[i] is the answer of vesica_overlap_f32.
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL. Returns: how many are 1. Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes)
-or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL (if there
-is nothing to answer, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
-negative or do not agree, reserved is not 0, or an array that is beyond the address space). Accuracy: every
-result has the bits of the function for two shapes, on every instruction set and in every layout. Cost: in
-cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float (see README.md).
-Since: 0.1.""",
+or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL (but if a
+count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or
+do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every result has the
+same bits as the function for two shapes, on every instruction set, in every layout. Cost: in cache, from
+columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float. Since: 0.1.""",
     ),
     "vesica_relation_many_f32": (
         c_int64,
@@ -1917,10 +1832,10 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL. Returns: how many are not VESICA_DISJOINT. Errors: VESICA_E_SHAPE if an element is invalid: its
 results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if there is nothing to answer, fields and outputs may be NULL), VESICA_E_KIND,
-VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that is beyond
-the address space). Accuracy: every result has the bits of the function for two shapes, on every instruction
-set and in every layout. Since: 0.1.""",
+VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+(counts that are negative or do not agree, reserved is not 0, or an array that exceeds the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout. Since: 0.1.""",
     ),
     "vesica_contains_many_f32": (
         c_int64,
@@ -1932,11 +1847,10 @@ Does a[i] contain all of b[i]? out[i] is the answer of vesica_contains_f32.
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL. Returns: how many are 1. Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes)
-or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL (if there
-is nothing to answer, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
-negative or do not agree, reserved is not 0, or an array that is beyond the address space). Accuracy: every
-result has the bits of the function for two shapes, on every instruction set and in every layout. Since:
-0.1.""",
+or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL (but if a
+count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or
+do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every result has the
+same bits as the function for two shapes, on every instruction set, in every layout. Since: 0.1.""",
     ),
     "vesica_nearest_many_f32": (
         c_int64,
@@ -1949,10 +1863,10 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL. Returns: how many pairs overlap (distance 0). Errors: VESICA_E_SHAPE if an element is invalid: its
 results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if there is nothing to answer, fields and outputs may be NULL), VESICA_E_KIND,
-VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that is beyond
-the address space). Accuracy: every result has the bits of the function for two shapes, on every instruction
-set and in every layout. Since: 0.1.""",
+VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+(counts that are negative or do not agree, reserved is not 0, or an array that exceeds the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout. Since: 0.1.""",
     ),
     "vesica_boundary_distance_many_f32": (
         c_int64,
@@ -1966,10 +1880,10 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL. Returns: how many pairs of outlines meet (distance 0). Errors: VESICA_E_SHAPE if an element is
 invalid: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-written: VESICA_E_NULL (if there is nothing to answer, fields and outputs may be NULL), VESICA_E_KIND,
-VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that is beyond
-the address space). Accuracy: every result has the bits of the function for two shapes, on every instruction
-set and in every layout. Since: 0.1.""",
+written: VESICA_E_NULL (but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND,
+VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an array that exceeds the
+address space). Accuracy: every result has the same bits as the function for two shapes, on every
+instruction set, in every layout. Since: 0.1.""",
     ),
     "vesica_depth_many_f32": (
         c_int64,
@@ -1982,10 +1896,10 @@ Requires: equal counts, or one count of 1, whose shape is used for all. Each out
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL. Returns: how many depths are > 0. Errors: VESICA_E_SHAPE if an element is invalid: its results are
 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL
-(if there is nothing to answer, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts
-that are negative or do not agree, reserved is not 0, or an array that is beyond the address space).
-Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
-layout. Since: 0.1.""",
+(but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
+negative or do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every
+result has the same bits as the function for two shapes, on every instruction set, in every layout. Since:
+0.1.""",
     ),
     "vesica_area_many_f32": (
         c_int64,
@@ -1997,11 +1911,11 @@ What area do a[i] and b[i] share? out[i] is the result of vesica_area_f32.
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL. Returns: how many areas are > 0. Errors: VESICA_E_SHAPE if an element is invalid: its results are 0
-(bytes) or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-there is nothing to answer, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that
-are negative or do not agree, reserved is not 0, or an array that is beyond the address space). Accuracy:
-every result has the bits of the function for two shapes, on every instruction set and in every layout.
-Since: 0.1.""",
+(bytes) or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL
+(but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
+negative or do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every
+result has the same bits as the function for two shapes, on every instruction set, in every layout. Since:
+0.1.""",
     ),
     "vesica_iou_many_f32": (
         c_int64,
@@ -2016,11 +1930,11 @@ invalid.
 Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
 numbers as the larger count, or for none if a count is 0. Of several output columns some, but not all, may
 be NULL. Returns: how many are > 0. Errors: VESICA_E_SHAPE if an element is invalid: its results are 0
-(bytes) or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL (if
-there is nothing to answer, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that
-are negative or do not agree, reserved is not 0, or an array that is beyond the address space). Accuracy:
-every result has the bits of the function for two shapes, on every instruction set and in every layout.
-Since: 0.1.""",
+(bytes) or NaN (numbers), and all others are written as usual. Before anything is written: VESICA_E_NULL
+(but if a count is 0, fields and outputs may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are
+negative or do not agree, reserved is not 0, or an array that exceeds the address space). Accuracy: every
+result has the same bits as the function for two shapes, on every instruction set, in every layout. Since:
+0.1.""",
     ),
     "vesica_overlap_matrix_f32": (
         c_int64,
@@ -2033,10 +1947,11 @@ Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and 
 elements of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run
 backwards in memory. Returns: how many are 1. Errors: VESICA_E_SHAPE if an element is invalid: its results
 are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if there is nothing to answer, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-(a negative count, reserved is not 0, rows that overlap, or an array or rows beyond the address space).
-Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
-layout. Cost: that of one shape against many, however large the arrays are. Since: 0.1.""",
+VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
+negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout. Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays. Since:
+0.1.""",
     ),
     "vesica_relation_matrix_f32": (
         c_int64,
@@ -2049,10 +1964,11 @@ Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and 
 elements of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run
 backwards in memory. Returns: how many are not VESICA_DISJOINT. Errors: VESICA_E_SHAPE if an element is
 invalid: its results are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is
-written: VESICA_E_NULL (if there is nothing to answer, fields and out may be NULL), VESICA_E_KIND,
-VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows beyond the
-address space). Accuracy: every result has the bits of the function for two shapes, on every instruction set
-and in every layout. Cost: that of one shape against many, however large the arrays are. Since: 0.1.""",
+written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
+(a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout. Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays. Since:
+0.1.""",
     ),
     "vesica_contains_matrix_f32": (
         c_int64,
@@ -2065,10 +1981,11 @@ Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and 
 elements of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run
 backwards in memory. Returns: how many are 1. Errors: VESICA_E_SHAPE if an element is invalid: its results
 are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if there is nothing to answer, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-(a negative count, reserved is not 0, rows that overlap, or an array or rows beyond the address space).
-Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
-layout. Cost: that of one shape against many, however large the arrays are. Since: 0.1.""",
+VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
+negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout. Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays. Since:
+0.1.""",
     ),
     "vesica_area_matrix_f32": (
         c_int64,
@@ -2081,10 +1998,11 @@ Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and 
 elements of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run
 backwards in memory. Returns: how many are > 0. Errors: VESICA_E_SHAPE if an element is invalid: its results
 are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if there is nothing to answer, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-(a negative count, reserved is not 0, rows that overlap, or an array or rows beyond the address space).
-Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
-layout. Cost: that of one shape against many, however large the arrays are. Since: 0.1.""",
+VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
+negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout. Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays. Since:
+0.1.""",
     ),
     "vesica_iou_matrix_f32": (
         c_int64,
@@ -2100,10 +2018,11 @@ Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and 
 elements of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run
 backwards in memory. Returns: how many are > 0. Errors: VESICA_E_SHAPE if an element is invalid: its results
 are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anything is written:
-VESICA_E_NULL (if there is nothing to answer, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
-(a negative count, reserved is not 0, rows that overlap, or an array or rows beyond the address space).
-Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
-layout. Cost: that of one shape against many, however large the arrays are. Since: 0.1.""",
+VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
+negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
+Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
+layout. Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays. Since:
+0.1.""",
     ),
     "vesica_overlap_select_f32": (
         c_int64,
@@ -2113,9 +2032,9 @@ layout. Cost: that of one shape against many, however large the arrays are. Sinc
 Which of many shapes overlap one? Their indices are written to out[0], out[1] ..., in ascending order.
 
 Requires: one, an array of count 1; capacity, how many indices out has room for. It may be 0, and out then
-NULL. Returns: how many there are, even if that is beyond the capacity. If room is left, the entry after the
-last is -1. Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the indices of valid ones
-are written; -1 or the capacity ends them. Before anything is written: VESICA_E_NULL, VESICA_E_KIND,
+NULL. Returns: how many there are, even if that exceeds the capacity. If room is left, the entry after the
+last is -1. Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the others are written as
+usual, up to the -1 or the capacity. Before anything is written: VESICA_E_NULL, VESICA_E_KIND,
 VESICA_E_ARGUMENT (one's count is not 1, a negative capacity, and as vesica_overlap_many_f32). Accuracy:
 every answer is that of vesica_overlap_f32. Since: 0.1.""",
     ),
@@ -2127,16 +2046,16 @@ every answer is that of vesica_overlap_f32. Since: 0.1.""",
 Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one
 whose vesica_iou_f32 with every shape kept before is at most the threshold.
 
-Equal scores go by index, and infinite scores are legal. At threshold 1 all shapes are kept.
+Of equal scores the lower index comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
 
 Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to
 1; scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all
-indices. Returns: 0. keep has the indices of the kept shapes in the order of their scores, and *kept how
-many they are. What follows them in keep is not written. Errors: VESICA_E_SHAPE if a shape is invalid or its
-score is NaN: the result is that without it, and is written. Before anything is written: VESICA_E_NULL (if
-there are no shapes, only shapes and kept are looked at), VESICA_E_KIND (points and segments too),
-VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32, threshold, too little scratch). Cost: an index,
-sorting, and an IoU where bounds and areas allow one above the threshold: 0.3 to 1.2 us a shape. Since: 0.1.""",
+indices. Returns: 0, with *kept set to how many are kept. keep has their indices in the order of their
+scores; the rest of keep is not written. Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN:
+it is left out, and the result of the others is written. Before anything is written: VESICA_E_NULL (with
+count 0 all but shapes and kept may be NULL), VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT
+(the array as vesica_overlap_many_f32, threshold, too little scratch). Cost: 0.3 to 1.2 us a shape. Since:
+0.1.""",
     ),
     "vesica_rects_from_boxes_f64": (
         c_int64,
@@ -2145,76 +2064,76 @@ sorting, and an IoU where bounds and areas allow one above the threshold: 0.3 to
 
 Rectangles from boxes.
 
-Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for
-`count`. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its
-result would be beyond the finite ones: its result is NaN throughout, and all others are written as usual.
-Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND,
-VESICA_E_ARGUMENT (a negative count, an array beyond the address space, an unknown unit of angles).
-Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of
-90, and whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64. Cost: about 30
-ns a box. Since: 0.1.""",
+Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; angle, a unit of
+angles, or its sum with VESICA_ANGLE_REVERSED; out, room for `count`. Returns: 0. Errors: VESICA_E_SHAPE if
+an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all numbers of that
+result are NaN, and all other results are written as usual. Before anything is written: VESICA_E_NULL (if
+count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array that exceeds
+the address space, an unknown unit of angles). Accuracy: the axis is (cos, sin), each right to 1.1 units in
+the last place. Degrees that are multiples of 90, and whole quarter turns, give exact axes. Sizes are those
+of vesica_rect_from_angle_f64. Cost: about 30 ns a box. Since: 0.1.""",
     ),
     "vesica_ellipses_from_boxes_f64": (
         c_int64,
         (c_void_p, c_int64, c_ssize_t, c_int32, c_void_p,),
         """vesica_ellipses_from_boxes_f64(boxes, count, stride, angle, out)
 
-Ellipses from the boxes about them, whose sides they touch in the middle.
+Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
 
 Requires: as vesica_rects_from_boxes_f64. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or
-VESICA_E_RANGE if a number of its result would be beyond the finite ones: its result is NaN throughout, and
-all others are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be
-NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space, an unknown
-unit of angles). Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
-Cost: about 30 ns a box. Since: 0.1.""",
+VESICA_E_RANGE if a number of its result would overflow: all numbers of that result are NaN, and all other
+results are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL),
+VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an unknown unit
+of angles). Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height. Cost:
+about 30 ns a box. Since: 0.1.""",
     ),
     "vesica_boxes_from_shapes_f64": (
         c_int64,
         (c_void_p, c_int32, c_void_p,),
         """vesica_boxes_from_shapes_f64(shapes, angle, boxes)
 
-Boxes from rectangles, or about ellipses: the way back.
+Boxes from rectangles or from ellipses: the inverse of the two functions above.
 
-An angle is from -180 to 180 degrees.
+Angles are from -180 to 180 degrees, in the unit asked for.
 
-Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers,
-without gaps. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of
-its result would be beyond the finite ones: its result is NaN throughout, and all others are written as
-usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND,
-VESICA_E_ARGUMENT (a negative count, an array beyond the address space, an unknown unit of angles).
-Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last
-place of a quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are
-exact. Cost: about 70 ns a shape. Since: 0.1.""",
+Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; angle as vesica_rects_from_boxes_f64; boxes, room
+for `count` rows of five numbers, without gaps. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid,
+or VESICA_E_RANGE if a number of its result would overflow: all numbers of that result are NaN, and all
+other results are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be
+NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an
+unknown unit of angles). Accuracy: width and height are right to 4 units in the last place, and the angle to
+2 units in the last place of a quarter turn. If an axis lies exactly along a coordinate axis, degrees and
+quarter turns are exact. Cost: about 70 ns a shape. Since: 0.1.""",
     ),
     "vesica_corners_of_shapes_f64": (
         c_int64,
         (c_void_p, c_void_p,),
         """vesica_corners_of_shapes_f64(shapes, corners)
 
-The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
 
-Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
+The first corner is C - hx u - hy perp(u), the next C + hx u - hy perp(u), and so on round the outline.
 
 Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
 Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result
-would be beyond the finite ones: its result is NaN throughout, and all others are written as usual. Before
+would overflow: all numbers of that result are NaN, and all other results are written as usual. Before
 anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-negative count, an array beyond the address space, an unknown unit of angles). Accuracy: a coordinate is
-right to 1 unit in its last place and 2^-98 times the largest of its three terms. Cost: about 70 ns a shape.
-Since: 0.1.""",
+negative count, an array that exceeds the address space, an unknown unit of angles). Accuracy: a coordinate
+is right to 1 unit in its last place plus 2^-98 times the largest of its three terms. Cost: about 70 ns a
+shape. Since: 0.1.""",
     ),
     "vesica_bounds_many_f64": (
         c_int64,
         (c_void_p, c_void_p,),
         """vesica_bounds_many_f64(shapes, out)
 
-The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.
+Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.
 
 Requires: out, room for `count`. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or
-VESICA_E_RANGE if a number of its result would be beyond the finite ones: its result is NaN throughout, and
-all others are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be
-NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space, an unknown
-unit of angles). Accuracy: that of vesica_bounds_f64. Cost: that of vesica_bounds_f64. Since: 0.1.""",
+VESICA_E_RANGE if a number of its result would overflow: all numbers of that result are NaN, and all other
+results are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL),
+VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an unknown unit
+of angles). Accuracy: that of vesica_bounds_f64. Cost: that of vesica_bounds_f64. Since: 0.1.""",
     ),
     "vesica_rects_from_boxes_f32": (
         c_int64,
@@ -2223,28 +2142,28 @@ unit of angles). Accuracy: that of vesica_bounds_f64. Cost: that of vesica_bound
 
 Rectangles from boxes.
 
-Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for
-`count`. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its
-result would be beyond the finite ones: its result is NaN throughout, and all others are written as usual.
-Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND,
-VESICA_E_ARGUMENT (a negative count, an array beyond the address space, an unknown unit of angles).
-Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of
-90, and whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32. Each number is
-computed in double, within these bounds, and then rounded to float once. Cost: about 30 ns a box. Since:
-0.1.""",
+Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; angle, a unit of
+angles, or its sum with VESICA_ANGLE_REVERSED; out, room for `count`. Returns: 0. Errors: VESICA_E_SHAPE if
+an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all numbers of that
+result are NaN, and all other results are written as usual. Before anything is written: VESICA_E_NULL (if
+count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array that exceeds
+the address space, an unknown unit of angles). Accuracy: the axis is (cos, sin), each right to 1.1 units in
+the last place. Degrees that are multiples of 90, and whole quarter turns, give exact axes. Sizes are those
+of vesica_rect_from_angle_f32. Each number is computed in double, within these bounds, and then rounded to
+float once. Cost: about 30 ns a box. Since: 0.1.""",
     ),
     "vesica_ellipses_from_boxes_f32": (
         c_int64,
         (c_void_p, c_int64, c_ssize_t, c_int32, c_void_p,),
         """vesica_ellipses_from_boxes_f32(boxes, count, stride, angle, out)
 
-Ellipses from the boxes about them, whose sides they touch in the middle.
+Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
 
 Requires: as vesica_rects_from_boxes_f32. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or
-VESICA_E_RANGE if a number of its result would be beyond the finite ones: its result is NaN throughout, and
-all others are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be
-NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space, an unknown
-unit of angles). Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height. Each
+VESICA_E_RANGE if a number of its result would overflow: all numbers of that result are NaN, and all other
+results are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL),
+VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an unknown unit
+of angles). Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height. Each
 number is computed in double, within these bounds, and then rounded to float once. Cost: about 30 ns a box.
 Since: 0.1.""",
     ),
@@ -2253,49 +2172,50 @@ Since: 0.1.""",
         (c_void_p, c_int32, c_void_p,),
         """vesica_boxes_from_shapes_f32(shapes, angle, boxes)
 
-Boxes from rectangles, or about ellipses: the way back.
+Boxes from rectangles or from ellipses: the inverse of the two functions above.
 
-An angle is from -180 to 180 degrees.
+Angles are from -180 to 180 degrees, in the unit asked for.
 
-Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers,
-without gaps. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of
-its result would be beyond the finite ones: its result is NaN throughout, and all others are written as
-usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND,
-VESICA_E_ARGUMENT (a negative count, an array beyond the address space, an unknown unit of angles).
-Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last
-place of a quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are
-exact. Each number is computed in double, within these bounds, and then rounded to float once. Cost: about
-70 ns a shape. Since: 0.1.""",
+Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; angle as vesica_rects_from_boxes_f32; boxes, room
+for `count` rows of five numbers, without gaps. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid,
+or VESICA_E_RANGE if a number of its result would overflow: all numbers of that result are NaN, and all
+other results are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be
+NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an
+unknown unit of angles). Accuracy: width and height are right to 4 units in the last place, and the angle to
+2 units in the last place of a quarter turn. If an axis lies exactly along a coordinate axis, degrees and
+quarter turns are exact. Each number is computed in double, within these bounds, and then rounded to float
+once. Cost: about 70 ns a shape. Since: 0.1.""",
     ),
     "vesica_corners_of_shapes_f32": (
         c_int64,
         (c_void_p, c_void_p,),
         """vesica_corners_of_shapes_f32(shapes, corners)
 
-The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
 
-Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
+The first corner is C - hx u - hy perp(u), the next C + hx u - hy perp(u), and so on round the outline.
 
 Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
 Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result
-would be beyond the finite ones: its result is NaN throughout, and all others are written as usual. Before
+would overflow: all numbers of that result are NaN, and all other results are written as usual. Before
 anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
-negative count, an array beyond the address space, an unknown unit of angles). Accuracy: a coordinate is
-right to 1 unit in its last place and 2^-98 times the largest of its three terms. Each number is computed in
-double, within these bounds, and then rounded to float once. Cost: about 70 ns a shape. Since: 0.1.""",
+negative count, an array that exceeds the address space, an unknown unit of angles). Accuracy: a coordinate
+is right to 1 unit in its last place plus 2^-98 times the largest of its three terms. Each number is
+computed in double, within these bounds, and then rounded to float once. Cost: about 70 ns a shape. Since:
+0.1.""",
     ),
     "vesica_bounds_many_f32": (
         c_int64,
         (c_void_p, c_void_p,),
         """vesica_bounds_many_f32(shapes, out)
 
-The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.
+Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f32.
 
 Requires: out, room for `count`. Returns: 0. Errors: VESICA_E_SHAPE if an element is invalid, or
-VESICA_E_RANGE if a number of its result would be beyond the finite ones: its result is NaN throughout, and
-all others are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be
-NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array beyond the address space, an unknown
-unit of angles). Accuracy: that of vesica_bounds_f32. Cost: that of vesica_bounds_f32. Since: 0.1.""",
+VESICA_E_RANGE if a number of its result would overflow: all numbers of that result are NaN, and all other
+results are written as usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL),
+VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an unknown unit
+of angles). Accuracy: that of vesica_bounds_f32. Cost: that of vesica_bounds_f32. Since: 0.1.""",
     ),
     "vesica_index_size": (
         c_int64,
@@ -2304,8 +2224,9 @@ unit of angles). Accuracy: that of vesica_bounds_f32. Cost: that of vesica_bound
 
 How many bytes suffice for an index of `count` shapes, of any kinds?
 
-Returns: 17 bytes a shape and 64 KiB. A built index takes fewer, mostly 13 a shape: vesica_index_bytes
-tells. Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1). Since: 0.1.""",
+Returns: 17 bytes a shape and 64 KiB. A built index takes fewer, mostly 13 a shape: see vesica_index_bytes.
+Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
+Since: 0.1.""",
     ),
     "vesica_index_scratch": (
         c_int64,
@@ -2333,14 +2254,14 @@ Since: 0.1.""",
         (c_void_p, c_int64,),
         """vesica_index_check(index, size)
 
-Are these bytes an index that queries can read?
+Are these bytes an index that is safe to read?
 
-Ask it once of bytes that come from elsewhere. They may be short, foreign or damaged, or from a machine of
-the other byte order. What passes is safe to read.
+Call it once for bytes that you did not just build: they may be cut off, damaged, something else, or from a
+machine of the other byte order.
 
-Requires: size is the number of bytes there. The index may be shorter.
-Returns: 0.
-Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (it is none).
+Requires: size, the number of readable bytes. The index may be shorter.
+Returns: 0 if they are.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (they are not).
 Cost: it reads all bytes once.
 Since: 0.1.""",
     ),
@@ -2349,10 +2270,10 @@ Since: 0.1.""",
         (c_void_p,),
         """vesica_index_bytes(index)
 
-How many bytes does a built index take? So many are to be saved.
+How many bytes does a built index take? Save that many.
 
 Returns: the bytes, a multiple of 64.
-Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (its header is none).
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (not an index's header).
 Since: 0.1.""",
     ),
     "vesica_index_count": (
@@ -2362,8 +2283,8 @@ Since: 0.1.""",
 
 How many shapes was an index built from?
 
-Returns: the number of its items, invalid shapes included.
-Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (its header is none).
+Returns: the number of its items, including invalid shapes.
+Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (not an index's header).
 Since: 0.1.""",
     ),
     "vesica_index_bounds": (
@@ -2373,20 +2294,20 @@ Since: 0.1.""",
 
 A box around all valid shapes of an index.
 
-Indexes whose boxes are disjoint have no pairs.
+Two indexes whose boxes are disjoint have no overlapping pairs.
 
-Returns: 0. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (its header
-is none). Accuracy: the box is a little larger than the smallest one. It is infinite where that exceeds the
-finite numbers. Without valid shapes min is infinity and max is -infinity. Since: 0.1.""",
+Returns: 0. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (not an
+index's header). Accuracy: the box is a little larger than the smallest one; a side that overflows is
+infinite. Without valid shapes min is infinity and max is -infinity. Since: 0.1.""",
     ),
     "vesica_index_order": (
         c_int64,
         (c_void_p, c_void_p, c_int64,),
         """vesica_index_order(index, out, capacity)
 
-The items of an index in spatial order: shapes that are near to each other stand near to each other.
+The items of an index in spatial order: shapes near each other have nearby places in it.
 
-A join is faster if the arrays of shapes have this order, for then it reads them from near to near.
+A join is faster if the arrays of shapes have this order, as it then reads nearby memory.
 
 Requires: out has room for `capacity` items. It may be NULL if that is 0.
 Returns: how many items there are, without the invalid shapes. The first `capacity` of them are written.
@@ -2400,12 +2321,12 @@ Since: 0.1.""",
 
 Builds the index of some sets of shapes.
 
-Invalid shapes are left out. The call then returns VESICA_E_SHAPE, and the index of all others is complete.
-After any other error nothing is written. Shapes that moved need a new index.
+If shapes are invalid, the call returns VESICA_E_SHAPE, and the index is complete without them. When shapes
+have moved, build it again.
 
 Requires: index_size >= vesica_index_size(items) and scratch_size >= vesica_index_scratch(items). The
-scratch is free again after the call. Returns: the bytes of the index that are used. Errors: VESICA_E_NULL,
-VESICA_E_KIND, VESICA_E_ARGUMENT (a count, a size or an alignment), VESICA_E_SHAPE. Cost: 30 to 50 ns a
+scratch may be reused after the call. Returns: how many bytes of the index are used. Errors: VESICA_E_NULL,
+VESICA_E_KIND, VESICA_E_ARGUMENT (a wrong count, size or alignment), VESICA_E_SHAPE. Cost: 30 to 50 ns a
 shape. Since: 0.1.""",
     ),
     "vesica_index_step_f64": (
@@ -2413,11 +2334,11 @@ shape. Since: 0.1.""",
         (c_int32, c_int64, c_int64, c_void_p, c_int32, c_void_p, c_int64, c_void_p, c_int64,),
         """vesica_index_step_f64(step, part, parts, sets, set_count, index, index_size, scratch, scratch_size)
 
-One part of a build in five steps, for several threads. The bytes are those of vesica_index_build_f64.
+One part of a build by several threads, in five steps. The bytes are those of vesica_index_build_f64.
 
 Steps 0 and 4 have one part. Steps 1, 2 and 3 have as many parts as the caller likes, and these may run at
-the same time. All parts of a step must be done before the next step begins. All other arguments are the
-same in all calls.
+the same time. All parts of a step must end before the next step begins. All other arguments are the same in
+all calls.
 
 Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build.
 Returns: 0; at step 4 what vesica_index_build_f64 returns. Errors: those of vesica_index_build_f64.
@@ -2431,14 +2352,14 @@ Since: 0.1.""",
 
 Which items of an index does one shape overlap? They come in the index's order.
 
-Many shapes are better joined: index them too.
+To ask for many shapes, index them too and call vesica_join_f64.
 
-Requires: sets are those of the index. NULL with set_count 0 asks for the items whose bounds meet those of
-the shape. one is a single shape (count 1). out has room for `capacity` items. With capacity 0, out and
-state may be NULL. Returns: the number of items written; with capacity 0, how many there are. Errors:
-VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number
-or a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this
-call). Accuracy: exact, if there are sets. Since: 0.1.""",
+Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet the
+shape's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be
+NULL. Returns: the number of items written; with capacity 0, how many there are. Errors: VESICA_E_NULL,
+VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a number or a size is
+out of range, a pointer is not aligned, sets are not the index's, the state is from another call). Accuracy:
+exact, if there are sets. Since: 0.1.""",
     ),
     "vesica_join_f64": (
         c_int64,
@@ -2447,20 +2368,21 @@ call). Accuracy: exact, if there are sets. Since: 0.1.""",
         """vesica_join_f64(query, index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, part, parts, scratch,
 scratch_size, out_a, out_b, capacity, state)
 
-All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
 
 If both indexes are the same pointer, pairs are those of two different items a < b. Pair i is out_a[i] and
-out_b[i]. The order of pairs depends on the bytes of the indexes and the query alone. Work may be shared
-out: each part of `parts` is about as much work as any other, and may run at the same time with a scratch of
-its own. The pairs of all parts, one part after the other, are the pairs of part 0 of 1.
+out_b[i]. The order of pairs depends on the bytes of the indexes and the query alone. The work may be
+divided into `parts` of about equal work, which may run at the same time, each with its own scratch. The
+pairs of all parts, one part after the other, are those of a call with part 0 and parts 1.
 
 Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes;
-with VESICA_JOIN_BOUNDS they are not looked at. 0 <= part < parts. scratch_size >= vesica_join_scratch();
-the scratch is free between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and
-state may be NULL. Returns: the number of pairs written; with capacity 0, how many the whole part has.
-Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (as above, and for an unknown
-query). Accuracy: exact for all queries but VESICA_JOIN_BOUNDS. Cost: 10 to 15 ns a shape to find
-candidates, and 15 to 25 ns a candidate to decide. Since: 0.1.""",
+with VESICA_JOIN_BOUNDS they are ignored. 0 <= part < parts. scratch_size >= vesica_join_scratch(); nothing
+is kept in the scratch between calls. out_a and out_b have room for `capacity` items. With capacity 0, they
+and state may be NULL. Returns: the number of pairs written; with capacity 0, how many the whole part has.
+Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a
+size out of range, a pointer that is not aligned, sets that are not the index's, a state from another call).
+Accuracy: exact for all queries but VESICA_JOIN_BOUNDS. Cost: 10 to 15 ns a shape to find candidates, and 15
+to 25 ns a candidate to decide. Since: 0.1.""",
     ),
     "vesica_join_within_f64": (
         c_int64,
@@ -2470,35 +2392,33 @@ candidates, and 15 to 25 ns a candidate to decide. Since: 0.1.""",
 out_a, out_b, capacity, state)
 
 All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once:
-those whose answer from vesica_within_f64 is > 0.
+those for which vesica_within_f64 is > 0.
 
 If both indexes are the same pointer, pairs are those of two different items a < b. They come in index_a's
-order. Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f64.
+order. Each part takes about the same number of items of index_a; all else is as for vesica_join_f64.
 
-Requires: distance >= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs,
-capacity and state as vesica_join_f64. Returns: the number of pairs written; with capacity 0, how many the
-whole part has. Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or
-NaN. Accuracy: that of vesica_within_f64; a pair that is VESICA_WITHIN_NEARLY is among them. Cost: about 1
-us a shape of index_a and that of vesica_within_f64 a candidate: seven times that of vesica_join_f64. Since:
-0.1.""",
+Requires: distance >= 0, or infinity for all pairs of valid shapes; sets, part, outputs, capacity and state
+as vesica_join_f64. Returns: the number of pairs written; with capacity 0, how many the whole part has.
+Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or NaN. Accuracy:
+that of vesica_within_f64; pairs that are VESICA_WITHIN_NEARLY are included. Cost: about 1 us a shape of
+index_a, and that of vesica_within_f64 a candidate: seven times that of vesica_join_f64. Since: 0.1.""",
     ),
     "vesica_index_nearest_f64": (
         c_int64,
         (c_void_p, c_void_p, c_int32, c_void_p, c_int64, c_double, c_void_p, c_void_p,),
         """vesica_index_nearest_f64(index, sets, set_count, one, k, within, out, distance)
 
-Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by
-number.
+Which items of an index are nearest to one shape? The nearest comes first, of equally near ones the lower
+item.
 
-An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is not
-found.
+An item that overlaps the shape has distance 0. An item whose distance overflows is not found.
 
-Requires: sets are those of the index. one is a single shape (count 1). k >= 0, and out and distance have
-room for k each. With k = 0 they may be NULL. within >= 0 is the largest distance asked for; infinity asks
-for any. Returns: how many items were found and written; with k = 0, how many there are within the distance.
-Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a
-number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of
-this call). Accuracy: distances are those of vesica_nearest_f64, bit for bit. Since: 0.1.""",
+Requires: sets are those of the index. one, an array of count 1. k >= 0, and out and distance have room for
+k each. With k = 0 they may be NULL. within, the largest distance to look for, >= 0 or infinity. Returns:
+how many items were found and written; with k = 0, how many there are within the distance. Errors:
+VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a number
+or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
+call). Accuracy: distances are those of vesica_nearest_f64, bit for bit. Since: 0.1.""",
     ),
     "vesica_join_nearest_f64": (
         c_int64,
@@ -2508,17 +2428,17 @@ distance)
 
 Which items of index_b are nearest to each item of sets_a? Row i is out[i * k] ... out[i * k + k - 1].
 
-A row is what vesica_index_nearest_f64 says of item i, followed by -1, with distance infinity, up to k. Of
-one set with itself each item finds itself too, at distance 0. If an item of sets_a is invalid, its row
-holds -1, all other rows are right, and the call returns VESICA_E_SHAPE. Each of `parts` is a run of about
-as many items as any other, and only its rows are written.
+A row is the result of vesica_index_nearest_f64 for item i. If it has fewer than k items, the rest are -1
+with distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0.
+If an item of sets_a is invalid, its row holds -1, all other rows are right, and the call returns
+VESICA_E_SHAPE. Each part takes about the same number of items, and writes only their rows.
 
 Requires: sets_b are those of index_b. k >= 1, and out and distance have room for k items a row. 0 <= part <
-parts. within >= 0 is the largest distance asked for; infinity asks for any. Returns: how many items were
-found in all rows of the part. Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is
-invalid), VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the
-index's, the state is not of this call). Accuracy: distances are those of vesica_nearest_f64, bit for bit.
-Since: 0.1.""",
+parts. within, the largest distance to look for, >= 0 or infinity. Returns: how many items were found in all
+rows of the part. Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid),
+VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the index's,
+the state is from another call). Accuracy: distances are those of vesica_nearest_f64, bit for bit. Since:
+0.1.""",
     ),
     "vesica_index_build_f32": (
         c_int64,
@@ -2527,12 +2447,12 @@ Since: 0.1.""",
 
 Builds the index of some sets of shapes.
 
-Invalid shapes are left out. The call then returns VESICA_E_SHAPE, and the index of all others is complete.
-After any other error nothing is written. Shapes that moved need a new index.
+If shapes are invalid, the call returns VESICA_E_SHAPE, and the index is complete without them. When shapes
+have moved, build it again.
 
 Requires: index_size >= vesica_index_size(items) and scratch_size >= vesica_index_scratch(items). The
-scratch is free again after the call. Returns: the bytes of the index that are used. Errors: VESICA_E_NULL,
-VESICA_E_KIND, VESICA_E_ARGUMENT (a count, a size or an alignment), VESICA_E_SHAPE. Cost: 30 to 50 ns a
+scratch may be reused after the call. Returns: how many bytes of the index are used. Errors: VESICA_E_NULL,
+VESICA_E_KIND, VESICA_E_ARGUMENT (a wrong count, size or alignment), VESICA_E_SHAPE. Cost: 30 to 50 ns a
 shape. Since: 0.1.""",
     ),
     "vesica_index_step_f32": (
@@ -2540,11 +2460,11 @@ shape. Since: 0.1.""",
         (c_int32, c_int64, c_int64, c_void_p, c_int32, c_void_p, c_int64, c_void_p, c_int64,),
         """vesica_index_step_f32(step, part, parts, sets, set_count, index, index_size, scratch, scratch_size)
 
-One part of a build in five steps, for several threads. The bytes are those of vesica_index_build_f32.
+One part of a build by several threads, in five steps. The bytes are those of vesica_index_build_f32.
 
 Steps 0 and 4 have one part. Steps 1, 2 and 3 have as many parts as the caller likes, and these may run at
-the same time. All parts of a step must be done before the next step begins. All other arguments are the
-same in all calls.
+the same time. All parts of a step must end before the next step begins. All other arguments are the same in
+all calls.
 
 Requires: 0 <= step <= 4 and 0 <= part < parts; parts is 1 in steps 0 and 4. The rest is as for the build.
 Returns: 0; at step 4 what vesica_index_build_f32 returns. Errors: those of vesica_index_build_f32.
@@ -2558,14 +2478,14 @@ Since: 0.1.""",
 
 Which items of an index does one shape overlap? They come in the index's order.
 
-Many shapes are better joined: index them too.
+To ask for many shapes, index them too and call vesica_join_f32.
 
-Requires: sets are those of the index. NULL with set_count 0 asks for the items whose bounds meet those of
-the shape. one is a single shape (count 1). out has room for `capacity` items. With capacity 0, out and
-state may be NULL. Returns: the number of items written; with capacity 0, how many there are. Errors:
-VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a number
-or a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this
-call). Accuracy: exact, if there are sets. Since: 0.1.""",
+Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet the
+shape's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be
+NULL. Returns: the number of items written; with capacity 0, how many there are. Errors: VESICA_E_NULL,
+VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a number or a size is
+out of range, a pointer is not aligned, sets are not the index's, the state is from another call). Accuracy:
+exact, if there are sets. Since: 0.1.""",
     ),
     "vesica_join_f32": (
         c_int64,
@@ -2574,20 +2494,21 @@ call). Accuracy: exact, if there are sets. Since: 0.1.""",
         """vesica_join_f32(query, index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, part, parts, scratch,
 scratch_size, out_a, out_b, capacity, state)
 
-All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
 
 If both indexes are the same pointer, pairs are those of two different items a < b. Pair i is out_a[i] and
-out_b[i]. The order of pairs depends on the bytes of the indexes and the query alone. Work may be shared
-out: each part of `parts` is about as much work as any other, and may run at the same time with a scratch of
-its own. The pairs of all parts, one part after the other, are the pairs of part 0 of 1.
+out_b[i]. The order of pairs depends on the bytes of the indexes and the query alone. The work may be
+divided into `parts` of about equal work, which may run at the same time, each with its own scratch. The
+pairs of all parts, one part after the other, are those of a call with part 0 and parts 1.
 
 Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes;
-with VESICA_JOIN_BOUNDS they are not looked at. 0 <= part < parts. scratch_size >= vesica_join_scratch();
-the scratch is free between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and
-state may be NULL. Returns: the number of pairs written; with capacity 0, how many the whole part has.
-Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (as above, and for an unknown
-query). Accuracy: exact for all queries but VESICA_JOIN_BOUNDS. Cost: 10 to 15 ns a shape to find
-candidates, and 15 to 25 ns a candidate to decide. Since: 0.1.""",
+with VESICA_JOIN_BOUNDS they are ignored. 0 <= part < parts. scratch_size >= vesica_join_scratch(); nothing
+is kept in the scratch between calls. out_a and out_b have room for `capacity` items. With capacity 0, they
+and state may be NULL. Returns: the number of pairs written; with capacity 0, how many the whole part has.
+Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a
+size out of range, a pointer that is not aligned, sets that are not the index's, a state from another call).
+Accuracy: exact for all queries but VESICA_JOIN_BOUNDS. Cost: 10 to 15 ns a shape to find candidates, and 15
+to 25 ns a candidate to decide. Since: 0.1.""",
     ),
     "vesica_join_within_f32": (
         c_int64,
@@ -2597,35 +2518,33 @@ candidates, and 15 to 25 ns a candidate to decide. Since: 0.1.""",
 out_a, out_b, capacity, state)
 
 All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once:
-those whose answer from vesica_within_f32 is > 0.
+those for which vesica_within_f32 is > 0.
 
 If both indexes are the same pointer, pairs are those of two different items a < b. They come in index_a's
-order. Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f32.
+order. Each part takes about the same number of items of index_a; all else is as for vesica_join_f32.
 
-Requires: distance >= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs,
-capacity and state as vesica_join_f32. Returns: the number of pairs written; with capacity 0, how many the
-whole part has. Errors: those of vesica_join_f32; VESICA_E_ARGUMENT also for a distance that is negative or
-NaN. Accuracy: that of vesica_within_f32; a pair that is VESICA_WITHIN_NEARLY is among them. Cost: about 1
-us a shape of index_a and that of vesica_within_f32 a candidate: seven times that of vesica_join_f32. Since:
-0.1.""",
+Requires: distance >= 0, or infinity for all pairs of valid shapes; sets, part, outputs, capacity and state
+as vesica_join_f32. Returns: the number of pairs written; with capacity 0, how many the whole part has.
+Errors: those of vesica_join_f32; VESICA_E_ARGUMENT also for a distance that is negative or NaN. Accuracy:
+that of vesica_within_f32; pairs that are VESICA_WITHIN_NEARLY are included. Cost: about 1 us a shape of
+index_a, and that of vesica_within_f32 a candidate: seven times that of vesica_join_f32. Since: 0.1.""",
     ),
     "vesica_index_nearest_f32": (
         c_int64,
         (c_void_p, c_void_p, c_int32, c_void_p, c_int64, c_float, c_void_p, c_void_p,),
         """vesica_index_nearest_f32(index, sets, set_count, one, k, within, out, distance)
 
-Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by
-number.
+Which items of an index are nearest to one shape? The nearest comes first, of equally near ones the lower
+item.
 
-An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is not
-found.
+An item that overlaps the shape has distance 0. An item whose distance overflows is not found.
 
-Requires: sets are those of the index. one is a single shape (count 1). k >= 0, and out and distance have
-room for k each. With k = 0 they may be NULL. within >= 0 is the largest distance asked for; infinity asks
-for any. Returns: how many items were found and written; with k = 0, how many there are within the distance.
-Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a
-number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of
-this call). Accuracy: distances are those of vesica_nearest_f32, bit for bit. Since: 0.1.""",
+Requires: sets are those of the index. one, an array of count 1. k >= 0, and out and distance have room for
+k each. With k = 0 they may be NULL. within, the largest distance to look for, >= 0 or infinity. Returns:
+how many items were found and written; with k = 0, how many there are within the distance. Errors:
+VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a number
+or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
+call). Accuracy: distances are those of vesica_nearest_f32, bit for bit. Since: 0.1.""",
     ),
     "vesica_join_nearest_f32": (
         c_int64,
@@ -2635,38 +2554,38 @@ distance)
 
 Which items of index_b are nearest to each item of sets_a? Row i is out[i * k] ... out[i * k + k - 1].
 
-A row is what vesica_index_nearest_f32 says of item i, followed by -1, with distance infinity, up to k. Of
-one set with itself each item finds itself too, at distance 0. If an item of sets_a is invalid, its row
-holds -1, all other rows are right, and the call returns VESICA_E_SHAPE. Each of `parts` is a run of about
-as many items as any other, and only its rows are written.
+A row is the result of vesica_index_nearest_f32 for item i. If it has fewer than k items, the rest are -1
+with distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0.
+If an item of sets_a is invalid, its row holds -1, all other rows are right, and the call returns
+VESICA_E_SHAPE. Each part takes about the same number of items, and writes only their rows.
 
 Requires: sets_b are those of index_b. k >= 1, and out and distance have room for k items a row. 0 <= part <
-parts. within >= 0 is the largest distance asked for; infinity asks for any. Returns: how many items were
-found in all rows of the part. Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is
-invalid), VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the
-index's, the state is not of this call). Accuracy: distances are those of vesica_nearest_f32, bit for bit.
-Since: 0.1.""",
+parts. within, the largest distance to look for, >= 0 or infinity. Returns: how many items were found in all
+rows of the part. Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid),
+VESICA_E_ARGUMENT (a number or a size is out of range, a pointer is not aligned, sets are not the index's,
+the state is from another call). Accuracy: distances are those of vesica_nearest_f32, bit for bit. Since:
+0.1.""",
     ),
     "vesica_ratio_f64": (
         c_int32,
         (c_int32, c_int32, c_void_p, c_int32, c_void_p, c_void_p,),
         """vesica_ratio_f64(ratio, kind_a, numbers_a, kind_b, numbers_b, out)
 
-What share of a's area does b cover, or of b's area a? And other ratios by which detections are compared.
+What share of a's area does b cover? This and the other ratios by which detections are compared.
 
-The first four are from 0 to 1. One over a shape is 0 if no area is shared, and 1 if the other shape
-contains it. The last three are at most the IoU, and at least -1, for CIoU -2. The angle of a shape in CIoU
-is that of the vector (half length across its axis, half length along it); v is 0 if a shape has no size.
-Exchanging the shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
+The first four ratios are from 0 to 1. Shared area over one shape's is 0 if no area is shared, and 1 if the
+other shape contains it. The last three are at most the IoU, and at least -1 (CIoU: -2). The angle of a
+shape in CIoU is that of the vector (half length across its axis, half length along it); v is 0 if a shape
+has no size. Exchanging the shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
 
 Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE. Returns: 0. Errors: VESICA_E_NULL,
-VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the shape whose area divides
-has none; for the others, neither shape has one). Accuracy: within 8 u of what follows from the shared area
-or the IoU, which are right as vesica_area_f64 and vesica_iou_f64 tell, for half lengths from 2^-200 to
-2^200. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
-one. Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; 40 to 100 in arrays. Since:
-0.1.""",
+VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the area to divide by is 0; or,
+for GIoU, DIoU and CIoU, neither shape has an area). Accuracy: computed from the result of vesica_area_f64
+or vesica_iou_f64 with at most 8 u of further error, for half lengths from 2^-200 to 2^200. Bounds on
+computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
+centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
+<= x. Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; in arrays 40 to 100 ns more.
+Since: 0.1.""",
     ),
     "vesica_ratio_many_f64": (
         c_int64,
@@ -2675,12 +2594,12 @@ one. Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; 40
 
 A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
 
-Arrays and errors are those of vesica_iou_many_f64. If a pair has no ratio since an area is 0, out[i] is
+Arrays and errors are those of vesica_iou_many_f64. If a pair has no ratio because an area is 0, out[i] is
 NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
 
 Returns: how many are > 0.
 Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
-Accuracy: every result has the bits of vesica_ratio_f64, on every instruction set and in every layout.
+Accuracy: every result has the same bits as vesica_ratio_f64, on every instruction set and in every layout.
 Since: 0.1.""",
     ),
     "vesica_ratio_matrix_f64": (
@@ -2690,12 +2609,12 @@ Since: 0.1.""",
 
 A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f64.
 
-Arrays, row_stride and errors are those of vesica_iou_matrix_f64. If a pair has no ratio since an area is 0,
-it gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+Arrays, row_stride and errors are those of vesica_iou_matrix_f64. If a pair has no ratio because an area is
+0, it gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
 
 Returns: how many are > 0.
 Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
-Accuracy: every result has the bits of vesica_ratio_f64, on every instruction set and in every layout.
+Accuracy: every result has the same bits as vesica_ratio_f64, on every instruction set and in every layout.
 Since: 0.1.""",
     ),
     "vesica_nearest_matrix_f64": (
@@ -2706,8 +2625,8 @@ Since: 0.1.""",
 How far apart are a[i] and b[j]? The elements of out are distances of vesica_nearest_f64.
 
 Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64. Returns: how many pairs overlap
-(distance 0). Errors: as vesica_iou_matrix_f64. Accuracy: every result has the bits of the function for two
-shapes, on every instruction set and in every layout. Since: 0.1.""",
+(distance 0). Errors: as vesica_iou_matrix_f64. Accuracy: every result has the same bits as the function for
+two shapes, on every instruction set, in every layout. Since: 0.1.""",
     ),
     "vesica_boundary_distance_matrix_f64": (
         c_int64,
@@ -2718,8 +2637,8 @@ How far apart are the outlines of a[i] and b[j]? The elements of out are distanc
 vesica_boundary_distance_f64.
 
 Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64. Returns: how many pairs of outlines
-meet (distance 0). Errors: as vesica_iou_matrix_f64. Accuracy: every result has the bits of the function for
-two shapes, on every instruction set and in every layout. Since: 0.1.""",
+meet (distance 0). Errors: as vesica_iou_matrix_f64. Accuracy: every result has the same bits as the
+function for two shapes, on every instruction set, in every layout. Since: 0.1.""",
     ),
     "vesica_depth_matrix_f64": (
         c_int64,
@@ -2729,23 +2648,23 @@ two shapes, on every instruction set and in every layout. Since: 0.1.""",
 How deep do a[i] and b[j] overlap? The elements of out are depths of vesica_depth_f64.
 
 Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f64. Returns: how many depths are > 0.
-Errors: as vesica_iou_matrix_f64. Accuracy: every result has the bits of the function for two shapes, on
-every instruction set and in every layout. Since: 0.1.""",
+Errors: as vesica_iou_matrix_f64. Accuracy: every result has the same bits as the function for two shapes,
+on every instruction set, in every layout. Since: 0.1.""",
     ),
     "vesica_signed_distance_f64": (
         c_int32,
         (c_int32, c_void_p, c_int32, c_void_p, c_void_p,),
         """vesica_signed_distance_f64(kind_a, numbers_a, kind_b, numbers_b, out)
 
-How far apart are two shapes or, as a number below 0, how deep do they overlap?
+Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
 
-The distance of vesica_nearest_f64 if they are disjoint, else minus the depth of vesica_depth_f64: 0 where
-they only touch. Exchanging the shapes changes no bit.
+It is the distance of vesica_nearest_f64 if they are disjoint, else minus the depth of vesica_depth_f64: 0
+if they only touch. Exchanging the shapes changes no bit.
 
 Returns: 0.
 Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
-Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.
-Cost: that of vesica_nearest_f64 or of vesica_depth_f64, whichever it is.
+Accuracy: the same bits as vesica_nearest_f64 or, negated, vesica_depth_f64. The sign is exact.
+Cost: that of vesica_nearest_f64 or vesica_depth_f64.
 Since: 0.1.""",
     ),
     "vesica_signed_distance_many_f64": (
@@ -2757,7 +2676,7 @@ Signed distances of a[i] and b[i]. Arrays and errors are those of vesica_iou_man
 
 Returns: how many pairs overlap (signed distance <= 0).
 Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
-Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.
+Accuracy: the same bits as vesica_nearest_f64 or, negated, vesica_depth_f64. The sign is exact.
 Since: 0.1.""",
     ),
     "vesica_signed_distance_matrix_f64": (
@@ -2769,7 +2688,7 @@ Signed distances of a[i] and b[j]. Arrays, row_stride and errors are those of ve
 
 Returns: how many pairs overlap (signed distance <= 0).
 Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
-Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.
+Accuracy: the same bits as vesica_nearest_f64 or, negated, vesica_depth_f64. The sign is exact.
 Since: 0.1.""",
     ),
     "vesica_within_f64": (
@@ -2777,21 +2696,20 @@ Since: 0.1.""",
         (c_int32, c_void_p, c_int32, c_void_p, c_double,),
         """vesica_within_f64(kind_a, numbers_a, kind_b, numbers_b, distance)
 
-Are two shapes at most `distance` apart? Exactly so far apart counts, as touching does.
+Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.
 
-Distance 0 asks what vesica_overlap_f64 does, and is exact for all kinds. Who must not miss a pair takes an
-answer > 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the shapes changes
-nothing.
+With distance 0 the answer is that of vesica_overlap_f64, exact for all kinds. If no pair may be missed,
+test for > 0; if no answer may be wrong, for VESICA_WITHIN_YES. Exchanging the shapes changes nothing.
 
-Requires: distance >= 0, or infinity, of which any two valid shapes are within. Returns: VESICA_WITHIN_NO,
-VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance
-is negative or NaN), VESICA_E_SHAPE. Accuracy: exact for points, segments, circles, boxes, rectangles and
-ellipses that have a half length of 0. A pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY
-if its distance, as vesica_nearest_f64 has it, is less than 5 u scale from the one asked for; the answers
-yes and no are certain. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of
-|dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over
-its shorter one. Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact
-arithmetic can decide, as it must for distances that are exact; more where exponents are wildly unlike.
+Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes. Returns:
+VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY. Errors: VESICA_E_NULL, VESICA_E_KIND,
+VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE. Accuracy: yes and no are always right. All
+kinds but ellipses, and ellipses with a half length of 0, get no other answer. A disjoint pair with another
+ellipse gets VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f64 differs by less than 5 u scale from
+the one asked for. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx|
+and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
+"Right to x": the error is <= x. Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us
+where only exact arithmetic can decide, as when the distance is met exactly; more for extreme magnitudes.
 Since: 0.1.""",
     ),
     "vesica_within_many_f64": (
@@ -2803,14 +2721,14 @@ Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_withi
 
 Arrays and errors are those of vesica_overlap_many_f64.
 
-Requires: distance >= 0, or infinity, of which any two valid shapes are within. Returns: how many answers
-are > 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
-VESICA_E_SHAPE. Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a
-half length of 0. A pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as
-vesica_nearest_f64 has it, is less than 5 u scale from the one asked for; the answers yes and no are
-certain. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
-one. Since: 0.1.""",
+Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes. Returns: how
+many answers are > 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
+VESICA_E_SHAPE. Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half
+length of 0, get no other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the
+distance of vesica_nearest_f64 differs by less than 5 u scale from the one asked for. Bounds on computed
+numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
+their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Since:
+0.1.""",
     ),
     "vesica_within_matrix_f64": (
         c_int64,
@@ -2821,14 +2739,14 @@ Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answe
 
 Arrays, row_stride and errors are those of vesica_overlap_matrix_f64.
 
-Requires: distance >= 0, or infinity, of which any two valid shapes are within. Returns: how many answers
-are > 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
-VESICA_E_SHAPE. Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a
-half length of 0. A pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as
-vesica_nearest_f64 has it, is less than 5 u scale from the one asked for; the answers yes and no are
-certain. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
-one. Since: 0.1.""",
+Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes. Returns: how
+many answers are > 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
+VESICA_E_SHAPE. Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half
+length of 0, get no other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the
+distance of vesica_nearest_f64 differs by less than 5 u scale from the one asked for. Bounds on computed
+numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
+their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Since:
+0.1.""",
     ),
     "vesica_suppress_f64": (
         c_int32,
@@ -2836,18 +2754,17 @@ one. Since: 0.1.""",
         """vesica_suppress_f64(shapes, scores, labels, ratio, threshold, least_score, most, scratch, scratch_size,
 keep, kept)
 
-Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
+Greedy non-maximum suppression as vesica_nms_f64, by any ratio, each label on its own.
 
 Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape kept
-before, of the same label, is at most the threshold. Shapes whose score is below least_score are not looked
-at.
+before, of the same label, is at most the threshold. Shapes whose score is below least_score are left out.
 
-Requires: shapes, scores, threshold, scratch and keep as vesica_nms_f64; labels, one for each, or NULL if
-all are alike; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be -infinity;
-most, how many are kept at most: keep needs room for no more. Returns: 0, and keep and *kept as
-vesica_nms_f64. Errors: as vesica_nms_f64; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and
-a negative most. Cost: that of vesica_nms_f64; ratios other than IoU cost 0.1 us more a comparison. Since:
-0.1.""",
+Requires: shapes, scores, threshold and scratch as vesica_nms_f64; labels, one for each shape, or NULL if
+all are the same; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be
+-infinity; most, the largest number to keep; keep, with room for that number or for all shapes, whichever is
+less. Returns: 0, and keep and *kept as vesica_nms_f64. Errors: as vesica_nms_f64; VESICA_E_ARGUMENT also
+for ratio, a least_score that is NaN, and a negative most. Cost: that of vesica_nms_f64; ratios other than
+IoU take 0.1 us more a comparison. Since: 0.1.""",
     ),
     "vesica_suppress_soft_scratch": (
         c_int64,
@@ -2867,43 +2784,43 @@ Since: 0.1.""",
         """vesica_suppress_soft_f64(shapes, scores, labels, ratio, decay, parameter, least_score, most, scratch,
 scratch_size, keep, decayed, kept)
 
-Soft suppression: what a better shape covers keeps a lower score.
+Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
 
-Again and again takes the shape with the highest score, of equal ones the first, keeps it, and lowers the
+Repeats these steps: take the shape with the highest score, of equal ones the first; keep it; lower the
 score of each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or
-no score is left that is at least least_score. keep[k] is the shape taken in turn k, and decayed[k] the
-score that it then had.
+every score left is below least_score. keep[k] is the shape kept in step k, and decayed[k] the score that it
+had then.
 
 Requires: shapes, scores and labels as vesica_suppress_f64; ratio, any but VESICA_RATIO_OVER_FIRST and
 _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score >= 0; scratch of at
 least vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are
 kept. Returns: 0, with *kept set to how many are kept. Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an
-invalid shape, or one whose score is NaN, is left out, and all else is written. Accuracy: in every turn a
-score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right to 1 unit in the
-last place. So the choice is that of the definition in double, the same bits on every machine. Floats are
-widened first, and only the final scores rounded. Cost: for each kept shape, that of vesica_ratio_matrix_f64
-with all of its label that are left. Since: 0.1.""",
+invalid shape, or one whose score is NaN, is left out, and the result of the others is written. Accuracy: in
+every step a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right to 1
+unit in the last place. So the same shapes are kept, with the same bits, on every machine. The float
+function computes in double and rounds only the final scores. Cost: for each kept shape, that of
+vesica_ratio_matrix_f64 with the shapes of its label that are left. Since: 0.1.""",
     ),
     "vesica_ratio_f32": (
         c_int32,
         (c_int32, c_int32, c_void_p, c_int32, c_void_p, c_void_p,),
         """vesica_ratio_f32(ratio, kind_a, numbers_a, kind_b, numbers_b, out)
 
-What share of a's area does b cover, or of b's area a? And other ratios by which detections are compared.
+What share of a's area does b cover? This and the other ratios by which detections are compared.
 
-The first four are from 0 to 1. One over a shape is 0 if no area is shared, and 1 if the other shape
-contains it. The last three are at most the IoU, and at least -1, for CIoU -2. The angle of a shape in CIoU
-is that of the vector (half length across its axis, half length along it); v is 0 if a shape has no size.
-Exchanging the shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
+The first four ratios are from 0 to 1. Shared area over one shape's is 0 if no area is shared, and 1 if the
+other shape contains it. The last three are at most the IoU, and at least -1 (CIoU: -2). The angle of a
+shape in CIoU is that of the vector (half length across its axis, half length along it); v is 0 if a shape
+has no size. Exchanging the shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
 
 Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE. Returns: 0. Errors: VESICA_E_NULL,
-VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the shape whose area divides
-has none; for the others, neither shape has one). Accuracy: within 8 u of what follows from the shared area
-or the IoU, which are right as vesica_area_f32 and vesica_iou_f32 tell, for half lengths from 2^-200 to
-2^200. Each number is computed in double, within these bounds, and then rounded to float once. Bounds on
-computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
-centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one. Cost: that
-of vesica_area_f32 or vesica_iou_f32, and 100 to 150 ns more; 40 to 100 in arrays. Since: 0.1.""",
+VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the area to divide by is 0; or,
+for GIoU, DIoU and CIoU, neither shape has an area). Accuracy: computed from the result of vesica_area_f32
+or vesica_iou_f32 with at most 8 u of further error, for half lengths from 2^-200 to 2^200. Each number is
+computed in double, within these bounds, and then rounded to float once. Bounds on computed numbers use u =
+2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: that of
+vesica_area_f32 or vesica_iou_f32, and 100 to 150 ns more; in arrays 40 to 100 ns more. Since: 0.1.""",
     ),
     "vesica_ratio_many_f32": (
         c_int64,
@@ -2912,12 +2829,12 @@ of vesica_area_f32 or vesica_iou_f32, and 100 to 150 ns more; 40 to 100 in array
 
 A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
 
-Arrays and errors are those of vesica_iou_many_f32. If a pair has no ratio since an area is 0, out[i] is
+Arrays and errors are those of vesica_iou_many_f32. If a pair has no ratio because an area is 0, out[i] is
 NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
 
 Returns: how many are > 0.
 Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
-Accuracy: every result has the bits of vesica_ratio_f32, on every instruction set and in every layout.
+Accuracy: every result has the same bits as vesica_ratio_f32, on every instruction set and in every layout.
 Each number is computed in double, within these bounds, and then rounded to float once.
 Since: 0.1.""",
     ),
@@ -2928,12 +2845,12 @@ Since: 0.1.""",
 
 A ratio of a[i] and b[j]: out[i * row_stride + j] is the result of vesica_ratio_f32.
 
-Arrays, row_stride and errors are those of vesica_iou_matrix_f32. If a pair has no ratio since an area is 0,
-it gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+Arrays, row_stride and errors are those of vesica_iou_matrix_f32. If a pair has no ratio because an area is
+0, it gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
 
 Returns: how many are > 0.
 Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
-Accuracy: every result has the bits of vesica_ratio_f32, on every instruction set and in every layout.
+Accuracy: every result has the same bits as vesica_ratio_f32, on every instruction set and in every layout.
 Each number is computed in double, within these bounds, and then rounded to float once.
 Since: 0.1.""",
     ),
@@ -2945,8 +2862,8 @@ Since: 0.1.""",
 How far apart are a[i] and b[j]? The elements of out are distances of vesica_nearest_f32.
 
 Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32. Returns: how many pairs overlap
-(distance 0). Errors: as vesica_iou_matrix_f32. Accuracy: every result has the bits of the function for two
-shapes, on every instruction set and in every layout. Each number is computed in double, within these
+(distance 0). Errors: as vesica_iou_matrix_f32. Accuracy: every result has the same bits as the function for
+two shapes, on every instruction set, in every layout. Each number is computed in double, within these
 bounds, and then rounded to float once. Since: 0.1.""",
     ),
     "vesica_boundary_distance_matrix_f32": (
@@ -2958,9 +2875,9 @@ How far apart are the outlines of a[i] and b[j]? The elements of out are distanc
 vesica_boundary_distance_f32.
 
 Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32. Returns: how many pairs of outlines
-meet (distance 0). Errors: as vesica_iou_matrix_f32. Accuracy: every result has the bits of the function for
-two shapes, on every instruction set and in every layout. Each number is computed in double, within these
-bounds, and then rounded to float once. Since: 0.1.""",
+meet (distance 0). Errors: as vesica_iou_matrix_f32. Accuracy: every result has the same bits as the
+function for two shapes, on every instruction set, in every layout. Each number is computed in double,
+within these bounds, and then rounded to float once. Since: 0.1.""",
     ),
     "vesica_depth_matrix_f32": (
         c_int64,
@@ -2970,8 +2887,8 @@ bounds, and then rounded to float once. Since: 0.1.""",
 How deep do a[i] and b[j] overlap? The elements of out are depths of vesica_depth_f32.
 
 Requires: room for a matrix, and row_stride, as vesica_iou_matrix_f32. Returns: how many depths are > 0.
-Errors: as vesica_iou_matrix_f32. Accuracy: every result has the bits of the function for two shapes, on
-every instruction set and in every layout. Each number is computed in double, within these bounds, and then
+Errors: as vesica_iou_matrix_f32. Accuracy: every result has the same bits as the function for two shapes,
+on every instruction set, in every layout. Each number is computed in double, within these bounds, and then
 rounded to float once. Since: 0.1.""",
     ),
     "vesica_suppress_f32": (
@@ -2980,34 +2897,33 @@ rounded to float once. Since: 0.1.""",
         """vesica_suppress_f32(shapes, scores, labels, ratio, threshold, least_score, most, scratch, scratch_size,
 keep, kept)
 
-Greedy non-maximum suppression as vesica_nms_f32, by any ratio and among like labels.
+Greedy non-maximum suppression as vesica_nms_f32, by any ratio, each label on its own.
 
 Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape kept
-before, of the same label, is at most the threshold. Shapes whose score is below least_score are not looked
-at.
+before, of the same label, is at most the threshold. Shapes whose score is below least_score are left out.
 
-Requires: shapes, scores, threshold, scratch and keep as vesica_nms_f32; labels, one for each, or NULL if
-all are alike; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be -infinity;
-most, how many are kept at most: keep needs room for no more. Returns: 0, and keep and *kept as
-vesica_nms_f32. Errors: as vesica_nms_f32; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and
-a negative most. Cost: that of vesica_nms_f32; ratios other than IoU cost 0.1 us more a comparison. Since:
-0.1.""",
+Requires: shapes, scores, threshold and scratch as vesica_nms_f32; labels, one for each shape, or NULL if
+all are the same; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be
+-infinity; most, the largest number to keep; keep, with room for that number or for all shapes, whichever is
+less. Returns: 0, and keep and *kept as vesica_nms_f32. Errors: as vesica_nms_f32; VESICA_E_ARGUMENT also
+for ratio, a least_score that is NaN, and a negative most. Cost: that of vesica_nms_f32; ratios other than
+IoU take 0.1 us more a comparison. Since: 0.1.""",
     ),
     "vesica_signed_distance_f32": (
         c_int32,
         (c_int32, c_void_p, c_int32, c_void_p, c_void_p,),
         """vesica_signed_distance_f32(kind_a, numbers_a, kind_b, numbers_b, out)
 
-How far apart are two shapes or, as a number below 0, how deep do they overlap?
+Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
 
-The distance of vesica_nearest_f32 if they are disjoint, else minus the depth of vesica_depth_f32: 0 where
-they only touch. Exchanging the shapes changes no bit.
+It is the distance of vesica_nearest_f32 if they are disjoint, else minus the depth of vesica_depth_f32: 0
+if they only touch. Exchanging the shapes changes no bit.
 
 Returns: 0.
 Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
-Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+Accuracy: the same bits as vesica_nearest_f32 or, negated, vesica_depth_f32. The sign is exact.
 Each number is computed in double, within these bounds, and then rounded to float once.
-Cost: that of vesica_nearest_f32 or of vesica_depth_f32, whichever it is.
+Cost: that of vesica_nearest_f32 or vesica_depth_f32.
 Since: 0.1.""",
     ),
     "vesica_signed_distance_many_f32": (
@@ -3019,7 +2935,7 @@ Signed distances of a[i] and b[i]. Arrays and errors are those of vesica_iou_man
 
 Returns: how many pairs overlap (signed distance <= 0).
 Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
-Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+Accuracy: the same bits as vesica_nearest_f32 or, negated, vesica_depth_f32. The sign is exact.
 Each number is computed in double, within these bounds, and then rounded to float once.
 Since: 0.1.""",
     ),
@@ -3032,7 +2948,7 @@ Signed distances of a[i] and b[j]. Arrays, row_stride and errors are those of ve
 
 Returns: how many pairs overlap (signed distance <= 0).
 Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
-Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+Accuracy: the same bits as vesica_nearest_f32 or, negated, vesica_depth_f32. The sign is exact.
 Each number is computed in double, within these bounds, and then rounded to float once.
 Since: 0.1.""",
     ),
@@ -3041,21 +2957,20 @@ Since: 0.1.""",
         (c_int32, c_void_p, c_int32, c_void_p, c_float,),
         """vesica_within_f32(kind_a, numbers_a, kind_b, numbers_b, distance)
 
-Are two shapes at most `distance` apart? Exactly so far apart counts, as touching does.
+Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.
 
-Distance 0 asks what vesica_overlap_f32 does, and is exact for all kinds. Who must not miss a pair takes an
-answer > 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the shapes changes
-nothing.
+With distance 0 the answer is that of vesica_overlap_f32, exact for all kinds. If no pair may be missed,
+test for > 0; if no answer may be wrong, for VESICA_WITHIN_YES. Exchanging the shapes changes nothing.
 
-Requires: distance >= 0, or infinity, of which any two valid shapes are within. Returns: VESICA_WITHIN_NO,
-VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance
-is negative or NaN), VESICA_E_SHAPE. Accuracy: exact for points, segments, circles, boxes, rectangles and
-ellipses that have a half length of 0. A pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY
-if its distance, as vesica_nearest_f32 has it, is less than 5 u scale from the one asked for; the answers
-yes and no are certain. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of
-|dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over
-its shorter one. Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact
-arithmetic can decide, as it must for distances that are exact; more where exponents are wildly unlike.
+Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes. Returns:
+VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY. Errors: VESICA_E_NULL, VESICA_E_KIND,
+VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE. Accuracy: yes and no are always right. All
+kinds but ellipses, and ellipses with a half length of 0, get no other answer. A disjoint pair with another
+ellipse gets VESICA_WITHIN_NEARLY if the distance of vesica_nearest_f32 differs by less than 5 u scale from
+the one asked for. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx|
+and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
+"Right to x": the error is <= x. Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us
+where only exact arithmetic can decide, as when the distance is met exactly; more for extreme magnitudes.
 Since: 0.1.""",
     ),
     "vesica_within_many_f32": (
@@ -3067,14 +2982,14 @@ Are a[i] and b[i] at most `distance` apart? out[i] is the answer of vesica_withi
 
 Arrays and errors are those of vesica_overlap_many_f32.
 
-Requires: distance >= 0, or infinity, of which any two valid shapes are within. Returns: how many answers
-are > 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
-VESICA_E_SHAPE. Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a
-half length of 0. A pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as
-vesica_nearest_f32 has it, is less than 5 u scale from the one asked for; the answers yes and no are
-certain. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
-one. Since: 0.1.""",
+Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes. Returns: how
+many answers are > 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
+VESICA_E_SHAPE. Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half
+length of 0, get no other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the
+distance of vesica_nearest_f32 differs by less than 5 u scale from the one asked for. Bounds on computed
+numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
+their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Since:
+0.1.""",
     ),
     "vesica_within_matrix_f32": (
         c_int64,
@@ -3085,14 +3000,14 @@ Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answe
 
 Arrays, row_stride and errors are those of vesica_overlap_matrix_f32.
 
-Requires: distance >= 0, or infinity, of which any two valid shapes are within. Returns: how many answers
-are > 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
-VESICA_E_SHAPE. Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a
-half length of 0. A pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as
-vesica_nearest_f32 has it, is less than 5 u scale from the one asked for; the answers yes and no are
-certain. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter
-one. Since: 0.1.""",
+Requires: distance >= 0. It may be infinity: then the answer is yes for any two valid shapes. Returns: how
+many answers are > 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN),
+VESICA_E_SHAPE. Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half
+length of 0, get no other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the
+distance of vesica_nearest_f32 differs by less than 5 u scale from the one asked for. Bounds on computed
+numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
+their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Since:
+0.1.""",
     ),
     "vesica_suppress_soft_f32": (
         c_int32,
@@ -3101,22 +3016,22 @@ one. Since: 0.1.""",
         """vesica_suppress_soft_f32(shapes, scores, labels, ratio, decay, parameter, least_score, most, scratch,
 scratch_size, keep, decayed, kept)
 
-Soft suppression: what a better shape covers keeps a lower score.
+Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
 
-Again and again takes the shape with the highest score, of equal ones the first, keeps it, and lowers the
+Repeats these steps: take the shape with the highest score, of equal ones the first; keep it; lower the
 score of each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or
-no score is left that is at least least_score. keep[k] is the shape taken in turn k, and decayed[k] the
-score that it then had.
+every score left is below least_score. keep[k] is the shape kept in step k, and decayed[k] the score that it
+had then.
 
 Requires: shapes, scores and labels as vesica_suppress_f32; ratio, any but VESICA_RATIO_OVER_FIRST and
 _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score >= 0; scratch of at
 least vesica_suppress_soft_scratch(count) bytes, aligned to 8; keep and decayed with room for as many as are
 kept. Returns: 0, with *kept set to how many are kept. Errors: as vesica_suppress_f32. VESICA_E_SHAPE: an
-invalid shape, or one whose score is NaN, is left out, and all else is written. Accuracy: in every turn a
-score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right to 1 unit in the
-last place. So the choice is that of the definition in double, the same bits on every machine. Floats are
-widened first, and only the final scores rounded. Cost: for each kept shape, that of vesica_ratio_matrix_f32
-with all of its label that are left. Since: 0.1.""",
+invalid shape, or one whose score is NaN, is left out, and the result of the others is written. Accuracy: in
+every step a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential, right to 1
+unit in the last place. So the same shapes are kept, with the same bits, on every machine. The float
+function computes in double and rounds only the final scores. Cost: for each kept shape, that of
+vesica_ratio_matrix_f32 with the shapes of its label that are left. Since: 0.1.""",
     ),
     "vesica_cast_f64": (
         c_int32,
@@ -3125,24 +3040,24 @@ with all of its label that are left. Since: 0.1.""",
 
 Does b touch a while it moves, when first, and where?
 
-The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an
-edge there; where b only slides along a, it is across the velocity. The point of two faces that meet is the
+The normal is that of the face or the round outline that is met; if a corner meets a corner, that of an edge
+there; if b only slides along a, it is perpendicular to the velocity. If two faces meet, the point is the
 middle of what they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64
-and the point of vesica_nearest_f64. So shapes that only touch, with a normal that does not point against
-the velocity, are moving apart. Exchanging the shapes and turning the velocity round changes neither the
-answer nor the time, and the normal but for its sign and rounding.
+and the point of vesica_nearest_f64. So shapes that only touch at the start are moving apart if the normal
+does not point against the velocity. Exchanging the shapes and reversing the velocity changes neither the
+answer nor the time; it reverses the normal, up to rounding.
 
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
 VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity
 that is not finite, a t_end that is negative or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a
-coordinate of the point, would exceed the finite numbers; or the digits of a place at some time span more
-than 2000 bits, which takes exponents that are wildly unlike). Accuracy: the answer is exact, and the time
-is rounded down. The point is within 8 u scale of a's outline; along that it may be off by 8 u scale over
-|n.v|, n and v of unit length. The normal is unit to 4 u. Bounds on computed numbers use u = 2^-53. The
-scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
-aspect ratio is a shape's longer size over its shorter one. Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for
-a hit; of a ray (b a point), two circles and two ellipses less, see the typed functions; 0.7 to 20 us for
-contact that only exact arithmetic can decide; at worst 2 ms, where exponents are wildly unlike. Since: 0.1.""",
+coordinate of the point, would overflow; or an exact position would take more than 2000 bits, as with
+magnitudes of both 2^1000 and 2^-1000). Accuracy: the answer is exact, and the time is rounded down. The
+point is within 8 u scale of a's outline; along the outline it may be off by 8 u scale / |n.v|, n and v of
+unit length. The normal has length 1 to 4 u. Bounds on computed numbers use u = 2^-53. The scale of two
+shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is
+longer over shorter size. "Right to x": the error is <= x. Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a
+hit; less for rays (b a point), two circles and two ellipses, see the typed functions; 0.7 to 20 us for
+contact that only exact arithmetic can decide; at worst 2 ms. Since: 0.1.""",
     ),
     "vesica_cast_many_f64": (
         c_int64,
@@ -3150,42 +3065,42 @@ contact that only exact arithmetic can decide; at worst 2 ms, where exponents ar
             c_void_p,),
         """vesica_cast_many_f64(a, b, vx, vy, stride, t_end, t, x, y, nx, ny)
 
-When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of
+When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of
 vesica_cast_f64's result.
 
-Velocity i is at vx and vy + i * stride bytes; stride 0 repeats one.
+Velocity i is `i * stride` bytes after vx and vy; stride 0 repeats one velocity.
 
-Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
-numbers as the larger count. Some, but not all, may be NULL. Returns: how many touch, those that overlap at
-the start included. Errors: as above. An element with an invalid shape, a velocity that is not finite or a
-result out of range has NaN for its numbers, all others are written as usual, and the call returns
-VESICA_E_SHAPE if there is an invalid shape, else the error. Accuracy: every result has the bits of
-vesica_cast_f64. Since: 0.1.""",
+Requires: velocities and t_end as vesica_cast_f64; equal counts, or one count of 1, whose shape is used for
+all. Each output has room for as many numbers as the larger count. Some, but not all, may be NULL. Returns:
+how many touch, including those that overlap at the start. Errors: those of vesica_cast_f64. An element with
+an invalid shape, a velocity that is not finite or a result out of range gets NaN for all its numbers, and
+all others are written as usual. The call then returns VESICA_E_SHAPE if a shape is invalid, else the error
+of such an element. Accuracy: every result has the same bits as vesica_cast_f64. Since: 0.1.""",
     ),
     "vesica_cast_first_f64": (
         c_int64,
         (c_void_p, c_void_p, c_double, c_double, c_double, c_void_p,),
         """vesica_cast_first_f64(one, many, vx, vy, t_end, out)
 
-Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the
-lowest number.
+Which of many shapes at rest does one moving shape touch first? If several are touched at that time, the one
+with the lowest index.
 
-Requires: one, the shape that moves, is a single one (count 1). Returns: its number, or the count of `many`
-if there is none. *out is its contact, the normal pointing to `one`. Errors: as above. An invalid shape
-anywhere is one. VESICA_E_RANGE only if vesica_cast_f64 returns it for one of the shapes, and that might be
-touched first: where another one is certainly touched before, there is no error. Since: 0.1.""",
+Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f64. Returns: its
+index, or the count of `many` if none is touched. *out is its contact, the normal pointing to `one`. Errors:
+those of vesica_cast_f64. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f64
+returns it for a shape that might be touched first. Since: 0.1.""",
     ),
     "vesica_sweep_bounds_f64": (
         c_int32,
         (c_int32, c_void_p, c_double, c_double, c_double, c_void_p,),
         """vesica_sweep_bounds_f64(kind, numbers, vx, vy, t_end, out)
 
-A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+A box that holds a shape throughout its motion, t from 0 to t_end. The shape touches nothing outside it.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: 0. Errors: as above;
-VESICA_E_RANGE if a side would exceed the finite numbers. Accuracy: a side that does not move is that of
-vesica_bounds_f64. One that does is too far out by at most three steps between numbers as large as the
-largest of the side at rest, its way and where it ends. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: 0. Errors: those of
+vesica_cast_f64; VESICA_E_RANGE if a side would overflow. Accuracy: a side that does not move is that of
+vesica_bounds_f64. One that moves is too far out by at most three units in the last place of the largest of
+three numbers: the side at rest, the way it moves, and where it ends. Since: 0.1.""",
     ),
     "vesica_index_cast_f64": (
         c_int64,
@@ -3194,49 +3109,47 @@ largest of the side at rest, its way and where it ends. Since: 0.1.""",
 
 Which items of an index does one moving shape touch? They come in the index's order.
 
-Requires: sets are those of the index. one is a single shape (count 1). out has room for `capacity` items.
-With capacity 0, out and state may be NULL. Returns: the number of items written; with capacity 0, how many
-there are. Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a
-pointer that is not aligned, or a state that is not of this call. Invalid items are never touched. Accuracy:
-exact. Since: 0.1.""",
+Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f64. out
+has room for `capacity` items. With capacity 0, out and state may be NULL. Returns: the number of items
+written; with capacity 0, how many there are. Errors: those of vesica_cast_f64, and VESICA_E_INDEX;
+VESICA_E_ARGUMENT also for sets that are not the index's, a pointer that is not aligned, or a state from
+another call. Invalid items are never touched. Accuracy: exact. Since: 0.1.""",
     ),
     "vesica_index_cast_first_f64": (
         c_int64,
         (c_void_p, c_void_p, c_int32, c_void_p, c_double, c_double, c_double, c_void_p,),
         """vesica_index_cast_first_f64(index, sets, set_count, one, vx, vy, t_end, out)
 
-Which item of an index does one moving shape touch first? Of several at one time the one with the lowest
-number.
+Which item of an index does one moving shape touch first? If several are touched at that time, the lowest
+item.
 
-Requires: sets are those of the index. one is a single shape (count 1).
-Returns: the item, or the index's count if there is none. *out is its contact, the normal pointing to `one`.
-Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as of vesica_cast_first_f64.
-Since: 0.1.""",
+Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f64.
+Returns: the item, or the index's count if none is touched. *out is its contact, the normal pointing to
+`one`. Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as for vesica_cast_first_f64. Since: 0.1.""",
     ),
     "vesica_impact_time_f64": (
         c_int32,
         (c_int32, c_void_p, c_void_p, c_int32, c_void_p, c_void_p, c_double, c_void_p, c_void_p,),
         """vesica_impact_time_f64(kind_a, numbers_a, turn_a, kind_b, numbers_b, turn_b, tolerance, out, gap)
 
-When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they
-turn, there is no contact before.
+When do two shapes that move and turn touch first? It is proved that there is no contact before t, however
+thin the shapes are and however fast they turn.
 
-At t, from 0 to 1, a centre has moved by t (vx, vy) and an axis has turned by t times the angle, as real
-numbers do. *out is the place then: the point of a that is nearest to b, and the normal that separates them.
-They are at most *gap apart.
+At t, from 0 to 1, a centre has moved by t (vx, vy) and an axis has turned by t times the angle, without
+rounding. *out describes that moment: the point of a that is nearest to b, and the normal that separates
+them. They are then at most *gap apart.
 
-Requires: numbers of turn_a and turn_b finite, angles at most 2^20 in magnitude; tolerance above 0, a
-length. No pointer may be NULL. Returns: VESICA_CAST_MISS: proved, there is no contact from 0 to 1; then t
-is infinity, all other numbers and the gap are NaN. VESICA_CAST_HIT: proved, there is contact after t.
-VESICA_CAST_NEAR: there may be contact after t. Of a point and a segment, or two points, which have no depth
-in each other, contact is never proved. VESICA_CAST_START: the shapes overlap at t = 0, which is exact; *out
-is as of vesica_cast_f64, and the gap 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT,
-VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the point, or the gap, would exceed the finite numbers). On
-an error nothing is written. Accuracy: that there is no contact before t, a miss and a hit are certain. The
-gap is at most the tolerance, unless that is below what rounding allows, (120 + 4 |angles|) u times the sum
-of all lengths, u = 2^-53, the motion's included; or 256 directions or 4096 poses were looked at. Cost: 0.2
-to 0.9 us for boxes, 0.4 to 3 us where one shape is round; 0.14 ms was seen at spins of 10^6 radians, 1.4 ms
-where exponents are wildly unlike. Since: 0.1.""",
+Requires: numbers of turn_a and turn_b finite, angles at most 2^20 in magnitude; tolerance, a length > 0. No
+pointer may be NULL. Returns: VESICA_CAST_MISS: it is proved that there is no contact from 0 to 1; t is
+infinity, and all other numbers and the gap are NaN. VESICA_CAST_HIT: it is proved that there is contact
+after t. VESICA_CAST_NEAR: there may be contact after t; contact of a point with a segment or a point, where
+there is no depth, is never proved. VESICA_CAST_START: the shapes overlap at t = 0, which is exact; *out is
+that of vesica_cast_f64, and the gap is 0. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT,
+VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the point, or the gap, would overflow). Accuracy: what is
+said to be proved is certain. The gap is at most the tolerance, except in two cases: the tolerance is below
+(120 + 4 |angles|) u times the sum of all lengths, the motion's included, u = 2^-53; or the search stopped
+after 256 directions or 4096 poses. Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us if one shape is round; 0.14
+ms was seen at spins of 10^6 radians; at worst 1.4 ms. Since: 0.1.""",
     ),
     "vesica_cast_point_point_f64": (
         c_int32,
@@ -3247,9 +3160,9 @@ A ray at a point.
 
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
 VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as of vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60
-to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
-vesica_cast_f64 does of other kinds. Since: 0.1.""",
+VESICA_E_RANGE, as vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to
+180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for
+other kinds. Since: 0.1.""",
     ),
     "vesica_cast_segment_point_f64": (
         c_int32,
@@ -3260,9 +3173,9 @@ A ray at a segment.
 
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
 VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as of vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60
-to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
-vesica_cast_f64 does of other kinds. Since: 0.1.""",
+VESICA_E_RANGE, as vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to
+180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for
+other kinds. Since: 0.1.""",
     ),
     "vesica_cast_circle_point_f64": (
         c_int32,
@@ -3273,9 +3186,9 @@ A ray at a disc.
 
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
 VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as of vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60
-to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
-vesica_cast_f64 does of other kinds. Since: 0.1.""",
+VESICA_E_RANGE, as vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to
+180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for
+other kinds. Since: 0.1.""",
     ),
     "vesica_cast_aabb_point_f64": (
         c_int32,
@@ -3286,9 +3199,9 @@ A ray at an axis-aligned box.
 
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
 VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as of vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60
-to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
-vesica_cast_f64 does of other kinds. Since: 0.1.""",
+VESICA_E_RANGE, as vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to
+180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for
+other kinds. Since: 0.1.""",
     ),
     "vesica_cast_rect_point_f64": (
         c_int32,
@@ -3299,9 +3212,9 @@ A ray at a rectangle.
 
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
 VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as of vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60
-to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
-vesica_cast_f64 does of other kinds. Since: 0.1.""",
+VESICA_E_RANGE, as vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to
+180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for
+other kinds. Since: 0.1.""",
     ),
     "vesica_cast_ellipse_point_f64": (
         c_int32,
@@ -3312,9 +3225,9 @@ A ray at an ellipse.
 
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
 VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as of vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60
-to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
-vesica_cast_f64 does of other kinds. Since: 0.1.""",
+VESICA_E_RANGE, as vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to
+180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for
+other kinds. Since: 0.1.""",
     ),
     "vesica_cast_circle_circle_f64": (
         c_int32,
@@ -3325,9 +3238,9 @@ Two discs.
 
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
 VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as of vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60
-to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
-vesica_cast_f64 does of other kinds. Since: 0.1.""",
+VESICA_E_RANGE, as vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to
+180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for
+other kinds. Since: 0.1.""",
     ),
     "vesica_cast_rect_rect_f64": (
         c_int32,
@@ -3338,9 +3251,9 @@ Two rectangles.
 
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
 VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as of vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60
-to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
-vesica_cast_f64 does of other kinds. Since: 0.1.""",
+VESICA_E_RANGE, as vesica_cast_f64. Accuracy: that of vesica_cast_f64. Cost: 15 to 25 ns for a miss, 60 to
+180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f64 does for
+other kinds. Since: 0.1.""",
     ),
     "vesica_cast_f32": (
         c_int32,
@@ -3349,66 +3262,66 @@ vesica_cast_f64 does of other kinds. Since: 0.1.""",
 
 Does b touch a while it moves, when first, and where?
 
-The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an
-edge there; where b only slides along a, it is across the velocity. The point of two faces that meet is the
+The normal is that of the face or the round outline that is met; if a corner meets a corner, that of an edge
+there; if b only slides along a, it is perpendicular to the velocity. If two faces meet, the point is the
 middle of what they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32
-and the point of vesica_nearest_f32. So shapes that only touch, with a normal that does not point against
-the velocity, are moving apart. Exchanging the shapes and turning the velocity round changes neither the
-answer nor the time, and the normal but for its sign and rounding.
+and the point of vesica_nearest_f32. So shapes that only touch at the start are moving apart if the normal
+does not point against the velocity. Exchanging the shapes and reversing the velocity changes neither the
+answer nor the time; it reverses the normal, up to rounding.
 
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
 VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity
 that is not finite, a t_end that is negative or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a
-coordinate of the point, would exceed the finite numbers; or the digits of a place at some time span more
-than 2000 bits, which takes exponents that are wildly unlike). Accuracy: the answer is exact, and the time
-is rounded down. The point is within 8 u scale of a's outline; along that it may be off by 8 u scale over
-|n.v|, n and v of unit length. The normal is unit to 4 u. Bounds on computed numbers use u = 2^-53. The
-scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An
-aspect ratio is a shape's longer size over its shorter one. Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for
-a hit; of a ray (b a point), two circles and two ellipses less, see the typed functions; 0.7 to 20 us for
-contact that only exact arithmetic can decide; at worst 2 ms, where exponents are wildly unlike. Since: 0.1.""",
+coordinate of the point, would overflow; or an exact position would take more than 2000 bits, as with
+magnitudes of both 2^1000 and 2^-1000). Accuracy: the answer is exact, and the time is rounded down. The
+point is within 8 u scale of a's outline; along the outline it may be off by 8 u scale / |n.v|, n and v of
+unit length. The normal has length 1 to 4 u. Bounds on computed numbers use u = 2^-53. The scale of two
+shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is
+longer over shorter size. "Right to x": the error is <= x. Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a
+hit; less for rays (b a point), two circles and two ellipses, see the typed functions; 0.7 to 20 us for
+contact that only exact arithmetic can decide; at worst 2 ms. Since: 0.1.""",
     ),
     "vesica_cast_many_f32": (
         c_int64,
         (c_void_p, c_void_p, c_void_p, c_void_p, c_ssize_t, c_float, c_void_p, c_void_p, c_void_p, c_void_p, c_void_p,),
         """vesica_cast_many_f32(a, b, vx, vy, stride, t_end, t, x, y, nx, ny)
 
-When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of
+When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]? The columns are the fields of
 vesica_cast_f32's result.
 
-Velocity i is at vx and vy + i * stride bytes; stride 0 repeats one.
+Velocity i is `i * stride` bytes after vx and vy; stride 0 repeats one velocity.
 
-Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many
-numbers as the larger count. Some, but not all, may be NULL. Returns: how many touch, those that overlap at
-the start included. Errors: as above. An element with an invalid shape, a velocity that is not finite or a
-result out of range has NaN for its numbers, all others are written as usual, and the call returns
-VESICA_E_SHAPE if there is an invalid shape, else the error. Accuracy: every result has the bits of
-vesica_cast_f32. Since: 0.1.""",
+Requires: velocities and t_end as vesica_cast_f32; equal counts, or one count of 1, whose shape is used for
+all. Each output has room for as many numbers as the larger count. Some, but not all, may be NULL. Returns:
+how many touch, including those that overlap at the start. Errors: those of vesica_cast_f32. An element with
+an invalid shape, a velocity that is not finite or a result out of range gets NaN for all its numbers, and
+all others are written as usual. The call then returns VESICA_E_SHAPE if a shape is invalid, else the error
+of such an element. Accuracy: every result has the same bits as vesica_cast_f32. Since: 0.1.""",
     ),
     "vesica_cast_first_f32": (
         c_int64,
         (c_void_p, c_void_p, c_float, c_float, c_float, c_void_p,),
         """vesica_cast_first_f32(one, many, vx, vy, t_end, out)
 
-Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the
-lowest number.
+Which of many shapes at rest does one moving shape touch first? If several are touched at that time, the one
+with the lowest index.
 
-Requires: one, the shape that moves, is a single one (count 1). Returns: its number, or the count of `many`
-if there is none. *out is its contact, the normal pointing to `one`. Errors: as above. An invalid shape
-anywhere is one. VESICA_E_RANGE only if vesica_cast_f32 returns it for one of the shapes, and that might be
-touched first: where another one is certainly touched before, there is no error. Since: 0.1.""",
+Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f32. Returns: its
+index, or the count of `many` if none is touched. *out is its contact, the normal pointing to `one`. Errors:
+those of vesica_cast_f32. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f32
+returns it for a shape that might be touched first. Since: 0.1.""",
     ),
     "vesica_sweep_bounds_f32": (
         c_int32,
         (c_int32, c_void_p, c_float, c_float, c_float, c_void_p,),
         """vesica_sweep_bounds_f32(kind, numbers, vx, vy, t_end, out)
 
-A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+A box that holds a shape throughout its motion, t from 0 to t_end. The shape touches nothing outside it.
 
-Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: 0. Errors: as above;
-VESICA_E_RANGE if a side would exceed the finite numbers. Accuracy: a side that does not move is that of
-vesica_bounds_f32. One that does is too far out by at most three steps between numbers as large as the
-largest of the side at rest, its way and where it ends. Since: 0.1.""",
+Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: 0. Errors: those of
+vesica_cast_f32; VESICA_E_RANGE if a side would overflow. Accuracy: a side that does not move is that of
+vesica_bounds_f32. One that moves is too far out by at most three units in the last place of the largest of
+three numbers: the side at rest, the way it moves, and where it ends. Since: 0.1.""",
     ),
     "vesica_index_cast_f32": (
         c_int64,
@@ -3417,24 +3330,23 @@ largest of the side at rest, its way and where it ends. Since: 0.1.""",
 
 Which items of an index does one moving shape touch? They come in the index's order.
 
-Requires: sets are those of the index. one is a single shape (count 1). out has room for `capacity` items.
-With capacity 0, out and state may be NULL. Returns: the number of items written; with capacity 0, how many
-there are. Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a
-pointer that is not aligned, or a state that is not of this call. Invalid items are never touched. Accuracy:
-exact. Since: 0.1.""",
+Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f32. out
+has room for `capacity` items. With capacity 0, out and state may be NULL. Returns: the number of items
+written; with capacity 0, how many there are. Errors: those of vesica_cast_f32, and VESICA_E_INDEX;
+VESICA_E_ARGUMENT also for sets that are not the index's, a pointer that is not aligned, or a state from
+another call. Invalid items are never touched. Accuracy: exact. Since: 0.1.""",
     ),
     "vesica_index_cast_first_f32": (
         c_int64,
         (c_void_p, c_void_p, c_int32, c_void_p, c_float, c_float, c_float, c_void_p,),
         """vesica_index_cast_first_f32(index, sets, set_count, one, vx, vy, t_end, out)
 
-Which item of an index does one moving shape touch first? Of several at one time the one with the lowest
-number.
+Which item of an index does one moving shape touch first? If several are touched at that time, the lowest
+item.
 
-Requires: sets are those of the index. one is a single shape (count 1).
-Returns: the item, or the index's count if there is none. *out is its contact, the normal pointing to `one`.
-Errors: those of vesica_index_cast_f32; VESICA_E_RANGE only as of vesica_cast_first_f32.
-Since: 0.1.""",
+Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f32.
+Returns: the item, or the index's count if none is touched. *out is its contact, the normal pointing to
+`one`. Errors: those of vesica_index_cast_f32; VESICA_E_RANGE only as for vesica_cast_first_f32. Since: 0.1.""",
     ),
     "vesica_impact_time_f32": (
         c_int32,
@@ -3455,9 +3367,9 @@ A ray at a point.
 
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
 VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as of vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60
-to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
-vesica_cast_f32 does of other kinds. Since: 0.1.""",
+VESICA_E_RANGE, as vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to
+180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for
+other kinds. Since: 0.1.""",
     ),
     "vesica_cast_segment_point_f32": (
         c_int32,
@@ -3468,9 +3380,9 @@ A ray at a segment.
 
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
 VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as of vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60
-to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
-vesica_cast_f32 does of other kinds. Since: 0.1.""",
+VESICA_E_RANGE, as vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to
+180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for
+other kinds. Since: 0.1.""",
     ),
     "vesica_cast_circle_point_f32": (
         c_int32,
@@ -3481,9 +3393,9 @@ A ray at a disc.
 
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
 VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as of vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60
-to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
-vesica_cast_f32 does of other kinds. Since: 0.1.""",
+VESICA_E_RANGE, as vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to
+180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for
+other kinds. Since: 0.1.""",
     ),
     "vesica_cast_aabb_point_f32": (
         c_int32,
@@ -3494,9 +3406,9 @@ A ray at an axis-aligned box.
 
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
 VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as of vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60
-to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
-vesica_cast_f32 does of other kinds. Since: 0.1.""",
+VESICA_E_RANGE, as vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to
+180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for
+other kinds. Since: 0.1.""",
     ),
     "vesica_cast_rect_point_f32": (
         c_int32,
@@ -3507,9 +3419,9 @@ A ray at a rectangle.
 
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
 VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as of vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60
-to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
-vesica_cast_f32 does of other kinds. Since: 0.1.""",
+VESICA_E_RANGE, as vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to
+180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for
+other kinds. Since: 0.1.""",
     ),
     "vesica_cast_ellipse_point_f32": (
         c_int32,
@@ -3520,9 +3432,9 @@ A ray at an ellipse.
 
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
 VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as of vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60
-to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
-vesica_cast_f32 does of other kinds. Since: 0.1.""",
+VESICA_E_RANGE, as vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to
+180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for
+other kinds. Since: 0.1.""",
     ),
     "vesica_cast_circle_circle_f32": (
         c_int32,
@@ -3533,9 +3445,9 @@ Two discs.
 
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
 VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as of vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60
-to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
-vesica_cast_f32 does of other kinds. Since: 0.1.""",
+VESICA_E_RANGE, as vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to
+180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for
+other kinds. Since: 0.1.""",
     ),
     "vesica_cast_rect_rect_f32": (
         c_int32,
@@ -3546,23 +3458,23 @@ Two rectangles.
 
 Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity. Returns: VESICA_CAST_MISS,
 VESICA_CAST_HIT or VESICA_CAST_START. Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE,
-VESICA_E_RANGE, as of vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60
-to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own way leaves open costs what
-vesica_cast_f32 does of other kinds. Since: 0.1.""",
+VESICA_E_RANGE, as vesica_cast_f32. Accuracy: that of vesica_cast_f32. Cost: 15 to 25 ns for a miss, 60 to
+180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost what vesica_cast_f32 does for
+other kinds. Since: 0.1.""",
     ),
     "vesica_de9im_f64": (
         c_int32,
         (c_int32, c_void_p, c_int32, c_void_p, c_char_p,),
         """vesica_de9im_f64(kind_a, numbers_a, kind_b, numbers_b, matrix)
 
-The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
 
-Every shape has an inside, an outline and an outside. The nine characters say of a's inside with b's inside,
-outline and outside, then of a's outline with those three, then of a's outside, what they share: F for
-nothing, else the dimension: 0 for single points, 1 for lines, 2 for an area. The outline of a segment is
-its two end points; a point has none; that of a shape with area is the curve around it. A segment without
-length is a point; a shape with one size 0 is a segment, with both a point. So a box that shares a side with
-another gives "FF2F11212". Exchanging the shapes exchanges rows and columns.
+Every shape has an inside, an outline and an outside. The first three characters say what a's inside shares
+with b's inside, outline and outside; the next three say it of a's outline, the last three of a's outside. F
+means nothing, 0 single points, 1 lines, 2 an area. The outline of a shape with area is the curve around it,
+that of a segment its two end points; a point has none. A segment without length is a point; a shape with
+one size 0 is a segment, with both 0 a point. Two boxes side by side that share a side give "FF2F11212".
+Exchanging the shapes exchanges rows and columns.
 
 Requires: matrix with room for VESICA_DE9IM_SIZE characters. Returns: 0, and nine characters and a final NUL
 in matrix. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Accuracy: exact. Cost: that of
@@ -3574,13 +3486,12 @@ vesica_relation_f64; 0.1 to 1 us more for a segment, 2 us for rectangles whose s
         (c_char_p, c_char_p,),
         """vesica_de9im_match(matrix, pattern)
 
-Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
+Does a nine-intersection matrix match a pattern, such as "T*F**F***" for "a is within b"?
 
-Each character of the pattern is one of F, 0, 1 and 2, which is meant literally; T, any of 0, 1 and 2; and
-*, which fits all.
+In a pattern F, 0, 1 and 2 match themselves, T matches 0, 1 and 2, and * matches all four.
 
 Requires: matrix and pattern, nine such characters and a final NUL each; no T or * in the matrix.
-Returns: 1 if it fits, 0 if not.
+Returns: 1 if it matches, 0 if not.
 Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (another length or another character).
 Accuracy: exact.
 Since: 0.1.""",
@@ -3590,38 +3501,37 @@ Since: 0.1.""",
         (c_int32, c_void_p, c_int32, c_void_p, c_void_p,),
         """vesica_intersection_f64(kind_a, numbers_a, kind_b, numbers_b, vertices)
 
-The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
-shape.
+The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
 
-The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle or an
-ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from
-the one that is lowest, of two equally low ones the left one, as their numbers have it. One vertex is a
-point, two are a segment's ends. Of the same two shapes in either order they are the same numbers, and the
-same bits: a zero is +0. Vertices that are not used become 0.
+The kinds are points, segments, boxes and rectangles; a point or a segment may also meet a circle or an
+ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise if y points up. The first
+is the one with the least y, of equal ones that with the least x, by the numbers written. One vertex is a
+point, two are the ends of a segment. Exchanging the shapes changes no bit; a zero is +0. Unused vertices
+become 0.
 
-Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is shared. Errors:
-VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE (a
-vertex, or the length of a side that makes one, exceeds the finite numbers). Accuracy: the number of
-vertices is exact: a true vertex each, before they are rounded. A shape's own corner has the numbers that
-are stored, of a rectangle those of vesica_corners_of_shapes_f64. Others are right to 4 u times the largest
-coordinate or size of either shape. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the
-largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's
-longer size over its shorter one. Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a
-segment, 2 to 6 us for areas; at worst 300 us, where exponents are wildly unlike. Since: 0.1.""",
+Returns: the number of vertices, 1 to 8, or 0 if the shapes share nothing. Errors: VESICA_E_NULL,
+VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_SHAPE, VESICA_E_RANGE (a vertex, or the
+length of a side that makes one, overflows). Accuracy: the number of vertices is exact: it is that of the
+true region. A corner of a shape that lies in the other keeps the stored numbers, or those of
+vesica_corners_of_shapes_f64 for a rectangle. Other vertices are right to 4 u times the largest coordinate
+or size of either shape. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of
+|dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
+"Right to x": the error is <= x. Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a
+segment, 2 to 6 us for areas; at worst 300 us. Since: 0.1.""",
     ),
     "vesica_de9im_f32": (
         c_int32,
         (c_int32, c_void_p, c_int32, c_void_p, c_char_p,),
         """vesica_de9im_f32(kind_a, numbers_a, kind_b, numbers_b, matrix)
 
-The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
 
-Every shape has an inside, an outline and an outside. The nine characters say of a's inside with b's inside,
-outline and outside, then of a's outline with those three, then of a's outside, what they share: F for
-nothing, else the dimension: 0 for single points, 1 for lines, 2 for an area. The outline of a segment is
-its two end points; a point has none; that of a shape with area is the curve around it. A segment without
-length is a point; a shape with one size 0 is a segment, with both a point. So a box that shares a side with
-another gives "FF2F11212". Exchanging the shapes exchanges rows and columns.
+Every shape has an inside, an outline and an outside. The first three characters say what a's inside shares
+with b's inside, outline and outside; the next three say it of a's outline, the last three of a's outside. F
+means nothing, 0 single points, 1 lines, 2 an area. The outline of a shape with area is the curve around it,
+that of a segment its two end points; a point has none. A segment without length is a point; a shape with
+one size 0 is a segment, with both 0 a point. Two boxes side by side that share a side give "FF2F11212".
+Exchanging the shapes exchanges rows and columns.
 
 Requires: matrix with room for VESICA_DE9IM_SIZE characters. Returns: 0, and nine characters and a final NUL
 in matrix. Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE. Accuracy: exact. Cost: that of
@@ -3633,25 +3543,24 @@ vesica_relation_f32; 0.1 to 1 us more for a segment, 2 us for rectangles whose s
         (c_int32, c_void_p, c_int32, c_void_p, c_void_p,),
         """vesica_intersection_f32(kind_a, numbers_a, kind_b, numbers_b, vertices)
 
-The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
-shape.
+The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
 
-The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle or an
-ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from
-the one that is lowest, of two equally low ones the left one, as their numbers have it. One vertex is a
-point, two are a segment's ends. Of the same two shapes in either order they are the same numbers, and the
-same bits: a zero is +0. Vertices that are not used become 0.
+The kinds are points, segments, boxes and rectangles; a point or a segment may also meet a circle or an
+ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise if y points up. The first
+is the one with the least y, of equal ones that with the least x, by the numbers written. One vertex is a
+point, two are the ends of a segment. Exchanging the shapes changes no bit; a zero is +0. Unused vertices
+become 0.
 
-Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f32 says that nothing is shared. Errors:
-VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE (a
-vertex, or the length of a side that makes one, exceeds the finite numbers). Accuracy: the number of
-vertices is exact: a true vertex each, before they are rounded. A shape's own corner has the numbers that
-are stored, of a rectangle those of vesica_corners_of_shapes_f32. Others are right to 4 u times the largest
-coordinate or size of either shape. Each number is computed in double, within these bounds, and then rounded
-to float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and
-|dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its
-shorter one. Cost: that of vesica_overlap_f32 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for
-areas; at worst 300 us, where exponents are wildly unlike. Since: 0.1.""",
+Returns: the number of vertices, 1 to 8, or 0 if the shapes share nothing. Errors: VESICA_E_NULL,
+VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_SHAPE, VESICA_E_RANGE (a vertex, or the
+length of a side that makes one, overflows). Accuracy: the number of vertices is exact: it is that of the
+true region. A corner of a shape that lies in the other keeps the stored numbers, or those of
+vesica_corners_of_shapes_f32 for a rectangle. Other vertices are right to 4 u times the largest coordinate
+or size of either shape. Each number is computed in double, within these bounds, and then rounded to float
+once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
+between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x":
+the error is <= x. Cost: that of vesica_overlap_f32 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6
+us for areas; at worst 300 us. Since: 0.1.""",
     ),
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes that claim to be an index.
+// Validation of bytes that should be an index.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace vesica::index {
 
-/// Whether a header's fields may be believed: magic, byte order, version, and parts that lie within `size` bytes.
+/// Whether a header's fields are consistent: magic, byte order, version, and parts that lie within `size` bytes.
 bool header_is_sound(const void* index, std::int64_t size) noexcept;
 
 /// The same for all of it: every query stays within these bytes, and the checksum is right.

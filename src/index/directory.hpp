@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands before and behind the blocks of an index: the header, the blocks' places and the tree over them.
+// The parts of an index before and after its blocks: the header, the blocks' places and the tree over them.
 #pragma once
 
 #include <cstdint>

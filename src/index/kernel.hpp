@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The work of the index on vectors: one text for all instruction sets, included behind lanes/<set>.hpp. Loops over
+// The vector code of the index: one source for all instruction sets, included after lanes/<set>.hpp. Loops over
 // doubles are left to the compiler; they are compiled without contraction, so that every set writes the same bytes.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an instruction set offers to the index: one source, an object each, the same bytes from all.
+// The kernels of the index: one source, compiled to one object for each instruction set. All write the same bytes.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct Plan {
   const Cell* cell;
   std::uint32_t cells() const noexcept { return std::uint32_t{1} << levels; }
 };
-/// Where a shape goes that has no place in its cell.
+/// The pseudo-cells of shapes that do not fit their cell (the residue).
 enum : std::uint32_t { residue_wide, residue_tall, left_out, residues };
 
 /// A shape's place and box.
@@ -46,8 +46,8 @@ struct Meetings {
   alignas(64) std::uint32_t entry[block_items * block_leaves + 64];
 };
 
-/// A shape whose distances to others are bounded from below by boxes alone: its own box; and what computed distances are
-/// rounded by, a factor below 1 and a number.
+/// A shape whose distances to others are bounded from below by boxes alone: its own box; and what computed distances
+/// are rounded by, a factor below 1 and a number.
 struct Bounding {
   double box[4];
   double factor, least;

@@ -19,8 +19,8 @@ int exponent_above(double x) noexcept {
   return e < least_p - 20 ? least_p - 20 : e;
 }
 
-/// Puts numbers that `first` holds for before the others; returns where those begin. Without branches, which nobody
-/// could foresee.
+/// Puts numbers that `first` holds for before the others; returns where the others begin. Without branches, which would
+/// be mispredicted.
 template <class First>
 std::int64_t put_first(double* v, std::int64_t begin, std::int64_t end, First first) noexcept {
   std::int64_t others = begin;
@@ -104,7 +104,7 @@ class Planner {
   /// More samples than this are represented by every few of them.
   static constexpr std::int64_t many = 2048, few = 512;
 
-  /// Samples begin, begin + step, ...: `count` of them.
+  /// The samples begin, begin + step, ..., `count` of them.
   struct Stretch {
     std::int64_t begin, length, count;
     std::int64_t at(std::int64_t i) const noexcept { return begin + i * length / count; }
@@ -171,8 +171,8 @@ class Planner {
     return n;
   }
 
-  /// Centre and width of the middle three quarters of centres, at most the cell's, at least twice the median extent. The
-  /// full cell would not do: cells on the rim of a dense cluster reach far out.
+  /// Centre and width of the middle three quarters of centres, at most the cell's, at least twice the median extent.
+  /// The full cell would not do: cells on the rim of a dense cluster reach far out.
   void estimate(const Stretch& s, double limit, double (&centre)[2], double (&width)[2]) noexcept {
     for (int a = 0; a < 2; ++a) {
       const std::int64_t n = collect(s, limit, [a](const Sample& x) { return x.centre[a]; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the steps of a build hand on, and where it lies in the caller's scratch.
+// Data that the steps of a build pass on, and its layout in the caller's scratch.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +37,7 @@ struct Run {
   bool crowded;
 };
 
-/// What the steps of a build hand on.
+/// Data that the steps of a build pass on.
 struct State {
   char magic[8];
   std::int64_t items, slices, runs;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arrays of shapes of several kinds laid end to end, of either scalar: shape i of set s is item i + the counts before.
+// Several arrays of shapes (sets) numbered through: shape i of set s is item i + the counts of the sets before. Both
+// scalars.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +29,7 @@ struct Sets {
   std::int64_t items = 0;
   Set set[most_sets];
 
-  /// The set of an item. Without a branch on the item, which nobody could foresee.
+  /// The set of an item. Without a branch on the item, which would be mispredicted.
   int of(std::int64_t item) const noexcept {
     int s = 0;
     for (int i = 1; i < count; ++i) s += static_cast<int>(item >= set[i].first);
@@ -70,7 +71,7 @@ void load_records(const unsigned char* at, std::ptrdiff_t stride, int n, Fields&
   int i = 0;
   for (; i + 2 <= n; i += 2, at += 2 * stride) {
     constexpr int asked_before = 32;
-    // Processors foresee no further than to the end of a page.
+    // Hardware prefetchers stop at the end of a page.
     __builtin_prefetch(at + asked_before * stride);
     __builtin_prefetch(at + (asked_before + 1) * stride);
     for (int k = 0; k < Count; k += 2) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chooses the instruction set, once, when the library is loaded. Tests define VESICA_PORTABLE_ONLY, to run on x86-64 what
-// other processors run.
+// Chooses the instruction set, once, when the library is loaded. Tests define VESICA_PORTABLE_ONLY, to run on x86-64
+// what other processors run.
 #include <cstdlib>
 #include <cstring>
 
@@ -10,8 +10,8 @@ namespace vesica {
 
 #if defined(__wasm__)
 
-// Nothing to choose from, no environment to read and nobody to call constructors: a module without imports or start. It
-// has vectors or not, and engines without vectors refuse one that has: who loads it chooses.
+// WebAssembly: a module is built with or without vectors, and whoever loads it chooses, because engines without vectors
+// refuse a module that has them. It has no environment to read, and nothing would call constructors.
 #if defined(__wasm_simd128__)
 const KernelTable& kernels() noexcept { return kernels_simd128; }
 #else
@@ -27,8 +27,8 @@ struct Candidate {
   bool usable;
 };
 
-/// VESICA_ISA in the environment forces a set by name; a name that is unknown, or of a set this processor lacks, is
-/// ignored. Otherwise the last usable one is the best.
+/// VESICA_ISA in the environment selects a set by name; an unknown name is ignored, and so is a set that this processor
+/// lacks. Otherwise the last usable one is the best.
 template <std::size_t N>
 const KernelTable* choose(const Candidate (&candidates)[N]) noexcept {
   const char* forced = std::getenv("VESICA_ISA");

@@ -8,9 +8,9 @@
 
 namespace vesica::index {
 
-/// Answers about items. ask() tells whether the moving shape hits an item by the time `end`, and writes that time,
-/// rounded down: more than 0, 0, or an error. foresee() is told of items that may be asked about, keep() that the item
-/// that was asked about last is the first so far.
+/// Callbacks about items. ask() returns whether the moving shape hits an item by the time `end` (1, 0, or an error),
+/// and writes the time of the hit, rounded down. foresee() announces items that ask() may be called for; keep() says
+/// that the item of the last ask() is the first hit so far.
 struct Targets {
   void* context;
   std::int32_t (*ask)(void* context, std::uint32_t item, double end, double& t);
@@ -32,7 +32,7 @@ struct FirstItem {
   std::int32_t error;
 };
 
-/// The item that is hit first; of several at one time that of the lowest number.
+/// The item that is hit first; of several at the same time the lowest.
 FirstItem find_first_hit(const Cast& cast) noexcept;
 
 bool cast_state_is_sound(const Cast& cast, const std::int64_t* state) noexcept;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Candidates to verdicts: shapes are gathered from the caller's arrays into columns, and a batch function answers a run
-// of pairs of one pair of kinds at a time. Never by scalar calls: these cost three times as much.
+// Decides candidates: shapes are gathered from the caller's arrays into columns, and a batch function answers a run of
+// pairs of the same kinds at a time. Scalar calls would cost three times as much.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +30,7 @@ struct Columns {
   }
 };
 
-/// Records are asked for so many places before they are gathered: both of a pair lie anywhere in memory.
+/// Records are prefetched so many places before they are gathered, as both of a pair are at random places in memory.
 inline constexpr int asked_before = 40;
 
 inline void ask_for(const Set& set, std::int64_t item) noexcept {
@@ -39,7 +39,7 @@ inline void ask_for(const Set& set, std::int64_t item) noexcept {
   __builtin_prefetch(set.field[fields_of[set.kind] - 1] + at);
 }
 
-/// The records of a set, each from where it lies.
+/// The records of a set, read from the caller's memory.
 class FromSet {
  public:
   explicit FromSet(const Set& set) noexcept : base_(set.field[0] - set.first * set.stride), stride_(set.stride) {}
@@ -55,7 +55,7 @@ class FromSet {
   std::ptrdiff_t stride_;
 };
 
-/// The same of a set whose numbers lie in columns, or anywhere: put together. The last two stay where they are.
+/// The same for a set whose numbers are not adjacent: they are copied into records, except the last two.
 template <class T>
 class FromColumns {
  public:
@@ -79,7 +79,7 @@ class FromColumns {
   T number_[2][most_fields];
 };
 
-/// Either by way of those that were fetched lately.
+/// Either of these, through the cache of recent records (recent.hpp).
 template <class From>
 struct FromRecent {
   From& set;
@@ -137,7 +137,7 @@ void gather_fetched(From from, const std::uint32_t* item, int n, Recent& recent,
   gather_records<T, Fields>(FromRecent<From>{from, recent, mark}, item, n, 0, out);
 }
 
-/// Items of one set, by way of those that were fetched lately where `recent` is given.
+/// Items of one set, through the cache of recent records if `recent` is given.
 template <class T, int Fields>
 void gather_set(const Set& set, const std::uint32_t* item, int n, int behind, Recent* recent, std::uint32_t mark,
                 Columns& out) noexcept {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a search for the nearest has before it, the nearest first.
+// The priority queue of a search for the nearest: a heap with the nearest entry first.
 #pragma once
 
 #include <cstdint>
 
 namespace vesica::index {
 
-/// A place to look into, or an item, and how far it is at least: 28 bits of that above 36 that tell which. So one
-/// comparison of whole numbers puts the nearest first, and of equally near ones that of the lowest number.
+/// A place to open or an item, with a lower bound of its distance: the bound in the upper 28 bits, the place or item in
+/// the lower 36. So one comparison of integers puts the nearest first, and of equally near ones the lowest number.
 using Entry = std::uint64_t;
 inline constexpr int entry_bits = 36;
 inline constexpr Entry which_mask = (Entry{1} << entry_bits) - 1;

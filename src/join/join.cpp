@@ -273,9 +273,9 @@ std::int64_t count_pairs(const Join& join) noexcept {
   return pairs;
 }
 
-// A state: block of A, block of B, candidates of these already decided, and the end of the part's run of blocks above the
-// mark. All 0 is the beginning; the first is -1 at the end. Candidates, not pairs: a call that goes on in the middle of a
-// crowded pair of blocks finds them again, which is quick, and decides none twice.
+// A state: block of A, block of B, candidates of these already decided, and the end of the part's run of blocks above
+// the mark. All 0 is the beginning; the first is -1 at the end. Candidates, not pairs: a call that goes on in the
+// middle of a crowded pair of blocks finds them again, which is quick, and decides none twice.
 
 bool state_is_sound(const Join& join, const std::int64_t* state) noexcept {
   if (state[0] == 0 && state[1] == 0 && state[2] == 0 && state[3] == 0) return true;
@@ -287,7 +287,7 @@ bool state_is_sound(const Join& join, const std::int64_t* state) noexcept {
 
 namespace {
 
-/// Candidates that are pairs, where there is room for all of them. Without branches, which nobody could foresee.
+/// Candidates that are pairs, where there is room for all of them. Without branches, which would be mispredicted.
 std::int64_t write_decided(const Scratch& s, std::int32_t begin, std::int32_t end, std::int64_t* out_a,
                            std::int64_t* out_b) noexcept {
   std::int64_t n = 0;

@@ -51,18 +51,18 @@ class Search {
 
  private:
   static constexpr double infinity = __builtin_inf();
-  /// Enough for a thousand items; where it is not, places are looked into and items measured before their turn.
+  /// Enough for a thousand items; if it is full, places are opened and items measured early.
   static constexpr int most_places = 512, most_items = 2048;
 
-  /// A place: a leaf, a block, or a node by its level. Of equally near ones the lower comes first, so what lies on top
-  /// of each other is gone into one by one.
+  /// A place: a leaf, a block, or a node by its level. Of equally near ones the lower level comes first, so that shapes
+  /// on top of each other are reached one by one.
   static constexpr int in_leaf = 0, in_block = 1, in_node = 2, number_bits = 32;
   static_assert(in_node + max_levels <= 1 << (entry_bits - number_bits));
   static std::uint64_t place(int level, std::int64_t number) noexcept {
     return static_cast<std::uint64_t>(level) << number_bits | static_cast<std::uint64_t>(number);
   }
 
-  /// Nothing farther than this is looked at.
+  /// Nothing farther than this matters.
   double limit() const noexcept {
     if (query_.k == 0 || found_ < query_.k) return query_.within;
     const auto worst = static_cast<double>(distance_[0]);
@@ -78,7 +78,7 @@ class Search {
     for (std::size_t i = 0; i < bytes; i += 64) __builtin_prefetch(at + i);
   }
 
-  /// A leaf that will be looked into next.
+  /// The leaf that will be opened next.
   void ask_for_leaf(std::uint64_t which) const noexcept {
     if (which >> number_bits != in_leaf) return;
     const Block& block = view_.block(number_of(which) / block_leaves);
@@ -146,8 +146,8 @@ class Search {
     measure_ready();
   }
 
-  /// Items that are no farther than `next` and the limit are asked for. They are measured when there are enough of them:
-  /// before, nothing follows from their distances. Those beyond the limit are dropped.
+  /// Prefetches items that are no farther than `next` and the limit. They are measured when there are enough of them to
+  /// lower the limit. Items beyond the limit are dropped.
   void make_ready(double next) noexcept {
     if (ready_count_ + count_ > most_items) measure_ready();
     const double limit = this->limit();
@@ -171,7 +171,7 @@ class Search {
     ready_count_ = n;
   }
 
-  /// Nearest first, while the limit tells that they matter.
+  /// Nearest first, while they are within the limit.
   void measure_ready() noexcept {
     const int n = ready_count_;
     ready_count_ = 0;
@@ -185,7 +185,7 @@ class Search {
     }
   }
 
-  /// Measures items: those whose distance is plain, and the others of each kind together.
+  /// Measures items: first those that have a plain distance (plain_distance.hpp), then the others, kind by kind.
   void measure(const Entry* entries, int n) noexcept {
     std::uint32_t item[measured_at_once];
     bool done[measured_at_once] = {};
@@ -214,7 +214,7 @@ class Search {
   }
   std::int32_t kind_of(std::uint32_t item) const noexcept { return query_.sets.set[query_.sets.of(item)].kind; }
 
-  // What is found is a heap whose first is the farthest, of equal ones that of the highest number.
+  // The results are a heap with the farthest first, of equally far ones the highest number.
 
   static bool farther(T d, std::int64_t item, T than, std::int64_t than_item) noexcept {
     return d > than || (d == than && item > than_item);

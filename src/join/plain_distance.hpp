@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The library's distance of points, circles and boxes along the axes, without its search for the closest points.
+// The distance of vesica::nearest() between points, circles and AABBs, without its search for the closest points.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace vesica::index {
 
-/// A box along the axes and what reaches farther from it by a radius: a point, a circle or an AABB.
+/// The points within `reach` of an AABB: a point, a circle or an AABB.
 struct Core {
   double low[2], high[2], radius;
 };
@@ -46,8 +46,8 @@ inline double common_extent(const Core& a, const Core& b, int axis) noexcept {
   return high - low;
 }
 
-/// Writes the distance with the bits of vesica::nearest(), if they are certain: that rounds a number once whose error is
-/// some 2^-100 of both shapes' common extent, and so is this one's. Where all that is within 2^-90 of it is rounded
+/// Writes the distance with the bits of vesica::nearest(), if they are certain: that rounds a number once whose error
+/// is some 2^-100 of both shapes' common extent, and so is this one's. Where all that is within 2^-90 of it is rounded
 /// alike, the bits are the same. Numbers far from 1, where others are rounded too, are left out.
 template <class T>
 bool plain_distance(const Core& a, const Core& b, T& out) noexcept {

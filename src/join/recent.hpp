@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Records that were fetched lately, side by side. A shape has candidates with several blocks, and its record lies
-// anywhere in the caller's memory, on a page of its own: fetched again it costs as much as the first time.
+// A cache of records that were fetched recently. A shape has candidates with several blocks, and its record is at a
+// random place in the caller's memory: to fetch it again would cost as much as the first time.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace vesica::index {
 
-/// Keeps each record in the one place its key falls on, where the next with that place replaces it. Half a megabyte: it
-/// shares the second cache with the blocks that are joined.
+/// Direct-mapped: each key has one place, where the next record with that place replaces the last. Half a megabyte, as
+/// it shares the second-level cache with the blocks that are joined.
 class Recent {
  public:
   /// Two sets have keys of their own: of the second, items with the highest bit.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Soft suppression: the best shape is kept, and what it covers keeps a lower score, again and again.
+// Soft suppression: keeps the best shape, lowers the scores of those it covers, and repeats.
 #pragma once
 
 #include <cstdint>
@@ -28,8 +28,8 @@ struct SoftSuppression {
 
 std::int64_t soft_bytes(std::int64_t items) noexcept;
 
-/// Writes the items that are kept and the scores they then had; returns how many. An invalid shape, and one whose score is
-/// NaN, is left out and sets `left_out`.
+/// Writes the items that are kept and the scores they then had; returns how many. An invalid shape, and one whose score
+/// is NaN, is left out and sets `left_out`.
 template <class T>
 std::int64_t suppress_softly(const SoftSuppression& suppression, const T* score, std::int64_t* keep, T* decayed,
                              bool& left_out) noexcept;

@@ -19,7 +19,7 @@ struct Ranked {
   std::uint32_t place;
 };
 
-/// A shape's bounds and area; NaN for an area that nothing is to be concluded from.
+/// A shape's bounds and area; NaN for an area that must not be used.
 struct Extent {
   double box[4];
   double area;
@@ -68,7 +68,7 @@ Ranked* sort(Ranked* from, Ranked* to, std::int64_t n) noexcept {
   return from;
 }
 
-// ---- What bounds and areas tell. ----
+// ---- Bounds and areas that rule pairs out. ----
 
 /// The area of a shape of moderate size and aspect, to 2^-40 of itself, else NaN.
 double moderate_area(double size_0, double size_1, double unit) noexcept {
@@ -87,10 +87,10 @@ double area_of(std::int32_t kind, const Fields& f, int i) noexcept {
   return in_range ? moderate_area(number(4), number(5), (kind == kind_rect ? 4 : pi) * uu) : __builtin_nan("");
 }
 
-/// Leaves out most pairs whose ratio is far below a threshold t. With areas A and B the IoU of a shared area S exceeds t
-/// only where S (1 + t) > t (A + B), and S is at most that of the bounds. The ratio errs by at most 2^-37 at aspects up
-/// to 2^10; from t = 2^-10 on that is less than the 2^-20 taken off here. Ratios below the IoU exceed t no more often.
-/// Over the smaller area the least that is asked of S is t min(A, B).
+/// Leaves out most pairs whose ratio is far below a threshold t. With areas A and B the IoU of a shared area S exceeds
+/// t only where S (1 + t) > t (A + B), and S is at most that of the bounds. The ratio errs by at most 2^-37 at aspects
+/// up to 2^10; from t = 2^-10 on that is less than the 2^-20 taken off here. Ratios below the IoU exceed t no more
+/// often. Over the smaller area the least that is asked of S is t min(A, B).
 class Reach {
  public:
   explicit Reach(const Measured& m) noexcept
@@ -115,7 +115,7 @@ class Reach {
 
 // ---- Suppression. ----
 
-/// Shapes are numbered anew by their places in the index: what lies near lies together in memory.
+/// Shapes are renumbered by their places in the index, so that near shapes are together in memory.
 class Suppressor {
  public:
   Suppressor(const Suppression& suppression, unsigned char* scratch) noexcept

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Greedy non-maximum suppression: shapes in the order of their scores, each kept unless its ratio of areas with one kept
-// before, of its own label, exceeds a threshold.
+// Greedy non-maximum suppression: shapes in the order of their scores, each kept unless its ratio of areas with one
+// kept before, of its own label, exceeds a threshold.
 //
-// What a kept shape suppresses is marked at once, so that of many equal shapes the first alone is ever compared. A window
-// of the index finds whom to compare it with. Shapes are taken block by block of the index, not by score: a shape waits
-// for better ones that may suppress it, which lie near. So memory is read nearly in order, and the result is the same, as
-// whether a shape is kept depends on better ones alone.
+// Shapes that a kept shape suppresses are marked at once, so that of many equal shapes only the first is ever compared.
+// A window query of the index finds them. Shapes are processed block by block of the index, not by score: a shape waits
+// for better shapes that may suppress it, which are near it. So memory is read nearly in order. The result is the same,
+// since whether a shape is kept depends on better ones alone.
 #pragma once
 
 #include <cstdint>
@@ -14,15 +14,16 @@
 
 namespace vesica::index {
 
-/// What shares of area are compared by. The caller's ratio depends on no order of two shapes, and exceeds a threshold >= 0
-/// only where the shared area over the union does, or over the smaller shape.
+/// What shares of area are compared by. The caller's ratio depends on no order of two shapes, and exceeds a threshold
+/// >= 0 only where the shared area over the union does, or over the smaller shape.
 struct Measured {
   std::int32_t ratio;  // the caller's own
   bool over_smaller;
   double threshold;
 };
 
-/// Whether one shape's ratio with each of n others, all in columns and of one kind, exceeds the threshold: out[i] = 1 or 0.
+/// Whether one shape's ratio with each of n others, all in columns and of one kind, exceeds the threshold: out[i] = 1
+/// or 0.
 using Exceeds = void (*)(std::int32_t kind, const void* const* one, const void* const* others, std::int64_t n,
                          const Measured& measured, std::uint8_t* out);
 
@@ -39,8 +40,8 @@ struct Suppression {
 
 std::int64_t suppression_bytes(std::int64_t items) noexcept;
 
-/// Writes the items that are kept in the order of scores, equal ones by number; returns how many. Shapes below the least
-/// score are left out. So are an invalid shape and one whose score is NaN, and these set `left_out`.
+/// Writes the items that are kept in the order of scores, equal ones by number; returns how many. Shapes below the
+/// least score are left out. So are an invalid shape and one whose score is NaN, and these set `left_out`.
 template <class T>
 std::int64_t suppress(const Suppression& suppression, const T* score, std::int64_t* keep, bool& left_out) noexcept;
 

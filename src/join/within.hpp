@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All pairs of two indexes, or of one, that are within a distance. Every item of the first looks into the second with its
-// bounds grown by the distance: the kernels of joins compare columns of grids, which know no distance.
+// All pairs of two indexes, or of one, that are within a distance. For every item of the first, a window query of the
+// second with its bounds grown by the distance. (The kernels of joins cannot: they compare columns of grids.)
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@ struct JoinWithin {
   std::int64_t part, parts;
 };
 
-/// Whether a state is one that such a join returns: the place of an item of A in its order, the block of B, the pairs of
-/// both that were written, and a mark.
+/// Whether a state is one that such a join returns: the place of an item of A in its order, the block of B, the pairs
+/// of both that were written, and a mark.
 bool within_state_is_sound(const JoinWithin& join, const std::int64_t* state) noexcept;
 
 /// Pairs of the whole part.

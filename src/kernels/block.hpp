@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernels of overlap for every pair. Included once by each source in src/isa, after the lanes of its instruction set.
+// The kernels of overlap for every pair. Included once by each source in src/isa, after the lanes of its instruction
+// set.
 #pragma once
 
 #include "kernels/block_loop.hpp"
@@ -50,7 +51,7 @@ void widen_column(Unaligned<float> from, std::int32_t n, double* to) noexcept {
   for (; i < n; ++i) to[i] = from[i];
 }
 
-/// Everything this instruction set offers, laid down at compile time.
+/// The tables of this instruction set, as constants.
 consteval KernelTable make_table(const char* name, const QueryTable& queries, const TieKernels& ties) noexcept {
   KernelTable table{};
   table.name = name;

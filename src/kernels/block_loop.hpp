@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The loop behind every batch of overlap: load lanes, ask the filter, store bytes, list the undecided elements. After the
-// lanes of an instruction set.
+// The loop behind every batch of overlap: load lanes, run the filter, store bytes, list the undecided elements.
+// Included after the lanes of an instruction set.
 #pragma once
 
 #include <type_traits>
@@ -28,8 +28,8 @@ VESICA_INLINE Shape<LanesOf<T>> broadcast(const Unaligned<T>* field, std::index_
   return {LanesOf<T>(field[Field][0])...};
 }
 
-/// One operand of a kernel. It keeps copies of the column pointers: a store through a byte pointer may alias anything, so
-/// the compiler would load the originals again in each iteration.
+/// One operand of a kernel. It keeps copies of the column pointers: a store through a byte pointer may alias anything,
+/// so the compiler would load the originals again in each iteration.
 template <template <class> class Shape, class T, bool Repeated>
 struct LaneOperand {
   static constexpr int fields = ShapeTraits<Shape<T>>::fields;
@@ -66,8 +66,9 @@ class Verdicts {
   const Second& second_;
 };
 
-/// Software pipelining, for a filter in two halves. Each half is a long chain of dependent operations, so the first half
-/// of the next vector is computed beside the second half of this one. The processor then has two chains to work on.
+/// Software pipelining, for a filter in two halves. Each half is a long chain of dependent operations, so the first
+/// half of the next vector is computed beside the second half of this one. The processor then has two chains to work
+/// on.
 template <class Filter, class First, class Second>
 requires HalfDone<decltype(std::declval<Filter>().filter(std::declval<First>().at(0), std::declval<Second>().at(0)))>
 class Verdicts<Filter, First, Second> {
@@ -96,7 +97,7 @@ VESICA_INLINE std::int32_t* append(std::uint32_t open, std::int32_t i, std::int3
   return list;
 }
 
-/// Answers a whole number of vectors; whoever calls takes care of a rest.
+/// Answers a whole number of vectors; the caller takes care of the elements left over.
 template <class Filter, class First, class Second, class T>
 VESICA_INLINE BlockResult answer_whole(const Filter& filter, const First& first, const Second& second,
                                        const Block<T>& block) noexcept {

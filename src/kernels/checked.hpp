@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kernels for a row of a matrix against a block of columns that was looked at as a whole (checked_shapes.hpp): for a pair
-// next to nothing is left to do but its arithmetic and one comparison. After the lanes of an instruction set.
+// Checked kernels: for a row of a matrix against a block of columns whose shapes were checked beforehand, all together
+// (checked_shapes.hpp). A pair then costs little more than its arithmetic and one comparison. Included after the lanes
+// of an instruction set.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +36,7 @@ struct CheckedEllipses {
 template <template <class> class Shape>
 inline constexpr bool is_ellipse = kind_of<Shape> == Kind::ellipse;
 
-/// Whether the row's shape and a block of that extent may be asked, see checked_rect_ellipse.hpp.
+/// Whether the kernel may be used for the row's shape and a block of that extent, see checked_rect_ellipse.hpp.
 template <template <class> class One, template <class> class Many, class V>
 VESICA_INLINE bool askable(const One<V>& one, V extent_of_many) noexcept {
   if (!all(filter::checked(one))) return false;
@@ -81,9 +82,9 @@ VESICA_INLINE void store_columns(T* to, std::int32_t stride, V... column) noexce
   ((column.store(to), to += stride), ...);
 }
 
-/// Looks at the columns of a block of at least a vector: whether a checked kernel may be asked of them. It then writes
-/// their extent to the block. Columns of prepared ellipses go to `space`, one after each `stride` numbers, and the block
-/// has them in place of its own.
+/// Checks the columns of a block of at least a vector: may a checked kernel be used for them? If so, it writes their
+/// extent to the block. Columns of prepared ellipses go to `space`, one every `stride` numbers, and replace the block's
+/// own.
 template <template <class> class One, template <class> class Many, class T>
 [[gnu::noinline]] bool look(Block<T>& block, T* space, std::int32_t stride) noexcept {
   using V = LanesOf<T>;

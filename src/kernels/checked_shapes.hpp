@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What checked kernels ask of shapes: of the columns of a block once, of the shape that meets them once a row. No pair is
-// then looked at for validity, and what depends on one shape alone is worked out once a block.
+// The checks behind checked kernels: once for the columns of a block, and once a row for the shape that meets them.
+// Pairs then need no validity check, and values that depend on one shape alone are computed once a block.
 #pragma once
 
 #include <vesica/filter/estimate.hpp>
@@ -56,8 +56,8 @@ VESICA_INLINE auto checked(const Ellipse<V>& e) noexcept {
   return both(guard.holds(), both(below_2_32(e.cx), below_2_32(e.cy)));
 }
 
-/// What bounds of a block need of its shapes: of rectangles the greatest sum of half sizes, of ellipses the least sum of
-/// half lengths.
+/// What error bounds of a block depend on: for rectangles the greatest sum of half sizes, for ellipses the smallest sum
+/// of half lengths.
 template <class V>
 VESICA_INLINE V extent(const Rect<V>& r) noexcept {
   return r.hx + r.hy;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether the numbers of a pair keep within what a filter's bound was made for.
+// Guards: are the numbers of a pair in the range for which a filter's error bound is proved?
 #pragma once
 
 #include <bit>
@@ -118,7 +118,7 @@ VESICA_INLINE Mask greater_where(Mask mask, V a, V b) noexcept {
   return both(mask, a > b);
 }
 
-/// In the place of a mask, where a look at the whole block has shown that all lanes are usable.
+/// Used instead of a mask if a check of the whole block has shown that all lanes are usable.
 struct Everywhere {};
 template <class V>
 VESICA_INLINE auto greater_where(Everywhere, V a, V b) noexcept {

@@ -10,7 +10,8 @@
 namespace vesica {
 namespace {
 
-/// Writes the five numbers of an answer to the lanes in which it is wanted, settled and finite. Returns those lanes.
+/// Writes the five numbers of an answer to the lanes in which it is wanted, settled (the search converged) and finite.
+/// Returns those lanes.
 VESICA_INLINE PairMask put(const detail::nearest::LaneAnswer<Doubles>& c, PairMask wanted, Doubles* out) noexcept {
   const Doubles points[] = {c.distance, c.ax, c.ay, c.bx, c.by};
   const PairMask settled = both(both(wanted, c.settled), detail::all_finite(c.distance, c.ax, c.ay, c.bx, c.by));
@@ -38,8 +39,8 @@ VESICA_INLINE detail::nearest::LaneAnswer<Doubles> nested_outlines(const A& a, c
   return detail::boundary_distance::lane_nested(a, b, a_inside, idle);
 }
 
-/// Whether lanes gain where one shape is inside the other. Of a rectangle and an ellipse, two lanes of SSE2 take as long as
-/// two scalar calls.
+/// Whether lanes gain where one shape is inside the other. Of a rectangle and an ellipse, two lanes of SSE2 take as
+/// long as two scalar calls.
 template <class A, class B>
 inline constexpr bool lanes_gain = true;
 #if defined(__SSE2__) && !defined(__AVX__)
@@ -47,9 +48,9 @@ template <>
 inline constexpr bool lanes_gain<Rect<Doubles>, Ellipse<Doubles>> = false;
 #endif
 
-/// Outlines of disjoint shapes are as far apart as the shapes: what NearestCore answered stands in `out`. Nested ones are
-/// answered where the filter is certain that they are; those that cross or touch, with their common point, are for the
-/// scalar function.
+/// Outlines of disjoint shapes are as far apart as the shapes: `out` holds NearestCore's answer. Nested shapes are
+/// answered if the filter is certain that they are nested. Outlines that cross or touch are left to the scalar
+/// function.
 struct NestedCore {
   static constexpr int results = 5;
   template <class A, class B>

@@ -17,7 +17,7 @@ namespace {
 using detail::nearest::MaskOf;
 using PairMask = MaskOf<Doubles>;
 
-/// What is known of a vector of pairs, where the query asks for it.
+/// What is known about a vector of pairs beforehand, if the query needs it.
 template <class V>
 struct KnownLanes {
   V overlap;  // 1 or 0
@@ -53,8 +53,8 @@ struct NearestCore {
   }
 };
 
-/// Whether the circles about two shapes are apart. The sum r of their radii has 2^-48 of itself to spare, an operation
-/// here errs by 2^-53 of its result: d^2 > r^2 is no matter of rounding.
+/// Whether the circles about two shapes are apart. The sum r of their radii is too large by 2^-48 of itself, and an
+/// operation here errs by 2^-53 of its result, so rounding cannot make d^2 > r^2 wrong.
 VESICA_INLINE PairMask circles_apart(Doubles dx, Doubles dy, Doubles reach) noexcept {
   return dx * dx + dy * dy > reach * reach;
 }
@@ -79,8 +79,8 @@ struct AreaCore {
   }
 };
 
-/// A known reach means areas of moderate size, so the scaling with which iou() avoids overflow is left out. The bits are
-/// the same.
+/// A known reach means areas of moderate size, so the scaling with which iou() avoids overflow is left out. The bits
+/// are the same.
 struct IouCore {
   static constexpr int results = 1;
   VESICA_INLINE static PairMask evaluate(const Rect<Doubles>& a, const Rect<Doubles>& b,

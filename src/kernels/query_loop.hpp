@@ -33,8 +33,8 @@ VESICA_INLINE Shape<V> load_shape(const double* const* field, std::int32_t i) no
 }
 
 // Whether a shape is valid, by the rules of check(): finite numbers, no negative size, an axis that is not zero.
-// Relations need none of these: a filter decides nothing about an invalid shape. Areas need none either: the reach of an
-// invalid rectangle is NaN.
+// Relations need none of these: a filter decides nothing about an invalid shape. Areas need none either: the reach of
+// an invalid rectangle is NaN.
 template <class V>
 VESICA_INLINE MaskOf<V> valid(const Circle<V>& s) noexcept {
   const V zero(0.0);
@@ -51,11 +51,11 @@ VESICA_INLINE MaskOf<V> valid(const Ellipse<V>& s) noexcept {
   return valid(Rect<V>{s.cx, s.cy, s.ux, s.uy, s.a, s.b});
 }
 
-/// Whether the core goes on from results that are there.
+/// Whether the core continues from results that an earlier kernel wrote.
 template <class Core>
 inline constexpr bool goes_on = std::is_same_v<Core, NestedCore>;
 
-/// The loop: loads a vector of pairs, asks Core, stores the results.
+/// The loop: loads a vector of pairs, runs Core, stores the results.
 template <class Core, template <class> class A, template <class> class B, class V>
 bool answer_vectors(const QueryColumns& columns, std::int32_t n, double* const* results) noexcept {
   constexpr bool sees_validity =
@@ -83,14 +83,14 @@ bool answer_vectors(const QueryColumns& columns, std::int32_t n, double* const* 
   return all(all_settled);
 }
 
-/// The first kernel's results are where the second one goes on from.
+/// Runs two kernels; the second one continues from the first one's results.
 template <QueryKernel first, QueryKernel second>
 bool answer_in_turn(const QueryColumns& columns, std::int32_t n, double* const* results) noexcept {
   first(columns, n, results);
   return second(columns, n, results);
 }
 
-/// The first shapes are circles, and the kernel is told that they are ellipses.
+/// The first shapes are circles; the kernel gets them as ellipses.
 template <QueryKernel kernel>
 bool answer_circles(const QueryColumns& columns, std::int32_t n, double* const* results) noexcept {
   QueryColumns as_ellipses = columns;
@@ -122,7 +122,8 @@ consteval void fill(QueryKernels& kernels) noexcept {
   enter<A, B>(kernels, answer_vectors<Core, A, B, Doubles>);
 }
 
-/// Two vectors as one where time is the latency of divisions and roots in a row. The registers of SSE2 do not suffice.
+/// Two vectors at a time for cores whose time is the latency of divisions and roots in a row. SSE2 has too few
+/// registers.
 #if defined(__SSE2__) && !defined(__AVX__)
 using LongVector = Doubles;
 #else
@@ -137,7 +138,7 @@ consteval void fill_distances(QueryTable& table) noexcept {
   enter<A, B>(table.boundary_distance, answer_in_turn<nearest, nested>);
 }
 
-/// The kernels whose results are codes. Others may stay away: a module with them alone is small.
+/// The kernels whose results are codes. A build may leave out the others, to be smaller.
 consteval QueryTable make_relation_table() noexcept {
   QueryTable table{};
   fill<RelationCore, Rect, Rect>(table.relation);
@@ -153,7 +154,7 @@ consteval QueryTable make_relation_table() noexcept {
   return table;
 }
 
-/// Everything this instruction set offers, laid down at compile time.
+/// The tables of this instruction set, as constants.
 consteval QueryTable make_query_table() noexcept {
   QueryTable table = make_relation_table();
   constexpr QueryKernel nested_ellipses = answer_vectors<NestedCore, Ellipse, Ellipse, Doubles>;

@@ -35,8 +35,8 @@ struct QueryColumns {
   const double* known;  // 1 where the shapes overlap, else 0; set where the query knows overlaps
 };
 
-/// Fills results[k][i] for i < n. Where a kernel cannot answer, or a shape is invalid, results[0][i] is NaN, and the
-/// caller asks the scalar function; returns whether there is none such. A kernel and the scalar function are instances
+/// Fills results[k][i] for i < n. If a kernel cannot answer, or a shape is invalid, results[0][i] is NaN, and the
+/// caller calls the scalar function. Returns whether all were answered. A kernel and the scalar function are instances
 /// of one template without fused operations, so that they give the same bits.
 using QueryKernel = bool (*)(const QueryColumns& columns, std::int32_t n, double* const* results) noexcept;
 

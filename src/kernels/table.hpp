@@ -35,8 +35,8 @@ using BlockKernel = BlockResult (*)(const Block<T>&) noexcept;
 enum class Repeat { none, first, second };
 inline constexpr int repeat_count = 3;
 
-/// Kernels by Repeat. `unit` may leave axes whose length is not near 1 undecided, thin ellipses too, in return for
-/// speed; it is `general` where no such gain is known.
+/// Kernels by Repeat. `unit` is quicker, but leaves axes whose length is not near 1 and thin ellipses undecided; where
+/// nothing is quicker it is `general`.
 template <class T>
 struct PairKernels {
   BlockKernel<T> general[repeat_count];
@@ -47,20 +47,20 @@ struct PairKernels {
 template <class T>
 using ScalarKernels = PairKernels<T>[kind_count][kind_count];
 
-/// Kernels for pairs in step that decide what `general` does, and most exact contacts; null for pairs with an ellipse and
-/// those that have none open. Slower where there are no contacts.
+/// Kernels for pairs in step that decide what `general` does and most exact contacts too, but are slower if there are
+/// no contacts. Null for pairs with an ellipse, and for pairs that `general` always decides.
 struct TieKernels {
   BlockKernel<double> of[kind_count][kind_count];
 };
 
-/// Kernels for one shape, of a row, against a block of columns that was looked at before; by the two kinds, rectangle and
-/// ellipse. Null where there are none.
+/// Checked kernels: for the shape of a row against a block of columns that was checked before, by the two kinds,
+/// rectangle and ellipse. Null where there are none.
 template <class T>
 struct CheckedKernels {
   struct Pair {
     /// Whether answer() may be asked; checked.hpp says what else it does.
     bool (*look)(Block<T>& block, T* space, std::int32_t stride) noexcept;
-    /// Leaves row_is_unusable undecided where the row's shape is not as it takes them.
+    /// Returns row_is_unusable as the number of undecided pairs if it cannot take the row's shape.
     BlockKernel<T> answer;
   };
   Pair of[2][2];  // the row's kind, the columns'

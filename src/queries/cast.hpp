@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes that move: asked by kind and flat numbers, and of arrays. No descriptor of a Query: those know no motion.
+// Shapes that move, by kind and flat numbers, and arrays of them. Not a Query, because a Query's functions have no
+// parameter for the motion.
 #pragma once
 
 #include <vesica/cast/quick_hit.hpp>

@@ -37,7 +37,8 @@ struct CrossingsOfPair {
 
 }  // namespace
 
-// Places are in order along the first shape, so neither order of a pair tells the other. There are no batches.
+// Places are in order along the first shape, so the result of (b, a) does not give that of (a, b). There are no
+// batches.
 constinit const Query crossings{
     .doubles = pair_table<CrossingsOfPair, double>(),
     .floats = pair_table<CrossingsOfPair, float>(),

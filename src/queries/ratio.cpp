@@ -14,7 +14,7 @@ namespace {
 
 using detail::ratio::Facts;
 
-/// Of valid shapes.
+/// The ratio of two valid shapes.
 struct SharedMeasure {
   static constexpr Reversal reversal = Reversal::none;
   template <class T>

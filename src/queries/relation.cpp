@@ -49,7 +49,7 @@ constinit const Query relation{
     .kernels = &QueryTable::relation,
 };
 
-// Containment has no converse. Batches take it from the relation, whose kernels know as much.
+// Containment of (b, a) does not give that of (a, b). Batches derive it from the relation, whose kernels decide it too.
 constinit const Query contains{
     .doubles = pair_table<ContainsPair, double>(),
     .floats = pair_table<ContainsPair, float>(),

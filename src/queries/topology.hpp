@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Queries about how the parts of two shapes meet. Their results are no numbers of a batch.
+// Queries about how the parts of two shapes meet. They have no batches.
 #pragma once
 
 #include "query.hpp"

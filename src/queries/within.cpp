@@ -12,7 +12,7 @@ namespace queries {
 
 namespace {
 
-/// Called, so that the code of a pair exists once. The shapes are read in place, as in pair_table.hpp.
+/// Not inlined, so that the code of a pair exists once. The shapes are read in place, as in pair_table.hpp.
 template <class A, class B>
 VESICA_CALLED std::int32_t answer(const double* a, const double* b, double distance) noexcept {
   const void *const first = a, *const second = b;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shapes at most a distance apart: asked by kind and flat numbers, and of arrays. No descriptor of a Query: those know no
-// distance.
+// Are shapes within a distance? For two shapes by kind and flat numbers, and for arrays. Not a Query, because a Query's
+// functions have no parameter for the distance.
 #pragma once
 
 #include "batch.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The angle of a vector in the first quadrant. The C library's atan2 has other last digits on other systems; this one
-/// has the same everywhere.
+/// The angle of a vector in the first quadrant. The last digits of the C library's atan2 differ between systems; this
+/// one gives the same bits everywhere.
 #pragma once
 
 #include <cmath>
@@ -20,8 +20,8 @@ inline constexpr double angle_of_eighth[] = {0x0.0p+0,
 /// pi / 2 and what it is short of.
 inline constexpr double right_angle = 0x1.921fb54442d18p+0, right_angle_rest = 0x1.1a62633145c07p-54;
 
-/// atan(t) for 0 <= t <= 1, to 2u: atan(t) = atan(c) + atan((t - c) / (1 + t c)), where c is the eighth next to t. What is
-/// left is at most 1/16 in magnitude, and the first term left out of its series, x^15 / 15, at most 2^-59 of it.
+/// atan(t) for 0 <= t <= 1, to 2u: atan(t) = atan(c) + atan((t - c) / (1 + t c)), where c is the eighth next to t. What
+/// is left is at most 1/16 in magnitude, and the first term left out of its series, x^15 / 15, at most 2^-59 of it.
 inline double angle_of_tangent(double t) noexcept {
   const int eighths = static_cast<int>(16 * t + 1) / 2;
   const double c = 0.125 * eighths;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What products of twofolds are made of, for scalar code that is compiled for processors with fused multiply-adds and
-/// for those without: by splitting, as in twofold.hpp, or fused. Both are exact, so that all bits are the same, where
-/// products are 0 or between 2^-960 and 2^1000.
+/// The exact products of twofold arithmetic, for scalar code that is compiled for processors with fused multiply-adds
+/// and for those without: by splitting, as in twofold.hpp, or fused. Both are exact, so that all bits are the same,
+/// where products are 0 or between 2^-960 and 2^1000.
 #pragma once
 
 #include <vesica/arithmetic/twofold.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A shape whose kind is known when the program runs. What is asked of moving shapes is long and depends on the form
-/// alone, so it exists once for all kinds.
+/// A shape whose kind is known only at run time. The code for moving shapes is long and depends on the form alone, so
+/// it exists once for all kinds.
 #pragma once
 
 #include <vesica/each_shape.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The direction n along which the shapes are separated longest, found in double. What cancels where the line grazes M
-/// is taken in twofold arithmetic. How good n is bound.hpp tells afterwards.
+/// The direction n along which the shapes are separated longest, found in double. Terms that cancel where the line
+/// grazes M are computed in twofold arithmetic. bound.hpp measures afterwards how good n is.
 ///
 /// With n = -v + s perp(v) and q = D.v it maximises the concave g(s) = v.v T(n) + q,
 ///

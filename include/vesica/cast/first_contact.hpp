@@ -2,8 +2,8 @@
 /// The first contact of two shapes that are apart at the start: the greatest double with no contact before it, the
 /// point and the normal.
 ///
-/// The bounds of bound.hpp mostly have no double between them, which then is the time. Otherwise, and where numbers are
-/// wildly unlike, doubles are tried: whether there is contact before one of them is exact.
+/// Mostly there is no double between the bounds of bound.hpp; then the lower one is the time, rounded down. Otherwise,
+/// and for extreme magnitudes, doubles are tried: exact predicates tell whether there is contact before one of them.
 #pragma once
 
 #include <vesica/arithmetic/rounding.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Rays, and discs that meet discs, quickly: what they mostly meet is decided and computed by what their kinds need, and
-/// nothing else. Where that leaves anything open, nothing is said, and the way for all kinds answers. Both give the same
-/// bits: whether there is contact and the time are certain, and points and normals are made of the same operations.
+/// The quick path for rays, two discs and two ellipses: ordinary cases are decided and computed by formulas for these
+/// kinds alone. If anything stays uncertain, the general path answers. Both give the same bits: whether there is
+/// contact and the time are certain, and points and normals are computed by the same operations.
 ///
 /// Bounds below have u = 2^-53. Differences of coordinates are off by u of themselves. Underflow adds less than 2^-400:
 /// velocities are between 2^-40 and 2^40 or so, lengths below 2^200 as in filter.hpp.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The contact of a ray with a box or a segment of which quick.hpp tells that they meet. Points and normals are made of
-/// the operations of first_contact.hpp, in a scene that needs no scaling. The time is the floor of T(n), n being the normal
-/// of the face that is met.
+/// The contact of a ray with a box or a segment, after quick.hpp has decided that they meet. Points and normals are
+/// computed by the operations of first_contact.hpp, in a scene that needs no scaling. The time is T(n) rounded down,
+/// n being the normal of the face that is met.
 #pragma once
 
 #include <vesica/cast/quick_numbers.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The contact of round shapes of which quick.hpp tells that they meet. Points and normals are made of the operations of
-/// first_contact.hpp, in a scene that needs no scaling. The time is the floor of one step of Newton's method for f(t) = 0,
-/// f being convex along the ray; of two ellipses that of T(n), as in bound.hpp.
+/// The contact of round shapes, after quick.hpp has decided that they meet. Points and normals are computed by the
+/// operations of first_contact.hpp, in a scene that needs no scaling. The time is one step of Newton's method for
+/// f(t) = 0, f being convex along the ray, rounded down; for two ellipses it is T(n), as in bound.hpp.
 #pragma once
 
 #include <vesica/cast/quick_numbers.hpp>

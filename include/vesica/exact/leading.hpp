@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The leading digits of long numbers: nearly always they tell the sign of a polynomial, in a small part of the time
-/// that all digits take. What they do not tell is asked of the numbers themselves.
+/// The leading digits of long numbers. Nearly always they decide the sign of a polynomial, in a small part of the time
+/// that all digits take. If they do not, all digits are used.
 #pragma once
 
 #include <initializer_list>
@@ -127,7 +127,7 @@ constexpr Leading<limbs> operator-(const Leading<limbs>& a, const Leading<limbs>
   return a + -b;
 }
 
-/// Of numbers with more limbs the leading digits are worth asking first: few of them, and then more.
+/// For numbers with more limbs than this, leading digits are tried first: few of them, and then more.
 inline constexpr int least_long = 16, few_limbs = 6, some_limbs = 12, more_limbs = 24, most_limbs = 48;
 
 template <int Degree>
@@ -148,7 +148,7 @@ constexpr bool digits_tell(int& sign, const Polynomial& value, const Number<Degr
   return leading.sign_is_certain();
 }
 
-/// Whether leading digits of long numbers tell the sign of a polynomial in them.
+/// Whether leading digits are long enough to decide the sign of a polynomial in these numbers.
 template <class Polynomial, int... Degree>
 constexpr bool leading_digits_tell(int& sign, const Polynomial& value, const Number<Degree>&... x) noexcept {
   if (!(is_long(x) || ...)) return false;
@@ -204,8 +204,9 @@ struct Signs {
   }
 };
 
-/// The answer to a question about signs: from a few leading digits where these tell. Else the numbers that it forms are
-/// exact, and of_polynomial() asks for their digits as it needs them: most of what cancels cancels in the first sums.
+/// The answer to a question about signs, from a few leading digits if these suffice. Otherwise it is computed from
+/// exact numbers, of which of_polynomial() takes as many digits as it needs: most cancellation happens in the first
+/// sums.
 template <class Question, int... Degree>
 constexpr auto decide(const Question& question, const Number<Degree>&... x) noexcept {
   if ((is_long(x) || ...)) {

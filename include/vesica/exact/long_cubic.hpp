@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Signs about two ellipses from leading digits, where exponents are wildly unlike and all digits would take a hundred
+/// Signs about two ellipses from leading digits, for extreme magnitudes, where all digits would take a hundred
 /// microseconds and more.
 #pragma once
 
@@ -10,8 +10,9 @@ namespace vesica::exact {
 
 constexpr bool is_long(const ContactCubic& p) noexcept { return is_long(p.c1) || is_long(p.c2); }
 
-/// What may be far smaller than its terms: delta = mu^2 - 4 d1 d2, which is 0 iff S1 and S2 are proportional, and g = d1
-/// + d2 - mu = det(S1 - S2). From leading digits these lose what cancels; so, where it must be, they are formed exactly.
+/// What may be far smaller than its terms: delta = mu^2 - 4 d1 d2, which is 0 iff S1 and S2 are proportional, and g =
+/// d1 + d2 - mu = det(S1 - S2). From leading digits these lose what cancels; so, where it must be, they are formed
+/// exactly.
 template <class Degree16, class Degree8>
 struct SmallParts {
   Degree16 delta;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Exact arithmetic for the few questions that filters leave open. A number is a sign and a magnitude in 64-bit limbs,
+/// Exact arithmetic for the few pairs that filters leave undecided. A number is a sign and a magnitude in 64-bit limbs,
 /// scaled by a whole number of limbs. There is no heap, no overflow and no underflow: each type carries the degree of
 /// the polynomial that its numbers are values of, and the degree bounds the storage that such a value can need.
 #pragma once

@@ -25,7 +25,7 @@ constexpr vesica::detail::arithmetic::Scaled rounded(const Number<Degree>& x) no
 
 namespace detail {
 
-/// rounded(), where what is missing makes no difference to it.
+/// rounded() of leading digits, if the missing digits cannot change the result.
 template <int limbs>
 constexpr bool rounds_surely(const Leading<limbs>& x, vesica::detail::arithmetic::Scaled& out) noexcept {
   constexpr int degree = (limbs + 31) / 32 + 1;
@@ -52,7 +52,7 @@ constexpr bool rounds_surely(const Leading<limbs>& x, vesica::detail::arithmetic
 
 }  // namespace detail
 
-/// rounded() of a polynomial in these numbers, from the leading digits of long ones where these tell.
+/// rounded() of a polynomial in these numbers, from the leading digits of long ones if these suffice.
 template <class Polynomial, int... Degree>
 constexpr vesica::detail::arithmetic::Scaled rounded_value(const Polynomial& value,
                                                            const Number<Degree>&... x) noexcept {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Products of numbers whose exponents are wildly unlike: few of their many limbs matter.
+/// Products of numbers that are sums of terms of very different magnitudes: few of their many limbs matter.
 ///
 /// Such a number is a sum of a few stored ones, or products of them, far apart. Between them lie limbs that are all
 /// zeros, or all ones where a small number was subtracted. Those from place i up to place j are 2^(64 j) - 2^(64 i).

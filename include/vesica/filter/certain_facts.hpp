@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a filter knows for certain about how two shapes stand to each other.
+/// What a filter knows for certain about the relation of two shapes.
 #pragma once
 
 #include <vesica/filter/estimate.hpp>

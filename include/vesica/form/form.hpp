@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The one mapping from each shape to what is computed with: { C + s u + t perp(u) }, with an axis u and half sizes hx
-/// along it and hy across it. A new shape needs one function of() here; the exact stage, the filters and the placements
-/// in double follow from it.
+/// The one mapping from each shape to its form, a box or an ellipse { C + s u + t perp(u) } with an axis u and half
+/// sizes hx along it and hy across it. A new shape needs one function of() here; the exact stage, the filters and the
+/// placements in double follow from it.
 ///
-/// The mapping computes nothing. It names what each number of the form is made of, and each stage turns these parts
-/// into its own numbers: exact ones, rounded ones, lanes of a vector, twofolds or double-doubles.
+/// The mapping computes nothing. It says from which stored numbers each number of the form is made. Each stage computes
+/// them in its own arithmetic: exact, rounded, lanes of a vector, twofolds or double-doubles.
 #pragma once
 
 #include <utility>

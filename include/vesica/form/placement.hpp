@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the placements of a pair in double share: the offset of centres, and the power of two lengths are measured in.
+/// Common parts of the placements of a pair in double: the offset of centres, and the power of two that is the unit of
+/// length.
 ///
-/// Stored coordinates enter by their differences only, as exactly as two doubles hold them. So moving both shapes by
-/// the same exact amount changes nothing.
+/// Stored coordinates enter only by their differences, as exactly as two doubles hold them. So moving both shapes alike
+/// without rounding changes nothing.
 #pragma once
 
 #include <vesica/arithmetic/error_free.hpp>

@@ -36,8 +36,8 @@ inline Window window(const Scene& s) noexcept {
   return w;
 }
 
-/// How many directions are tried, and how many poses are looked at in all. A direction costs more, up to 30 us where
-/// exponents are wildly unlike; two or three are usual.
+/// The most directions, and the most poses in all, that are tried. A direction costs more, up to 30 us with extreme
+/// magnitudes; two or three are usual.
 inline constexpr int most_directions = 256, most_poses = 4096;
 
 /// A time and how far a direction separates there.

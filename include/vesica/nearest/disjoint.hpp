@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Two scaled shapes that are disjoint: the distance, and where it is reached. The pairs' own searches may end
-/// unsettled, mostly at ties within rounding. Then every vertex and face is tried here.
+/// Two scaled shapes that are disjoint: the distance, and where it is reached. A pair's own search may fail to settle,
+/// that is to prove its result, mostly at ties within rounding. Then every vertex and face is tried here.
 #pragma once
 
 #include <vesica/nearest/box_ellipse.hpp>

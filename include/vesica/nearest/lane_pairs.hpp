@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The four pairs that batches run in lanes: one template over double and lanes of double. The scalar call is its
-/// instance for double, so both give the same bits. Where it is not settled, both take the general way (disjoint.hpp,
-/// common_point.hpp).
+/// instance for double, so both give the same bits. Where that is not settled (see LaneAnswer), both take the general
+/// path (disjoint.hpp, common_point.hpp).
 #pragma once
 
 #include <vesica/filter/estimate.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How far a computed point is from where it should be. Common points are found in plain arithmetic, which needles
-/// defeat; this measures what came out.
+/// How far a computed common point is from an outline. Such points are computed in plain arithmetic, which may fail for
+/// needles; this measures the result.
 #pragma once
 
 #include <vesica/scalar.hpp>

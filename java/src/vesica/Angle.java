@@ -19,7 +19,7 @@ public enum Angle {
    */
   QUARTERS(2),
   /**
-   * added to a unit: angles turn from +x away from +y
+   * added to a unit: angles turn the other way, from +x towards -y
    */
   REVERSED(4);
 

@@ -19,7 +19,7 @@ public enum Cast {
    */
   START(2),
   /**
-   * vesica_impact_time_f64 alone: none before t, and perhaps none later
+   * only from vesica_impact_time_f64: none before t, and perhaps none later
    */
   NEAR(3);
 

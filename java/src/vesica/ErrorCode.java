@@ -11,7 +11,7 @@ public enum ErrorCode {
    */
   NULL(-1),
   /**
-   * a shape is invalid; vesica_check_f64 and _f32 tell why
+   * a shape is invalid; vesica_check_f64 or _f32 says why
    */
   SHAPE(-2),
   /**
@@ -39,7 +39,7 @@ public enum ErrorCode {
    */
   INVERTED(-8),
   /**
-   * a number of the result would be beyond the finite numbers of its type
+   * a number of the result would overflow its type
    */
   RANGE(-9),
   /**

@@ -3,9 +3,9 @@
 package vesica;
 
 /**
- * A first contact: when, where and along which normal.
+ * A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
  *
- * <p>(nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are NaN.
+ * <p>After a miss t is infinity and all other numbers are NaN.
  *
  * @param t t
  * @param x x

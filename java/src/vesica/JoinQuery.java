@@ -7,7 +7,7 @@ package vesica;
  */
 public enum JoinQuery {
   /**
-   * a and b share a point, as vesica_overlap_f64 tells
+   * a and b overlap, as by vesica_overlap_f64
    */
   OVERLAP(0),
   /**
@@ -15,7 +15,7 @@ public enum JoinQuery {
    */
   BOUNDS(1),
   /**
-   * a contains b, as vesica_contains_f64 tells
+   * a contains b, as by vesica_contains_f64
    */
   CONTAINS(2),
   /**

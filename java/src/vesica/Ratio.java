@@ -7,7 +7,7 @@ package vesica;
  */
 public enum Ratio {
   /**
-   * shared area / area of a and b together (IoU)
+   * shared area / area of the union of a and b (IoU)
    */
   OVER_UNION(0),
   /**
@@ -23,7 +23,7 @@ public enum Ratio {
    */
   OVER_SMALLER(3),
   /**
-   * IoU - the part of the hull that neither covers (GIoU)
+   * IoU - (area of the hull that neither covers / area of the hull) (GIoU)
    */
   GENERALIZED(4),
   /**

@@ -3,8 +3,8 @@
 package vesica;
 
 /**
- * How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that, in
- * radians. Positive angles turn counter-clockwise where y points up.
+ * How a shape moves while t runs from 0 to 1: the way (vx, vy) of its centre, and the angle in radians by which it
+ * turns about its centre. Positive angles turn counter-clockwise if y points up.
  *
  * @param vx vx
  * @param vy vy

@@ -11,11 +11,11 @@ public enum Within {
    */
   NO(0),
   /**
-   * they are not
+   * they are at most that far apart
    */
   YES(1),
   /**
-   * with an ellipse alone: their distance is too near the one asked for to tell
+   * only with an ellipse: their distance is too close to the one asked for to tell
    */
   NEARLY(2);
 

@@ -37,7 +37,7 @@ pub const VESICA_CONTAINS_TOUCH: i32 = 6;
 pub const VESICA_EQUAL: i32 = 7;
 /// a pointer is NULL
 pub const VESICA_E_NULL: i32 = -1;
-/// a shape is invalid; vesica_check_f64 and _f32 tell why
+/// a shape is invalid; vesica_check_f64 or _f32 says why
 pub const VESICA_E_SHAPE: i32 = -2;
 /// a kind is not one of the six
 pub const VESICA_E_KIND: i32 = -3;
@@ -51,7 +51,7 @@ pub const VESICA_E_NEGATIVE_SIZE: i32 = -6;
 pub const VESICA_E_ZERO_AXIS: i32 = -7;
 /// an AABB's min exceeds its max
 pub const VESICA_E_INVERTED: i32 = -8;
-/// a number of the result would be beyond the finite numbers of its type
+/// a number of the result would overflow its type
 pub const VESICA_E_RANGE: i32 = -9;
 /// bytes are not an index of this version, or are damaged
 pub const VESICA_E_INDEX: i32 = -10;
@@ -59,17 +59,17 @@ pub const VESICA_ANGLE_RADIANS: i32 = 0;
 pub const VESICA_ANGLE_DEGREES: i32 = 1;
 /// quarter turns
 pub const VESICA_ANGLE_QUARTERS: i32 = 2;
-/// added to a unit: angles turn from +x away from +y
+/// added to a unit: angles turn the other way, from +x towards -y
 pub const VESICA_ANGLE_REVERSED: i32 = 4;
-/// a and b share a point, as vesica_overlap_f64 tells
+/// a and b overlap, as by vesica_overlap_f64
 pub const VESICA_JOIN_OVERLAP: i32 = 0;
 /// their bounds in the indexes do: all pairs that overlap, and some that do not
 pub const VESICA_JOIN_BOUNDS: i32 = 1;
-/// a contains b, as vesica_contains_f64 tells
+/// a contains b, as by vesica_contains_f64
 pub const VESICA_JOIN_CONTAINS: i32 = 2;
 /// b contains a
 pub const VESICA_JOIN_INSIDE: i32 = 3;
-/// shared area / area of a and b together (IoU)
+/// shared area / area of the union of a and b (IoU)
 pub const VESICA_RATIO_OVER_UNION: i32 = 0;
 /// shared area / area of a (IoF)
 pub const VESICA_RATIO_OVER_FIRST: i32 = 1;
@@ -77,7 +77,7 @@ pub const VESICA_RATIO_OVER_FIRST: i32 = 1;
 pub const VESICA_RATIO_OVER_SECOND: i32 = 2;
 /// shared area / the smaller of the areas (IoS)
 pub const VESICA_RATIO_OVER_SMALLER: i32 = 3;
-/// IoU - the part of the hull that neither covers (GIoU)
+/// IoU - (area of the hull that neither covers / area of the hull) (GIoU)
 pub const VESICA_RATIO_GENERALIZED: i32 = 4;
 /// IoU - (distance of the centres / diagonal of the hull)^2 (DIoU)
 pub const VESICA_RATIO_DISTANCE: i32 = 5;
@@ -85,9 +85,9 @@ pub const VESICA_RATIO_DISTANCE: i32 = 5;
 pub const VESICA_RATIO_COMPLETE: i32 = 6;
 /// they are farther apart
 pub const VESICA_WITHIN_NO: i32 = 0;
-/// they are not
+/// they are at most that far apart
 pub const VESICA_WITHIN_YES: i32 = 1;
-/// with an ellipse alone: their distance is too near the one asked for to tell
+/// only with an ellipse: their distance is too close to the one asked for to tell
 pub const VESICA_WITHIN_NEARLY: i32 = 2;
 /// score \* (1 - r) if r exceeds the parameter, a threshold from 0 to 1
 pub const VESICA_DECAY_LINEAR: i32 = 0;
@@ -99,7 +99,7 @@ pub const VESICA_CAST_MISS: i32 = 0;
 pub const VESICA_CAST_HIT: i32 = 1;
 /// the shapes overlap at t = 0, as vesica_overlap_f64 tells
 pub const VESICA_CAST_START: i32 = 2;
-/// vesica_impact_time_f64 alone: none before t, and perhaps none later
+/// only from vesica_impact_time_f64: none before t, and perhaps none later
 pub const VESICA_CAST_NEAR: i32 = 3;
 /// characters of a nine-intersection matrix with its final NUL
 pub const VESICA_DE9IM_SIZE: i32 = 10;
@@ -213,7 +213,7 @@ pub type vesica_closest_points_f64 = ClosestPoints<f64>;
 /// [`ClosestPoints`] of f32.
 pub type vesica_closest_points_f32 = ClosestPoints<f32>;
 
-/// Where two outlines meet: `count` places (x\[i\], y\[i\]), the rest 0. shared is 1 if they have a stretch in common.
+/// Where two outlines meet: `count` places (x\[i\], y\[i\]), the rest 0. shared is 1 if the outlines share a stretch.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[allow(missing_docs)]
@@ -242,12 +242,11 @@ pub type vesica_penetration_f64 = Penetration<f64>;
 /// [`Penetration`] of f32.
 pub type vesica_penetration_f32 = Penetration<f32>;
 
-/// An array of shapes of one kind, however it lies in memory: as records, packed or padded, or as one column per
-/// number.
+/// An array of shapes of one kind in any memory layout: records, packed or padded, or one column per number.
 ///
 /// Number k of element i is at field\[k\] + i \* stride bytes, with k in the order of the shape's struct. stride is the
 /// size of a record for records, sizeof(double) for columns, 0 to repeat one shape, and negative to run backwards.
-/// Fields beyond those of the kind are not looked at. Numbers need no alignment. reserved must be 0.
+/// Fields beyond those of the kind are ignored. Numbers need no alignment. reserved must be 0.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[allow(missing_docs)]
@@ -263,9 +262,9 @@ pub type vesica_shapes_f64 = Shapes<f64>;
 /// [`Shapes`] of f32.
 pub type vesica_shapes_f32 = Shapes<f32>;
 
-/// A first contact: when, where and along which normal.
+/// A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
 ///
-/// (nx, ny) is the unit normal at (x, y) from a to b. After a miss t is infinity and all other numbers are NaN.
+/// After a miss t is infinity and all other numbers are NaN.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[allow(missing_docs)]
@@ -281,8 +280,8 @@ pub type vesica_impact_f64 = Impact<f64>;
 /// [`Impact`] of f32.
 pub type vesica_impact_f32 = Impact<f32>;
 
-/// How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that, in
-/// radians. Positive angles turn counter-clockwise where y points up.
+/// How a shape moves while t runs from 0 to 1: the way (vx, vy) of its centre, and the angle in radians by which it
+/// turns about its centre. Positive angles turn counter-clockwise if y points up.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[allow(missing_docs)]
@@ -297,7 +296,7 @@ pub type vesica_turn_f64 = Turn<f64>;
 pub type vesica_turn_f32 = Turn<f32>;
 
 extern "C" {
-    /// Version of the loaded library, to be compared with VESICA_VERSION: a smaller one is older than the header.
+    /// Version of the loaded library. If it is below VESICA_VERSION, the library is older than the header.
     ///
     /// Since: 0.1.
     pub fn vesica_version() -> i32;
@@ -313,7 +312,7 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_version_patch() -> i32;
-    /// What an error code means, as one English phrase without a final stop.
+    /// What an error code means, as one English phrase without a full stop.
     ///
     /// Returns: static text, never NULL: "success" for answers (\>= 0), "unknown error" for unknown codes.
     ///
@@ -333,10 +332,10 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_kind_name(kind: i32) -> *const u8;
-    /// Name of the instruction set that batches run on: the best that this processor has. Answers never depend on it.
+    /// Name of the instruction set that batches use: the best one of this processor. Answers never depend on it.
     ///
-    /// The environment variable VESICA_ISA forces another one. It is read once, when the library is loaded. A name that
-    /// is unknown, or of a set that the processor lacks, is ignored.
+    /// The environment variable VESICA_ISA selects another one. It is read once, when the library is loaded. An unknown
+    /// name is ignored, and so is a set that the processor lacks.
     ///
     /// Returns: static text: "sse2", "avx2", "avx512", "neon", "simd128" or "portable".
     ///
@@ -368,10 +367,11 @@ extern "C" {
     /// How does a relate to b? The answer is one of the eight relations of the region connection calculus (RCC-8).
     ///
     /// The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with one size
-    /// zero, is its two end points. A point, or a shape without any size, has no outline. The inside is all but the
-    /// outline. If several relations fit, VESICA_EQUAL comes first, then those of containment, then VESICA_CROSS. So a
-    /// segment that ends on the middle of another touches it, two segments along one line that overlap in part cross,
-    /// and a point on the rim of a disc is inside with touch. Exchanging the shapes always gives the converse relation.
+    /// zero, is its two end points. A point, or a shape without any size, has no outline. The inside is the shape
+    /// without its outline. If several relations fit, VESICA_EQUAL comes first, then those of containment, then
+    /// VESICA_CROSS. So a segment that ends on the middle of another touches it; two segments on one line that overlap
+    /// in part cross; a point on the rim of a disc is VESICA_INSIDE_TOUCH. Exchanging the shapes always gives the
+    /// converse relation.
     ///
     /// Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe
     /// them.
@@ -380,11 +380,11 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal, at worst 30.
+    /// Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_relation_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64) -> i32;
-    /// Does a contain all of b? A shape contains itself, and what touches its outline from inside.
+    /// Does a contain all of b? A shape contains itself, and whatever touches its outline from inside.
     ///
     /// Returns: 1 if vesica_relation_f64 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0.
     ///
@@ -399,22 +399,23 @@ extern "C" {
     /// Where do the outlines of two shapes meet? Touching counts.
     ///
     /// The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their
-    /// own outlines. A contact of any order is one place. If straight outlines have a stretch in common, its two end
-    /// points are places, and out-\>shared is 1. So equal boxes have their four corners. Equal curves have no single
-    /// places: then the count is 0 and out-\>shared is 1. Places come in order along a's outline, counter-clockwise in
-    /// the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's point C + a u, a circle's
-    /// point C + (r, 0), or a segment's first end.
+    /// own outlines. A contact counts as one place, however closely the curves touch there. If straight outlines share
+    /// a stretch, its two end points are places, and out-\>shared is 1; so equal boxes meet at their four corners. Two
+    /// equal curves meet everywhere: then the count is 0 and out-\>shared is 1. Places come in order along a's outline,
+    /// counter-clockwise in the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's
+    /// point C + a u, a circle's point C + (r, 0), or a segment's first end.
     ///
     /// Returns: the number of places, 0 to 8.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
     /// Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape,
-    /// however closely the outlines touch or coincide. Places closer to one another than that may come in either order
-    /// or be equal. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-    /// between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    /// even where the outlines nearly coincide. Places closer to one another than that may come in either order or be
+    /// equal. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
+    /// their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
+    /// \<= x.
     ///
-    /// Cost: 1 to 10 us; at worst 100 us, where exponents are wildly unlike.
+    /// Cost: 1 to 10 us; at worst 100 us.
     ///
     /// Since: 0.1.
     pub fn vesica_crossings_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -422,23 +423,21 @@ extern "C" {
     /// How far apart are two solid shapes, and which of their points are closest?
     ///
     /// If the shapes overlap (as vesica_overlap_f64 tells), the distance is 0 and both points are one common point. If
-    /// not, the distance is \> 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes by
-    /// the same exact amounts changes no bit of the distance.
+    /// not, the distance is \> 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes
+    /// alike changes no bit of the distance if no coordinate is rounded.
     ///
     /// Returns: 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
-    /// Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale. It is
-    /// right to 2 u of itself if it is above 1e-10 scale (aspect ratios up to 1e6) or above 1e-14 scale (up to 1000).
-    /// Before their coordinates are rounded, closest points are within 4 u scale of the outlines, and a common point is
-    /// within 8 u scale of both shapes. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the
-    /// largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer
-    /// size over its shorter one.
+    /// Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale. Its
+    /// relative error is at most 2 u above 1e-10 scale (aspect ratios up to 1e6) or 1e-14 scale (up to 1000). Closest
+    /// points are right to 4 u scale, and a common point to 8 u scale, before they are rounded. Bounds on computed
+    /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
+    /// their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's
-    /// centre; 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst
-    /// 40.
+    /// centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 40 us.
     ///
     /// Since: 0.1.
     pub fn vesica_nearest_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -449,21 +448,21 @@ extern "C" {
     /// their own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If shapes
     /// are disjoint, the result is that of vesica_nearest_f64. If one is strictly inside the other, the distance is the
     /// least over the whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes
-    /// exchanges the points and changes no bit. Moving both shapes by the same exact amounts changes no bit of the
-    /// distance.
+    /// exchanges the points and changes no bit. Moving both shapes alike changes no bit of the distance if no
+    /// coordinate is rounded.
     ///
     /// Returns: 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
     /// Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16
-    /// u scale. At any, it is above 0 if outlines do not meet, and points are on them to 12 u scale before they are
+    /// u scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before they are
     /// rounded. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-    /// between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    /// between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
+    /// error is \<= x.
     ///
-    /// Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2
-    /// us for a common point, of needles as vesica_crossings_f64; 5 us more if exact arithmetic must tell; at worst 100
-    /// us.
+    /// Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to
+    /// 2 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 100 us.
     ///
     /// Since: 0.1.
     pub fn vesica_boundary_distance_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -472,28 +471,28 @@ extern "C" {
     ///
     /// Moving b by out-\>depth along the unit vector (x, y) is the shortest translation after which a line separates
     /// the shapes: a on one side, b on the other, where both may touch the line. For disjoint shapes all three numbers
-    /// are 0. Overlapping shapes always get a direction. Their depth is 0 if such a line is there already: if they
+    /// are 0. Overlapping shapes always get a direction. Their depth is 0 if such a line exists without a move: if they
     /// touch from outside, if a point lies on an outline, or if points and segments lie along one line. Otherwise the
     /// depth is \> 0. Exchanging the shapes reverses the direction and changes no other bit, except for two equal
-    /// shapes in one place. Moving both shapes by the same exact amounts changes no bit.
+    /// shapes in one place. Moving both shapes alike changes no bit if no coordinate is rounded.
     ///
     /// Returns: 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
-    /// Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; of two circles, and of a point and a
-    /// circle, to its last place. The length of (x, y) is 1 but for 3 u, and it moves b clear but for 8 u scale.
-    /// Whether the depth is 0 is exact. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the
-    /// largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer
-    /// size over its shorter one.
+    /// Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place.
+    /// The length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is
+    /// exact. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
+    /// their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
+    /// \<= x.
     ///
-    /// Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to
-    /// 5 us if only exact arithmetic can tell the depth from 0; at worst 40 us, where exponents are wildly unlike.
+    /// Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
+    /// only exact arithmetic can tell the depth from 0; at worst 40 us.
     ///
     /// Since: 0.1.
     pub fn vesica_depth_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
         out: *mut Penetration<f64>) -> i32;
-    /// Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+    /// Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
     ///
     /// Returns: 0.
     ///
@@ -517,28 +516,27 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
-    /// Accuracy: within 64 u of the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4,
-    /// however near the outlines are to touching or coinciding and however different the sizes are. Bounds on computed
-    /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
-    /// their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    /// Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to
+    /// 10^4, even if the outlines nearly touch or coincide and whatever the sizes are. Bounds on computed numbers use u
+    /// = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
+    /// lengths. An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us, where exponents are wildly
-    /// unlike.
+    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
     ///
     /// Since: 0.1.
     pub fn vesica_area_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
         out: *mut f64) -> i32;
     /// Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
     ///
-    /// It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Nothing overflows or underflows on
-    /// the way, whatever the sizes. Exchanging the shapes, or scaling both by a power of two, changes no bit.
+    /// It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Intermediate results never
+    /// overflow or underflow. Exchanging the shapes, or scaling both by a power of two, changes no bit.
     ///
     /// Returns: 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (neither shape has an area).
     ///
-    /// Accuracy: the bound of vesica_area_f64, over the area of the union.
+    /// Accuracy: the bound of vesica_area_f64, divided by the area of the union.
     ///
     /// Cost: that of vesica_area_f64 and of vesica_shape_area_f64 twice.
     ///
@@ -552,8 +550,8 @@ extern "C" {
     ///
     /// Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
     ///
-    /// Cost: up to 80 ns; 1 to 3 us for magnitudes beyond 2^+-400, and for an ellipse with an oblique axis and
-    /// representable sides; at worst 20 us.
+    /// Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis
+    /// and representable sides; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_f64(kind: i32, numbers: *const f64, out: *mut Aabb<f64>) -> i32;
@@ -565,7 +563,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_point_f64(a: *const Point<f64>, b: *const Point<f64>) -> i32;
@@ -577,7 +575,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_segment_f64(a: *const Point<f64>, b: *const Segment<f64>) -> i32;
@@ -589,7 +587,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_circle_f64(a: *const Point<f64>, b: *const Circle<f64>) -> i32;
@@ -601,7 +599,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_aabb_f64(a: *const Point<f64>, b: *const Aabb<f64>) -> i32;
@@ -613,7 +611,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_rect_f64(a: *const Point<f64>, b: *const Rect<f64>) -> i32;
@@ -625,7 +623,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_ellipse_f64(a: *const Point<f64>, b: *const Ellipse<f64>) -> i32;
@@ -637,7 +635,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_segment_f64(a: *const Segment<f64>, b: *const Segment<f64>) -> i32;
@@ -649,7 +647,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_circle_f64(a: *const Segment<f64>, b: *const Circle<f64>) -> i32;
@@ -661,7 +659,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_aabb_f64(a: *const Segment<f64>, b: *const Aabb<f64>) -> i32;
@@ -673,7 +671,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_rect_f64(a: *const Segment<f64>, b: *const Rect<f64>) -> i32;
@@ -685,7 +683,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_ellipse_f64(a: *const Segment<f64>, b: *const Ellipse<f64>) -> i32;
@@ -697,7 +695,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_circle_f64(a: *const Circle<f64>, b: *const Circle<f64>) -> i32;
@@ -709,7 +707,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_aabb_f64(a: *const Circle<f64>, b: *const Aabb<f64>) -> i32;
@@ -721,7 +719,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_rect_f64(a: *const Circle<f64>, b: *const Rect<f64>) -> i32;
@@ -733,7 +731,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_ellipse_f64(a: *const Circle<f64>, b: *const Ellipse<f64>) -> i32;
@@ -745,7 +743,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_aabb_f64(a: *const Aabb<f64>, b: *const Aabb<f64>) -> i32;
@@ -757,7 +755,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_rect_f64(a: *const Aabb<f64>, b: *const Rect<f64>) -> i32;
@@ -769,7 +767,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_ellipse_f64(a: *const Aabb<f64>, b: *const Ellipse<f64>) -> i32;
@@ -781,7 +779,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_rect_rect_f64(a: *const Rect<f64>, b: *const Rect<f64>) -> i32;
@@ -793,7 +791,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_rect_ellipse_f64(a: *const Rect<f64>, b: *const Ellipse<f64>) -> i32;
@@ -805,7 +803,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_ellipse_ellipse_f64(a: *const Ellipse<f64>, b: *const Ellipse<f64>) -> i32;
@@ -827,9 +825,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
     ///
-    /// Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No number is exactly a quarter turn,
-    /// so the axis of one is parallel to a coordinate axis only to that rounding. Sizes are exact: if halving one would
-    /// round (an odd multiple of the smallest subnormal number), the axis is halved instead.
+    /// Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No double is exactly pi/2, so a
+    /// quarter turn has an exact axis only by vesica_rects_from_boxes_f64, which takes degrees too. Sizes are exact: if
+    /// halving one would round (an odd multiple of the smallest subnormal number), the axis is halved instead.
     ///
     /// Cost: about 40 ns.
     ///
@@ -848,8 +846,8 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent overflows).
     ///
     /// Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the longer
-    /// one; the centre is right to 1 unit in its own. To both comes 2^-98 times the largest coordinate. The corners of
-    /// an axis-parallel rectangle give exactly it if its centre and half extents are representable.
+    /// one; the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the largest coordinate. A
+    /// rectangle along the coordinate axes is found exactly if its centre and half extents are representable.
     ///
     /// Cost: about 110 ns.
     ///
@@ -863,7 +861,7 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
     ///
-    /// Accuracy: the axis as that of vesica_rect_from_angle_f64; half lengths are exact.
+    /// Accuracy: the axis is that of vesica_rect_from_angle_f64; half lengths are exact.
     ///
     /// Cost: about 40 ns.
     ///
@@ -897,8 +895,8 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k \< 0), VESICA_E_ARGUMENT (not a
     /// covariance), VESICA_E_RANGE (a half length overflows).
     ///
-    /// Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, however
-    /// near the matrix is to a singular one or to a circle's.
+    /// Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, even if the
+    /// matrix is nearly singular or nearly a circle's.
     ///
     /// Cost: about 90 ns.
     ///
@@ -915,7 +913,7 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_ARGUMENT (not positive definite).
     ///
-    /// Accuracy: that of vesica_ellipse_from_covariance_f64; no half length overflows.
+    /// Accuracy: that of vesica_ellipse_from_covariance_f64. No half length overflows.
     ///
     /// Cost: about 90 ns.
     ///
@@ -942,15 +940,14 @@ extern "C" {
     /// Returns: how many are 1.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs
-    /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-    /// an array that is beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
+    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+    /// array that exceeds the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float (see
-    /// README.md).
+    /// Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8) -> i64;
@@ -962,11 +959,11 @@ extern "C" {
     /// Returns: how many are not VESICA_DISJOINT.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs
-    /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-    /// an array that is beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
+    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+    /// array that exceeds the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
     /// Since: 0.1.
@@ -979,11 +976,11 @@ extern "C" {
     /// Returns: how many are 1.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs
-    /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-    /// an array that is beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
+    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+    /// array that exceeds the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
     /// Since: 0.1.
@@ -996,11 +993,11 @@ extern "C" {
     /// Returns: how many pairs overlap (distance 0).
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs
-    /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-    /// an array that is beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
+    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+    /// array that exceeds the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
     /// Since: 0.1.
@@ -1015,11 +1012,11 @@ extern "C" {
     /// Returns: how many pairs of outlines meet (distance 0).
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs
-    /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-    /// an array that is beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
+    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+    /// array that exceeds the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
     /// Since: 0.1.
@@ -1033,11 +1030,11 @@ extern "C" {
     /// Returns: how many depths are \> 0.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs
-    /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-    /// an array that is beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
+    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+    /// array that exceeds the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
     /// Since: 0.1.
@@ -1051,11 +1048,11 @@ extern "C" {
     /// Returns: how many areas are \> 0.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs
-    /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-    /// an array that is beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
+    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+    /// array that exceeds the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
     /// Since: 0.1.
@@ -1071,11 +1068,11 @@ extern "C" {
     /// Returns: how many are \> 0.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs
-    /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-    /// an array that is beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
+    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+    /// array that exceeds the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
     /// Since: 0.1.
@@ -1089,14 +1086,14 @@ extern "C" {
     /// Returns: how many are 1.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may
-    /// be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
-    /// or rows beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+    /// that exceed the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: that of one shape against many, however large the arrays are.
+    /// Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8,
@@ -1110,14 +1107,14 @@ extern "C" {
     /// Returns: how many are not VESICA_DISJOINT.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may
-    /// be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
-    /// or rows beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+    /// that exceed the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: that of one shape against many, however large the arrays are.
+    /// Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
     ///
     /// Since: 0.1.
     pub fn vesica_relation_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8,
@@ -1131,14 +1128,14 @@ extern "C" {
     /// Returns: how many are 1.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may
-    /// be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
-    /// or rows beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+    /// that exceed the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: that of one shape against many, however large the arrays are.
+    /// Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
     ///
     /// Since: 0.1.
     pub fn vesica_contains_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8,
@@ -1152,14 +1149,14 @@ extern "C" {
     /// Returns: how many are \> 0.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may
-    /// be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
-    /// or rows beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+    /// that exceed the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: that of one shape against many, however large the arrays are.
+    /// Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
     ///
     /// Since: 0.1.
     pub fn vesica_area_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64,
@@ -1175,14 +1172,14 @@ extern "C" {
     /// Returns: how many are \> 0.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may
-    /// be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
-    /// or rows beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+    /// that exceed the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: that of one shape against many, however large the arrays are.
+    /// Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
     ///
     /// Since: 0.1.
     pub fn vesica_iou_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64, row_stride: isize) -> i64;
@@ -1190,21 +1187,20 @@ extern "C" {
     ///
     /// Requires: one, an array of count 1; capacity, how many indices out has room for. It may be 0, and out then NULL.
     ///
-    /// Returns: how many there are, even if that is beyond the capacity. If room is left, the entry after the last is
-    /// -1.
+    /// Returns: how many there are, even if that exceeds the capacity. If room is left, the entry after the last is -1.
     ///
-    /// Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the indices of valid ones are written; -1
-    /// or the capacity ends them. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's
-    /// count is not 1, a negative capacity, and as vesica_overlap_many_f64).
+    /// Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the others are written as usual, up to the
+    /// -1 or the capacity. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's count is
+    /// not 1, a negative capacity, and as vesica_overlap_many_f64).
     ///
     /// Accuracy: every answer is that of vesica_overlap_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_select_f64(one: *const Shapes<f64>, many: *const Shapes<f64>, out: *mut i64,
         capacity: i64) -> i64;
-    /// Bytes of scratch memory that vesica_nms_f64 and vesica_nms_f32 need for that many shapes.
+    /// How many bytes of scratch do vesica_nms_f64, vesica_suppress_f64 and their float forms need for `count` shapes?
     ///
-    /// Returns: about 97 bytes for each, and 380,416.
+    /// Returns: 380,416 bytes and about 97 a shape.
     ///
     /// Errors: VESICA_E_ARGUMENT (a negative count, or one above 2147483647).
     ///
@@ -1213,20 +1209,20 @@ extern "C" {
     /// Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one
     /// whose vesica_iou_f64 with every shape kept before is at most the threshold.
     ///
-    /// Equal scores go by index, and infinite scores are legal. At threshold 1 all shapes are kept.
+    /// Of equal scores the lower index comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
     ///
     /// Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to 1;
     /// scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
     ///
-    /// Returns: 0. keep has the indices of the kept shapes in the order of their scores, and \*kept how many they are.
-    /// What follows them in keep is not written.
+    /// Returns: 0, with \*kept set to how many are kept. keep has their indices in the order of their scores; the rest
+    /// of keep is not written.
     ///
-    /// Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: the result is that without it, and is written.
-    /// Before anything is written: VESICA_E_NULL (if there are no shapes, only shapes and kept are looked at),
+    /// Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of the others
+    /// is written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may be NULL),
     /// VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f64, threshold, too
     /// little scratch).
     ///
-    /// Cost: an index, sorting, and an IoU where bounds and areas allow one above the threshold: 0.3 to 1.2 us a shape.
+    /// Cost: 0.3 to 1.2 us a shape.
     ///
     /// Since: 0.1.
     pub fn vesica_nms_f64(shapes: *const Shapes<f64>, scores: *const f64, threshold: f64, scratch: *mut c_void,
@@ -1257,10 +1253,11 @@ extern "C" {
     /// How does a relate to b? The answer is one of the eight relations of the region connection calculus (RCC-8).
     ///
     /// The outline of a shape with area is the curve around it. The outline of a segment, or of a shape with one size
-    /// zero, is its two end points. A point, or a shape without any size, has no outline. The inside is all but the
-    /// outline. If several relations fit, VESICA_EQUAL comes first, then those of containment, then VESICA_CROSS. So a
-    /// segment that ends on the middle of another touches it, two segments along one line that overlap in part cross,
-    /// and a point on the rim of a disc is inside with touch. Exchanging the shapes always gives the converse relation.
+    /// zero, is its two end points. A point, or a shape without any size, has no outline. The inside is the shape
+    /// without its outline. If several relations fit, VESICA_EQUAL comes first, then those of containment, then
+    /// VESICA_CROSS. So a segment that ends on the middle of another touches it; two segments on one line that overlap
+    /// in part cross; a point on the rim of a disc is VESICA_INSIDE_TOUCH. Exchanging the shapes always gives the
+    /// converse relation.
     ///
     /// Returns: VESICA_DISJOINT ... VESICA_EQUAL. Equal sets are VESICA_EQUAL, whatever kinds and numbers describe
     /// them.
@@ -1269,11 +1266,11 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal, at worst 30.
+    /// Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_relation_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32) -> i32;
-    /// Does a contain all of b? A shape contains itself, and what touches its outline from inside.
+    /// Does a contain all of b? A shape contains itself, and whatever touches its outline from inside.
     ///
     /// Returns: 1 if vesica_relation_f32 is VESICA_CONTAINS, VESICA_CONTAINS_TOUCH or VESICA_EQUAL, else 0.
     ///
@@ -1288,23 +1285,23 @@ extern "C" {
     /// Where do the outlines of two shapes meet? Touching counts.
     ///
     /// The outline of a shape with area is the curve around it. A segment, a point and a shape without area are their
-    /// own outlines. A contact of any order is one place. If straight outlines have a stretch in common, its two end
-    /// points are places, and out-\>shared is 1. So equal boxes have their four corners. Equal curves have no single
-    /// places: then the count is 0 and out-\>shared is 1. Places come in order along a's outline, counter-clockwise in
-    /// the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's point C + a u, a circle's
-    /// point C + (r, 0), or a segment's first end.
+    /// own outlines. A contact counts as one place, however closely the curves touch there. If straight outlines share
+    /// a stretch, its two end points are places, and out-\>shared is 1; so equal boxes meet at their four corners. Two
+    /// equal curves meet everywhere: then the count is 0 and out-\>shared is 1. Places come in order along a's outline,
+    /// counter-clockwise in the frame of its axis. The start is a box's corner C - hx u - hy perp(u), an ellipse's
+    /// point C + a u, a circle's point C + (r, 0), or a segment's first end.
     ///
     /// Returns: the number of places, 0 to 8.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
     /// Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape,
-    /// however closely the outlines touch or coincide. Places closer to one another than that may come in either order
-    /// or be equal. Each number is computed in double, within these bounds, and then rounded to float once. Bounds on
+    /// even where the outlines nearly coincide. Places closer to one another than that may come in either order or be
+    /// equal. Each number is computed in double, within these bounds, and then rounded to float once. Bounds on
     /// computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres
-    /// and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    /// and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
-    /// Cost: 1 to 10 us; at worst 100 us, where exponents are wildly unlike.
+    /// Cost: 1 to 10 us; at worst 100 us.
     ///
     /// Since: 0.1.
     pub fn vesica_crossings_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -1312,23 +1309,22 @@ extern "C" {
     /// How far apart are two solid shapes, and which of their points are closest?
     ///
     /// If the shapes overlap (as vesica_overlap_f32 tells), the distance is 0 and both points are one common point. If
-    /// not, the distance is \> 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes by
-    /// the same exact amounts changes no bit of the distance.
+    /// not, the distance is \> 0. Exchanging the shapes exchanges the points and changes no bit. Moving both shapes
+    /// alike changes no bit of the distance if no coordinate is rounded.
     ///
     /// Returns: 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
-    /// Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale. It is
-    /// right to 2 u of itself if it is above 1e-10 scale (aspect ratios up to 1e6) or above 1e-14 scale (up to 1000).
-    /// Before their coordinates are rounded, closest points are within 4 u scale of the outlines, and a common point is
-    /// within 8 u scale of both shapes. Each number is computed in double, within these bounds, and then rounded to
-    /// float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-    /// between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    /// Accuracy: the distance is right to 4 u scale at any aspect ratio; the largest error seen was 1 u scale. Its
+    /// relative error is at most 2 u above 1e-10 scale (aspect ratios up to 1e6) or 1e-14 scale (up to 1000). Closest
+    /// points are right to 4 u scale, and a common point to 8 u scale, before they are rounded. Each number is computed
+    /// in double, within these bounds, and then rounded to float once. Bounds on computed numbers use u = 2^-53. The
+    /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect
+    /// ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: 100 to 200 ns for disjoint shapes, 300 ns for the thinnest ellipses; 50 ns if a shape holds the other's
-    /// centre; 0.3 to 3 us for shapes that cross, for ties within rounding and for magnitudes beyond 2^+-40; at worst
-    /// 40.
+    /// centre; 0.3 to 3 us for shapes that cross, near-ties and magnitudes above 2^40 or below 2^-40; at worst 40 us.
     ///
     /// Since: 0.1.
     pub fn vesica_nearest_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -1339,22 +1335,21 @@ extern "C" {
     /// their own outlines. If outlines meet, the distance is 0 and (ax, ay) = (bx, by) is a point of both. If shapes
     /// are disjoint, the result is that of vesica_nearest_f32. If one is strictly inside the other, the distance is the
     /// least over the whole outline, never a local minimum. Which case holds is decided exactly. Exchanging the shapes
-    /// exchanges the points and changes no bit. Moving both shapes by the same exact amounts changes no bit of the
-    /// distance.
+    /// exchanges the points and changes no bit. Moving both shapes alike changes no bit of the distance if no
+    /// coordinate is rounded.
     ///
     /// Returns: 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
     /// Accuracy: at aspect ratios up to 1e6 the distance is right to 4 u scale, and the points are that far apart to 16
-    /// u scale. At any, it is above 0 if outlines do not meet, and points are on them to 12 u scale before they are
+    /// u scale. At any ratio it is above 0 unless outlines meet, and points are on them to 12 u scale before they are
     /// rounded. Each number is computed in double, within these bounds, and then rounded to float once. Bounds on
     /// computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres
-    /// and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    /// and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
-    /// Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, 1 us more for few; 0.5 to 2
-    /// us for a common point, of needles as vesica_crossings_f32; 5 us more if exact arithmetic must tell; at worst 100
-    /// us.
+    /// Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to
+    /// 2 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 100 us.
     ///
     /// Since: 0.1.
     pub fn vesica_boundary_distance_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -1363,28 +1358,28 @@ extern "C" {
     ///
     /// Moving b by out-\>depth along the unit vector (x, y) is the shortest translation after which a line separates
     /// the shapes: a on one side, b on the other, where both may touch the line. For disjoint shapes all three numbers
-    /// are 0. Overlapping shapes always get a direction. Their depth is 0 if such a line is there already: if they
+    /// are 0. Overlapping shapes always get a direction. Their depth is 0 if such a line exists without a move: if they
     /// touch from outside, if a point lies on an outline, or if points and segments lie along one line. Otherwise the
     /// depth is \> 0. Exchanging the shapes reverses the direction and changes no other bit, except for two equal
-    /// shapes in one place. Moving both shapes by the same exact amounts changes no bit.
+    /// shapes in one place. Moving both shapes alike changes no bit if no coordinate is rounded.
     ///
     /// Returns: 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
-    /// Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; of two circles, and of a point and a
-    /// circle, to its last place. The length of (x, y) is 1 but for 3 u, and it moves b clear but for 8 u scale.
-    /// Whether the depth is 0 is exact. Each number is computed in double, within these bounds, and then rounded to
-    /// float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
-    /// between their centres and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    /// Accuracy: at aspect ratios up to 1e6 the depth is right to 4 u scale; for circles and points, to its last place.
+    /// The length of (x, y) is 1 to 3 u. After the move at most 8 u scale of overlap is left. Whether the depth is 0 is
+    /// exact. Each number is computed in double, within these bounds, and then rounded to float once. Bounds on
+    /// computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres
+    /// and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
-    /// Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, and 1 us more for few of these; up to
-    /// 5 us if only exact arithmetic can tell the depth from 0; at worst 40 us, where exponents are wildly unlike.
+    /// Cost: about 150 ns for points, segments and boxes; 0.5 us with an ellipse, for a few 1 us more; up to 5 us if
+    /// only exact arithmetic can tell the depth from 0; at worst 40 us.
     ///
     /// Since: 0.1.
     pub fn vesica_depth_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
         out: *mut Penetration<f32>) -> i32;
-    /// Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+    /// Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
     ///
     /// Returns: 0.
     ///
@@ -1409,29 +1404,28 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
-    /// Accuracy: within 64 u of the smaller shape's area times the larger aspect ratio, at aspect ratios up to 10^4,
-    /// however near the outlines are to touching or coinciding and however different the sizes are. Each number is
-    /// computed in double, within these bounds, and then rounded to float once. Bounds on computed numbers use u =
-    /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
-    /// An aspect ratio is a shape's longer size over its shorter one.
+    /// Accuracy: right to 64 u times the smaller shape's area times the larger aspect ratio, at aspect ratios up to
+    /// 10^4, even if the outlines nearly touch or coincide and whatever the sizes are. Each number is computed in
+    /// double, within these bounds, and then rounded to float once. Bounds on computed numbers use u = 2^-53. The scale
+    /// of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio
+    /// is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: about 50 ns for two boxes, 150 ns for an ellipse and a box, 0.6 us for two ellipses; up to 10 us if
-    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us, where exponents are wildly
-    /// unlike.
+    /// outlines nearly touch or coincide, or if one shape is far larger; at worst 40 us.
     ///
     /// Since: 0.1.
     pub fn vesica_area_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
         out: *mut f32) -> i32;
     /// Intersection over union (Jaccard index) of two shapes: the area they share over the area they cover together.
     ///
-    /// It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Nothing overflows or underflows on
-    /// the way, whatever the sizes. Exchanging the shapes, or scaling both by a power of two, changes no bit.
+    /// It is exactly 1 for equal shapes and exactly 0 for shapes that share no area. Intermediate results never
+    /// overflow or underflow. Exchanging the shapes, or scaling both by a power of two, changes no bit.
     ///
     /// Returns: 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (neither shape has an area).
     ///
-    /// Accuracy: the bound of vesica_area_f32, over the area of the union.
+    /// Accuracy: the bound of vesica_area_f32, divided by the area of the union.
     /// Each number is computed in double, within these bounds, and then rounded to float once.
     ///
     /// Cost: that of vesica_area_f32 and of vesica_shape_area_f32 twice.
@@ -1446,8 +1440,8 @@ extern "C" {
     ///
     /// Accuracy: each side is the true extreme of the shape, rounded outward once. So a representable box is exact.
     ///
-    /// Cost: up to 80 ns; 1 to 3 us for magnitudes beyond 2^+-400, and for an ellipse with an oblique axis and
-    /// representable sides; at worst 20 us.
+    /// Cost: up to 80 ns; 1 to 3 us for magnitudes above 2^400 or below 2^-400, and for an ellipse with an oblique axis
+    /// and representable sides; at worst 20 us.
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_f32(kind: i32, numbers: *const f32, out: *mut Aabb<f32>) -> i32;
@@ -1459,7 +1453,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_point_f32(a: *const Point<f32>, b: *const Point<f32>) -> i32;
@@ -1471,7 +1465,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_segment_f32(a: *const Point<f32>, b: *const Segment<f32>) -> i32;
@@ -1483,7 +1477,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_circle_f32(a: *const Point<f32>, b: *const Circle<f32>) -> i32;
@@ -1495,7 +1489,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_aabb_f32(a: *const Point<f32>, b: *const Aabb<f32>) -> i32;
@@ -1507,7 +1501,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_rect_f32(a: *const Point<f32>, b: *const Rect<f32>) -> i32;
@@ -1519,7 +1513,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_point_ellipse_f32(a: *const Point<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1531,7 +1525,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_segment_f32(a: *const Segment<f32>, b: *const Segment<f32>) -> i32;
@@ -1543,7 +1537,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_circle_f32(a: *const Segment<f32>, b: *const Circle<f32>) -> i32;
@@ -1555,7 +1549,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_aabb_f32(a: *const Segment<f32>, b: *const Aabb<f32>) -> i32;
@@ -1567,7 +1561,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_rect_f32(a: *const Segment<f32>, b: *const Rect<f32>) -> i32;
@@ -1579,7 +1573,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_segment_ellipse_f32(a: *const Segment<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1591,7 +1585,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_circle_f32(a: *const Circle<f32>, b: *const Circle<f32>) -> i32;
@@ -1603,7 +1597,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_aabb_f32(a: *const Circle<f32>, b: *const Aabb<f32>) -> i32;
@@ -1615,7 +1609,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_rect_f32(a: *const Circle<f32>, b: *const Rect<f32>) -> i32;
@@ -1627,7 +1621,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_circle_ellipse_f32(a: *const Circle<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1639,7 +1633,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_aabb_f32(a: *const Aabb<f32>, b: *const Aabb<f32>) -> i32;
@@ -1651,7 +1645,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_rect_f32(a: *const Aabb<f32>, b: *const Rect<f32>) -> i32;
@@ -1663,7 +1657,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_aabb_ellipse_f32(a: *const Aabb<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1675,7 +1669,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_rect_rect_f32(a: *const Rect<f32>, b: *const Rect<f32>) -> i32;
@@ -1687,7 +1681,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_rect_ellipse_f32(a: *const Rect<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1699,7 +1693,7 @@ extern "C" {
     ///
     /// Accuracy: exact.
     ///
-    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide, at worst 30.
+    /// Cost: a few to 20 ns; 0.1 to 3 us for the rare near-ties that only exact arithmetic can decide; at worst 30 us.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_ellipse_ellipse_f32(a: *const Ellipse<f32>, b: *const Ellipse<f32>) -> i32;
@@ -1721,9 +1715,9 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
     ///
-    /// Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No number is exactly a quarter turn,
-    /// so the axis of one is parallel to a coordinate axis only to that rounding. Sizes are exact: if halving one would
-    /// round (an odd multiple of the smallest subnormal number), the axis is halved instead.
+    /// Accuracy: the axis is (cos, sin), each right to 1 unit in the last place. No double is exactly pi/2, so a
+    /// quarter turn has an exact axis only by vesica_rects_from_boxes_f32, which takes degrees too. Sizes are exact: if
+    /// halving one would round (an odd multiple of the smallest subnormal number), the axis is halved instead.
     ///
     /// Cost: about 40 ns.
     ///
@@ -1742,8 +1736,8 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_RANGE (a half extent overflows).
     ///
     /// Accuracy: half extents, and the axis times the longer one, are right to 8 units in the last place of the longer
-    /// one; the centre is right to 1 unit in its own. To both comes 2^-98 times the largest coordinate. The corners of
-    /// an axis-parallel rectangle give exactly it if its centre and half extents are representable.
+    /// one; the centre is right to 1 unit in its own. Both errors may grow by 2^-98 times the largest coordinate. A
+    /// rectangle along the coordinate axes is found exactly if its centre and half extents are representable.
     ///
     /// Cost: about 110 ns.
     ///
@@ -1757,7 +1751,7 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE.
     ///
-    /// Accuracy: the axis as that of vesica_rect_from_angle_f32; half lengths are exact.
+    /// Accuracy: the axis is that of vesica_rect_from_angle_f32; half lengths are exact.
     ///
     /// Cost: about 40 ns.
     ///
@@ -1791,8 +1785,8 @@ extern "C" {
     /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_NEGATIVE_SIZE (k \< 0), VESICA_E_ARGUMENT (not a
     /// covariance), VESICA_E_RANGE (a half length overflows).
     ///
-    /// Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, however
-    /// near the matrix is to a singular one or to a circle's.
+    /// Accuracy: half lengths and both components of the axis are right to 8 units in their own last place, even if the
+    /// matrix is nearly singular or nearly a circle's.
     ///
     /// Cost: about 90 ns.
     ///
@@ -1809,7 +1803,7 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_NOT_FINITE, VESICA_E_ARGUMENT (not positive definite).
     ///
-    /// Accuracy: that of vesica_ellipse_from_covariance_f32; no half length overflows.
+    /// Accuracy: that of vesica_ellipse_from_covariance_f32. No half length overflows.
     ///
     /// Cost: about 90 ns.
     ///
@@ -1836,15 +1830,14 @@ extern "C" {
     /// Returns: how many are 1.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs
-    /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-    /// an array that is beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
+    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+    /// array that exceeds the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float (see
-    /// README.md).
+    /// Cost: in cache, from columns, with AVX-512: 0.6 to 1.1 ns a pair in double, 0.3 to 0.5 ns in float.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8) -> i64;
@@ -1856,11 +1849,11 @@ extern "C" {
     /// Returns: how many are not VESICA_DISJOINT.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs
-    /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-    /// an array that is beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
+    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+    /// array that exceeds the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
     /// Since: 0.1.
@@ -1873,11 +1866,11 @@ extern "C" {
     /// Returns: how many are 1.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs
-    /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-    /// an array that is beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
+    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+    /// array that exceeds the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
     /// Since: 0.1.
@@ -1890,11 +1883,11 @@ extern "C" {
     /// Returns: how many pairs overlap (distance 0).
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs
-    /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-    /// an array that is beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
+    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+    /// array that exceeds the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
     /// Since: 0.1.
@@ -1909,11 +1902,11 @@ extern "C" {
     /// Returns: how many pairs of outlines meet (distance 0).
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs
-    /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-    /// an array that is beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
+    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+    /// array that exceeds the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
     /// Since: 0.1.
@@ -1927,11 +1920,11 @@ extern "C" {
     /// Returns: how many depths are \> 0.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs
-    /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-    /// an array that is beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
+    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+    /// array that exceeds the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
     /// Since: 0.1.
@@ -1945,11 +1938,11 @@ extern "C" {
     /// Returns: how many areas are \> 0.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs
-    /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-    /// an array that is beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
+    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+    /// array that exceeds the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
     /// Since: 0.1.
@@ -1965,11 +1958,11 @@ extern "C" {
     /// Returns: how many are \> 0.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and outputs
-    /// may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or
-    /// an array that is beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and outputs may be
+    /// NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (counts that are negative or do not agree, reserved is not 0, or an
+    /// array that exceeds the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
     /// Since: 0.1.
@@ -1983,14 +1976,14 @@ extern "C" {
     /// Returns: how many are 1.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may
-    /// be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
-    /// or rows beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+    /// that exceed the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: that of one shape against many, however large the arrays are.
+    /// Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8,
@@ -2004,14 +1997,14 @@ extern "C" {
     /// Returns: how many are not VESICA_DISJOINT.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may
-    /// be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
-    /// or rows beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+    /// that exceed the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: that of one shape against many, however large the arrays are.
+    /// Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
     ///
     /// Since: 0.1.
     pub fn vesica_relation_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8,
@@ -2025,14 +2018,14 @@ extern "C" {
     /// Returns: how many are 1.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may
-    /// be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
-    /// or rows beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+    /// that exceed the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: that of one shape against many, however large the arrays are.
+    /// Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
     ///
     /// Since: 0.1.
     pub fn vesica_contains_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8,
@@ -2046,14 +2039,14 @@ extern "C" {
     /// Returns: how many are \> 0.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may
-    /// be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
-    /// or rows beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+    /// that exceed the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: that of one shape against many, however large the arrays are.
+    /// Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
     ///
     /// Since: 0.1.
     pub fn vesica_area_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32,
@@ -2069,14 +2062,14 @@ extern "C" {
     /// Returns: how many are \> 0.
     ///
     /// Errors: VESICA_E_SHAPE if an element is invalid: its results are 0 (bytes) or NaN (numbers), and all others are
-    /// written as usual. Before anything is written: VESICA_E_NULL (if there is nothing to answer, fields and out may
-    /// be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array
-    /// or rows beyond the address space).
+    /// written as usual. Before anything is written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL),
+    /// VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows
+    /// that exceed the address space).
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: that of one shape against many, however large the arrays are.
+    /// Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
     ///
     /// Since: 0.1.
     pub fn vesica_iou_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32, row_stride: isize) -> i64;
@@ -2084,12 +2077,11 @@ extern "C" {
     ///
     /// Requires: one, an array of count 1; capacity, how many indices out has room for. It may be 0, and out then NULL.
     ///
-    /// Returns: how many there are, even if that is beyond the capacity. If room is left, the entry after the last is
-    /// -1.
+    /// Returns: how many there are, even if that exceeds the capacity. If room is left, the entry after the last is -1.
     ///
-    /// Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the indices of valid ones are written; -1
-    /// or the capacity ends them. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's
-    /// count is not 1, a negative capacity, and as vesica_overlap_many_f32).
+    /// Errors: VESICA_E_SHAPE if a shape is invalid: it is not selected, and the others are written as usual, up to the
+    /// -1 or the capacity. Before anything is written: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (one's count is
+    /// not 1, a negative capacity, and as vesica_overlap_many_f32).
     ///
     /// Accuracy: every answer is that of vesica_overlap_f32.
     ///
@@ -2099,34 +2091,35 @@ extern "C" {
     /// Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one
     /// whose vesica_iou_f32 with every shape kept before is at most the threshold.
     ///
-    /// Equal scores go by index, and infinite scores are legal. At threshold 1 all shapes are kept.
+    /// Of equal scores the lower index comes first. Infinite scores are legal. At threshold 1 all shapes are kept.
     ///
     /// Requires: shapes, of a kind from VESICA_CIRCLE to VESICA_ELLIPSE; scores, one for each; threshold from 0 to 1;
     /// scratch, of vesica_nms_scratch bytes or more, with any alignment and content; keep, with room for all indices.
     ///
-    /// Returns: 0. keep has the indices of the kept shapes in the order of their scores, and \*kept how many they are.
-    /// What follows them in keep is not written.
+    /// Returns: 0, with \*kept set to how many are kept. keep has their indices in the order of their scores; the rest
+    /// of keep is not written.
     ///
-    /// Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: the result is that without it, and is written.
-    /// Before anything is written: VESICA_E_NULL (if there are no shapes, only shapes and kept are looked at),
+    /// Errors: VESICA_E_SHAPE if a shape is invalid or its score is NaN: it is left out, and the result of the others
+    /// is written. Before anything is written: VESICA_E_NULL (with count 0 all but shapes and kept may be NULL),
     /// VESICA_E_KIND (points and segments too), VESICA_E_ARGUMENT (the array as vesica_overlap_many_f32, threshold, too
     /// little scratch).
     ///
-    /// Cost: an index, sorting, and an IoU where bounds and areas allow one above the threshold: 0.3 to 1.2 us a shape.
+    /// Cost: 0.3 to 1.2 us a shape.
     ///
     /// Since: 0.1.
     pub fn vesica_nms_f32(shapes: *const Shapes<f32>, scores: *const f32, threshold: f32, scratch: *mut c_void,
         scratch_size: i64, keep: *mut i64, kept: *mut i64) -> i32;
     /// Rectangles from boxes.
     ///
-    /// Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
+    /// Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; angle, a unit of angles,
+    /// or its sum with VESICA_ANGLE_REVERSED; out, room for `count`.
     ///
     /// Returns: 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+    /// numbers of that result are NaN, and all other results are written as usual. Before anything is written:
     /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
-    /// beyond the address space, an unknown unit of angles).
+    /// that exceeds the address space, an unknown unit of angles).
     ///
     /// Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90,
     /// and whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f64.
@@ -2136,16 +2129,16 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_rects_from_boxes_f64(boxes: *const f64, count: i64, stride: isize, angle: i32,
         out: *mut Rect<f64>) -> i64;
-    /// Ellipses from the boxes about them, whose sides they touch in the middle.
+    /// Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
     ///
     /// Requires: as vesica_rects_from_boxes_f64.
     ///
     /// Returns: 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+    /// numbers of that result are NaN, and all other results are written as usual. Before anything is written:
     /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
-    /// beyond the address space, an unknown unit of angles).
+    /// that exceeds the address space, an unknown unit of angles).
     ///
     /// Accuracy: as vesica_rects_from_boxes_f64. Half lengths are halves of width and height.
     ///
@@ -2154,56 +2147,56 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_ellipses_from_boxes_f64(boxes: *const f64, count: i64, stride: isize, angle: i32,
         out: *mut Ellipse<f64>) -> i64;
-    /// Boxes from rectangles, or about ellipses: the way back.
+    /// Boxes from rectangles or from ellipses: the inverse of the two functions above.
     ///
-    /// An angle is from -180 to 180 degrees.
+    /// Angles are from -180 to 180 degrees, in the unit asked for.
     ///
-    /// Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without
-    /// gaps.
+    /// Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; angle as vesica_rects_from_boxes_f64; boxes, room for
+    /// `count` rows of five numbers, without gaps.
     ///
     /// Returns: 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+    /// numbers of that result are NaN, and all other results are written as usual. Before anything is written:
     /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
-    /// beyond the address space, an unknown unit of angles).
+    /// that exceeds the address space, an unknown unit of angles).
     ///
     /// Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of
-    /// a quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact.
+    /// a quarter turn. If an axis lies exactly along a coordinate axis, degrees and quarter turns are exact.
     ///
     /// Cost: about 70 ns a shape.
     ///
     /// Since: 0.1.
     pub fn vesica_boxes_from_shapes_f64(shapes: *const Shapes<f64>, angle: i32, boxes: *mut f64) -> i64;
-    /// The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+    /// The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
     ///
-    /// Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
+    /// The first corner is C - hx u - hy perp(u), the next C + hx u - hy perp(u), and so on round the outline.
     ///
     /// Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
     ///
     /// Returns: 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+    /// numbers of that result are NaN, and all other results are written as usual. Before anything is written:
     /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
-    /// beyond the address space, an unknown unit of angles).
+    /// that exceeds the address space, an unknown unit of angles).
     ///
-    /// Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
+    /// Accuracy: a coordinate is right to 1 unit in its last place plus 2^-98 times the largest of its three terms.
     ///
     /// Cost: about 70 ns a shape.
     ///
     /// Since: 0.1.
     pub fn vesica_corners_of_shapes_f64(shapes: *const Shapes<f64>, corners: *mut f64) -> i64;
-    /// The bounds of shapes of any kind: out\[i\] is the result of vesica_bounds_f64.
+    /// Bounding boxes of an array of any kind: out\[i\] is the result of vesica_bounds_f64.
     ///
     /// Requires: out, room for `count`.
     ///
     /// Returns: 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+    /// numbers of that result are NaN, and all other results are written as usual. Before anything is written:
     /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
-    /// beyond the address space, an unknown unit of angles).
+    /// that exceeds the address space, an unknown unit of angles).
     ///
     /// Accuracy: that of vesica_bounds_f64.
     ///
@@ -2213,14 +2206,15 @@ extern "C" {
     pub fn vesica_bounds_many_f64(shapes: *const Shapes<f64>, out: *mut Aabb<f64>) -> i64;
     /// Rectangles from boxes.
     ///
-    /// Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; out, room for `count`.
+    /// Requires: boxes, `count` rows of five numbers with any alignment, `stride` bytes apart; angle, a unit of angles,
+    /// or its sum with VESICA_ANGLE_REVERSED; out, room for `count`.
     ///
     /// Returns: 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+    /// numbers of that result are NaN, and all other results are written as usual. Before anything is written:
     /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
-    /// beyond the address space, an unknown unit of angles).
+    /// that exceeds the address space, an unknown unit of angles).
     ///
     /// Accuracy: the axis is (cos, sin), each right to 1.1 units in the last place. Degrees that are multiples of 90,
     /// and whole quarter turns, give exact axes. Sizes are those of vesica_rect_from_angle_f32. Each number is computed
@@ -2231,16 +2225,16 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_rects_from_boxes_f32(boxes: *const f32, count: i64, stride: isize, angle: i32,
         out: *mut Rect<f32>) -> i64;
-    /// Ellipses from the boxes about them, whose sides they touch in the middle.
+    /// Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
     ///
     /// Requires: as vesica_rects_from_boxes_f32.
     ///
     /// Returns: 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+    /// numbers of that result are NaN, and all other results are written as usual. Before anything is written:
     /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
-    /// beyond the address space, an unknown unit of angles).
+    /// that exceeds the address space, an unknown unit of angles).
     ///
     /// Accuracy: as vesica_rects_from_boxes_f32. Half lengths are halves of width and height.
     /// Each number is computed in double, within these bounds, and then rounded to float once.
@@ -2250,58 +2244,58 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_ellipses_from_boxes_f32(boxes: *const f32, count: i64, stride: isize, angle: i32,
         out: *mut Ellipse<f32>) -> i64;
-    /// Boxes from rectangles, or about ellipses: the way back.
+    /// Boxes from rectangles or from ellipses: the inverse of the two functions above.
     ///
-    /// An angle is from -180 to 180 degrees.
+    /// Angles are from -180 to 180 degrees, in the unit asked for.
     ///
-    /// Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; boxes, room for `count` rows of five numbers, without
-    /// gaps.
+    /// Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; angle as vesica_rects_from_boxes_f32; boxes, room for
+    /// `count` rows of five numbers, without gaps.
     ///
     /// Returns: 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+    /// numbers of that result are NaN, and all other results are written as usual. Before anything is written:
     /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
-    /// beyond the address space, an unknown unit of angles).
+    /// that exceeds the address space, an unknown unit of angles).
     ///
     /// Accuracy: width and height are right to 4 units in the last place, and the angle to 2 units in the last place of
-    /// a quarter turn. Of an axis that is exactly along a coordinate axis, degrees and quarter turns are exact. Each
+    /// a quarter turn. If an axis lies exactly along a coordinate axis, degrees and quarter turns are exact. Each
     /// number is computed in double, within these bounds, and then rounded to float once.
     ///
     /// Cost: about 70 ns a shape.
     ///
     /// Since: 0.1.
     pub fn vesica_boxes_from_shapes_f32(shapes: *const Shapes<f32>, angle: i32, boxes: *mut f32) -> i64;
-    /// The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+    /// The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
     ///
-    /// Corners go round from C - hx u - hy perp(u) to C + hx u - hy perp(u).
+    /// The first corner is C - hx u - hy perp(u), the next C + hx u - hy perp(u), and so on round the outline.
     ///
     /// Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
     ///
     /// Returns: 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+    /// numbers of that result are NaN, and all other results are written as usual. Before anything is written:
     /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
-    /// beyond the address space, an unknown unit of angles).
+    /// that exceeds the address space, an unknown unit of angles).
     ///
-    /// Accuracy: a coordinate is right to 1 unit in its last place and 2^-98 times the largest of its three terms.
+    /// Accuracy: a coordinate is right to 1 unit in its last place plus 2^-98 times the largest of its three terms.
     /// Each number is computed in double, within these bounds, and then rounded to float once.
     ///
     /// Cost: about 70 ns a shape.
     ///
     /// Since: 0.1.
     pub fn vesica_corners_of_shapes_f32(shapes: *const Shapes<f32>, corners: *mut f32) -> i64;
-    /// The bounds of shapes of any kind: out\[i\] is the result of vesica_bounds_f32.
+    /// Bounding boxes of an array of any kind: out\[i\] is the result of vesica_bounds_f32.
     ///
     /// Requires: out, room for `count`.
     ///
     /// Returns: 0.
     ///
-    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would be beyond the
-    /// finite ones: its result is NaN throughout, and all others are written as usual. Before anything is written:
+    /// Errors: VESICA_E_SHAPE if an element is invalid, or VESICA_E_RANGE if a number of its result would overflow: all
+    /// numbers of that result are NaN, and all other results are written as usual. Before anything is written:
     /// VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
-    /// beyond the address space, an unknown unit of angles).
+    /// that exceeds the address space, an unknown unit of angles).
     ///
     /// Accuracy: that of vesica_bounds_f32.
     ///
@@ -2311,7 +2305,7 @@ extern "C" {
     pub fn vesica_bounds_many_f32(shapes: *const Shapes<f32>, out: *mut Aabb<f32>) -> i64;
     /// How many bytes suffice for an index of `count` shapes, of any kinds?
     ///
-    /// Returns: 17 bytes a shape and 64 KiB. A built index takes fewer, mostly 13 a shape: vesica_index_bytes tells.
+    /// Returns: 17 bytes a shape and 64 KiB. A built index takes fewer, mostly 13 a shape: see vesica_index_bytes.
     ///
     /// Errors: VESICA_E_ARGUMENT (count is negative or above 2^31 - 1).
     ///
@@ -2331,53 +2325,53 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_join_scratch() -> i64;
-    /// Are these bytes an index that queries can read?
+    /// Are these bytes an index that is safe to read?
     ///
-    /// Ask it once of bytes that come from elsewhere. They may be short, foreign or damaged, or from a machine of the
-    /// other byte order. What passes is safe to read.
+    /// Call it once for bytes that you did not just build: they may be cut off, damaged, something else, or from a
+    /// machine of the other byte order.
     ///
-    /// Requires: size is the number of bytes there. The index may be shorter.
+    /// Requires: size, the number of readable bytes. The index may be shorter.
     ///
-    /// Returns: 0.
+    /// Returns: 0 if they are.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (it is none).
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (they are not).
     ///
     /// Cost: it reads all bytes once.
     ///
     /// Since: 0.1.
     pub fn vesica_index_check(index: *const c_void, size: i64) -> i32;
-    /// How many bytes does a built index take? So many are to be saved.
+    /// How many bytes does a built index take? Save that many.
     ///
     /// Returns: the bytes, a multiple of 64.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (its header is none).
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (not an index's header).
     ///
     /// Since: 0.1.
     pub fn vesica_index_bytes(index: *const c_void) -> i64;
     /// How many shapes was an index built from?
     ///
-    /// Returns: the number of its items, invalid shapes included.
+    /// Returns: the number of its items, including invalid shapes.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (its header is none).
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (not an index's header).
     ///
     /// Since: 0.1.
     pub fn vesica_index_count(index: *const c_void) -> i64;
     /// A box around all valid shapes of an index.
     ///
-    /// Indexes whose boxes are disjoint have no pairs.
+    /// Two indexes whose boxes are disjoint have no overlapping pairs.
     ///
     /// Returns: 0.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (its header is none).
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (the index is not aligned), VESICA_E_INDEX (not an index's header).
     ///
-    /// Accuracy: the box is a little larger than the smallest one. It is infinite where that exceeds the finite
-    /// numbers. Without valid shapes min is infinity and max is -infinity.
+    /// Accuracy: the box is a little larger than the smallest one; a side that overflows is infinite. Without valid
+    /// shapes min is infinity and max is -infinity.
     ///
     /// Since: 0.1.
     pub fn vesica_index_bounds(index: *const c_void, out: *mut Aabb<f64>) -> i32;
-    /// The items of an index in spatial order: shapes that are near to each other stand near to each other.
+    /// The items of an index in spatial order: shapes near each other have nearby places in it.
     ///
-    /// A join is faster if the arrays of shapes have this order, for then it reads them from near to near.
+    /// A join is faster if the arrays of shapes have this order, as it then reads nearby memory.
     ///
     /// Requires: out has room for `capacity` items. It may be NULL if that is 0.
     ///
@@ -2389,25 +2383,25 @@ extern "C" {
     pub fn vesica_index_order(index: *const c_void, out: *mut i64, capacity: i64) -> i64;
     /// Builds the index of some sets of shapes.
     ///
-    /// Invalid shapes are left out. The call then returns VESICA_E_SHAPE, and the index of all others is complete.
-    /// After any other error nothing is written. Shapes that moved need a new index.
+    /// If shapes are invalid, the call returns VESICA_E_SHAPE, and the index is complete without them. When shapes have
+    /// moved, build it again.
     ///
     /// Requires: index_size \>= vesica_index_size(items) and scratch_size \>= vesica_index_scratch(items). The scratch
-    /// is free again after the call.
+    /// may be reused after the call.
     ///
-    /// Returns: the bytes of the index that are used.
+    /// Returns: how many bytes of the index are used.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a count, a size or an alignment), VESICA_E_SHAPE.
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a wrong count, size or alignment), VESICA_E_SHAPE.
     ///
     /// Cost: 30 to 50 ns a shape.
     ///
     /// Since: 0.1.
     pub fn vesica_index_build_f64(sets: *const Shapes<f64>, set_count: i32, index: *mut c_void, index_size: i64,
         scratch: *mut c_void, scratch_size: i64) -> i64;
-    /// One part of a build in five steps, for several threads. The bytes are those of vesica_index_build_f64.
+    /// One part of a build by several threads, in five steps. The bytes are those of vesica_index_build_f64.
     ///
     /// Steps 0 and 4 have one part. Steps 1, 2 and 3 have as many parts as the caller likes, and these may run at the
-    /// same time. All parts of a step must be done before the next step begins. All other arguments are the same in all
+    /// same time. All parts of a step must end before the next step begins. All other arguments are the same in all
     /// calls.
     ///
     /// Requires: 0 \<= step \<= 4 and 0 \<= part \< parts; parts is 1 in steps 0 and 4. The rest is as for the build.
@@ -2422,16 +2416,16 @@ extern "C" {
         index: *mut c_void, index_size: i64, scratch: *mut c_void, scratch_size: i64) -> i64;
     /// Which items of an index does one shape overlap? They come in the index's order.
     ///
-    /// Many shapes are better joined: index them too.
+    /// To ask for many shapes, index them too and call vesica_join_f64.
     ///
-    /// Requires: sets are those of the index. NULL with set_count 0 asks for the items whose bounds meet those of the
-    /// shape. one is a single shape (count 1). out has room for `capacity` items. With capacity 0, out and state may be
+    /// Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet the
+    /// shape's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be
     /// NULL.
     ///
     /// Returns: the number of items written; with capacity 0, how many there are.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a
-    /// number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this
+    /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
+    /// number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
     /// call).
     ///
     /// Accuracy: exact, if there are sets.
@@ -2439,21 +2433,22 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_index_select_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32,
         one: *const Shapes<f64>, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
-    /// All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+    /// Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
     ///
     /// If both indexes are the same pointer, pairs are those of two different items a \< b. Pair i is out_a\[i\] and
-    /// out_b\[i\]. The order of pairs depends on the bytes of the indexes and the query alone. Work may be shared out:
-    /// each part of `parts` is about as much work as any other, and may run at the same time with a scratch of its own.
-    /// The pairs of all parts, one part after the other, are the pairs of part 0 of 1.
+    /// out_b\[i\]. The order of pairs depends on the bytes of the indexes and the query alone. The work may be divided
+    /// into `parts` of about equal work, which may run at the same time, each with its own scratch. The pairs of all
+    /// parts, one part after the other, are those of a call with part 0 and parts 1.
     ///
     /// Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes; with
-    /// VESICA_JOIN_BOUNDS they are not looked at. 0 \<= part \< parts. scratch_size \>= vesica_join_scratch(); the
-    /// scratch is free between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and state
-    /// may be NULL.
+    /// VESICA_JOIN_BOUNDS they are ignored. 0 \<= part \< parts. scratch_size \>= vesica_join_scratch(); nothing is
+    /// kept in the scratch between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and
+    /// state may be NULL.
     ///
     /// Returns: the number of pairs written; with capacity 0, how many the whole part has.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (as above, and for an unknown query).
+    /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a size
+    /// out of range, a pointer that is not aligned, sets that are not the index's, a state from another call).
     ///
     /// Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
     ///
@@ -2465,39 +2460,38 @@ extern "C" {
         scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64,
         state: *mut i64) -> i64;
     /// All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
-    /// whose answer from vesica_within_f64 is \> 0.
+    /// for which vesica_within_f64 is \> 0.
     ///
     /// If both indexes are the same pointer, pairs are those of two different items a \< b. They come in index_a's
-    /// order. Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f64.
+    /// order. Each part takes about the same number of items of index_a; all else is as for vesica_join_f64.
     ///
-    /// Requires: distance \>= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity
-    /// and state as vesica_join_f64.
+    /// Requires: distance \>= 0, or infinity for all pairs of valid shapes; sets, part, outputs, capacity and state as
+    /// vesica_join_f64.
     ///
     /// Returns: the number of pairs written; with capacity 0, how many the whole part has.
     ///
     /// Errors: those of vesica_join_f64; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
     ///
-    /// Accuracy: that of vesica_within_f64; a pair that is VESICA_WITHIN_NEARLY is among them.
+    /// Accuracy: that of vesica_within_f64; pairs that are VESICA_WITHIN_NEARLY are included.
     ///
-    /// Cost: about 1 us a shape of index_a and that of vesica_within_f64 a candidate: seven times that of
+    /// Cost: about 1 us a shape of index_a, and that of vesica_within_f64 a candidate: seven times that of
     /// vesica_join_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_join_within_f64(index_a: *const c_void, sets_a: *const Shapes<f64>, set_count_a: i32,
         index_b: *const c_void, sets_b: *const Shapes<f64>, set_count_b: i32, distance: f64, part: i64, parts: i64,
         out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64;
-    /// Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by
-    /// number.
+    /// Which items of an index are nearest to one shape? The nearest comes first, of equally near ones the lower item.
     ///
-    /// An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is not found.
+    /// An item that overlaps the shape has distance 0. An item whose distance overflows is not found.
     ///
-    /// Requires: sets are those of the index. one is a single shape (count 1). k \>= 0, and out and distance have room
-    /// for k each. With k = 0 they may be NULL. within \>= 0 is the largest distance asked for; infinity asks for any.
+    /// Requires: sets are those of the index. one, an array of count 1. k \>= 0, and out and distance have room for k
+    /// each. With k = 0 they may be NULL. within, the largest distance to look for, \>= 0 or infinity.
     ///
     /// Returns: how many items were found and written; with k = 0, how many there are within the distance.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a
-    /// number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this
+    /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
+    /// number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
     /// call).
     ///
     /// Accuracy: distances are those of vesica_nearest_f64, bit for bit.
@@ -2507,18 +2501,18 @@ extern "C" {
         one: *const Shapes<f64>, k: i64, within: f64, out: *mut i64, distance: *mut f64) -> i64;
     /// Which items of index_b are nearest to each item of sets_a? Row i is out\[i \* k\] ... out\[i \* k + k - 1\].
     ///
-    /// A row is what vesica_index_nearest_f64 says of item i, followed by -1, with distance infinity, up to k. Of one
-    /// set with itself each item finds itself too, at distance 0. If an item of sets_a is invalid, its row holds -1,
-    /// all other rows are right, and the call returns VESICA_E_SHAPE. Each of `parts` is a run of about as many items
-    /// as any other, and only its rows are written.
+    /// A row is the result of vesica_index_nearest_f64 for item i. If it has fewer than k items, the rest are -1 with
+    /// distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0. If an
+    /// item of sets_a is invalid, its row holds -1, all other rows are right, and the call returns VESICA_E_SHAPE. Each
+    /// part takes about the same number of items, and writes only their rows.
     ///
     /// Requires: sets_b are those of index_b. k \>= 1, and out and distance have room for k items a row. 0 \<= part \<
-    /// parts. within \>= 0 is the largest distance asked for; infinity asks for any.
+    /// parts. within, the largest distance to look for, \>= 0 or infinity.
     ///
     /// Returns: how many items were found in all rows of the part.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a
-    /// number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this
+    /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
+    /// number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
     /// call).
     ///
     /// Accuracy: distances are those of vesica_nearest_f64, bit for bit.
@@ -2529,25 +2523,25 @@ extern "C" {
         distance: *mut f64) -> i64;
     /// Builds the index of some sets of shapes.
     ///
-    /// Invalid shapes are left out. The call then returns VESICA_E_SHAPE, and the index of all others is complete.
-    /// After any other error nothing is written. Shapes that moved need a new index.
+    /// If shapes are invalid, the call returns VESICA_E_SHAPE, and the index is complete without them. When shapes have
+    /// moved, build it again.
     ///
     /// Requires: index_size \>= vesica_index_size(items) and scratch_size \>= vesica_index_scratch(items). The scratch
-    /// is free again after the call.
+    /// may be reused after the call.
     ///
-    /// Returns: the bytes of the index that are used.
+    /// Returns: how many bytes of the index are used.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a count, a size or an alignment), VESICA_E_SHAPE.
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a wrong count, size or alignment), VESICA_E_SHAPE.
     ///
     /// Cost: 30 to 50 ns a shape.
     ///
     /// Since: 0.1.
     pub fn vesica_index_build_f32(sets: *const Shapes<f32>, set_count: i32, index: *mut c_void, index_size: i64,
         scratch: *mut c_void, scratch_size: i64) -> i64;
-    /// One part of a build in five steps, for several threads. The bytes are those of vesica_index_build_f32.
+    /// One part of a build by several threads, in five steps. The bytes are those of vesica_index_build_f32.
     ///
     /// Steps 0 and 4 have one part. Steps 1, 2 and 3 have as many parts as the caller likes, and these may run at the
-    /// same time. All parts of a step must be done before the next step begins. All other arguments are the same in all
+    /// same time. All parts of a step must end before the next step begins. All other arguments are the same in all
     /// calls.
     ///
     /// Requires: 0 \<= step \<= 4 and 0 \<= part \< parts; parts is 1 in steps 0 and 4. The rest is as for the build.
@@ -2562,16 +2556,16 @@ extern "C" {
         index: *mut c_void, index_size: i64, scratch: *mut c_void, scratch_size: i64) -> i64;
     /// Which items of an index does one shape overlap? They come in the index's order.
     ///
-    /// Many shapes are better joined: index them too.
+    /// To ask for many shapes, index them too and call vesica_join_f32.
     ///
-    /// Requires: sets are those of the index. NULL with set_count 0 asks for the items whose bounds meet those of the
-    /// shape. one is a single shape (count 1). out has room for `capacity` items. With capacity 0, out and state may be
+    /// Requires: sets are those of the index; or NULL, with set_count 0, to find the items whose bounds meet the
+    /// shape's. one, an array of count 1. out has room for `capacity` items. With capacity 0, out and state may be
     /// NULL.
     ///
     /// Returns: the number of items written; with capacity 0, how many there are.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a
-    /// number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this
+    /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
+    /// number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
     /// call).
     ///
     /// Accuracy: exact, if there are sets.
@@ -2579,21 +2573,22 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_index_select_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32,
         one: *const Shapes<f32>, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
-    /// All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+    /// Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
     ///
     /// If both indexes are the same pointer, pairs are those of two different items a \< b. Pair i is out_a\[i\] and
-    /// out_b\[i\]. The order of pairs depends on the bytes of the indexes and the query alone. Work may be shared out:
-    /// each part of `parts` is about as much work as any other, and may run at the same time with a scratch of its own.
-    /// The pairs of all parts, one part after the other, are the pairs of part 0 of 1.
+    /// out_b\[i\]. The order of pairs depends on the bytes of the indexes and the query alone. The work may be divided
+    /// into `parts` of about equal work, which may run at the same time, each with its own scratch. The pairs of all
+    /// parts, one part after the other, are those of a call with part 0 and parts 1.
     ///
     /// Requires: query is VESICA_JOIN_OVERLAP ... VESICA_JOIN_INSIDE. sets_a and sets_b are those of the indexes; with
-    /// VESICA_JOIN_BOUNDS they are not looked at. 0 \<= part \< parts. scratch_size \>= vesica_join_scratch(); the
-    /// scratch is free between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and state
-    /// may be NULL.
+    /// VESICA_JOIN_BOUNDS they are ignored. 0 \<= part \< parts. scratch_size \>= vesica_join_scratch(); nothing is
+    /// kept in the scratch between calls. out_a and out_b have room for `capacity` items. With capacity 0, they and
+    /// state may be NULL.
     ///
     /// Returns: the number of pairs written; with capacity 0, how many the whole part has.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (as above, and for an unknown query).
+    /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT (an unknown query, a number or a size
+    /// out of range, a pointer that is not aligned, sets that are not the index's, a state from another call).
     ///
     /// Accuracy: exact for all queries but VESICA_JOIN_BOUNDS.
     ///
@@ -2605,39 +2600,38 @@ extern "C" {
         scratch: *mut c_void, scratch_size: i64, out_a: *mut i64, out_b: *mut i64, capacity: i64,
         state: *mut i64) -> i64;
     /// All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
-    /// whose answer from vesica_within_f32 is \> 0.
+    /// for which vesica_within_f32 is \> 0.
     ///
     /// If both indexes are the same pointer, pairs are those of two different items a \< b. They come in index_a's
-    /// order. Parts are runs of about as many items of index_a as any other; all else is as with vesica_join_f32.
+    /// order. Each part takes about the same number of items of index_a; all else is as for vesica_join_f32.
     ///
-    /// Requires: distance \>= 0, or infinity, which asks for all pairs of valid shapes; sets, part, outputs, capacity
-    /// and state as vesica_join_f32.
+    /// Requires: distance \>= 0, or infinity for all pairs of valid shapes; sets, part, outputs, capacity and state as
+    /// vesica_join_f32.
     ///
     /// Returns: the number of pairs written; with capacity 0, how many the whole part has.
     ///
     /// Errors: those of vesica_join_f32; VESICA_E_ARGUMENT also for a distance that is negative or NaN.
     ///
-    /// Accuracy: that of vesica_within_f32; a pair that is VESICA_WITHIN_NEARLY is among them.
+    /// Accuracy: that of vesica_within_f32; pairs that are VESICA_WITHIN_NEARLY are included.
     ///
-    /// Cost: about 1 us a shape of index_a and that of vesica_within_f32 a candidate: seven times that of
+    /// Cost: about 1 us a shape of index_a, and that of vesica_within_f32 a candidate: seven times that of
     /// vesica_join_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_join_within_f32(index_a: *const c_void, sets_a: *const Shapes<f32>, set_count_a: i32,
         index_b: *const c_void, sets_b: *const Shapes<f32>, set_count_b: i32, distance: f32, part: i64, parts: i64,
         out_a: *mut i64, out_b: *mut i64, capacity: i64, state: *mut i64) -> i64;
-    /// Which items of an index are nearest to one shape? They come with the nearest first; at equal distances by
-    /// number.
+    /// Which items of an index are nearest to one shape? The nearest comes first, of equally near ones the lower item.
     ///
-    /// An item that overlaps the shape has distance 0. An item whose distance exceeds the finite numbers is not found.
+    /// An item that overlaps the shape has distance 0. An item whose distance overflows is not found.
     ///
-    /// Requires: sets are those of the index. one is a single shape (count 1). k \>= 0, and out and distance have room
-    /// for k each. With k = 0 they may be NULL. within \>= 0 is the largest distance asked for; infinity asks for any.
+    /// Requires: sets are those of the index. one, an array of count 1. k \>= 0, and out and distance have room for k
+    /// each. With k = 0 they may be NULL. within, the largest distance to look for, \>= 0 or infinity.
     ///
     /// Returns: how many items were found and written; with k = 0, how many there are within the distance.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a
-    /// number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this
+    /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
+    /// number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
     /// call).
     ///
     /// Accuracy: distances are those of vesica_nearest_f32, bit for bit.
@@ -2647,18 +2641,18 @@ extern "C" {
         one: *const Shapes<f32>, k: i64, within: f32, out: *mut i64, distance: *mut f32) -> i64;
     /// Which items of index_b are nearest to each item of sets_a? Row i is out\[i \* k\] ... out\[i \* k + k - 1\].
     ///
-    /// A row is what vesica_index_nearest_f32 says of item i, followed by -1, with distance infinity, up to k. Of one
-    /// set with itself each item finds itself too, at distance 0. If an item of sets_a is invalid, its row holds -1,
-    /// all other rows are right, and the call returns VESICA_E_SHAPE. Each of `parts` is a run of about as many items
-    /// as any other, and only its rows are written.
+    /// A row is the result of vesica_index_nearest_f32 for item i. If it has fewer than k items, the rest are -1 with
+    /// distance infinity. If a set is asked for its own neighbours, each item finds itself too, at distance 0. If an
+    /// item of sets_a is invalid, its row holds -1, all other rows are right, and the call returns VESICA_E_SHAPE. Each
+    /// part takes about the same number of items, and writes only their rows.
     ///
     /// Requires: sets_b are those of index_b. k \>= 1, and out and distance have room for k items a row. 0 \<= part \<
-    /// parts. within \>= 0 is the largest distance asked for; infinity asks for any.
+    /// parts. within, the largest distance to look for, \>= 0 or infinity.
     ///
     /// Returns: how many items were found in all rows of the part.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (one is invalid), VESICA_E_ARGUMENT (a
-    /// number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is not of this
+    /// Errors: VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_SHAPE (`one` is invalid), VESICA_E_ARGUMENT (a
+    /// number or a size is out of range, a pointer is not aligned, sets are not the index's, the state is from another
     /// call).
     ///
     /// Accuracy: distances are those of vesica_nearest_f32, bit for bit.
@@ -2667,53 +2661,53 @@ extern "C" {
     pub fn vesica_join_nearest_f32(sets_a: *const Shapes<f32>, set_count_a: i32, index_b: *const c_void,
         sets_b: *const Shapes<f32>, set_count_b: i32, k: i64, within: f32, part: i64, parts: i64, out: *mut i64,
         distance: *mut f32) -> i64;
-    /// What share of a's area does b cover, or of b's area a? And other ratios by which detections are compared.
+    /// What share of a's area does b cover? This and the other ratios by which detections are compared.
     ///
-    /// The first four are from 0 to 1. One over a shape is 0 if no area is shared, and 1 if the other shape contains
-    /// it. The last three are at most the IoU, and at least -1, for CIoU -2. The angle of a shape in CIoU is that of
-    /// the vector (half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging the
-    /// shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
+    /// The first four ratios are from 0 to 1. Shared area over one shape's is 0 if no area is shared, and 1 if the
+    /// other shape contains it. The last three are at most the IoU, and at least -1 (CIoU: -2). The angle of a shape in
+    /// CIoU is that of the vector (half length across its axis, half length along it); v is 0 if a shape has no size.
+    /// Exchanging the shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
     ///
     /// Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
     ///
     /// Returns: 0.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the shape
-    /// whose area divides has none; for the others, neither shape has one).
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the area to
+    /// divide by is 0; or, for GIoU, DIoU and CIoU, neither shape has an area).
     ///
-    /// Accuracy: within 8 u of what follows from the shared area or the IoU, which are right as vesica_area_f64 and
-    /// vesica_iou_f64 tell, for half lengths from 2^-200 to 2^200. Bounds on computed numbers use u = 2^-53. The scale
-    /// of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio
-    /// is a shape's longer size over its shorter one.
+    /// Accuracy: computed from the result of vesica_area_f64 or vesica_iou_f64 with at most 8 u of further error, for
+    /// half lengths from 2^-200 to 2^200. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the
+    /// largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter
+    /// size. "Right to x": the error is \<= x.
     ///
-    /// Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; 40 to 100 in arrays.
+    /// Cost: that of vesica_area_f64 or vesica_iou_f64, and 100 to 150 ns more; in arrays 40 to 100 ns more.
     ///
     /// Since: 0.1.
     pub fn vesica_ratio_f64(ratio: i32, kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
         out: *mut f64) -> i32;
     /// A ratio of a\[i\] and b\[i\]: out\[i\] is the result of vesica_ratio_f64.
     ///
-    /// Arrays and errors are those of vesica_iou_many_f64. If a pair has no ratio since an area is 0, out\[i\] is NaN,
-    /// and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+    /// Arrays and errors are those of vesica_iou_many_f64. If a pair has no ratio because an area is 0, out\[i\] is
+    /// NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
     ///
     /// Returns: how many are \> 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
     ///
-    /// Accuracy: every result has the bits of vesica_ratio_f64, on every instruction set and in every layout.
+    /// Accuracy: every result has the same bits as vesica_ratio_f64, on every instruction set and in every layout.
     ///
     /// Since: 0.1.
     pub fn vesica_ratio_many_f64(ratio: i32, a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64) -> i64;
     /// A ratio of a\[i\] and b\[j\]: out\[i \* row_stride + j\] is the result of vesica_ratio_f64.
     ///
-    /// Arrays, row_stride and errors are those of vesica_iou_matrix_f64. If a pair has no ratio since an area is 0, it
-    /// gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+    /// Arrays, row_stride and errors are those of vesica_iou_matrix_f64. If a pair has no ratio because an area is 0,
+    /// it gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
     ///
     /// Returns: how many are \> 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
     ///
-    /// Accuracy: every result has the bits of vesica_ratio_f64, on every instruction set and in every layout.
+    /// Accuracy: every result has the same bits as vesica_ratio_f64, on every instruction set and in every layout.
     ///
     /// Since: 0.1.
     pub fn vesica_ratio_matrix_f64(ratio: i32, a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64,
@@ -2726,7 +2720,7 @@ extern "C" {
     ///
     /// Errors: as vesica_iou_matrix_f64.
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
     /// Since: 0.1.
@@ -2741,7 +2735,7 @@ extern "C" {
     ///
     /// Errors: as vesica_iou_matrix_f64.
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
     /// Since: 0.1.
@@ -2755,24 +2749,24 @@ extern "C" {
     ///
     /// Errors: as vesica_iou_matrix_f64.
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
     /// Since: 0.1.
     pub fn vesica_depth_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64,
         row_stride: isize) -> i64;
-    /// How far apart are two shapes or, as a number below 0, how deep do they overlap?
+    /// Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
     ///
-    /// The distance of vesica_nearest_f64 if they are disjoint, else minus the depth of vesica_depth_f64: 0 where they
-    /// only touch. Exchanging the shapes changes no bit.
+    /// It is the distance of vesica_nearest_f64 if they are disjoint, else minus the depth of vesica_depth_f64: 0 if
+    /// they only touch. Exchanging the shapes changes no bit.
     ///
     /// Returns: 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
-    /// Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.
+    /// Accuracy: the same bits as vesica_nearest_f64 or, negated, vesica_depth_f64. The sign is exact.
     ///
-    /// Cost: that of vesica_nearest_f64 or of vesica_depth_f64, whichever it is.
+    /// Cost: that of vesica_nearest_f64 or vesica_depth_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_signed_distance_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -2783,7 +2777,7 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
-    /// Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.
+    /// Accuracy: the same bits as vesica_nearest_f64 or, negated, vesica_depth_f64. The sign is exact.
     ///
     /// Since: 0.1.
     pub fn vesica_signed_distance_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64) -> i64;
@@ -2793,31 +2787,30 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
-    /// Accuracy: that of vesica_nearest_f64 and of vesica_depth_f64, bit for bit. The sign is exact.
+    /// Accuracy: the same bits as vesica_nearest_f64 or, negated, vesica_depth_f64. The sign is exact.
     ///
     /// Since: 0.1.
     pub fn vesica_signed_distance_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64,
         row_stride: isize) -> i64;
-    /// Are two shapes at most `distance` apart? Exactly so far apart counts, as touching does.
+    /// Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.
     ///
-    /// Distance 0 asks what vesica_overlap_f64 does, and is exact for all kinds. Who must not miss a pair takes an
-    /// answer \> 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the shapes changes
-    /// nothing.
+    /// With distance 0 the answer is that of vesica_overlap_f64, exact for all kinds. If no pair may be missed, test
+    /// for \> 0; if no answer may be wrong, for VESICA_WITHIN_YES. Exchanging the shapes changes nothing.
     ///
-    /// Requires: distance \>= 0, or infinity, of which any two valid shapes are within.
+    /// Requires: distance \>= 0. It may be infinity: then the answer is yes for any two valid shapes.
     ///
     /// Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
     ///
-    /// Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
-    /// pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f64 has
-    /// it, is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed
-    /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
-    /// their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    /// Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
+    /// other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
+    /// vesica_nearest_f64 differs by less than 5 u scale from the one asked for. Bounds on computed numbers use u =
+    /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
+    /// An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-    /// as it must for distances that are exact; more where exponents are wildly unlike.
+    /// as when the distance is met exactly; more for extreme magnitudes.
     ///
     /// Since: 0.1.
     pub fn vesica_within_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -2826,17 +2819,17 @@ extern "C" {
     ///
     /// Arrays and errors are those of vesica_overlap_many_f64.
     ///
-    /// Requires: distance \>= 0, or infinity, of which any two valid shapes are within.
+    /// Requires: distance \>= 0. It may be infinity: then the answer is yes for any two valid shapes.
     ///
     /// Returns: how many answers are \> 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
     ///
-    /// Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
-    /// pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f64 has
-    /// it, is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed
-    /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
-    /// their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    /// Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
+    /// other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
+    /// vesica_nearest_f64 differs by less than 5 u scale from the one asked for. Bounds on computed numbers use u =
+    /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
+    /// An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Since: 0.1.
     pub fn vesica_within_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: f64, out: *mut u8) -> i64;
@@ -2844,35 +2837,35 @@ extern "C" {
     ///
     /// Arrays, row_stride and errors are those of vesica_overlap_matrix_f64.
     ///
-    /// Requires: distance \>= 0, or infinity, of which any two valid shapes are within.
+    /// Requires: distance \>= 0. It may be infinity: then the answer is yes for any two valid shapes.
     ///
     /// Returns: how many answers are \> 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
     ///
-    /// Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
-    /// pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f64 has
-    /// it, is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed
-    /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
-    /// their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    /// Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
+    /// other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
+    /// vesica_nearest_f64 differs by less than 5 u scale from the one asked for. Bounds on computed numbers use u =
+    /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
+    /// An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Since: 0.1.
     pub fn vesica_within_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, distance: f64, out: *mut u8,
         row_stride: isize) -> i64;
-    /// Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
+    /// Greedy non-maximum suppression as vesica_nms_f64, by any ratio, each label on its own.
     ///
     /// Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape kept
-    /// before, of the same label, is at most the threshold. Shapes whose score is below least_score are not looked at.
+    /// before, of the same label, is at most the threshold. Shapes whose score is below least_score are left out.
     ///
-    /// Requires: shapes, scores, threshold, scratch and keep as vesica_nms_f64; labels, one for each, or NULL if all
-    /// are alike; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be -infinity; most,
-    /// how many are kept at most: keep needs room for no more.
+    /// Requires: shapes, scores, threshold and scratch as vesica_nms_f64; labels, one for each shape, or NULL if all
+    /// are the same; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be -infinity;
+    /// most, the largest number to keep; keep, with room for that number or for all shapes, whichever is less.
     ///
     /// Returns: 0, and keep and \*kept as vesica_nms_f64.
     ///
     /// Errors: as vesica_nms_f64; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative most.
     ///
-    /// Cost: that of vesica_nms_f64; ratios other than IoU cost 0.1 us more a comparison.
+    /// Cost: that of vesica_nms_f64; ratios other than IoU take 0.1 us more a comparison.
     ///
     /// Since: 0.1.
     pub fn vesica_suppress_f64(shapes: *const Shapes<f64>, scores: *const f64, labels: *const i32, ratio: i32,
@@ -2886,12 +2879,11 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_suppress_soft_scratch(count: i64) -> i64;
-    /// Soft suppression: what a better shape covers keeps a lower score.
+    /// Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
     ///
-    /// Again and again takes the shape with the highest score, of equal ones the first, keeps it, and lowers the score
-    /// of each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or no score
-    /// is left that is at least least_score. keep\[k\] is the shape taken in turn k, and decayed\[k\] the score that it
-    /// then had.
+    /// Repeats these steps: take the shape with the highest score, of equal ones the first; keep it; lower the score of
+    /// each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or every score
+    /// left is below least_score. keep\[k\] is the shape kept in step k, and decayed\[k\] the score that it had then.
     ///
     /// Requires: shapes, scores and labels as vesica_suppress_f64; ratio, any but VESICA_RATIO_OVER_FIRST and
     /// _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score \>= 0; scratch of at
@@ -2901,67 +2893,67 @@ extern "C" {
     /// Returns: 0, with \*kept set to how many are kept.
     ///
     /// Errors: as vesica_suppress_f64. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and
-    /// all else is written.
+    /// the result of the others is written.
     ///
-    /// Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential,
-    /// right to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every
-    /// machine. Floats are widened first, and only the final scores rounded.
+    /// Accuracy: in every step a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential,
+    /// right to 1 unit in the last place. So the same shapes are kept, with the same bits, on every machine. The float
+    /// function computes in double and rounds only the final scores.
     ///
-    /// Cost: for each kept shape, that of vesica_ratio_matrix_f64 with all of its label that are left.
+    /// Cost: for each kept shape, that of vesica_ratio_matrix_f64 with the shapes of its label that are left.
     ///
     /// Since: 0.1.
     pub fn vesica_suppress_soft_f64(shapes: *const Shapes<f64>, scores: *const f64, labels: *const i32, ratio: i32,
         decay: i32, parameter: f64, least_score: f64, most: i64, scratch: *mut c_void, scratch_size: i64,
         keep: *mut i64, decayed: *mut f64, kept: *mut i64) -> i32;
-    /// What share of a's area does b cover, or of b's area a? And other ratios by which detections are compared.
+    /// What share of a's area does b cover? This and the other ratios by which detections are compared.
     ///
-    /// The first four are from 0 to 1. One over a shape is 0 if no area is shared, and 1 if the other shape contains
-    /// it. The last three are at most the IoU, and at least -1, for CIoU -2. The angle of a shape in CIoU is that of
-    /// the vector (half length across its axis, half length along it); v is 0 if a shape has no size. Exchanging the
-    /// shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
+    /// The first four ratios are from 0 to 1. Shared area over one shape's is 0 if no area is shared, and 1 if the
+    /// other shape contains it. The last three are at most the IoU, and at least -1 (CIoU: -2). The angle of a shape in
+    /// CIoU is that of the vector (half length across its axis, half length along it); v is 0 if a shape has no size.
+    /// Exchanging the shapes exchanges OVER_FIRST and OVER_SECOND, and changes no bit of the others.
     ///
     /// Requires: ratio, one of VESICA_RATIO_OVER_UNION to VESICA_RATIO_COMPLETE.
     ///
     /// Returns: 0.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the shape
-    /// whose area divides has none; for the others, neither shape has one).
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT (ratio is no such constant; the area to
+    /// divide by is 0; or, for GIoU, DIoU and CIoU, neither shape has an area).
     ///
-    /// Accuracy: within 8 u of what follows from the shared area or the IoU, which are right as vesica_area_f32 and
-    /// vesica_iou_f32 tell, for half lengths from 2^-200 to 2^200. Each number is computed in double, within these
-    /// bounds, and then rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the
-    /// largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer
-    /// size over its shorter one.
+    /// Accuracy: computed from the result of vesica_area_f32 or vesica_iou_f32 with at most 8 u of further error, for
+    /// half lengths from 2^-200 to 2^200. Each number is computed in double, within these bounds, and then rounded to
+    /// float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
+    /// between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
+    /// error is \<= x.
     ///
-    /// Cost: that of vesica_area_f32 or vesica_iou_f32, and 100 to 150 ns more; 40 to 100 in arrays.
+    /// Cost: that of vesica_area_f32 or vesica_iou_f32, and 100 to 150 ns more; in arrays 40 to 100 ns more.
     ///
     /// Since: 0.1.
     pub fn vesica_ratio_f32(ratio: i32, kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
         out: *mut f32) -> i32;
     /// A ratio of a\[i\] and b\[i\]: out\[i\] is the result of vesica_ratio_f32.
     ///
-    /// Arrays and errors are those of vesica_iou_many_f32. If a pair has no ratio since an area is 0, out\[i\] is NaN,
-    /// and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+    /// Arrays and errors are those of vesica_iou_many_f32. If a pair has no ratio because an area is 0, out\[i\] is
+    /// NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
     ///
     /// Returns: how many are \> 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
     ///
-    /// Accuracy: every result has the bits of vesica_ratio_f32, on every instruction set and in every layout.
+    /// Accuracy: every result has the same bits as vesica_ratio_f32, on every instruction set and in every layout.
     /// Each number is computed in double, within these bounds, and then rounded to float once.
     ///
     /// Since: 0.1.
     pub fn vesica_ratio_many_f32(ratio: i32, a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32) -> i64;
     /// A ratio of a\[i\] and b\[j\]: out\[i \* row_stride + j\] is the result of vesica_ratio_f32.
     ///
-    /// Arrays, row_stride and errors are those of vesica_iou_matrix_f32. If a pair has no ratio since an area is 0, it
-    /// gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
+    /// Arrays, row_stride and errors are those of vesica_iou_matrix_f32. If a pair has no ratio because an area is 0,
+    /// it gets NaN, and the call returns VESICA_E_ARGUMENT unless a shape is invalid.
     ///
     /// Returns: how many are \> 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_ARGUMENT.
     ///
-    /// Accuracy: every result has the bits of vesica_ratio_f32, on every instruction set and in every layout.
+    /// Accuracy: every result has the same bits as vesica_ratio_f32, on every instruction set and in every layout.
     /// Each number is computed in double, within these bounds, and then rounded to float once.
     ///
     /// Since: 0.1.
@@ -2975,7 +2967,7 @@ extern "C" {
     ///
     /// Errors: as vesica_iou_matrix_f32.
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout. Each number is computed in double, within these bounds, and then rounded to float once.
     ///
     /// Since: 0.1.
@@ -2990,7 +2982,7 @@ extern "C" {
     ///
     /// Errors: as vesica_iou_matrix_f32.
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout. Each number is computed in double, within these bounds, and then rounded to float once.
     ///
     /// Since: 0.1.
@@ -3004,44 +2996,44 @@ extern "C" {
     ///
     /// Errors: as vesica_iou_matrix_f32.
     ///
-    /// Accuracy: every result has the bits of the function for two shapes, on every instruction set and in every
+    /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout. Each number is computed in double, within these bounds, and then rounded to float once.
     ///
     /// Since: 0.1.
     pub fn vesica_depth_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32,
         row_stride: isize) -> i64;
-    /// Greedy non-maximum suppression as vesica_nms_f32, by any ratio and among like labels.
+    /// Greedy non-maximum suppression as vesica_nms_f32, by any ratio, each label on its own.
     ///
     /// Takes shapes in the order of their scores, highest first. Keeps each one whose ratio with every shape kept
-    /// before, of the same label, is at most the threshold. Shapes whose score is below least_score are not looked at.
+    /// before, of the same label, is at most the threshold. Shapes whose score is below least_score are left out.
     ///
-    /// Requires: shapes, scores, threshold, scratch and keep as vesica_nms_f32; labels, one for each, or NULL if all
-    /// are alike; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be -infinity; most,
-    /// how many are kept at most: keep needs room for no more.
+    /// Requires: shapes, scores, threshold and scratch as vesica_nms_f32; labels, one for each shape, or NULL if all
+    /// are the same; ratio, any but VESICA_RATIO_OVER_FIRST and _OVER_SECOND; least_score, which may be -infinity;
+    /// most, the largest number to keep; keep, with room for that number or for all shapes, whichever is less.
     ///
     /// Returns: 0, and keep and \*kept as vesica_nms_f32.
     ///
     /// Errors: as vesica_nms_f32; VESICA_E_ARGUMENT also for ratio, a least_score that is NaN, and a negative most.
     ///
-    /// Cost: that of vesica_nms_f32; ratios other than IoU cost 0.1 us more a comparison.
+    /// Cost: that of vesica_nms_f32; ratios other than IoU take 0.1 us more a comparison.
     ///
     /// Since: 0.1.
     pub fn vesica_suppress_f32(shapes: *const Shapes<f32>, scores: *const f32, labels: *const i32, ratio: i32,
         threshold: f32, least_score: f32, most: i64, scratch: *mut c_void, scratch_size: i64, keep: *mut i64,
         kept: *mut i64) -> i32;
-    /// How far apart are two shapes or, as a number below 0, how deep do they overlap?
+    /// Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
     ///
-    /// The distance of vesica_nearest_f32 if they are disjoint, else minus the depth of vesica_depth_f32: 0 where they
-    /// only touch. Exchanging the shapes changes no bit.
+    /// It is the distance of vesica_nearest_f32 if they are disjoint, else minus the depth of vesica_depth_f32: 0 if
+    /// they only touch. Exchanging the shapes changes no bit.
     ///
     /// Returns: 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
-    /// Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+    /// Accuracy: the same bits as vesica_nearest_f32 or, negated, vesica_depth_f32. The sign is exact.
     /// Each number is computed in double, within these bounds, and then rounded to float once.
     ///
-    /// Cost: that of vesica_nearest_f32 or of vesica_depth_f32, whichever it is.
+    /// Cost: that of vesica_nearest_f32 or vesica_depth_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_signed_distance_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -3052,7 +3044,7 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
-    /// Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+    /// Accuracy: the same bits as vesica_nearest_f32 or, negated, vesica_depth_f32. The sign is exact.
     /// Each number is computed in double, within these bounds, and then rounded to float once.
     ///
     /// Since: 0.1.
@@ -3063,32 +3055,31 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE, VESICA_E_RANGE.
     ///
-    /// Accuracy: that of vesica_nearest_f32 and of vesica_depth_f32, bit for bit. The sign is exact.
+    /// Accuracy: the same bits as vesica_nearest_f32 or, negated, vesica_depth_f32. The sign is exact.
     /// Each number is computed in double, within these bounds, and then rounded to float once.
     ///
     /// Since: 0.1.
     pub fn vesica_signed_distance_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32,
         row_stride: isize) -> i64;
-    /// Are two shapes at most `distance` apart? Exactly so far apart counts, as touching does.
+    /// Are two shapes at most `distance` apart? A distance of exactly that counts, as touching does.
     ///
-    /// Distance 0 asks what vesica_overlap_f32 does, and is exact for all kinds. Who must not miss a pair takes an
-    /// answer \> 0 for a yes; who must not have a wrong one takes VESICA_WITHIN_YES. Exchanging the shapes changes
-    /// nothing.
+    /// With distance 0 the answer is that of vesica_overlap_f32, exact for all kinds. If no pair may be missed, test
+    /// for \> 0; if no answer may be wrong, for VESICA_WITHIN_YES. Exchanging the shapes changes nothing.
     ///
-    /// Requires: distance \>= 0, or infinity, of which any two valid shapes are within.
+    /// Requires: distance \>= 0. It may be infinity: then the answer is yes for any two valid shapes.
     ///
     /// Returns: VESICA_WITHIN_NO, VESICA_WITHIN_YES or VESICA_WITHIN_NEARLY.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
     ///
-    /// Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
-    /// pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f32 has
-    /// it, is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed
-    /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
-    /// their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    /// Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
+    /// other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
+    /// vesica_nearest_f32 differs by less than 5 u scale from the one asked for. Bounds on computed numbers use u =
+    /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
+    /// An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-    /// as it must for distances that are exact; more where exponents are wildly unlike.
+    /// as when the distance is met exactly; more for extreme magnitudes.
     ///
     /// Since: 0.1.
     pub fn vesica_within_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -3097,17 +3088,17 @@ extern "C" {
     ///
     /// Arrays and errors are those of vesica_overlap_many_f32.
     ///
-    /// Requires: distance \>= 0, or infinity, of which any two valid shapes are within.
+    /// Requires: distance \>= 0. It may be infinity: then the answer is yes for any two valid shapes.
     ///
     /// Returns: how many answers are \> 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
     ///
-    /// Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
-    /// pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f32 has
-    /// it, is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed
-    /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
-    /// their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    /// Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
+    /// other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
+    /// vesica_nearest_f32 differs by less than 5 u scale from the one asked for. Bounds on computed numbers use u =
+    /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
+    /// An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Since: 0.1.
     pub fn vesica_within_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: f32, out: *mut u8) -> i64;
@@ -3115,27 +3106,26 @@ extern "C" {
     ///
     /// Arrays, row_stride and errors are those of vesica_overlap_matrix_f32.
     ///
-    /// Requires: distance \>= 0, or infinity, of which any two valid shapes are within.
+    /// Requires: distance \>= 0. It may be infinity: then the answer is yes for any two valid shapes.
     ///
     /// Returns: how many answers are \> 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (distance is negative or NaN), VESICA_E_SHAPE.
     ///
-    /// Accuracy: exact for points, segments, circles, boxes, rectangles and ellipses that have a half length of 0. A
-    /// pair with another ellipse that is disjoint is VESICA_WITHIN_NEARLY if its distance, as vesica_nearest_f32 has
-    /// it, is less than 5 u scale from the one asked for; the answers yes and no are certain. Bounds on computed
-    /// numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
-    /// their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    /// Accuracy: yes and no are always right. All kinds but ellipses, and ellipses with a half length of 0, get no
+    /// other answer. A disjoint pair with another ellipse gets VESICA_WITHIN_NEARLY if the distance of
+    /// vesica_nearest_f32 differs by less than 5 u scale from the one asked for. Bounds on computed numbers use u =
+    /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths.
+    /// An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Since: 0.1.
     pub fn vesica_within_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, distance: f32, out: *mut u8,
         row_stride: isize) -> i64;
-    /// Soft suppression: what a better shape covers keeps a lower score.
+    /// Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
     ///
-    /// Again and again takes the shape with the highest score, of equal ones the first, keeps it, and lowers the score
-    /// of each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or no score
-    /// is left that is at least least_score. keep\[k\] is the shape taken in turn k, and decayed\[k\] the score that it
-    /// then had.
+    /// Repeats these steps: take the shape with the highest score, of equal ones the first; keep it; lower the score of
+    /// each shape not yet kept, of the same label, by `decay` of their ratio. Ends when `most` are kept or every score
+    /// left is below least_score. keep\[k\] is the shape kept in step k, and decayed\[k\] the score that it had then.
     ///
     /// Requires: shapes, scores and labels as vesica_suppress_f32; ratio, any but VESICA_RATIO_OVER_FIRST and
     /// _OVER_SECOND; decay, VESICA_DECAY_LINEAR or _GAUSSIAN, with its parameter; least_score \>= 0; scratch of at
@@ -3145,13 +3135,13 @@ extern "C" {
     /// Returns: 0, with \*kept set to how many are kept.
     ///
     /// Errors: as vesica_suppress_f32. VESICA_E_SHAPE: an invalid shape, or one whose score is NaN, is left out, and
-    /// all else is written.
+    /// the result of the others is written.
     ///
-    /// Accuracy: in every turn a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential,
-    /// right to 1 unit in the last place. So the choice is that of the definition in double, the same bits on every
-    /// machine. Floats are widened first, and only the final scores rounded.
+    /// Accuracy: in every step a score is multiplied once, in double, by 1 - r, rounded once, or by the exponential,
+    /// right to 1 unit in the last place. So the same shapes are kept, with the same bits, on every machine. The float
+    /// function computes in double and rounds only the final scores.
     ///
-    /// Cost: for each kept shape, that of vesica_ratio_matrix_f32 with all of its label that are left.
+    /// Cost: for each kept shape, that of vesica_ratio_matrix_f32 with the shapes of its label that are left.
     ///
     /// Since: 0.1.
     pub fn vesica_suppress_soft_f32(shapes: *const Shapes<f32>, scores: *const f32, labels: *const i32, ratio: i32,
@@ -3159,131 +3149,130 @@ extern "C" {
         keep: *mut i64, decayed: *mut f32, kept: *mut i64) -> i32;
     /// Does b touch a while it moves, when first, and where?
     ///
-    /// The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
-    /// there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of
-    /// what they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of
-    /// vesica_nearest_f64. So shapes that only touch, with a normal that does not point against the velocity, are
-    /// moving apart. Exchanging the shapes and turning the velocity round changes neither the answer nor the time, and
-    /// the normal but for its sign and rounding.
+    /// The normal is that of the face or the round outline that is met; if a corner meets a corner, that of an edge
+    /// there; if b only slides along a, it is perpendicular to the velocity. If two faces meet, the point is the middle
+    /// of what they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point
+    /// of vesica_nearest_f64. So shapes that only touch at the start are moving apart if the normal does not point
+    /// against the velocity. Exchanging the shapes and reversing the velocity changes neither the answer nor the time;
+    /// it reverses the normal, up to rounding.
     ///
     /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
     ///
     /// Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative
-    /// or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed the finite
-    /// numbers; or the digits of a place at some time span more than 2000 bits, which takes exponents that are wildly
-    /// unlike).
+    /// or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would overflow; or an exact
+    /// position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000).
     ///
     /// Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along
-    /// that it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u. Bounds on
-    /// computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres
-    /// and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    /// the outline it may be off by 8 u scale / |n.v|, n and v of unit length. The normal has length 1 to 4 u. Bounds
+    /// on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres
+    /// and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
-    /// Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; of a ray (b a point), two circles and two ellipses less,
-    /// see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms, where
-    /// exponents are wildly unlike.
+    /// Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses,
+    /// see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64, vx: f64, vy: f64,
         t_end: f64, out: *mut Impact<f64>) -> i32;
-    /// When, and where, does b\[i\], moved by t (vx\[i\], vy\[i\]), touch a\[i\]? The columns are the fields of
+    /// When and where does b\[i\], moved by t (vx\[i\], vy\[i\]), touch a\[i\]? The columns are the fields of
     /// vesica_cast_f64's result.
     ///
-    /// Velocity i is at vx and vy + i \* stride bytes; stride 0 repeats one.
+    /// Velocity i is `i \* stride` bytes after vx and vy; stride 0 repeats one velocity.
     ///
-    /// Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
-    /// as the larger count. Some, but not all, may be NULL.
+    /// Requires: velocities and t_end as vesica_cast_f64; equal counts, or one count of 1, whose shape is used for all.
+    /// Each output has room for as many numbers as the larger count. Some, but not all, may be NULL.
     ///
-    /// Returns: how many touch, those that overlap at the start included.
+    /// Returns: how many touch, including those that overlap at the start.
     ///
-    /// Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of range has
-    /// NaN for its numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there is an invalid
-    /// shape, else the error.
+    /// Errors: those of vesica_cast_f64. An element with an invalid shape, a velocity that is not finite or a result
+    /// out of range gets NaN for all its numbers, and all others are written as usual. The call then returns
+    /// VESICA_E_SHAPE if a shape is invalid, else the error of such an element.
     ///
-    /// Accuracy: every result has the bits of vesica_cast_f64.
+    /// Accuracy: every result has the same bits as vesica_cast_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, vx: *const f64, vy: *const f64,
         stride: isize, t_end: f64, t: *mut f64, x: *mut f64, y: *mut f64, nx: *mut f64, ny: *mut f64) -> i64;
-    /// Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
-    /// number.
+    /// Which of many shapes at rest does one moving shape touch first? If several are touched at that time, the one
+    /// with the lowest index.
     ///
-    /// Requires: one, the shape that moves, is a single one (count 1).
+    /// Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f64.
     ///
-    /// Returns: its number, or the count of `many` if there is none. \*out is its contact, the normal pointing to
+    /// Returns: its index, or the count of `many` if none is touched. \*out is its contact, the normal pointing to
     /// `one`.
     ///
-    /// Errors: as above. An invalid shape anywhere is one. VESICA_E_RANGE only if vesica_cast_f64 returns it for one of
-    /// the shapes, and that might be touched first: where another one is certainly touched before, there is no error.
+    /// Errors: those of vesica_cast_f64. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f64
+    /// returns it for a shape that might be touched first.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_first_f64(one: *const Shapes<f64>, many: *const Shapes<f64>, vx: f64, vy: f64, t_end: f64,
         out: *mut Impact<f64>) -> i64;
-    /// A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+    /// A box that holds a shape throughout its motion, t from 0 to t_end. The shape touches nothing outside it.
     ///
     /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
     ///
     /// Returns: 0.
     ///
-    /// Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.
+    /// Errors: those of vesica_cast_f64; VESICA_E_RANGE if a side would overflow.
     ///
-    /// Accuracy: a side that does not move is that of vesica_bounds_f64. One that does is too far out by at most three
-    /// steps between numbers as large as the largest of the side at rest, its way and where it ends.
+    /// Accuracy: a side that does not move is that of vesica_bounds_f64. One that moves is too far out by at most three
+    /// units in the last place of the largest of three numbers: the side at rest, the way it moves, and where it ends.
     ///
     /// Since: 0.1.
     pub fn vesica_sweep_bounds_f64(kind: i32, numbers: *const f64, vx: f64, vy: f64, t_end: f64,
         out: *mut Aabb<f64>) -> i32;
     /// Which items of an index does one moving shape touch? They come in the index's order.
     ///
-    /// Requires: sets are those of the index. one is a single shape (count 1). out has room for `capacity` items. With
-    /// capacity 0, out and state may be NULL.
+    /// Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f64. out has
+    /// room for `capacity` items. With capacity 0, out and state may be NULL.
     ///
     /// Returns: the number of items written; with capacity 0, how many there are.
     ///
-    /// Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a pointer that
-    /// is not aligned, or a state that is not of this call. Invalid items are never touched.
+    /// Errors: those of vesica_cast_f64, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's,
+    /// a pointer that is not aligned, or a state from another call. Invalid items are never touched.
     ///
     /// Accuracy: exact.
     ///
     /// Since: 0.1.
     pub fn vesica_index_cast_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32,
         one: *const Shapes<f64>, vx: f64, vy: f64, t_end: f64, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
-    /// Which item of an index does one moving shape touch first? Of several at one time the one with the lowest number.
+    /// Which item of an index does one moving shape touch first? If several are touched at that time, the lowest item.
     ///
-    /// Requires: sets are those of the index. one is a single shape (count 1).
+    /// Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f64.
     ///
-    /// Returns: the item, or the index's count if there is none. \*out is its contact, the normal pointing to `one`.
+    /// Returns: the item, or the index's count if none is touched. \*out is its contact, the normal pointing to `one`.
     ///
-    /// Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as of vesica_cast_first_f64.
+    /// Errors: those of vesica_index_cast_f64; VESICA_E_RANGE only as for vesica_cast_first_f64.
     ///
     /// Since: 0.1.
     pub fn vesica_index_cast_first_f64(index: *const c_void, sets: *const Shapes<f64>, set_count: i32,
         one: *const Shapes<f64>, vx: f64, vy: f64, t_end: f64, out: *mut Impact<f64>) -> i64;
-    /// When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they
-    /// turn, there is no contact before.
+    /// When do two shapes that move and turn touch first? It is proved that there is no contact before t, however thin
+    /// the shapes are and however fast they turn.
     ///
-    /// At t, from 0 to 1, a centre has moved by t (vx, vy) and an axis has turned by t times the angle, as real numbers
-    /// do. \*out is the place then: the point of a that is nearest to b, and the normal that separates them. They are
-    /// at most \*gap apart.
+    /// At t, from 0 to 1, a centre has moved by t (vx, vy) and an axis has turned by t times the angle, without
+    /// rounding. \*out describes that moment: the point of a that is nearest to b, and the normal that separates them.
+    /// They are then at most \*gap apart.
     ///
-    /// Requires: numbers of turn_a and turn_b finite, angles at most 2^20 in magnitude; tolerance above 0, a length. No
+    /// Requires: numbers of turn_a and turn_b finite, angles at most 2^20 in magnitude; tolerance, a length \> 0. No
     /// pointer may be NULL.
     ///
-    /// Returns: VESICA_CAST_MISS: proved, there is no contact from 0 to 1; then t is infinity, all other numbers and
-    /// the gap are NaN. VESICA_CAST_HIT: proved, there is contact after t. VESICA_CAST_NEAR: there may be contact after
-    /// t. Of a point and a segment, or two points, which have no depth in each other, contact is never proved.
-    /// VESICA_CAST_START: the shapes overlap at t = 0, which is exact; \*out is as of vesica_cast_f64, and the gap 0.
+    /// Returns: VESICA_CAST_MISS: it is proved that there is no contact from 0 to 1; t is infinity, and all other
+    /// numbers and the gap are NaN. VESICA_CAST_HIT: it is proved that there is contact after t. VESICA_CAST_NEAR:
+    /// there may be contact after t; contact of a point with a segment or a point, where there is no depth, is never
+    /// proved. VESICA_CAST_START: the shapes overlap at t = 0, which is exact; \*out is that of vesica_cast_f64, and
+    /// the gap is 0.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE (a coordinate of the
-    /// point, or the gap, would exceed the finite numbers). On an error nothing is written.
+    /// point, or the gap, would overflow).
     ///
-    /// Accuracy: that there is no contact before t, a miss and a hit are certain. The gap is at most the tolerance,
-    /// unless that is below what rounding allows, (120 + 4 |angles|) u times the sum of all lengths, u = 2^-53, the
-    /// motion's included; or 256 directions or 4096 poses were looked at.
+    /// Accuracy: what is said to be proved is certain. The gap is at most the tolerance, except in two cases: the
+    /// tolerance is below (120 + 4 |angles|) u times the sum of all lengths, the motion's included, u = 2^-53; or the
+    /// search stopped after 256 directions or 4096 poses.
     ///
-    /// Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us where one shape is round; 0.14 ms was seen at spins of
-    /// 10^6 radians, 1.4 ms where exponents are wildly unlike.
+    /// Cost: 0.2 to 0.9 us for boxes, 0.4 to 3 us if one shape is round; 0.14 ms was seen at spins of 10^6 radians; at
+    /// worst 1.4 ms.
     ///
     /// Since: 0.1.
     pub fn vesica_impact_time_f64(kind_a: i32, numbers_a: *const f64, turn_a: *const Turn<f64>, kind_b: i32,
@@ -3294,12 +3283,12 @@ extern "C" {
     ///
     /// Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own
-    /// way leaves open costs what vesica_cast_f64 does of other kinds.
+    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// what vesica_cast_f64 does for other kinds.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_point_point_f64(a: *const Point<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3310,12 +3299,12 @@ extern "C" {
     ///
     /// Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own
-    /// way leaves open costs what vesica_cast_f64 does of other kinds.
+    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// what vesica_cast_f64 does for other kinds.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_segment_point_f64(a: *const Segment<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3326,12 +3315,12 @@ extern "C" {
     ///
     /// Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own
-    /// way leaves open costs what vesica_cast_f64 does of other kinds.
+    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// what vesica_cast_f64 does for other kinds.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_circle_point_f64(a: *const Circle<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3342,12 +3331,12 @@ extern "C" {
     ///
     /// Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own
-    /// way leaves open costs what vesica_cast_f64 does of other kinds.
+    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// what vesica_cast_f64 does for other kinds.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_aabb_point_f64(a: *const Aabb<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3358,12 +3347,12 @@ extern "C" {
     ///
     /// Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own
-    /// way leaves open costs what vesica_cast_f64 does of other kinds.
+    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// what vesica_cast_f64 does for other kinds.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_rect_point_f64(a: *const Rect<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3374,12 +3363,12 @@ extern "C" {
     ///
     /// Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own
-    /// way leaves open costs what vesica_cast_f64 does of other kinds.
+    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// what vesica_cast_f64 does for other kinds.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_ellipse_point_f64(a: *const Ellipse<f64>, b: *const Point<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3390,12 +3379,12 @@ extern "C" {
     ///
     /// Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own
-    /// way leaves open costs what vesica_cast_f64 does of other kinds.
+    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// what vesica_cast_f64 does for other kinds.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_circle_circle_f64(a: *const Circle<f64>, b: *const Circle<f64>, vx: f64, vy: f64, t_end: f64,
@@ -3406,115 +3395,113 @@ extern "C" {
     ///
     /// Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f64.
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f64.
     ///
     /// Accuracy: that of vesica_cast_f64.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own
-    /// way leaves open costs what vesica_cast_f64 does of other kinds.
+    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// what vesica_cast_f64 does for other kinds.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_rect_rect_f64(a: *const Rect<f64>, b: *const Rect<f64>, vx: f64, vy: f64, t_end: f64,
         out: *mut Impact<f64>) -> i32;
     /// Does b touch a while it moves, when first, and where?
     ///
-    /// The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
-    /// there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of
-    /// what they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32 and the point of
-    /// vesica_nearest_f32. So shapes that only touch, with a normal that does not point against the velocity, are
-    /// moving apart. Exchanging the shapes and turning the velocity round changes neither the answer nor the time, and
-    /// the normal but for its sign and rounding.
+    /// The normal is that of the face or the round outline that is met; if a corner meets a corner, that of an edge
+    /// there; if b only slides along a, it is perpendicular to the velocity. If two faces meet, the point is the middle
+    /// of what they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32 and the point
+    /// of vesica_nearest_f32. So shapes that only touch at the start are moving apart if the normal does not point
+    /// against the velocity. Exchanging the shapes and reversing the velocity changes neither the answer nor the time;
+    /// it reverses the normal, up to rounding.
     ///
     /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
     ///
     /// Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative
-    /// or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would exceed the finite
-    /// numbers; or the digits of a place at some time span more than 2000 bits, which takes exponents that are wildly
-    /// unlike).
+    /// or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would overflow; or an exact
+    /// position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000).
     ///
     /// Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along
-    /// that it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u. Bounds on
-    /// computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres
-    /// and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    /// the outline it may be off by 8 u scale / |n.v|, n and v of unit length. The normal has length 1 to 4 u. Bounds
+    /// on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres
+    /// and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
-    /// Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; of a ray (b a point), two circles and two ellipses less,
-    /// see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms, where
-    /// exponents are wildly unlike.
+    /// Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses,
+    /// see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32, vx: f32, vy: f32,
         t_end: f32, out: *mut Impact<f32>) -> i32;
-    /// When, and where, does b\[i\], moved by t (vx\[i\], vy\[i\]), touch a\[i\]? The columns are the fields of
+    /// When and where does b\[i\], moved by t (vx\[i\], vy\[i\]), touch a\[i\]? The columns are the fields of
     /// vesica_cast_f32's result.
     ///
-    /// Velocity i is at vx and vy + i \* stride bytes; stride 0 repeats one.
+    /// Velocity i is `i \* stride` bytes after vx and vy; stride 0 repeats one velocity.
     ///
-    /// Requires: equal counts, or one count of 1, whose shape is used for all. Each output has room for as many numbers
-    /// as the larger count. Some, but not all, may be NULL.
+    /// Requires: velocities and t_end as vesica_cast_f32; equal counts, or one count of 1, whose shape is used for all.
+    /// Each output has room for as many numbers as the larger count. Some, but not all, may be NULL.
     ///
-    /// Returns: how many touch, those that overlap at the start included.
+    /// Returns: how many touch, including those that overlap at the start.
     ///
-    /// Errors: as above. An element with an invalid shape, a velocity that is not finite or a result out of range has
-    /// NaN for its numbers, all others are written as usual, and the call returns VESICA_E_SHAPE if there is an invalid
-    /// shape, else the error.
+    /// Errors: those of vesica_cast_f32. An element with an invalid shape, a velocity that is not finite or a result
+    /// out of range gets NaN for all its numbers, and all others are written as usual. The call then returns
+    /// VESICA_E_SHAPE if a shape is invalid, else the error of such an element.
     ///
-    /// Accuracy: every result has the bits of vesica_cast_f32.
+    /// Accuracy: every result has the same bits as vesica_cast_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, vx: *const f32, vy: *const f32,
         stride: isize, t_end: f32, t: *mut f32, x: *mut f32, y: *mut f32, nx: *mut f32, ny: *mut f32) -> i64;
-    /// Which of many shapes at rest does one moving shape touch first? Of several at one time the one with the lowest
-    /// number.
+    /// Which of many shapes at rest does one moving shape touch first? If several are touched at that time, the one
+    /// with the lowest index.
     ///
-    /// Requires: one, the shape that moves, is a single one (count 1).
+    /// Requires: one, the shape that moves, an array of count 1; vx, vy and t_end as vesica_cast_f32.
     ///
-    /// Returns: its number, or the count of `many` if there is none. \*out is its contact, the normal pointing to
+    /// Returns: its index, or the count of `many` if none is touched. \*out is its contact, the normal pointing to
     /// `one`.
     ///
-    /// Errors: as above. An invalid shape anywhere is one. VESICA_E_RANGE only if vesica_cast_f32 returns it for one of
-    /// the shapes, and that might be touched first: where another one is certainly touched before, there is no error.
+    /// Errors: those of vesica_cast_f32. VESICA_E_SHAPE if any shape is invalid. VESICA_E_RANGE only if vesica_cast_f32
+    /// returns it for a shape that might be touched first.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_first_f32(one: *const Shapes<f32>, many: *const Shapes<f32>, vx: f32, vy: f32, t_end: f32,
         out: *mut Impact<f32>) -> i64;
-    /// A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+    /// A box that holds a shape throughout its motion, t from 0 to t_end. The shape touches nothing outside it.
     ///
     /// Requires: vx and vy finite; both may be 0. t_end \>= 0, or infinity.
     ///
     /// Returns: 0.
     ///
-    /// Errors: as above; VESICA_E_RANGE if a side would exceed the finite numbers.
+    /// Errors: those of vesica_cast_f32; VESICA_E_RANGE if a side would overflow.
     ///
-    /// Accuracy: a side that does not move is that of vesica_bounds_f32. One that does is too far out by at most three
-    /// steps between numbers as large as the largest of the side at rest, its way and where it ends.
+    /// Accuracy: a side that does not move is that of vesica_bounds_f32. One that moves is too far out by at most three
+    /// units in the last place of the largest of three numbers: the side at rest, the way it moves, and where it ends.
     ///
     /// Since: 0.1.
     pub fn vesica_sweep_bounds_f32(kind: i32, numbers: *const f32, vx: f32, vy: f32, t_end: f32,
         out: *mut Aabb<f32>) -> i32;
     /// Which items of an index does one moving shape touch? They come in the index's order.
     ///
-    /// Requires: sets are those of the index. one is a single shape (count 1). out has room for `capacity` items. With
-    /// capacity 0, out and state may be NULL.
+    /// Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f32. out has
+    /// room for `capacity` items. With capacity 0, out and state may be NULL.
     ///
     /// Returns: the number of items written; with capacity 0, how many there are.
     ///
-    /// Errors: as above, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's, a pointer that
-    /// is not aligned, or a state that is not of this call. Invalid items are never touched.
+    /// Errors: those of vesica_cast_f32, and VESICA_E_INDEX; VESICA_E_ARGUMENT also for sets that are not the index's,
+    /// a pointer that is not aligned, or a state from another call. Invalid items are never touched.
     ///
     /// Accuracy: exact.
     ///
     /// Since: 0.1.
     pub fn vesica_index_cast_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32,
         one: *const Shapes<f32>, vx: f32, vy: f32, t_end: f32, out: *mut i64, capacity: i64, state: *mut i64) -> i64;
-    /// Which item of an index does one moving shape touch first? Of several at one time the one with the lowest number.
+    /// Which item of an index does one moving shape touch first? If several are touched at that time, the lowest item.
     ///
-    /// Requires: sets are those of the index. one is a single shape (count 1).
+    /// Requires: sets are those of the index. one, an array of count 1; vx, vy and t_end as vesica_cast_f32.
     ///
-    /// Returns: the item, or the index's count if there is none. \*out is its contact, the normal pointing to `one`.
+    /// Returns: the item, or the index's count if none is touched. \*out is its contact, the normal pointing to `one`.
     ///
-    /// Errors: those of vesica_index_cast_f32; VESICA_E_RANGE only as of vesica_cast_first_f32.
+    /// Errors: those of vesica_index_cast_f32; VESICA_E_RANGE only as for vesica_cast_first_f32.
     ///
     /// Since: 0.1.
     pub fn vesica_index_cast_first_f32(index: *const c_void, sets: *const Shapes<f32>, set_count: i32,
@@ -3532,12 +3519,12 @@ extern "C" {
     ///
     /// Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own
-    /// way leaves open costs what vesica_cast_f32 does of other kinds.
+    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// what vesica_cast_f32 does for other kinds.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_point_point_f32(a: *const Point<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3548,12 +3535,12 @@ extern "C" {
     ///
     /// Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own
-    /// way leaves open costs what vesica_cast_f32 does of other kinds.
+    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// what vesica_cast_f32 does for other kinds.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_segment_point_f32(a: *const Segment<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3564,12 +3551,12 @@ extern "C" {
     ///
     /// Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own
-    /// way leaves open costs what vesica_cast_f32 does of other kinds.
+    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// what vesica_cast_f32 does for other kinds.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_circle_point_f32(a: *const Circle<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3580,12 +3567,12 @@ extern "C" {
     ///
     /// Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own
-    /// way leaves open costs what vesica_cast_f32 does of other kinds.
+    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// what vesica_cast_f32 does for other kinds.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_aabb_point_f32(a: *const Aabb<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3596,12 +3583,12 @@ extern "C" {
     ///
     /// Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own
-    /// way leaves open costs what vesica_cast_f32 does of other kinds.
+    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// what vesica_cast_f32 does for other kinds.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_rect_point_f32(a: *const Rect<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3612,12 +3599,12 @@ extern "C" {
     ///
     /// Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own
-    /// way leaves open costs what vesica_cast_f32 does of other kinds.
+    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// what vesica_cast_f32 does for other kinds.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_ellipse_point_f32(a: *const Ellipse<f32>, b: *const Point<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3628,12 +3615,12 @@ extern "C" {
     ///
     /// Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own
-    /// way leaves open costs what vesica_cast_f32 does of other kinds.
+    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// what vesica_cast_f32 does for other kinds.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_circle_circle_f32(a: *const Circle<f32>, b: *const Circle<f32>, vx: f32, vy: f32, t_end: f32,
@@ -3644,24 +3631,24 @@ extern "C" {
     ///
     /// Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as of vesica_cast_f32.
+    /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT, VESICA_E_SHAPE, VESICA_E_RANGE, as vesica_cast_f32.
     ///
     /// Accuracy: that of vesica_cast_f32.
     ///
-    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; of two rectangles 30 to 50 and 0.3 us. What the kinds' own
-    /// way leaves open costs what vesica_cast_f32 does of other kinds.
+    /// Cost: 15 to 25 ns for a miss, 60 to 180 ns for a hit; for two rectangles 30 to 50 ns and 0.3 us. Near-ties cost
+    /// what vesica_cast_f32 does for other kinds.
     ///
     /// Since: 0.1.
     pub fn vesica_cast_rect_rect_f32(a: *const Rect<f32>, b: *const Rect<f32>, vx: f32, vy: f32, t_end: f32,
         out: *mut Impact<f32>) -> i32;
-    /// The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+    /// The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
     ///
-    /// Every shape has an inside, an outline and an outside. The nine characters say of a's inside with b's inside,
-    /// outline and outside, then of a's outline with those three, then of a's outside, what they share: F for nothing,
-    /// else the dimension: 0 for single points, 1 for lines, 2 for an area. The outline of a segment is its two end
-    /// points; a point has none; that of a shape with area is the curve around it. A segment without length is a point;
-    /// a shape with one size 0 is a segment, with both a point. So a box that shares a side with another gives
-    /// "FF2F11212". Exchanging the shapes exchanges rows and columns.
+    /// Every shape has an inside, an outline and an outside. The first three characters say what a's inside shares with
+    /// b's inside, outline and outside; the next three say it of a's outline, the last three of a's outside. F means
+    /// nothing, 0 single points, 1 lines, 2 an area. The outline of a shape with area is the curve around it, that of a
+    /// segment its two end points; a point has none. A segment without length is a point; a shape with one size 0 is a
+    /// segment, with both 0 a point. Two boxes side by side that share a side give "FF2F11212". Exchanging the shapes
+    /// exchanges rows and columns.
     ///
     /// Requires: matrix with room for VESICA_DE9IM_SIZE characters.
     ///
@@ -3676,14 +3663,13 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_de9im_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
         matrix: *mut u8) -> i32;
-    /// Does a nine-intersection matrix fit a pattern, such as "T\*F\*\*F\*\*\*" for "a is within b"?
+    /// Does a nine-intersection matrix match a pattern, such as "T\*F\*\*F\*\*\*" for "a is within b"?
     ///
-    /// Each character of the pattern is one of F, 0, 1 and 2, which is meant literally; T, any of 0, 1 and 2; and \*,
-    /// which fits all.
+    /// In a pattern F, 0, 1 and 2 match themselves, T matches 0, 1 and 2, and \* matches all four.
     ///
     /// Requires: matrix and pattern, nine such characters and a final NUL each; no T or \* in the matrix.
     ///
-    /// Returns: 1 if it fits, 0 if not.
+    /// Returns: 1 if it matches, 0 if not.
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_ARGUMENT (another length or another character).
     ///
@@ -3691,39 +3677,38 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_de9im_match(matrix: *const u8, pattern: *const u8) -> i32;
-    /// The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
+    /// The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
     ///
-    /// The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle or an
-    /// ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the
-    /// one that is lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two
-    /// are a segment's ends. Of the same two shapes in either order they are the same numbers, and the same bits: a
-    /// zero is +0. Vertices that are not used become 0.
+    /// The kinds are points, segments, boxes and rectangles; a point or a segment may also meet a circle or an ellipse.
+    /// The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise if y points up. The first is the one
+    /// with the least y, of equal ones that with the least x, by the numbers written. One vertex is a point, two are
+    /// the ends of a segment. Exchanging the shapes changes no bit; a zero is +0. Unused vertices become 0.
     ///
-    /// Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f64 says that nothing is shared.
+    /// Returns: the number of vertices, 1 to 8, or 0 if the shapes share nothing.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE
-    /// (a vertex, or the length of a side that makes one, exceeds the finite numbers).
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_SHAPE, VESICA_E_RANGE
+    /// (a vertex, or the length of a side that makes one, overflows).
     ///
-    /// Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has
-    /// the numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f64. Others are right to 4 u times
-    /// the largest coordinate or size of either shape. Bounds on computed numbers use u = 2^-53. The scale of two
-    /// shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is a
-    /// shape's longer size over its shorter one.
+    /// Accuracy: the number of vertices is exact: it is that of the true region. A corner of a shape that lies in the
+    /// other keeps the stored numbers, or those of vesica_corners_of_shapes_f64 for a rectangle. Other vertices are
+    /// right to 4 u times the largest coordinate or size of either shape. Bounds on computed numbers use u = 2^-53. The
+    /// scale of two shapes is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect
+    /// ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: that of vesica_overlap_f64 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
-    /// 300 us, where exponents are wildly unlike.
+    /// 300 us.
     ///
     /// Since: 0.1.
     pub fn vesica_intersection_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
         vertices: *mut f64) -> i32;
-    /// The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+    /// The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
     ///
-    /// Every shape has an inside, an outline and an outside. The nine characters say of a's inside with b's inside,
-    /// outline and outside, then of a's outline with those three, then of a's outside, what they share: F for nothing,
-    /// else the dimension: 0 for single points, 1 for lines, 2 for an area. The outline of a segment is its two end
-    /// points; a point has none; that of a shape with area is the curve around it. A segment without length is a point;
-    /// a shape with one size 0 is a segment, with both a point. So a box that shares a side with another gives
-    /// "FF2F11212". Exchanging the shapes exchanges rows and columns.
+    /// Every shape has an inside, an outline and an outside. The first three characters say what a's inside shares with
+    /// b's inside, outline and outside; the next three say it of a's outline, the last three of a's outside. F means
+    /// nothing, 0 single points, 1 lines, 2 an area. The outline of a shape with area is the curve around it, that of a
+    /// segment its two end points; a point has none. A segment without length is a point; a shape with one size 0 is a
+    /// segment, with both 0 a point. Two boxes side by side that share a side give "FF2F11212". Exchanging the shapes
+    /// exchanges rows and columns.
     ///
     /// Requires: matrix with room for VESICA_DE9IM_SIZE characters.
     ///
@@ -3738,28 +3723,27 @@ extern "C" {
     /// Since: 0.1.
     pub fn vesica_de9im_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
         matrix: *mut u8) -> i32;
-    /// The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
+    /// The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
     ///
-    /// The kinds are points, segments, boxes and rectangles; a point or a segment may also go with a circle or an
-    /// ellipse. The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise where y points up, from the
-    /// one that is lowest, of two equally low ones the left one, as their numbers have it. One vertex is a point, two
-    /// are a segment's ends. Of the same two shapes in either order they are the same numbers, and the same bits: a
-    /// zero is +0. Vertices that are not used become 0.
+    /// The kinds are points, segments, boxes and rectangles; a point or a segment may also meet a circle or an ellipse.
+    /// The region is convex. Its vertices x0 y0 x1 y1 ... come counter-clockwise if y points up. The first is the one
+    /// with the least y, of equal ones that with the least x, by the numbers written. One vertex is a point, two are
+    /// the ends of a segment. Exchanging the shapes changes no bit; a zero is +0. Unused vertices become 0.
     ///
-    /// Returns: the number of vertices, 1 to 8, or 0 where vesica_overlap_f32 says that nothing is shared.
+    /// Returns: the number of vertices, 1 to 8, or 0 if the shapes share nothing.
     ///
-    /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for two kinds that are not as above), VESICA_E_SHAPE, VESICA_E_RANGE
-    /// (a vertex, or the length of a side that makes one, exceeds the finite numbers).
+    /// Errors: VESICA_E_NULL, VESICA_E_KIND (also for other pairs of kinds than these), VESICA_E_SHAPE, VESICA_E_RANGE
+    /// (a vertex, or the length of a side that makes one, overflows).
     ///
-    /// Accuracy: the number of vertices is exact: a true vertex each, before they are rounded. A shape's own corner has
-    /// the numbers that are stored, of a rectangle those of vesica_corners_of_shapes_f32. Others are right to 4 u times
-    /// the largest coordinate or size of either shape. Each number is computed in double, within these bounds, and then
-    /// rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx|
-    /// and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its
-    /// shorter one.
+    /// Accuracy: the number of vertices is exact: it is that of the true region. A corner of a shape that lies in the
+    /// other keeps the stored numbers, or those of vesica_corners_of_shapes_f32 for a rectangle. Other vertices are
+    /// right to 4 u times the largest coordinate or size of either shape. Each number is computed in double, within
+    /// these bounds, and then rounded to float once. Bounds on computed numbers use u = 2^-53. The scale of two shapes
+    /// is the largest of |dx| and |dy| between their centres and of their half lengths. An aspect ratio is longer over
+    /// shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: that of vesica_overlap_f32 for disjoint shapes; 0.2 to 1 us with a segment, 2 to 6 us for areas; at worst
-    /// 300 us, where exponents are wildly unlike.
+    /// 300 us.
     ///
     /// Since: 0.1.
     pub fn vesica_intersection_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Into which cell of the plan a box falls, and its columns on that cell's grid.
+// The cell of the plan that a box belongs to, and the box's columns on that cell's grid.
 #pragma once
 
 #include "index/frame.hpp"
@@ -11,8 +11,8 @@ namespace {  // an instantiation of its own in each object
 /// A box's middle; NaN where it has none, which falls into some cell and does not fit there.
 inline double middle(double low, double high) noexcept { return low * 0.5 + high * 0.5; }
 
-/// Level by level, so that no item waits for its last step. By single loads, as compilers that make vectors of this take
-/// them apart again for each load; and without branches, which nobody could foresee.
+/// Level by level, so that no item waits for its last step. By single loads, as compilers that make vectors of this
+/// take them apart again for each load; and without branches, which would be mispredicted.
 inline void descend(const Plan& plan, const double* x, const double* y, int n, std::uint32_t* cell) noexcept {
   const double* const along[2] = {x, y};
   for (int level = descend_first_levels(plan, x, y, n, cell); level < plan.levels; ++level) {

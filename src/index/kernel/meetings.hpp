@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which blocks, leaves and items meet: a window, or another block.
+// Which blocks, leaves and items meet a window or another block.
 #pragma once
 
 #include <limits>
@@ -10,8 +10,8 @@
 namespace vesica::index {
 namespace {  // an instantiation of its own in each object
 
-/// Where a node has no child, its sides are infinite and the wrong way round. A box may have infinite sides too, and must
-/// not meet that. The sides of a child that is there leave no side of a finite number out.
+/// Where a node has no child, its sides are infinite and the wrong way round. A box may have infinite sides too, and
+/// must not meet that. The sides of a child that is there leave no side of a finite number out.
 struct FiniteBox {
   double side[4];
   explicit FiniteBox(const double (&box)[4]) noexcept {
@@ -161,8 +161,8 @@ inline void select_by_few(const Block& first, const Block& second, Meetings& out
   }
 }
 
-/// Items of the first block that may meet one of the second. A block of few, far apart, has a large box, which all items
-/// of the first lie in, and perhaps not one item that comes near these.
+/// Items of the first block that may meet one of the second. A block of few, far apart, has a large box, which all
+/// items of the first lie in, and perhaps not one item that comes near these.
 inline void select_candidates(const Block& first, const Block& second, Meetings& out) noexcept {
   constexpr int few_leaves = 2, few_items = 24;
   const int leaves = __builtin_popcount(leaves_meeting(second, Window(box_in(second.frame, first))));

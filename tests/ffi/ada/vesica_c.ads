@@ -126,8 +126,7 @@ package Vesica_C is
       By : IEEE_Float_64;
    end record with Convention => C;
 
-   --  Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if they have a stretch in
-   --  common.
+   --  Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if the outlines share a stretch.
    type Vesica_Crossing_Points_F64 is record
       Count : Integer_32;
       Shared : Integer_32;
@@ -142,8 +141,7 @@ package Vesica_C is
       Y : IEEE_Float_64;
    end record with Convention => C;
 
-   --  An array of shapes of one kind, however it lies in memory: as records, packed or padded, or as one column per
-   --  number.
+   --  An array of shapes of one kind in any memory layout: records, packed or padded, or one column per number.
    type Vesica_Shapes_F64 is record
       Kind : Integer_32;
       Reserved : Integer_32;
@@ -210,8 +208,7 @@ package Vesica_C is
       By : IEEE_Float_32;
    end record with Convention => C;
 
-   --  Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if they have a stretch in
-   --  common.
+   --  Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if the outlines share a stretch.
    type Vesica_Crossing_Points_F32 is record
       Count : Integer_32;
       Shared : Integer_32;
@@ -226,8 +223,7 @@ package Vesica_C is
       Y : IEEE_Float_32;
    end record with Convention => C;
 
-   --  An array of shapes of one kind, however it lies in memory: as records, packed or padded, or as one column per
-   --  number.
+   --  An array of shapes of one kind in any memory layout: records, packed or padded, or one column per number.
    type Vesica_Shapes_F32 is record
       Kind : Integer_32;
       Reserved : Integer_32;
@@ -236,7 +232,7 @@ package Vesica_C is
       Field : Addresses_6;
    end record with Convention => C;
 
-   --  A first contact: when, where and along which normal.
+   --  A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
    type Vesica_Impact_F64 is record
       T : IEEE_Float_64;
       X : IEEE_Float_64;
@@ -245,15 +241,15 @@ package Vesica_C is
       Ny : IEEE_Float_64;
    end record with Convention => C;
 
-   --  How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that,
-   --  in radians.
+   --  How a shape moves while t runs from 0 to 1: the way (vx, vy) of its centre, and the angle in radians by which
+   --  it turns about its centre.
    type Vesica_Turn_F64 is record
       Vx : IEEE_Float_64;
       Vy : IEEE_Float_64;
       Angle : IEEE_Float_64;
    end record with Convention => C;
 
-   --  A first contact: when, where and along which normal.
+   --  A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
    type Vesica_Impact_F32 is record
       T : IEEE_Float_32;
       X : IEEE_Float_32;
@@ -262,15 +258,15 @@ package Vesica_C is
       Ny : IEEE_Float_32;
    end record with Convention => C;
 
-   --  How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that,
-   --  in radians.
+   --  How a shape moves while t runs from 0 to 1: the way (vx, vy) of its centre, and the angle in radians by which
+   --  it turns about its centre.
    type Vesica_Turn_F32 is record
       Vx : IEEE_Float_32;
       Vy : IEEE_Float_32;
       Angle : IEEE_Float_32;
    end record with Convention => C;
 
-   --  Version of the loaded library, to be compared with VESICA_VERSION: a smaller one is older than the header.
+   --  Version of the loaded library.
    function Vesica_Version return Integer_32
      with Import, Convention => C, External_Name => "vesica_version";
 
@@ -286,7 +282,7 @@ package Vesica_C is
    function Vesica_Version_Patch return Integer_32
      with Import, Convention => C, External_Name => "vesica_version_patch";
 
-   --  What an error code means, as one English phrase without a final stop.
+   --  What an error code means, as one English phrase without a full stop.
    function Vesica_Strerror (Code : Integer_32) return chars_ptr
      with Import, Convention => C, External_Name => "vesica_strerror";
 
@@ -298,7 +294,7 @@ package Vesica_C is
    function Vesica_Kind_Name (Kind : Integer_32) return chars_ptr
      with Import, Convention => C, External_Name => "vesica_kind_name";
 
-   --  Name of the instruction set that batches run on: the best that this processor has.
+   --  Name of the instruction set that batches use: the best one of this processor.
    function Vesica_Isa_Name return chars_ptr
      with Import, Convention => C, External_Name => "vesica_isa_name";
 
@@ -341,7 +337,7 @@ package Vesica_C is
       System.Address; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_depth_f64";
 
-   --  Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+   --  Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
    function Vesica_Shape_Area_F64 (Kind : Integer_32; Numbers : System.Address; Output : System.Address) return
       Integer_32
      with Import, Convention => C, External_Name => "vesica_shape_area_f64";
@@ -556,7 +552,8 @@ package Vesica_C is
       Capacity : Integer_64) return Integer_64
      with Import, Convention => C, External_Name => "vesica_overlap_select_f64";
 
-   --  Bytes of scratch memory that vesica_nms_f64 and vesica_nms_f32 need for that many shapes.
+   --  How many bytes of scratch do vesica_nms_f64, vesica_suppress_f64 and their float forms need for `count`
+   --  shapes?
    function Vesica_Nms_Scratch (Count : Integer_64) return Integer_64
      with Import, Convention => C, External_Name => "vesica_nms_scratch";
 
@@ -606,7 +603,7 @@ package Vesica_C is
       System.Address; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_depth_f32";
 
-   --  Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+   --  Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
    function Vesica_Shape_Area_F32 (Kind : Integer_32; Numbers : System.Address; Output : System.Address) return
       Integer_32
      with Import, Convention => C, External_Name => "vesica_shape_area_f32";
@@ -833,21 +830,21 @@ package Vesica_C is
       Integer_32; Output : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_rects_from_boxes_f64";
 
-   --  Ellipses from the boxes about them, whose sides they touch in the middle.
+   --  Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
    function Vesica_Ellipses_From_Boxes_F64 (Boxes : System.Address; Count : Integer_64; Stride : ptrdiff_t; Angle
       : Integer_32; Output : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_ellipses_from_boxes_f64";
 
-   --  Boxes from rectangles, or about ellipses: the way back.
+   --  Boxes from rectangles or from ellipses: the inverse of the two functions above.
    function Vesica_Boxes_From_Shapes_F64 (Shapes : System.Address; Angle : Integer_32; Boxes : System.Address)
       return Integer_64
      with Import, Convention => C, External_Name => "vesica_boxes_from_shapes_f64";
 
-   --  The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+   --  The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
    function Vesica_Corners_Of_Shapes_F64 (Shapes : System.Address; Corners : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_corners_of_shapes_f64";
 
-   --  The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.
+   --  Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.
    function Vesica_Bounds_Many_F64 (Shapes : System.Address; Output : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_bounds_many_f64";
 
@@ -856,21 +853,21 @@ package Vesica_C is
       Integer_32; Output : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_rects_from_boxes_f32";
 
-   --  Ellipses from the boxes about them, whose sides they touch in the middle.
+   --  Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
    function Vesica_Ellipses_From_Boxes_F32 (Boxes : System.Address; Count : Integer_64; Stride : ptrdiff_t; Angle
       : Integer_32; Output : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_ellipses_from_boxes_f32";
 
-   --  Boxes from rectangles, or about ellipses: the way back.
+   --  Boxes from rectangles or from ellipses: the inverse of the two functions above.
    function Vesica_Boxes_From_Shapes_F32 (Shapes : System.Address; Angle : Integer_32; Boxes : System.Address)
       return Integer_64
      with Import, Convention => C, External_Name => "vesica_boxes_from_shapes_f32";
 
-   --  The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+   --  The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
    function Vesica_Corners_Of_Shapes_F32 (Shapes : System.Address; Corners : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_corners_of_shapes_f32";
 
-   --  The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.
+   --  Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f32.
    function Vesica_Bounds_Many_F32 (Shapes : System.Address; Output : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_bounds_many_f32";
 
@@ -886,7 +883,7 @@ package Vesica_C is
    function Vesica_Join_Scratch return Integer_64
      with Import, Convention => C, External_Name => "vesica_join_scratch";
 
-   --  Are these bytes an index that queries can read?
+   --  Are these bytes an index that is safe to read?
    function Vesica_Index_Check (Index : System.Address; Size : Integer_64) return Integer_32
      with Import, Convention => C, External_Name => "vesica_index_check";
 
@@ -902,7 +899,7 @@ package Vesica_C is
    function Vesica_Index_Bounds (Index : System.Address; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_index_bounds";
 
-   --  The items of an index in spatial order: shapes that are near to each other stand near to each other.
+   --  The items of an index in spatial order: shapes near each other have nearby places in it.
    function Vesica_Index_Order (Index : System.Address; Output : System.Address; Capacity : Integer_64) return
       Integer_64
      with Import, Convention => C, External_Name => "vesica_index_order";
@@ -912,7 +909,7 @@ package Vesica_C is
       Index_Size : Integer_64; Scratch : System.Address; Scratch_Size : Integer_64) return Integer_64
      with Import, Convention => C, External_Name => "vesica_index_build_f64";
 
-   --  One part of a build in five steps, for several threads.
+   --  One part of a build by several threads, in five steps.
    function Vesica_Index_Step_F64 (Step : Integer_32; Part : Integer_64; Parts : Integer_64; Sets :
       System.Address; Set_Count : Integer_32; Index : System.Address; Index_Size : Integer_64; Scratch :
       System.Address; Scratch_Size : Integer_64) return Integer_64
@@ -923,7 +920,7 @@ package Vesica_C is
       System.Address; Output : System.Address; Capacity : Integer_64; State : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_index_select_f64";
 
-   --  All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+   --  Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
    function Vesica_Join_F64 (Query : Integer_32; Index_A : System.Address; Sets_A : System.Address; Set_Count_A :
       Integer_32; Index_B : System.Address; Sets_B : System.Address; Set_Count_B : Integer_32; Part : Integer_64;
       Parts : Integer_64; Scratch : System.Address; Scratch_Size : Integer_64; Out_A : System.Address; Out_B :
@@ -931,7 +928,7 @@ package Vesica_C is
      with Import, Convention => C, External_Name => "vesica_join_f64";
 
    --  All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once:
-   --  those whose answer from vesica_within_f64 is > 0.
+   --  those for which vesica_within_f64 is > 0.
    function Vesica_Join_Within_F64 (Index_A : System.Address; Sets_A : System.Address; Set_Count_A : Integer_32;
       Index_B : System.Address; Sets_B : System.Address; Set_Count_B : Integer_32; Distance : IEEE_Float_64; Part
       : Integer_64; Parts : Integer_64; Out_A : System.Address; Out_B : System.Address; Capacity : Integer_64;
@@ -955,7 +952,7 @@ package Vesica_C is
       Index_Size : Integer_64; Scratch : System.Address; Scratch_Size : Integer_64) return Integer_64
      with Import, Convention => C, External_Name => "vesica_index_build_f32";
 
-   --  One part of a build in five steps, for several threads.
+   --  One part of a build by several threads, in five steps.
    function Vesica_Index_Step_F32 (Step : Integer_32; Part : Integer_64; Parts : Integer_64; Sets :
       System.Address; Set_Count : Integer_32; Index : System.Address; Index_Size : Integer_64; Scratch :
       System.Address; Scratch_Size : Integer_64) return Integer_64
@@ -966,7 +963,7 @@ package Vesica_C is
       System.Address; Output : System.Address; Capacity : Integer_64; State : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_index_select_f32";
 
-   --  All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+   --  Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
    function Vesica_Join_F32 (Query : Integer_32; Index_A : System.Address; Sets_A : System.Address; Set_Count_A :
       Integer_32; Index_B : System.Address; Sets_B : System.Address; Set_Count_B : Integer_32; Part : Integer_64;
       Parts : Integer_64; Scratch : System.Address; Scratch_Size : Integer_64; Out_A : System.Address; Out_B :
@@ -974,7 +971,7 @@ package Vesica_C is
      with Import, Convention => C, External_Name => "vesica_join_f32";
 
    --  All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once:
-   --  those whose answer from vesica_within_f32 is > 0.
+   --  those for which vesica_within_f32 is > 0.
    function Vesica_Join_Within_F32 (Index_A : System.Address; Sets_A : System.Address; Set_Count_A : Integer_32;
       Index_B : System.Address; Sets_B : System.Address; Set_Count_B : Integer_32; Distance : IEEE_Float_32; Part
       : Integer_64; Parts : Integer_64; Out_A : System.Address; Out_B : System.Address; Capacity : Integer_64;
@@ -993,7 +990,7 @@ package Vesica_C is
       Integer_64; Parts : Integer_64; Output : System.Address; Distance : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_join_nearest_f32";
 
-   --  What share of a's area does b cover, or of b's area a?
+   --  What share of a's area does b cover?
    function Vesica_Ratio_F64 (Ratio : Integer_32; Kind_A : Integer_32; Numbers_A : System.Address; Kind_B :
       Integer_32; Numbers_B : System.Address; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_ratio_f64";
@@ -1023,7 +1020,7 @@ package Vesica_C is
       : ptrdiff_t) return Integer_64
      with Import, Convention => C, External_Name => "vesica_depth_matrix_f64";
 
-   --  How far apart are two shapes or, as a number below 0, how deep do they overlap?
+   --  Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
    function Vesica_Signed_Distance_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32;
       Numbers_B : System.Address; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_signed_distance_f64";
@@ -1053,7 +1050,7 @@ package Vesica_C is
       System.Address; Row_Stride : ptrdiff_t) return Integer_64
      with Import, Convention => C, External_Name => "vesica_within_matrix_f64";
 
-   --  Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
+   --  Greedy non-maximum suppression as vesica_nms_f64, by any ratio, each label on its own.
    function Vesica_Suppress_F64 (Shapes : System.Address; Scores : System.Address; Labels : System.Address; Ratio
       : Integer_32; Threshold : IEEE_Float_64; Least_Score : IEEE_Float_64; Most : Integer_64; Scratch :
       System.Address; Scratch_Size : Integer_64; Keep : System.Address; Kept : System.Address) return Integer_32
@@ -1063,14 +1060,14 @@ package Vesica_C is
    function Vesica_Suppress_Soft_Scratch (Count : Integer_64) return Integer_64
      with Import, Convention => C, External_Name => "vesica_suppress_soft_scratch";
 
-   --  Soft suppression: what a better shape covers keeps a lower score.
+   --  Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
    function Vesica_Suppress_Soft_F64 (Shapes : System.Address; Scores : System.Address; Labels : System.Address;
       Ratio : Integer_32; Decay : Integer_32; Parameter : IEEE_Float_64; Least_Score : IEEE_Float_64; Most :
       Integer_64; Scratch : System.Address; Scratch_Size : Integer_64; Keep : System.Address; Decayed :
       System.Address; Kept : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_suppress_soft_f64";
 
-   --  What share of a's area does b cover, or of b's area a?
+   --  What share of a's area does b cover?
    function Vesica_Ratio_F32 (Ratio : Integer_32; Kind_A : Integer_32; Numbers_A : System.Address; Kind_B :
       Integer_32; Numbers_B : System.Address; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_ratio_f32";
@@ -1100,13 +1097,13 @@ package Vesica_C is
       : ptrdiff_t) return Integer_64
      with Import, Convention => C, External_Name => "vesica_depth_matrix_f32";
 
-   --  Greedy non-maximum suppression as vesica_nms_f32, by any ratio and among like labels.
+   --  Greedy non-maximum suppression as vesica_nms_f32, by any ratio, each label on its own.
    function Vesica_Suppress_F32 (Shapes : System.Address; Scores : System.Address; Labels : System.Address; Ratio
       : Integer_32; Threshold : IEEE_Float_32; Least_Score : IEEE_Float_32; Most : Integer_64; Scratch :
       System.Address; Scratch_Size : Integer_64; Keep : System.Address; Kept : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_suppress_f32";
 
-   --  How far apart are two shapes or, as a number below 0, how deep do they overlap?
+   --  Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
    function Vesica_Signed_Distance_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32;
       Numbers_B : System.Address; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_signed_distance_f32";
@@ -1136,7 +1133,7 @@ package Vesica_C is
       System.Address; Row_Stride : ptrdiff_t) return Integer_64
      with Import, Convention => C, External_Name => "vesica_within_matrix_f32";
 
-   --  Soft suppression: what a better shape covers keeps a lower score.
+   --  Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
    function Vesica_Suppress_Soft_F32 (Shapes : System.Address; Scores : System.Address; Labels : System.Address;
       Ratio : Integer_32; Decay : Integer_32; Parameter : IEEE_Float_32; Least_Score : IEEE_Float_32; Most :
       Integer_64; Scratch : System.Address; Scratch_Size : Integer_64; Keep : System.Address; Decayed :
@@ -1149,7 +1146,7 @@ package Vesica_C is
       return Integer_32
      with Import, Convention => C, External_Name => "vesica_cast_f64";
 
-   --  When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
+   --  When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]?
    function Vesica_Cast_Many_F64 (A : System.Address; B : System.Address; Vx : System.Address; Vy :
       System.Address; Stride : ptrdiff_t; T_End : IEEE_Float_64; T : System.Address; X : System.Address; Y :
       System.Address; Nx : System.Address; Ny : System.Address) return Integer_64
@@ -1160,7 +1157,7 @@ package Vesica_C is
       IEEE_Float_64; T_End : IEEE_Float_64; Output : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_cast_first_f64";
 
-   --  A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+   --  A box that holds a shape throughout its motion, t from 0 to t_end.
    function Vesica_Sweep_Bounds_F64 (Kind : Integer_32; Numbers : System.Address; Vx : IEEE_Float_64; Vy :
       IEEE_Float_64; T_End : IEEE_Float_64; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_sweep_bounds_f64";
@@ -1177,8 +1174,7 @@ package Vesica_C is
       System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_index_cast_first_f64";
 
-   --  When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they
-   --  turn, there is no contact before.
+   --  When do two shapes that move and turn touch first?
    function Vesica_Impact_Time_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Turn_A : System.Address;
       Kind_B : Integer_32; Numbers_B : System.Address; Turn_B : System.Address; Tolerance : IEEE_Float_64; Output
       : System.Address; Gap : System.Address) return Integer_32
@@ -1230,7 +1226,7 @@ package Vesica_C is
       return Integer_32
      with Import, Convention => C, External_Name => "vesica_cast_f32";
 
-   --  When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
+   --  When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]?
    function Vesica_Cast_Many_F32 (A : System.Address; B : System.Address; Vx : System.Address; Vy :
       System.Address; Stride : ptrdiff_t; T_End : IEEE_Float_32; T : System.Address; X : System.Address; Y :
       System.Address; Nx : System.Address; Ny : System.Address) return Integer_64
@@ -1241,7 +1237,7 @@ package Vesica_C is
       IEEE_Float_32; T_End : IEEE_Float_32; Output : System.Address) return Integer_64
      with Import, Convention => C, External_Name => "vesica_cast_first_f32";
 
-   --  A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+   --  A box that holds a shape throughout its motion, t from 0 to t_end.
    function Vesica_Sweep_Bounds_F32 (Kind : Integer_32; Numbers : System.Address; Vx : IEEE_Float_32; Vy :
       IEEE_Float_32; T_End : IEEE_Float_32; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_sweep_bounds_f32";
@@ -1304,28 +1300,26 @@ package Vesica_C is
       IEEE_Float_32; T_End : IEEE_Float_32; Output : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_cast_rect_rect_f32";
 
-   --  The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+   --  The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
    function Vesica_De9im_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
       System.Address; Matrix : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_de9im_f64";
 
-   --  Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
+   --  Does a nine-intersection matrix match a pattern, such as "T*F**F***" for "a is within b"?
    function Vesica_De9im_Match (Matrix : chars_ptr; Pattern : chars_ptr) return Integer_32
      with Import, Convention => C, External_Name => "vesica_de9im_match";
 
-   --  The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
-   --  shape.
+   --  The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
    function Vesica_Intersection_F64 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32;
       Numbers_B : System.Address; Vertices : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_intersection_f64";
 
-   --  The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+   --  The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
    function Vesica_De9im_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32; Numbers_B :
       System.Address; Matrix : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_de9im_f32";
 
-   --  The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
-   --  shape.
+   --  The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
    function Vesica_Intersection_F32 (Kind_A : Integer_32; Numbers_A : System.Address; Kind_B : Integer_32;
       Numbers_B : System.Address; Vertices : System.Address) return Integer_32
      with Import, Convention => C, External_Name => "vesica_intersection_f32";

@@ -121,7 +121,7 @@ module vesica_c
     real(c_double) :: by
   end type
 
-  !> Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if they have a stretch in common.
+  !> Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if the outlines share a stretch.
   type, bind(c) :: vesica_crossing_points_f64
     integer(c_int32_t) :: count
     integer(c_int32_t) :: shared
@@ -136,8 +136,7 @@ module vesica_c
     real(c_double) :: y
   end type
 
-  !> An array of shapes of one kind, however it lies in memory: as records, packed or padded, or as one column per
-  !> number.
+  !> An array of shapes of one kind in any memory layout: records, packed or padded, or one column per number.
   type, bind(c) :: vesica_shapes_f64
     integer(c_int32_t) :: kind
     integer(c_int32_t) :: reserved
@@ -204,7 +203,7 @@ module vesica_c
     real(c_float) :: by
   end type
 
-  !> Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if they have a stretch in common.
+  !> Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if the outlines share a stretch.
   type, bind(c) :: vesica_crossing_points_f32
     integer(c_int32_t) :: count
     integer(c_int32_t) :: shared
@@ -219,8 +218,7 @@ module vesica_c
     real(c_float) :: y
   end type
 
-  !> An array of shapes of one kind, however it lies in memory: as records, packed or padded, or as one column per
-  !> number.
+  !> An array of shapes of one kind in any memory layout: records, packed or padded, or one column per number.
   type, bind(c) :: vesica_shapes_f32
     integer(c_int32_t) :: kind
     integer(c_int32_t) :: reserved
@@ -229,7 +227,7 @@ module vesica_c
     type(c_ptr) :: field(6)
   end type
 
-  !> A first contact: when, where and along which normal.
+  !> A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
   type, bind(c) :: vesica_impact_f64
     real(c_double) :: t
     real(c_double) :: x
@@ -238,15 +236,15 @@ module vesica_c
     real(c_double) :: ny
   end type
 
-  !> How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that, in
-  !> radians.
+  !> How a shape moves while t runs from 0 to 1: the way (vx, vy) of its centre, and the angle in radians by which it
+  !> turns about its centre.
   type, bind(c) :: vesica_turn_f64
     real(c_double) :: vx
     real(c_double) :: vy
     real(c_double) :: angle
   end type
 
-  !> A first contact: when, where and along which normal.
+  !> A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
   type, bind(c) :: vesica_impact_f32
     real(c_float) :: t
     real(c_float) :: x
@@ -255,8 +253,8 @@ module vesica_c
     real(c_float) :: ny
   end type
 
-  !> How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that, in
-  !> radians.
+  !> How a shape moves while t runs from 0 to 1: the way (vx, vy) of its centre, and the angle in radians by which it
+  !> turns about its centre.
   type, bind(c) :: vesica_turn_f32
     real(c_float) :: vx
     real(c_float) :: vy
@@ -264,7 +262,7 @@ module vesica_c
   end type
 
   interface
-    !> Version of the loaded library, to be compared with VESICA_VERSION: a smaller one is older than the header.
+    !> Version of the loaded library.
     integer(c_int32_t) function vesica_version() bind(c)
       import
     end function
@@ -284,7 +282,7 @@ module vesica_c
       import
     end function
 
-    !> What an error code means, as one English phrase without a final stop.
+    !> What an error code means, as one English phrase without a full stop.
     type(c_ptr) function vesica_strerror(code) bind(c)
       import
       integer(c_int32_t), value :: code
@@ -302,7 +300,7 @@ module vesica_c
       integer(c_int32_t), value :: kind
     end function
 
-    !> Name of the instruction set that batches run on: the best that this processor has.
+    !> Name of the instruction set that batches use: the best one of this processor.
     type(c_ptr) function vesica_isa_name() bind(c)
       import
     end function
@@ -381,7 +379,7 @@ module vesica_c
       type(vesica_penetration_f64), intent(out) :: out
     end function
 
-    !> Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+    !> Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
     integer(c_int32_t) function vesica_shape_area_f64(kind, numbers, out) bind(c)
       import
       integer(c_int32_t), value :: kind
@@ -776,7 +774,8 @@ module vesica_c
       integer(c_int64_t), value :: capacity
     end function
 
-    !> Bytes of scratch memory that vesica_nms_f64 and vesica_nms_f32 need for that many shapes.
+    !> How many bytes of scratch do vesica_nms_f64, vesica_suppress_f64 and their float forms need for `count`
+    !> shapes?
     integer(c_int64_t) function vesica_nms_scratch(count) bind(c)
       import
       integer(c_int64_t), value :: count
@@ -869,7 +868,7 @@ module vesica_c
       type(vesica_penetration_f32), intent(out) :: out
     end function
 
-    !> Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+    !> Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
     integer(c_int32_t) function vesica_shape_area_f32(kind, numbers, out) bind(c)
       import
       integer(c_int32_t), value :: kind
@@ -1287,7 +1286,7 @@ module vesica_c
       type(c_ptr), value :: out
     end function
 
-    !> Ellipses from the boxes about them, whose sides they touch in the middle.
+    !> Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
     integer(c_int64_t) function vesica_ellipses_from_boxes_f64(boxes, count, stride, angle, out) bind(c)
       import
       type(c_ptr), value :: boxes
@@ -1297,7 +1296,7 @@ module vesica_c
       type(c_ptr), value :: out
     end function
 
-    !> Boxes from rectangles, or about ellipses: the way back.
+    !> Boxes from rectangles or from ellipses: the inverse of the two functions above.
     integer(c_int64_t) function vesica_boxes_from_shapes_f64(shapes, angle, boxes) bind(c)
       import
       type(vesica_shapes_f64), intent(in) :: shapes
@@ -1305,14 +1304,14 @@ module vesica_c
       type(c_ptr), value :: boxes
     end function
 
-    !> The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+    !> The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
     integer(c_int64_t) function vesica_corners_of_shapes_f64(shapes, corners) bind(c)
       import
       type(vesica_shapes_f64), intent(in) :: shapes
       type(c_ptr), value :: corners
     end function
 
-    !> The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.
+    !> Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.
     integer(c_int64_t) function vesica_bounds_many_f64(shapes, out) bind(c)
       import
       type(vesica_shapes_f64), intent(in) :: shapes
@@ -1329,7 +1328,7 @@ module vesica_c
       type(c_ptr), value :: out
     end function
 
-    !> Ellipses from the boxes about them, whose sides they touch in the middle.
+    !> Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
     integer(c_int64_t) function vesica_ellipses_from_boxes_f32(boxes, count, stride, angle, out) bind(c)
       import
       type(c_ptr), value :: boxes
@@ -1339,7 +1338,7 @@ module vesica_c
       type(c_ptr), value :: out
     end function
 
-    !> Boxes from rectangles, or about ellipses: the way back.
+    !> Boxes from rectangles or from ellipses: the inverse of the two functions above.
     integer(c_int64_t) function vesica_boxes_from_shapes_f32(shapes, angle, boxes) bind(c)
       import
       type(vesica_shapes_f32), intent(in) :: shapes
@@ -1347,14 +1346,14 @@ module vesica_c
       type(c_ptr), value :: boxes
     end function
 
-    !> The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+    !> The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
     integer(c_int64_t) function vesica_corners_of_shapes_f32(shapes, corners) bind(c)
       import
       type(vesica_shapes_f32), intent(in) :: shapes
       type(c_ptr), value :: corners
     end function
 
-    !> The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.
+    !> Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f32.
     integer(c_int64_t) function vesica_bounds_many_f32(shapes, out) bind(c)
       import
       type(vesica_shapes_f32), intent(in) :: shapes
@@ -1378,7 +1377,7 @@ module vesica_c
       import
     end function
 
-    !> Are these bytes an index that queries can read?
+    !> Are these bytes an index that is safe to read?
     integer(c_int32_t) function vesica_index_check(index, size) bind(c)
       import
       type(c_ptr), value :: index
@@ -1404,7 +1403,7 @@ module vesica_c
       type(vesica_aabb_f64), intent(out) :: out
     end function
 
-    !> The items of an index in spatial order: shapes that are near to each other stand near to each other.
+    !> The items of an index in spatial order: shapes near each other have nearby places in it.
     integer(c_int64_t) function vesica_index_order(index, out, capacity) bind(c)
       import
       type(c_ptr), value :: index
@@ -1424,7 +1423,7 @@ module vesica_c
       integer(c_int64_t), value :: scratch_size
     end function
 
-    !> One part of a build in five steps, for several threads.
+    !> One part of a build by several threads, in five steps.
     integer(c_int64_t) function vesica_index_step_f64(step, part, parts, sets, set_count, index, index_size, &
       scratch, scratch_size) bind(c)
       import
@@ -1451,7 +1450,7 @@ module vesica_c
       type(c_ptr), value :: state
     end function
 
-    !> All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+    !> Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
     integer(c_int64_t) function vesica_join_f64(query, index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, &
       part, parts, scratch, scratch_size, out_a, out_b, capacity, state) bind(c)
       import
@@ -1473,7 +1472,7 @@ module vesica_c
     end function
 
     !> All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once:
-    !> those whose answer from vesica_within_f64 is > 0.
+    !> those for which vesica_within_f64 is > 0.
     integer(c_int64_t) function vesica_join_within_f64(index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, &
       distance, part, parts, out_a, out_b, capacity, state) bind(c)
       import
@@ -1535,7 +1534,7 @@ module vesica_c
       integer(c_int64_t), value :: scratch_size
     end function
 
-    !> One part of a build in five steps, for several threads.
+    !> One part of a build by several threads, in five steps.
     integer(c_int64_t) function vesica_index_step_f32(step, part, parts, sets, set_count, index, index_size, &
       scratch, scratch_size) bind(c)
       import
@@ -1562,7 +1561,7 @@ module vesica_c
       type(c_ptr), value :: state
     end function
 
-    !> All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+    !> Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
     integer(c_int64_t) function vesica_join_f32(query, index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, &
       part, parts, scratch, scratch_size, out_a, out_b, capacity, state) bind(c)
       import
@@ -1584,7 +1583,7 @@ module vesica_c
     end function
 
     !> All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once:
-    !> those whose answer from vesica_within_f32 is > 0.
+    !> those for which vesica_within_f32 is > 0.
     integer(c_int64_t) function vesica_join_within_f32(index_a, sets_a, set_count_a, index_b, sets_b, set_count_b, &
       distance, part, parts, out_a, out_b, capacity, state) bind(c)
       import
@@ -1634,7 +1633,7 @@ module vesica_c
       type(c_ptr), value :: distance
     end function
 
-    !> What share of a's area does b cover, or of b's area a?
+    !> What share of a's area does b cover?
     integer(c_int32_t) function vesica_ratio_f64(ratio, kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
       import
       integer(c_int32_t), value :: ratio
@@ -1691,7 +1690,7 @@ module vesica_c
       integer(c_ptrdiff_t), value :: row_stride
     end function
 
-    !> How far apart are two shapes or, as a number below 0, how deep do they overlap?
+    !> Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
     integer(c_int32_t) function vesica_signed_distance_f64(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
       import
       integer(c_int32_t), value :: kind_a
@@ -1747,7 +1746,7 @@ module vesica_c
       integer(c_ptrdiff_t), value :: row_stride
     end function
 
-    !> Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
+    !> Greedy non-maximum suppression as vesica_nms_f64, by any ratio, each label on its own.
     integer(c_int32_t) function vesica_suppress_f64(shapes, scores, labels, ratio, threshold, least_score, most, &
       scratch, scratch_size, keep, kept) bind(c)
       import
@@ -1770,7 +1769,7 @@ module vesica_c
       integer(c_int64_t), value :: count
     end function
 
-    !> Soft suppression: what a better shape covers keeps a lower score.
+    !> Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
     integer(c_int32_t) function vesica_suppress_soft_f64(shapes, scores, labels, ratio, decay, parameter, &
       least_score, most, scratch, scratch_size, keep, decayed, kept) bind(c)
       import
@@ -1789,7 +1788,7 @@ module vesica_c
       type(c_ptr), value :: kept
     end function
 
-    !> What share of a's area does b cover, or of b's area a?
+    !> What share of a's area does b cover?
     integer(c_int32_t) function vesica_ratio_f32(ratio, kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
       import
       integer(c_int32_t), value :: ratio
@@ -1846,7 +1845,7 @@ module vesica_c
       integer(c_ptrdiff_t), value :: row_stride
     end function
 
-    !> Greedy non-maximum suppression as vesica_nms_f32, by any ratio and among like labels.
+    !> Greedy non-maximum suppression as vesica_nms_f32, by any ratio, each label on its own.
     integer(c_int32_t) function vesica_suppress_f32(shapes, scores, labels, ratio, threshold, least_score, most, &
       scratch, scratch_size, keep, kept) bind(c)
       import
@@ -1863,7 +1862,7 @@ module vesica_c
       type(c_ptr), value :: kept
     end function
 
-    !> How far apart are two shapes or, as a number below 0, how deep do they overlap?
+    !> Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
     integer(c_int32_t) function vesica_signed_distance_f32(kind_a, numbers_a, kind_b, numbers_b, out) bind(c)
       import
       integer(c_int32_t), value :: kind_a
@@ -1919,7 +1918,7 @@ module vesica_c
       integer(c_ptrdiff_t), value :: row_stride
     end function
 
-    !> Soft suppression: what a better shape covers keeps a lower score.
+    !> Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
     integer(c_int32_t) function vesica_suppress_soft_f32(shapes, scores, labels, ratio, decay, parameter, &
       least_score, most, scratch, scratch_size, keep, decayed, kept) bind(c)
       import
@@ -1951,7 +1950,7 @@ module vesica_c
       type(vesica_impact_f64), intent(out) :: out
     end function
 
-    !> When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
+    !> When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]?
     integer(c_int64_t) function vesica_cast_many_f64(a, b, vx, vy, stride, t_end, t, x, y, nx, ny) bind(c)
       import
       type(vesica_shapes_f64), intent(in) :: a
@@ -1978,7 +1977,7 @@ module vesica_c
       type(vesica_impact_f64), intent(out) :: out
     end function
 
-    !> A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+    !> A box that holds a shape throughout its motion, t from 0 to t_end.
     integer(c_int32_t) function vesica_sweep_bounds_f64(kind, numbers, vx, vy, t_end, out) bind(c)
       import
       integer(c_int32_t), value :: kind
@@ -2018,8 +2017,7 @@ module vesica_c
       type(vesica_impact_f64), intent(out) :: out
     end function
 
-    !> When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they
-    !> turn, there is no contact before.
+    !> When do two shapes that move and turn touch first?
     integer(c_int32_t) function vesica_impact_time_f64(kind_a, numbers_a, turn_a, kind_b, numbers_b, turn_b, &
       tolerance, out, gap) bind(c)
       import
@@ -2135,7 +2133,7 @@ module vesica_c
       type(vesica_impact_f32), intent(out) :: out
     end function
 
-    !> When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
+    !> When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]?
     integer(c_int64_t) function vesica_cast_many_f32(a, b, vx, vy, stride, t_end, t, x, y, nx, ny) bind(c)
       import
       type(vesica_shapes_f32), intent(in) :: a
@@ -2162,7 +2160,7 @@ module vesica_c
       type(vesica_impact_f32), intent(out) :: out
     end function
 
-    !> A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+    !> A box that holds a shape throughout its motion, t from 0 to t_end.
     integer(c_int32_t) function vesica_sweep_bounds_f32(kind, numbers, vx, vy, t_end, out) bind(c)
       import
       integer(c_int32_t), value :: kind
@@ -2305,7 +2303,7 @@ module vesica_c
       type(vesica_impact_f32), intent(out) :: out
     end function
 
-    !> The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+    !> The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
     integer(c_int32_t) function vesica_de9im_f64(kind_a, numbers_a, kind_b, numbers_b, matrix) bind(c)
       import
       integer(c_int32_t), value :: kind_a
@@ -2315,15 +2313,14 @@ module vesica_c
       type(c_ptr), value :: matrix
     end function
 
-    !> Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
+    !> Does a nine-intersection matrix match a pattern, such as "T*F**F***" for "a is within b"?
     integer(c_int32_t) function vesica_de9im_match(matrix, pattern) bind(c)
       import
       type(c_ptr), value :: matrix
       type(c_ptr), value :: pattern
     end function
 
-    !> The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
-    !> shape.
+    !> The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
     integer(c_int32_t) function vesica_intersection_f64(kind_a, numbers_a, kind_b, numbers_b, vertices) bind(c)
       import
       integer(c_int32_t), value :: kind_a
@@ -2333,7 +2330,7 @@ module vesica_c
       type(c_ptr), value :: vertices
     end function
 
-    !> The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+    !> The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
     integer(c_int32_t) function vesica_de9im_f32(kind_a, numbers_a, kind_b, numbers_b, matrix) bind(c)
       import
       integer(c_int32_t), value :: kind_a
@@ -2343,8 +2340,7 @@ module vesica_c
       type(c_ptr), value :: matrix
     end function
 
-    !> The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
-    !> shape.
+    !> The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
     integer(c_int32_t) function vesica_intersection_f32(kind_a, numbers_a, kind_b, numbers_b, vertices) bind(c)
       import
       integer(c_int32_t), value :: kind_a

@@ -72,7 +72,7 @@
 (define-syntax-rule (c name result argument ...)
   (define-public name (function (symbol->string 'name) result (list argument ...))))
 
-;; Version of the loaded library, to be compared with VESICA_VERSION: a smaller one is older than the header.
+;; Version of the loaded library.
 (c vesica_version int32)
 ;; VESICA_VERSION_MAJOR of the loaded library.
 (c vesica_version_major int32)
@@ -80,13 +80,13 @@
 (c vesica_version_minor int32)
 ;; VESICA_VERSION_PATCH of the loaded library.
 (c vesica_version_patch int32)
-;; What an error code means, as one English phrase without a final stop.
+;; What an error code means, as one English phrase without a full stop.
 (c vesica_strerror '* int32)
 ;; How many numbers does a shape of this kind have?
 (c vesica_field_count int32 int32)
 ;; Name of a kind.
 (c vesica_kind_name '* int32)
-;; Name of the instruction set that batches run on: the best that this processor has.
+;; Name of the instruction set that batches use: the best one of this processor.
 (c vesica_isa_name '*)
 ;; Is a shape valid, and if not, which rule does it break?
 (c vesica_check_f64 int32 int32 '*)
@@ -104,7 +104,7 @@
 (c vesica_boundary_distance_f64 int32 int32 '* int32 '* '*)
 ;; Penetration depth: how far and which way must b be moved until the two shapes only touch?
 (c vesica_depth_f64 int32 int32 '* int32 '* '*)
-;; Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+;; Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
 (c vesica_shape_area_f64 int32 int32 '* '*)
 ;; Area of the intersection of two shapes.
 (c vesica_area_f64 int32 int32 '* int32 '* '*)
@@ -198,7 +198,7 @@
 (c vesica_iou_matrix_f64 int64 '* '* '* ptrdiff_t)
 ;; Which of many shapes overlap one?
 (c vesica_overlap_select_f64 int64 '* '* '* int64)
-;; Bytes of scratch memory that vesica_nms_f64 and vesica_nms_f32 need for that many shapes.
+;; How many bytes of scratch do vesica_nms_f64, vesica_suppress_f64 and their float forms need for `count` shapes?
 (c vesica_nms_scratch int64 int64)
 ;; Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one whose
 ;; vesica_iou_f64 with every shape kept before is at most the threshold.
@@ -219,7 +219,7 @@
 (c vesica_boundary_distance_f32 int32 int32 '* int32 '* '*)
 ;; Penetration depth: how far and which way must b be moved until the two shapes only touch?
 (c vesica_depth_f32 int32 int32 '* int32 '* '*)
-;; Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+;; Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
 (c vesica_shape_area_f32 int32 int32 '* '*)
 ;; Area of the intersection of two shapes.
 (c vesica_area_f32 int32 int32 '* int32 '* '*)
@@ -318,23 +318,23 @@
 (c vesica_nms_f32 int32 '* '* float '* int64 '* '*)
 ;; Rectangles from boxes.
 (c vesica_rects_from_boxes_f64 int64 '* int64 ptrdiff_t int32 '*)
-;; Ellipses from the boxes about them, whose sides they touch in the middle.
+;; Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
 (c vesica_ellipses_from_boxes_f64 int64 '* int64 ptrdiff_t int32 '*)
-;; Boxes from rectangles, or about ellipses: the way back.
+;; Boxes from rectangles or from ellipses: the inverse of the two functions above.
 (c vesica_boxes_from_shapes_f64 int64 '* int32 '*)
-;; The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+;; The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
 (c vesica_corners_of_shapes_f64 int64 '* '*)
-;; The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.
+;; Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.
 (c vesica_bounds_many_f64 int64 '* '*)
 ;; Rectangles from boxes.
 (c vesica_rects_from_boxes_f32 int64 '* int64 ptrdiff_t int32 '*)
-;; Ellipses from the boxes about them, whose sides they touch in the middle.
+;; Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
 (c vesica_ellipses_from_boxes_f32 int64 '* int64 ptrdiff_t int32 '*)
-;; Boxes from rectangles, or about ellipses: the way back.
+;; Boxes from rectangles or from ellipses: the inverse of the two functions above.
 (c vesica_boxes_from_shapes_f32 int64 '* int32 '*)
-;; The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+;; The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
 (c vesica_corners_of_shapes_f32 int64 '* '*)
-;; The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.
+;; Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f32.
 (c vesica_bounds_many_f32 int64 '* '*)
 ;; How many bytes suffice for an index of `count` shapes, of any kinds?
 (c vesica_index_size int64 int64)
@@ -342,7 +342,7 @@
 (c vesica_index_scratch int64 int64)
 ;; How many bytes of scratch does a join need, whatever its indexes?
 (c vesica_join_scratch int64)
-;; Are these bytes an index that queries can read?
+;; Are these bytes an index that is safe to read?
 (c vesica_index_check int32 '* int64)
 ;; How many bytes does a built index take?
 (c vesica_index_bytes int64 '*)
@@ -350,18 +350,18 @@
 (c vesica_index_count int64 '*)
 ;; A box around all valid shapes of an index.
 (c vesica_index_bounds int32 '* '*)
-;; The items of an index in spatial order: shapes that are near to each other stand near to each other.
+;; The items of an index in spatial order: shapes near each other have nearby places in it.
 (c vesica_index_order int64 '* '* int64)
 ;; Builds the index of some sets of shapes.
 (c vesica_index_build_f64 int64 '* int32 '* int64 '* int64)
-;; One part of a build in five steps, for several threads.
+;; One part of a build by several threads, in five steps.
 (c vesica_index_step_f64 int64 int32 int64 int64 '* int32 '* int64 '* int64)
 ;; Which items of an index does one shape overlap?
 (c vesica_index_select_f64 int64 '* '* int32 '* '* int64 '*)
-;; All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+;; Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
 (c vesica_join_f64 int64 int32 '* '* int32 '* '* int32 int64 int64 '* int64 '* '* int64 '*)
 ;; All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
-;; whose answer from vesica_within_f64 is > 0.
+;; for which vesica_within_f64 is > 0.
 (c vesica_join_within_f64 int64 '* '* int32 '* '* int32 double int64 int64 '* '* int64 '*)
 ;; Which items of an index are nearest to one shape?
 (c vesica_index_nearest_f64 int64 '* '* int32 '* int64 double '* '*)
@@ -369,20 +369,20 @@
 (c vesica_join_nearest_f64 int64 '* int32 '* '* int32 int64 double int64 int64 '* '*)
 ;; Builds the index of some sets of shapes.
 (c vesica_index_build_f32 int64 '* int32 '* int64 '* int64)
-;; One part of a build in five steps, for several threads.
+;; One part of a build by several threads, in five steps.
 (c vesica_index_step_f32 int64 int32 int64 int64 '* int32 '* int64 '* int64)
 ;; Which items of an index does one shape overlap?
 (c vesica_index_select_f32 int64 '* '* int32 '* '* int64 '*)
-;; All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+;; Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
 (c vesica_join_f32 int64 int32 '* '* int32 '* '* int32 int64 int64 '* int64 '* '* int64 '*)
 ;; All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
-;; whose answer from vesica_within_f32 is > 0.
+;; for which vesica_within_f32 is > 0.
 (c vesica_join_within_f32 int64 '* '* int32 '* '* int32 float int64 int64 '* '* int64 '*)
 ;; Which items of an index are nearest to one shape?
 (c vesica_index_nearest_f32 int64 '* '* int32 '* int64 float '* '*)
 ;; Which items of index_b are nearest to each item of sets_a?
 (c vesica_join_nearest_f32 int64 '* int32 '* '* int32 int64 float int64 int64 '* '*)
-;; What share of a's area does b cover, or of b's area a?
+;; What share of a's area does b cover?
 (c vesica_ratio_f64 int32 int32 int32 '* int32 '* '*)
 ;; A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
 (c vesica_ratio_many_f64 int64 int32 '* '* '*)
@@ -394,7 +394,7 @@
 (c vesica_boundary_distance_matrix_f64 int64 '* '* '* ptrdiff_t)
 ;; How deep do a[i] and b[j] overlap?
 (c vesica_depth_matrix_f64 int64 '* '* '* ptrdiff_t)
-;; How far apart are two shapes or, as a number below 0, how deep do they overlap?
+;; Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
 (c vesica_signed_distance_f64 int32 int32 '* int32 '* '*)
 ;; Signed distances of a[i] and b[i].
 (c vesica_signed_distance_many_f64 int64 '* '* '*)
@@ -406,13 +406,13 @@
 (c vesica_within_many_f64 int64 '* '* double '*)
 ;; Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f64.
 (c vesica_within_matrix_f64 int64 '* '* double '* ptrdiff_t)
-;; Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
+;; Greedy non-maximum suppression as vesica_nms_f64, by any ratio, each label on its own.
 (c vesica_suppress_f64 int32 '* '* '* int32 double double int64 '* int64 '* '*)
 ;; How many bytes of scratch does soft suppression of `count` shapes need?
 (c vesica_suppress_soft_scratch int64 int64)
-;; Soft suppression: what a better shape covers keeps a lower score.
+;; Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
 (c vesica_suppress_soft_f64 int32 '* '* '* int32 int32 double double int64 '* int64 '* '* '*)
-;; What share of a's area does b cover, or of b's area a?
+;; What share of a's area does b cover?
 (c vesica_ratio_f32 int32 int32 int32 '* int32 '* '*)
 ;; A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
 (c vesica_ratio_many_f32 int64 int32 '* '* '*)
@@ -424,9 +424,9 @@
 (c vesica_boundary_distance_matrix_f32 int64 '* '* '* ptrdiff_t)
 ;; How deep do a[i] and b[j] overlap?
 (c vesica_depth_matrix_f32 int64 '* '* '* ptrdiff_t)
-;; Greedy non-maximum suppression as vesica_nms_f32, by any ratio and among like labels.
+;; Greedy non-maximum suppression as vesica_nms_f32, by any ratio, each label on its own.
 (c vesica_suppress_f32 int32 '* '* '* int32 float float int64 '* int64 '* '*)
-;; How far apart are two shapes or, as a number below 0, how deep do they overlap?
+;; Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
 (c vesica_signed_distance_f32 int32 int32 '* int32 '* '*)
 ;; Signed distances of a[i] and b[i].
 (c vesica_signed_distance_many_f32 int64 '* '* '*)
@@ -438,22 +438,21 @@
 (c vesica_within_many_f32 int64 '* '* float '*)
 ;; Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f32.
 (c vesica_within_matrix_f32 int64 '* '* float '* ptrdiff_t)
-;; Soft suppression: what a better shape covers keeps a lower score.
+;; Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
 (c vesica_suppress_soft_f32 int32 '* '* '* int32 int32 float float int64 '* int64 '* '* '*)
 ;; Does b touch a while it moves, when first, and where?
 (c vesica_cast_f64 int32 int32 '* int32 '* double double double '*)
-;; When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
+;; When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]?
 (c vesica_cast_many_f64 int64 '* '* '* '* ptrdiff_t double '* '* '* '* '*)
 ;; Which of many shapes at rest does one moving shape touch first?
 (c vesica_cast_first_f64 int64 '* '* double double double '*)
-;; A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+;; A box that holds a shape throughout its motion, t from 0 to t_end.
 (c vesica_sweep_bounds_f64 int32 int32 '* double double double '*)
 ;; Which items of an index does one moving shape touch?
 (c vesica_index_cast_f64 int64 '* '* int32 '* double double double '* int64 '*)
 ;; Which item of an index does one moving shape touch first?
 (c vesica_index_cast_first_f64 int64 '* '* int32 '* double double double '*)
-;; When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they turn,
-;; there is no contact before.
+;; When do two shapes that move and turn touch first?
 (c vesica_impact_time_f64 int32 int32 '* '* int32 '* '* double '* '*)
 ;; A ray at a point.
 (c vesica_cast_point_point_f64 int32 '* '* double double double '*)
@@ -473,11 +472,11 @@
 (c vesica_cast_rect_rect_f64 int32 '* '* double double double '*)
 ;; Does b touch a while it moves, when first, and where?
 (c vesica_cast_f32 int32 int32 '* int32 '* float float float '*)
-;; When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
+;; When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]?
 (c vesica_cast_many_f32 int64 '* '* '* '* ptrdiff_t float '* '* '* '* '*)
 ;; Which of many shapes at rest does one moving shape touch first?
 (c vesica_cast_first_f32 int64 '* '* float float float '*)
-;; A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+;; A box that holds a shape throughout its motion, t from 0 to t_end.
 (c vesica_sweep_bounds_f32 int32 int32 '* float float float '*)
 ;; Which items of an index does one moving shape touch?
 (c vesica_index_cast_f32 int64 '* '* int32 '* float float float '* int64 '*)
@@ -501,13 +500,13 @@
 (c vesica_cast_circle_circle_f32 int32 '* '* float float float '*)
 ;; Two rectangles.
 (c vesica_cast_rect_rect_f32 int32 '* '* float float float '*)
-;; The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+;; The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
 (c vesica_de9im_f64 int32 int32 '* int32 '* '*)
-;; Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
+;; Does a nine-intersection matrix match a pattern, such as "T*F**F***" for "a is within b"?
 (c vesica_de9im_match int32 '* '*)
-;; The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
+;; The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
 (c vesica_intersection_f64 int32 int32 '* int32 '* '*)
-;; The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+;; The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
 (c vesica_de9im_f32 int32 int32 '* int32 '* '*)
-;; The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
+;; The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
 (c vesica_intersection_f32 int32 int32 '* int32 '* '*)

@@ -123,7 +123,7 @@ type
     by: Double;
   end;
   PVesicaClosestPointsF64 = ^TVesicaClosestPointsF64;
-  // Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if they have a stretch in common.
+  // Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if the outlines share a stretch.
   TVesicaCrossingPointsF64 = record
     count: Int32;
     shared: Int32;
@@ -138,8 +138,7 @@ type
     y: Double;
   end;
   PVesicaPenetrationF64 = ^TVesicaPenetrationF64;
-  // An array of shapes of one kind, however it lies in memory: as records, packed or padded, or as one column per
-  // number.
+  // An array of shapes of one kind in any memory layout: records, packed or padded, or one column per number.
   TVesicaShapesF64 = record
     kind: Int32;
     reserved: Int32;
@@ -206,7 +205,7 @@ type
     by: Single;
   end;
   PVesicaClosestPointsF32 = ^TVesicaClosestPointsF32;
-  // Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if they have a stretch in common.
+  // Where two outlines meet: `count` places (x[i], y[i]), the rest 0. shared is 1 if the outlines share a stretch.
   TVesicaCrossingPointsF32 = record
     count: Int32;
     shared: Int32;
@@ -221,8 +220,7 @@ type
     y: Single;
   end;
   PVesicaPenetrationF32 = ^TVesicaPenetrationF32;
-  // An array of shapes of one kind, however it lies in memory: as records, packed or padded, or as one column per
-  // number.
+  // An array of shapes of one kind in any memory layout: records, packed or padded, or one column per number.
   TVesicaShapesF32 = record
     kind: Int32;
     reserved: Int32;
@@ -231,7 +229,7 @@ type
     field: array[0..5] of PSingle;
   end;
   PVesicaShapesF32 = ^TVesicaShapesF32;
-  // A first contact: when, where and along which normal.
+  // A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
   TVesicaImpactF64 = record
     t: Double;
     x: Double;
@@ -240,15 +238,15 @@ type
     ny: Double;
   end;
   PVesicaImpactF64 = ^TVesicaImpactF64;
-  // How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that, in
-  // radians.
+  // How a shape moves while t runs from 0 to 1: the way (vx, vy) of its centre, and the angle in radians by which it
+  // turns about its centre.
   TVesicaTurnF64 = record
     vx: Double;
     vy: Double;
     angle: Double;
   end;
   PVesicaTurnF64 = ^TVesicaTurnF64;
-  // A first contact: when, where and along which normal.
+  // A first contact: its time t, its point (x, y), and the unit normal (nx, ny) there, from a to b.
   TVesicaImpactF32 = record
     t: Single;
     x: Single;
@@ -257,8 +255,8 @@ type
     ny: Single;
   end;
   PVesicaImpactF32 = ^TVesicaImpactF32;
-  // How a shape moves while t runs from 0 to 1: by how much its centre does, and by how much it turns about that, in
-  // radians.
+  // How a shape moves while t runs from 0 to 1: the way (vx, vy) of its centre, and the angle in radians by which it
+  // turns about its centre.
   TVesicaTurnF32 = record
     vx: Single;
     vy: Single;
@@ -266,7 +264,7 @@ type
   end;
   PVesicaTurnF32 = ^TVesicaTurnF32;
 
-// Version of the loaded library, to be compared with VESICA_VERSION: a smaller one is older than the header.
+// Version of the loaded library.
 function vesica_version: Int32; cdecl; external vesica_library;
 // VESICA_VERSION_MAJOR of the loaded library.
 function vesica_version_major: Int32; cdecl; external vesica_library;
@@ -274,13 +272,13 @@ function vesica_version_major: Int32; cdecl; external vesica_library;
 function vesica_version_minor: Int32; cdecl; external vesica_library;
 // VESICA_VERSION_PATCH of the loaded library.
 function vesica_version_patch: Int32; cdecl; external vesica_library;
-// What an error code means, as one English phrase without a final stop.
+// What an error code means, as one English phrase without a full stop.
 function vesica_strerror(code: Int32): PChar; cdecl; external vesica_library;
 // How many numbers does a shape of this kind have?
 function vesica_field_count(kind: Int32): Int32; cdecl; external vesica_library;
 // Name of a kind.
 function vesica_kind_name(kind: Int32): PChar; cdecl; external vesica_library;
-// Name of the instruction set that batches run on: the best that this processor has.
+// Name of the instruction set that batches use: the best one of this processor.
 function vesica_isa_name: PChar; cdecl; external vesica_library;
 // Is a shape valid, and if not, which rule does it break?
 function vesica_check_f64(kind: Int32; numbers: PDouble): Int32; cdecl; external vesica_library;
@@ -305,7 +303,7 @@ function vesica_boundary_distance_f64(kind_a: Int32; numbers_a: PDouble; kind_b:
 // Penetration depth: how far and which way must b be moved until the two shapes only touch?
 function vesica_depth_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; output:
   PVesicaPenetrationF64): Int32; cdecl; external vesica_library;
-// Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+// Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
 function vesica_shape_area_f64(kind: Int32; numbers: PDouble; output: PDouble): Int32; cdecl; external
   vesica_library;
 // Area of the intersection of two shapes.
@@ -443,7 +441,7 @@ function vesica_iou_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output:
 // Which of many shapes overlap one?
 function vesica_overlap_select_f64(one: PVesicaShapesF64; many: PVesicaShapesF64; output: PInt64; capacity: Int64):
   Int64; cdecl; external vesica_library;
-// Bytes of scratch memory that vesica_nms_f64 and vesica_nms_f32 need for that many shapes.
+// How many bytes of scratch do vesica_nms_f64, vesica_suppress_f64 and their float forms need for `count` shapes?
 function vesica_nms_scratch(count: Int64): Int64; cdecl; external vesica_library;
 // Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one whose
 // vesica_iou_f64 with every shape kept before is at most the threshold.
@@ -472,7 +470,7 @@ function vesica_boundary_distance_f32(kind_a: Int32; numbers_a: PSingle; kind_b:
 // Penetration depth: how far and which way must b be moved until the two shapes only touch?
 function vesica_depth_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; output:
   PVesicaPenetrationF32): Int32; cdecl; external vesica_library;
-// Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+// Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
 function vesica_shape_area_f32(kind: Int32; numbers: PSingle; output: PSingle): Int32; cdecl; external
   vesica_library;
 // Area of the intersection of two shapes.
@@ -617,31 +615,31 @@ function vesica_nms_f32(shapes: PVesicaShapesF32; scores: PSingle; threshold: Si
 // Rectangles from boxes.
 function vesica_rects_from_boxes_f64(boxes: PDouble; count: Int64; stride: PtrInt; angle: Int32; output:
   PVesicaRectF64): Int64; cdecl; external vesica_library;
-// Ellipses from the boxes about them, whose sides they touch in the middle.
+// Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
 function vesica_ellipses_from_boxes_f64(boxes: PDouble; count: Int64; stride: PtrInt; angle: Int32; output:
   PVesicaEllipseF64): Int64; cdecl; external vesica_library;
-// Boxes from rectangles, or about ellipses: the way back.
+// Boxes from rectangles or from ellipses: the inverse of the two functions above.
 function vesica_boxes_from_shapes_f64(shapes: PVesicaShapesF64; angle: Int32; boxes: PDouble): Int64; cdecl;
   external vesica_library;
-// The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+// The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
 function vesica_corners_of_shapes_f64(shapes: PVesicaShapesF64; corners: PDouble): Int64; cdecl; external
   vesica_library;
-// The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.
+// Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.
 function vesica_bounds_many_f64(shapes: PVesicaShapesF64; output: PVesicaAabbF64): Int64; cdecl; external
   vesica_library;
 // Rectangles from boxes.
 function vesica_rects_from_boxes_f32(boxes: PSingle; count: Int64; stride: PtrInt; angle: Int32; output:
   PVesicaRectF32): Int64; cdecl; external vesica_library;
-// Ellipses from the boxes about them, whose sides they touch in the middle.
+// Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
 function vesica_ellipses_from_boxes_f32(boxes: PSingle; count: Int64; stride: PtrInt; angle: Int32; output:
   PVesicaEllipseF32): Int64; cdecl; external vesica_library;
-// Boxes from rectangles, or about ellipses: the way back.
+// Boxes from rectangles or from ellipses: the inverse of the two functions above.
 function vesica_boxes_from_shapes_f32(shapes: PVesicaShapesF32; angle: Int32; boxes: PSingle): Int64; cdecl;
   external vesica_library;
-// The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+// The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
 function vesica_corners_of_shapes_f32(shapes: PVesicaShapesF32; corners: PSingle): Int64; cdecl; external
   vesica_library;
-// The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.
+// Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f32.
 function vesica_bounds_many_f32(shapes: PVesicaShapesF32; output: PVesicaAabbF32): Int64; cdecl; external
   vesica_library;
 // How many bytes suffice for an index of `count` shapes, of any kinds?
@@ -650,7 +648,7 @@ function vesica_index_size(count: Int64): Int64; cdecl; external vesica_library;
 function vesica_index_scratch(count: Int64): Int64; cdecl; external vesica_library;
 // How many bytes of scratch does a join need, whatever its indexes?
 function vesica_join_scratch: Int64; cdecl; external vesica_library;
-// Are these bytes an index that queries can read?
+// Are these bytes an index that is safe to read?
 function vesica_index_check(index: Pointer; size: Int64): Int32; cdecl; external vesica_library;
 // How many bytes does a built index take?
 function vesica_index_bytes(index: Pointer): Int64; cdecl; external vesica_library;
@@ -658,23 +656,23 @@ function vesica_index_bytes(index: Pointer): Int64; cdecl; external vesica_libra
 function vesica_index_count(index: Pointer): Int64; cdecl; external vesica_library;
 // A box around all valid shapes of an index.
 function vesica_index_bounds(index: Pointer; output: PVesicaAabbF64): Int32; cdecl; external vesica_library;
-// The items of an index in spatial order: shapes that are near to each other stand near to each other.
+// The items of an index in spatial order: shapes near each other have nearby places in it.
 function vesica_index_order(index: Pointer; output: PInt64; capacity: Int64): Int64; cdecl; external vesica_library;
 // Builds the index of some sets of shapes.
 function vesica_index_build_f64(sets: PVesicaShapesF64; set_count: Int32; index: Pointer; index_size: Int64;
   scratch: Pointer; scratch_size: Int64): Int64; cdecl; external vesica_library;
-// One part of a build in five steps, for several threads.
+// One part of a build by several threads, in five steps.
 function vesica_index_step_f64(step: Int32; part: Int64; parts: Int64; sets: PVesicaShapesF64; set_count: Int32;
   index: Pointer; index_size: Int64; scratch: Pointer; scratch_size: Int64): Int64; cdecl; external vesica_library;
 // Which items of an index does one shape overlap?
 function vesica_index_select_f64(index: Pointer; sets: PVesicaShapesF64; set_count: Int32; one: PVesicaShapesF64;
   output: PInt64; capacity: Int64; state: PInt64): Int64; cdecl; external vesica_library;
-// All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+// Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
 function vesica_join_f64(query: Int32; index_a: Pointer; sets_a: PVesicaShapesF64; set_count_a: Int32; index_b:
   Pointer; sets_b: PVesicaShapesF64; set_count_b: Int32; part: Int64; parts: Int64; scratch: Pointer; scratch_size:
   Int64; out_a: PInt64; out_b: PInt64; capacity: Int64; state: PInt64): Int64; cdecl; external vesica_library;
 // All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
-// whose answer from vesica_within_f64 is > 0.
+// for which vesica_within_f64 is > 0.
 function vesica_join_within_f64(index_a: Pointer; sets_a: PVesicaShapesF64; set_count_a: Int32; index_b: Pointer;
   sets_b: PVesicaShapesF64; set_count_b: Int32; distance: Double; part: Int64; parts: Int64; out_a: PInt64; out_b:
   PInt64; capacity: Int64; state: PInt64): Int64; cdecl; external vesica_library;
@@ -688,18 +686,18 @@ function vesica_join_nearest_f64(sets_a: PVesicaShapesF64; set_count_a: Int32; i
 // Builds the index of some sets of shapes.
 function vesica_index_build_f32(sets: PVesicaShapesF32; set_count: Int32; index: Pointer; index_size: Int64;
   scratch: Pointer; scratch_size: Int64): Int64; cdecl; external vesica_library;
-// One part of a build in five steps, for several threads.
+// One part of a build by several threads, in five steps.
 function vesica_index_step_f32(step: Int32; part: Int64; parts: Int64; sets: PVesicaShapesF32; set_count: Int32;
   index: Pointer; index_size: Int64; scratch: Pointer; scratch_size: Int64): Int64; cdecl; external vesica_library;
 // Which items of an index does one shape overlap?
 function vesica_index_select_f32(index: Pointer; sets: PVesicaShapesF32; set_count: Int32; one: PVesicaShapesF32;
   output: PInt64; capacity: Int64; state: PInt64): Int64; cdecl; external vesica_library;
-// All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+// Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
 function vesica_join_f32(query: Int32; index_a: Pointer; sets_a: PVesicaShapesF32; set_count_a: Int32; index_b:
   Pointer; sets_b: PVesicaShapesF32; set_count_b: Int32; part: Int64; parts: Int64; scratch: Pointer; scratch_size:
   Int64; out_a: PInt64; out_b: PInt64; capacity: Int64; state: PInt64): Int64; cdecl; external vesica_library;
 // All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
-// whose answer from vesica_within_f32 is > 0.
+// for which vesica_within_f32 is > 0.
 function vesica_join_within_f32(index_a: Pointer; sets_a: PVesicaShapesF32; set_count_a: Int32; index_b: Pointer;
   sets_b: PVesicaShapesF32; set_count_b: Int32; distance: Single; part: Int64; parts: Int64; out_a: PInt64; out_b:
   PInt64; capacity: Int64; state: PInt64): Int64; cdecl; external vesica_library;
@@ -710,7 +708,7 @@ function vesica_index_nearest_f32(index: Pointer; sets: PVesicaShapesF32; set_co
 function vesica_join_nearest_f32(sets_a: PVesicaShapesF32; set_count_a: Int32; index_b: Pointer; sets_b:
   PVesicaShapesF32; set_count_b: Int32; k: Int64; within: Single; part: Int64; parts: Int64; output: PInt64;
   distance: PSingle): Int64; cdecl; external vesica_library;
-// What share of a's area does b cover, or of b's area a?
+// What share of a's area does b cover?
 function vesica_ratio_f64(ratio: Int32; kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble;
   output: PDouble): Int32; cdecl; external vesica_library;
 // A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
@@ -728,7 +726,7 @@ function vesica_boundary_distance_matrix_f64(a: PVesicaShapesF64; b: PVesicaShap
 // How deep do a[i] and b[j] overlap?
 function vesica_depth_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; output: PDouble; row_stride: PtrInt):
   Int64; cdecl; external vesica_library;
-// How far apart are two shapes or, as a number below 0, how deep do they overlap?
+// Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
 function vesica_signed_distance_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; output:
   PDouble): Int32; cdecl; external vesica_library;
 // Signed distances of a[i] and b[i].
@@ -746,17 +744,17 @@ function vesica_within_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; distan
 // Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f64.
 function vesica_within_matrix_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; distance: Double; output: PByte;
   row_stride: PtrInt): Int64; cdecl; external vesica_library;
-// Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
+// Greedy non-maximum suppression as vesica_nms_f64, by any ratio, each label on its own.
 function vesica_suppress_f64(shapes: PVesicaShapesF64; scores: PDouble; labels: PInt32; ratio: Int32; threshold:
   Double; least_score: Double; most: Int64; scratch: Pointer; scratch_size: Int64; keep: PInt64; kept: PInt64):
   Int32; cdecl; external vesica_library;
 // How many bytes of scratch does soft suppression of `count` shapes need?
 function vesica_suppress_soft_scratch(count: Int64): Int64; cdecl; external vesica_library;
-// Soft suppression: what a better shape covers keeps a lower score.
+// Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
 function vesica_suppress_soft_f64(shapes: PVesicaShapesF64; scores: PDouble; labels: PInt32; ratio: Int32; decay:
   Int32; parameter: Double; least_score: Double; most: Int64; scratch: Pointer; scratch_size: Int64; keep: PInt64;
   decayed: PDouble; kept: PInt64): Int32; cdecl; external vesica_library;
-// What share of a's area does b cover, or of b's area a?
+// What share of a's area does b cover?
 function vesica_ratio_f32(ratio: Int32; kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle;
   output: PSingle): Int32; cdecl; external vesica_library;
 // A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
@@ -774,11 +772,11 @@ function vesica_boundary_distance_matrix_f32(a: PVesicaShapesF32; b: PVesicaShap
 // How deep do a[i] and b[j] overlap?
 function vesica_depth_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; output: PSingle; row_stride: PtrInt):
   Int64; cdecl; external vesica_library;
-// Greedy non-maximum suppression as vesica_nms_f32, by any ratio and among like labels.
+// Greedy non-maximum suppression as vesica_nms_f32, by any ratio, each label on its own.
 function vesica_suppress_f32(shapes: PVesicaShapesF32; scores: PSingle; labels: PInt32; ratio: Int32; threshold:
   Single; least_score: Single; most: Int64; scratch: Pointer; scratch_size: Int64; keep: PInt64; kept: PInt64):
   Int32; cdecl; external vesica_library;
-// How far apart are two shapes or, as a number below 0, how deep do they overlap?
+// Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
 function vesica_signed_distance_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; output:
   PSingle): Int32; cdecl; external vesica_library;
 // Signed distances of a[i] and b[i].
@@ -796,21 +794,21 @@ function vesica_within_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; distan
 // Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f32.
 function vesica_within_matrix_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; distance: Single; output: PByte;
   row_stride: PtrInt): Int64; cdecl; external vesica_library;
-// Soft suppression: what a better shape covers keeps a lower score.
+// Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
 function vesica_suppress_soft_f32(shapes: PVesicaShapesF32; scores: PSingle; labels: PInt32; ratio: Int32; decay:
   Int32; parameter: Single; least_score: Single; most: Int64; scratch: Pointer; scratch_size: Int64; keep: PInt64;
   decayed: PSingle; kept: PInt64): Int32; cdecl; external vesica_library;
 // Does b touch a while it moves, when first, and where?
 function vesica_cast_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; vx: Double; vy:
   Double; t_end: Double; output: PVesicaImpactF64): Int32; cdecl; external vesica_library;
-// When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
+// When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]?
 function vesica_cast_many_f64(a: PVesicaShapesF64; b: PVesicaShapesF64; vx: PDouble; vy: PDouble; stride: PtrInt;
   t_end: Double; t: PDouble; x: PDouble; y: PDouble; nx: PDouble; ny: PDouble): Int64; cdecl; external
   vesica_library;
 // Which of many shapes at rest does one moving shape touch first?
 function vesica_cast_first_f64(one: PVesicaShapesF64; many: PVesicaShapesF64; vx: Double; vy: Double; t_end: Double;
   output: PVesicaImpactF64): Int64; cdecl; external vesica_library;
-// A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+// A box that holds a shape throughout its motion, t from 0 to t_end.
 function vesica_sweep_bounds_f64(kind: Int32; numbers: PDouble; vx: Double; vy: Double; t_end: Double; output:
   PVesicaAabbF64): Int32; cdecl; external vesica_library;
 // Which items of an index does one moving shape touch?
@@ -821,8 +819,7 @@ function vesica_index_cast_f64(index: Pointer; sets: PVesicaShapesF64; set_count
 function vesica_index_cast_first_f64(index: Pointer; sets: PVesicaShapesF64; set_count: Int32; one:
   PVesicaShapesF64; vx: Double; vy: Double; t_end: Double; output: PVesicaImpactF64): Int64; cdecl; external
   vesica_library;
-// When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they turn,
-// there is no contact before.
+// When do two shapes that move and turn touch first?
 function vesica_impact_time_f64(kind_a: Int32; numbers_a: PDouble; turn_a: PVesicaTurnF64; kind_b: Int32; numbers_b:
   PDouble; turn_b: PVesicaTurnF64; tolerance: Double; output: PVesicaImpactF64; gap: PDouble): Int32; cdecl;
   external vesica_library;
@@ -853,14 +850,14 @@ function vesica_cast_rect_rect_f64(a: PVesicaRectF64; b: PVesicaRectF64; vx: Dou
 // Does b touch a while it moves, when first, and where?
 function vesica_cast_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; vx: Single; vy:
   Single; t_end: Single; output: PVesicaImpactF32): Int32; cdecl; external vesica_library;
-// When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
+// When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]?
 function vesica_cast_many_f32(a: PVesicaShapesF32; b: PVesicaShapesF32; vx: PSingle; vy: PSingle; stride: PtrInt;
   t_end: Single; t: PSingle; x: PSingle; y: PSingle; nx: PSingle; ny: PSingle): Int64; cdecl; external
   vesica_library;
 // Which of many shapes at rest does one moving shape touch first?
 function vesica_cast_first_f32(one: PVesicaShapesF32; many: PVesicaShapesF32; vx: Single; vy: Single; t_end: Single;
   output: PVesicaImpactF32): Int64; cdecl; external vesica_library;
-// A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+// A box that holds a shape throughout its motion, t from 0 to t_end.
 function vesica_sweep_bounds_f32(kind: Int32; numbers: PSingle; vx: Single; vy: Single; t_end: Single; output:
   PVesicaAabbF32): Int32; cdecl; external vesica_library;
 // Which items of an index does one moving shape touch?
@@ -899,18 +896,18 @@ function vesica_cast_circle_circle_f32(a: PVesicaCircleF32; b: PVesicaCircleF32;
 // Two rectangles.
 function vesica_cast_rect_rect_f32(a: PVesicaRectF32; b: PVesicaRectF32; vx: Single; vy: Single; t_end: Single;
   output: PVesicaImpactF32): Int32; cdecl; external vesica_library;
-// The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+// The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
 function vesica_de9im_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; matrix: PChar):
   Int32; cdecl; external vesica_library;
-// Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
+// Does a nine-intersection matrix match a pattern, such as "T*F**F***" for "a is within b"?
 function vesica_de9im_match(matrix: PChar; pattern: PChar): Int32; cdecl; external vesica_library;
-// The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
+// The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
 function vesica_intersection_f64(kind_a: Int32; numbers_a: PDouble; kind_b: Int32; numbers_b: PDouble; vertices:
   PDouble): Int32; cdecl; external vesica_library;
-// The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+// The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
 function vesica_de9im_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; matrix: PChar):
   Int32; cdecl; external vesica_library;
-// The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any shape.
+// The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
 function vesica_intersection_f32(kind_a: Int32; numbers_a: PSingle; kind_b: Int32; numbers_b: PSingle; vertices:
   PSingle): Int32; cdecl; external vesica_library;
 

@@ -65,7 +65,7 @@ our %CONSTANTS = (
 );
 
 our @FUNCTIONS = (
-    # Version of the loaded library, to be compared with VESICA_VERSION: a smaller one is older than the header.
+    # Version of the loaded library.
     [vesica_version => [] => 'sint32'],
     # VESICA_VERSION_MAJOR of the loaded library.
     [vesica_version_major => [] => 'sint32'],
@@ -73,13 +73,13 @@ our @FUNCTIONS = (
     [vesica_version_minor => [] => 'sint32'],
     # VESICA_VERSION_PATCH of the loaded library.
     [vesica_version_patch => [] => 'sint32'],
-    # What an error code means, as one English phrase without a final stop.
+    # What an error code means, as one English phrase without a full stop.
     [vesica_strerror => ['sint32'] => 'string'],
     # How many numbers does a shape of this kind have?
     [vesica_field_count => ['sint32'] => 'sint32'],
     # Name of a kind.
     [vesica_kind_name => ['sint32'] => 'string'],
-    # Name of the instruction set that batches run on: the best that this processor has.
+    # Name of the instruction set that batches use: the best one of this processor.
     [vesica_isa_name => [] => 'string'],
     # Is a shape valid, and if not, which rule does it break?
     [vesica_check_f64 => ['sint32', 'double[]'] => 'sint32'],
@@ -97,7 +97,7 @@ our @FUNCTIONS = (
     [vesica_boundary_distance_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
     # Penetration depth: how far and which way must b be moved until the two shapes only touch?
     [vesica_depth_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
-    # Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+    # Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
     [vesica_shape_area_f64 => ['sint32', 'double[]', 'opaque'] => 'sint32'],
     # Area of the intersection of two shapes.
     [vesica_area_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
@@ -193,7 +193,7 @@ our @FUNCTIONS = (
     [vesica_iou_matrix_f64 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # Which of many shapes overlap one?
     [vesica_overlap_select_f64 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
-    # Bytes of scratch memory that vesica_nms_f64 and vesica_nms_f32 need for that many shapes.
+    # How many bytes of scratch do vesica_nms_f64, vesica_suppress_f64 and their float forms need for `count` shapes?
     [vesica_nms_scratch => ['sint64'] => 'sint64'],
     # Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one
     # whose vesica_iou_f64 with every shape kept before is at most the threshold.
@@ -214,7 +214,7 @@ our @FUNCTIONS = (
     [vesica_boundary_distance_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
     # Penetration depth: how far and which way must b be moved until the two shapes only touch?
     [vesica_depth_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
-    # Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+    # Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
     [vesica_shape_area_f32 => ['sint32', 'float[]', 'opaque'] => 'sint32'],
     # Area of the intersection of two shapes.
     [vesica_area_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
@@ -315,23 +315,23 @@ our @FUNCTIONS = (
     [vesica_nms_f32 => ['opaque', 'opaque', 'float', 'opaque', 'sint64', 'opaque', 'opaque'] => 'sint32'],
     # Rectangles from boxes.
     [vesica_rects_from_boxes_f64 => ['opaque', 'sint64', 'sint64', 'sint32', 'opaque'] => 'sint64'],
-    # Ellipses from the boxes about them, whose sides they touch in the middle.
+    # Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
     [vesica_ellipses_from_boxes_f64 => ['opaque', 'sint64', 'sint64', 'sint32', 'opaque'] => 'sint64'],
-    # Boxes from rectangles, or about ellipses: the way back.
+    # Boxes from rectangles or from ellipses: the inverse of the two functions above.
     [vesica_boxes_from_shapes_f64 => ['opaque', 'sint32', 'opaque'] => 'sint64'],
-    # The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+    # The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
     [vesica_corners_of_shapes_f64 => ['opaque', 'opaque'] => 'sint64'],
-    # The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.
+    # Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.
     [vesica_bounds_many_f64 => ['opaque', 'opaque'] => 'sint64'],
     # Rectangles from boxes.
     [vesica_rects_from_boxes_f32 => ['opaque', 'sint64', 'sint64', 'sint32', 'opaque'] => 'sint64'],
-    # Ellipses from the boxes about them, whose sides they touch in the middle.
+    # Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
     [vesica_ellipses_from_boxes_f32 => ['opaque', 'sint64', 'sint64', 'sint32', 'opaque'] => 'sint64'],
-    # Boxes from rectangles, or about ellipses: the way back.
+    # Boxes from rectangles or from ellipses: the inverse of the two functions above.
     [vesica_boxes_from_shapes_f32 => ['opaque', 'sint32', 'opaque'] => 'sint64'],
-    # The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+    # The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
     [vesica_corners_of_shapes_f32 => ['opaque', 'opaque'] => 'sint64'],
-    # The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.
+    # Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f32.
     [vesica_bounds_many_f32 => ['opaque', 'opaque'] => 'sint64'],
     # How many bytes suffice for an index of `count` shapes, of any kinds?
     [vesica_index_size => ['sint64'] => 'sint64'],
@@ -339,7 +339,7 @@ our @FUNCTIONS = (
     [vesica_index_scratch => ['sint64'] => 'sint64'],
     # How many bytes of scratch does a join need, whatever its indexes?
     [vesica_join_scratch => [] => 'sint64'],
-    # Are these bytes an index that queries can read?
+    # Are these bytes an index that is safe to read?
     [vesica_index_check => ['opaque', 'sint64'] => 'sint32'],
     # How many bytes does a built index take?
     [vesica_index_bytes => ['opaque'] => 'sint64'],
@@ -347,20 +347,20 @@ our @FUNCTIONS = (
     [vesica_index_count => ['opaque'] => 'sint64'],
     # A box around all valid shapes of an index.
     [vesica_index_bounds => ['opaque', 'opaque'] => 'sint32'],
-    # The items of an index in spatial order: shapes that are near to each other stand near to each other.
+    # The items of an index in spatial order: shapes near each other have nearby places in it.
     [vesica_index_order => ['opaque', 'opaque', 'sint64'] => 'sint64'],
     # Builds the index of some sets of shapes.
     [vesica_index_build_f64 => ['opaque', 'sint32', 'opaque', 'sint64', 'opaque', 'sint64'] => 'sint64'],
-    # One part of a build in five steps, for several threads.
+    # One part of a build by several threads, in five steps.
     [vesica_index_step_f64 => ['sint32', 'sint64', 'sint64', 'opaque', 'sint32', 'opaque', 'sint64', 'opaque',
         'sint64'] => 'sint64'],
     # Which items of an index does one shape overlap?
     [vesica_index_select_f64 => ['opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
-    # All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+    # Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
     [vesica_join_f64 => ['sint32', 'opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64', 'sint64',
         'opaque', 'sint64', 'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
     # All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
-    # whose answer from vesica_within_f64 is > 0.
+    # for which vesica_within_f64 is > 0.
     [vesica_join_within_f64 => ['opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'double', 'sint64',
         'sint64', 'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
     # Which items of an index are nearest to one shape?
@@ -371,16 +371,16 @@ our @FUNCTIONS = (
         'sint64', 'opaque', 'opaque'] => 'sint64'],
     # Builds the index of some sets of shapes.
     [vesica_index_build_f32 => ['opaque', 'sint32', 'opaque', 'sint64', 'opaque', 'sint64'] => 'sint64'],
-    # One part of a build in five steps, for several threads.
+    # One part of a build by several threads, in five steps.
     [vesica_index_step_f32 => ['sint32', 'sint64', 'sint64', 'opaque', 'sint32', 'opaque', 'sint64', 'opaque',
         'sint64'] => 'sint64'],
     # Which items of an index does one shape overlap?
     [vesica_index_select_f32 => ['opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
-    # All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+    # Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
     [vesica_join_f32 => ['sint32', 'opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64', 'sint64',
         'opaque', 'sint64', 'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
     # All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
-    # whose answer from vesica_within_f32 is > 0.
+    # for which vesica_within_f32 is > 0.
     [vesica_join_within_f32 => ['opaque', 'opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'float', 'sint64', 'sint64',
         'opaque', 'opaque', 'sint64', 'opaque'] => 'sint64'],
     # Which items of an index are nearest to one shape?
@@ -389,7 +389,7 @@ our @FUNCTIONS = (
     # Which items of index_b are nearest to each item of sets_a?
     [vesica_join_nearest_f32 => ['opaque', 'sint32', 'opaque', 'opaque', 'sint32', 'sint64', 'float', 'sint64',
         'sint64', 'opaque', 'opaque'] => 'sint64'],
-    # What share of a's area does b cover, or of b's area a?
+    # What share of a's area does b cover?
     [vesica_ratio_f64 => ['sint32', 'sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
     # A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
     [vesica_ratio_many_f64 => ['sint32', 'opaque', 'opaque', 'opaque'] => 'sint64'],
@@ -401,7 +401,7 @@ our @FUNCTIONS = (
     [vesica_boundary_distance_matrix_f64 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # How deep do a[i] and b[j] overlap?
     [vesica_depth_matrix_f64 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
-    # How far apart are two shapes or, as a number below 0, how deep do they overlap?
+    # Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
     [vesica_signed_distance_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
     # Signed distances of a[i] and b[i].
     [vesica_signed_distance_many_f64 => ['opaque', 'opaque', 'opaque'] => 'sint64'],
@@ -413,15 +413,15 @@ our @FUNCTIONS = (
     [vesica_within_many_f64 => ['opaque', 'opaque', 'double', 'opaque'] => 'sint64'],
     # Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f64.
     [vesica_within_matrix_f64 => ['opaque', 'opaque', 'double', 'opaque', 'sint64'] => 'sint64'],
-    # Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
+    # Greedy non-maximum suppression as vesica_nms_f64, by any ratio, each label on its own.
     [vesica_suppress_f64 => ['opaque', 'opaque', 'opaque', 'sint32', 'double', 'double', 'sint64', 'opaque', 'sint64',
         'opaque', 'opaque'] => 'sint32'],
     # How many bytes of scratch does soft suppression of `count` shapes need?
     [vesica_suppress_soft_scratch => ['sint64'] => 'sint64'],
-    # Soft suppression: what a better shape covers keeps a lower score.
+    # Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
     [vesica_suppress_soft_f64 => ['opaque', 'opaque', 'opaque', 'sint32', 'sint32', 'double', 'double', 'sint64',
         'opaque', 'sint64', 'opaque', 'opaque', 'opaque'] => 'sint32'],
-    # What share of a's area does b cover, or of b's area a?
+    # What share of a's area does b cover?
     [vesica_ratio_f32 => ['sint32', 'sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
     # A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
     [vesica_ratio_many_f32 => ['sint32', 'opaque', 'opaque', 'opaque'] => 'sint64'],
@@ -433,10 +433,10 @@ our @FUNCTIONS = (
     [vesica_boundary_distance_matrix_f32 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
     # How deep do a[i] and b[j] overlap?
     [vesica_depth_matrix_f32 => ['opaque', 'opaque', 'opaque', 'sint64'] => 'sint64'],
-    # Greedy non-maximum suppression as vesica_nms_f32, by any ratio and among like labels.
+    # Greedy non-maximum suppression as vesica_nms_f32, by any ratio, each label on its own.
     [vesica_suppress_f32 => ['opaque', 'opaque', 'opaque', 'sint32', 'float', 'float', 'sint64', 'opaque', 'sint64',
         'opaque', 'opaque'] => 'sint32'],
-    # How far apart are two shapes or, as a number below 0, how deep do they overlap?
+    # Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
     [vesica_signed_distance_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
     # Signed distances of a[i] and b[i].
     [vesica_signed_distance_many_f32 => ['opaque', 'opaque', 'opaque'] => 'sint64'],
@@ -448,18 +448,18 @@ our @FUNCTIONS = (
     [vesica_within_many_f32 => ['opaque', 'opaque', 'float', 'opaque'] => 'sint64'],
     # Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f32.
     [vesica_within_matrix_f32 => ['opaque', 'opaque', 'float', 'opaque', 'sint64'] => 'sint64'],
-    # Soft suppression: what a better shape covers keeps a lower score.
+    # Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
     [vesica_suppress_soft_f32 => ['opaque', 'opaque', 'opaque', 'sint32', 'sint32', 'float', 'float', 'sint64',
         'opaque', 'sint64', 'opaque', 'opaque', 'opaque'] => 'sint32'],
     # Does b touch a while it moves, when first, and where?
     [vesica_cast_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'double', 'double', 'double',
         'opaque'] => 'sint32'],
-    # When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
+    # When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]?
     [vesica_cast_many_f64 => ['opaque', 'opaque', 'opaque', 'opaque', 'sint64', 'double', 'opaque', 'opaque', 'opaque',
         'opaque', 'opaque'] => 'sint64'],
     # Which of many shapes at rest does one moving shape touch first?
     [vesica_cast_first_f64 => ['opaque', 'opaque', 'double', 'double', 'double', 'opaque'] => 'sint64'],
-    # A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+    # A box that holds a shape throughout its motion, t from 0 to t_end.
     [vesica_sweep_bounds_f64 => ['sint32', 'double[]', 'double', 'double', 'double', 'opaque'] => 'sint32'],
     # Which items of an index does one moving shape touch?
     [vesica_index_cast_f64 => ['opaque', 'opaque', 'sint32', 'opaque', 'double', 'double', 'double', 'opaque', 'sint64',
@@ -467,8 +467,7 @@ our @FUNCTIONS = (
     # Which item of an index does one moving shape touch first?
     [vesica_index_cast_first_f64 => ['opaque', 'opaque', 'sint32', 'opaque', 'double', 'double', 'double',
         'opaque'] => 'sint64'],
-    # When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they
-    # turn, there is no contact before.
+    # When do two shapes that move and turn touch first?
     [vesica_impact_time_f64 => ['sint32', 'double[]', 'opaque', 'sint32', 'double[]', 'opaque', 'double', 'opaque',
         'opaque'] => 'sint32'],
     # A ray at a point.
@@ -489,12 +488,12 @@ our @FUNCTIONS = (
     [vesica_cast_rect_rect_f64 => ['opaque', 'opaque', 'double', 'double', 'double', 'opaque'] => 'sint32'],
     # Does b touch a while it moves, when first, and where?
     [vesica_cast_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'float', 'float', 'float', 'opaque'] => 'sint32'],
-    # When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
+    # When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]?
     [vesica_cast_many_f32 => ['opaque', 'opaque', 'opaque', 'opaque', 'sint64', 'float', 'opaque', 'opaque', 'opaque',
         'opaque', 'opaque'] => 'sint64'],
     # Which of many shapes at rest does one moving shape touch first?
     [vesica_cast_first_f32 => ['opaque', 'opaque', 'float', 'float', 'float', 'opaque'] => 'sint64'],
-    # A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+    # A box that holds a shape throughout its motion, t from 0 to t_end.
     [vesica_sweep_bounds_f32 => ['sint32', 'float[]', 'float', 'float', 'float', 'opaque'] => 'sint32'],
     # Which items of an index does one moving shape touch?
     [vesica_index_cast_f32 => ['opaque', 'opaque', 'sint32', 'opaque', 'float', 'float', 'float', 'opaque', 'sint64',
@@ -521,17 +520,15 @@ our @FUNCTIONS = (
     [vesica_cast_circle_circle_f32 => ['opaque', 'opaque', 'float', 'float', 'float', 'opaque'] => 'sint32'],
     # Two rectangles.
     [vesica_cast_rect_rect_f32 => ['opaque', 'opaque', 'float', 'float', 'float', 'opaque'] => 'sint32'],
-    # The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+    # The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
     [vesica_de9im_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
-    # Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
+    # Does a nine-intersection matrix match a pattern, such as "T*F**F***" for "a is within b"?
     [vesica_de9im_match => ['string', 'string'] => 'sint32'],
-    # The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
-    # shape.
+    # The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
     [vesica_intersection_f64 => ['sint32', 'double[]', 'sint32', 'double[]', 'opaque'] => 'sint32'],
-    # The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+    # The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
     [vesica_de9im_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
-    # The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
-    # shape.
+    # The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
     [vesica_intersection_f32 => ['sint32', 'float[]', 'sint32', 'float[]', 'opaque'] => 'sint32'],
 );
 

@@ -62,7 +62,7 @@ module Vesica
 
   # For Fiddle::Importer#extern. A pointer is a string, or what Fiddle makes.
   DECLARATIONS = [
-    # Version of the loaded library, to be compared with VESICA_VERSION: a smaller one is older than the header.
+    # Version of the loaded library.
     'int vesica_version()',
     # VESICA_VERSION_MAJOR of the loaded library.
     'int vesica_version_major()',
@@ -70,13 +70,13 @@ module Vesica
     'int vesica_version_minor()',
     # VESICA_VERSION_PATCH of the loaded library.
     'int vesica_version_patch()',
-    # What an error code means, as one English phrase without a final stop.
+    # What an error code means, as one English phrase without a full stop.
     'const char * vesica_strerror(int)',
     # How many numbers does a shape of this kind have?
     'int vesica_field_count(int)',
     # Name of a kind.
     'const char * vesica_kind_name(int)',
-    # Name of the instruction set that batches run on: the best that this processor has.
+    # Name of the instruction set that batches use: the best one of this processor.
     'const char * vesica_isa_name()',
     # Is a shape valid, and if not, which rule does it break?
     'int vesica_check_f64(int, void *)',
@@ -94,7 +94,7 @@ module Vesica
     'int vesica_boundary_distance_f64(int, void *, int, void *, void *)',
     # Penetration depth: how far and which way must b be moved until the two shapes only touch?
     'int vesica_depth_f64(int, void *, int, void *, void *)',
-    # Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+    # Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
     'int vesica_shape_area_f64(int, void *, void *)',
     # Area of the intersection of two shapes.
     'int vesica_area_f64(int, void *, int, void *, void *)',
@@ -188,7 +188,7 @@ module Vesica
     'int64_t vesica_iou_matrix_f64(void *, void *, void *, ptrdiff_t)',
     # Which of many shapes overlap one?
     'int64_t vesica_overlap_select_f64(void *, void *, void *, int64_t)',
-    # Bytes of scratch memory that vesica_nms_f64 and vesica_nms_f32 need for that many shapes.
+    # How many bytes of scratch do vesica_nms_f64, vesica_suppress_f64 and their float forms need for `count` shapes?
     'int64_t vesica_nms_scratch(int64_t)',
     # Greedy non-maximum suppression: takes shapes in the order of their scores, highest first, and keeps each one
     # whose vesica_iou_f64 with every shape kept before is at most the threshold.
@@ -209,7 +209,7 @@ module Vesica
     'int vesica_boundary_distance_f32(int, void *, int, void *, void *)',
     # Penetration depth: how far and which way must b be moved until the two shapes only touch?
     'int vesica_depth_f32(int, void *, int, void *, void *)',
-    # Area of one shape: 4 hx hy u.u of a rectangle, pi a b u.u of an ellipse, 0 of a point or a segment.
+    # Area of one shape: 4 hx hy u.u for a rectangle, pi a b u.u for an ellipse, 0 for a point or a segment.
     'int vesica_shape_area_f32(int, void *, void *)',
     # Area of the intersection of two shapes.
     'int vesica_area_f32(int, void *, int, void *, void *)',
@@ -308,23 +308,23 @@ module Vesica
     'int vesica_nms_f32(void *, void *, float, void *, int64_t, void *, void *)',
     # Rectangles from boxes.
     'int64_t vesica_rects_from_boxes_f64(void *, int64_t, ptrdiff_t, int, void *)',
-    # Ellipses from the boxes about them, whose sides they touch in the middle.
+    # Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
     'int64_t vesica_ellipses_from_boxes_f64(void *, int64_t, ptrdiff_t, int, void *)',
-    # Boxes from rectangles, or about ellipses: the way back.
+    # Boxes from rectangles or from ellipses: the inverse of the two functions above.
     'int64_t vesica_boxes_from_shapes_f64(void *, int, void *)',
-    # The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+    # The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
     'int64_t vesica_corners_of_shapes_f64(void *, void *)',
-    # The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f64.
+    # Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.
     'int64_t vesica_bounds_many_f64(void *, void *)',
     # Rectangles from boxes.
     'int64_t vesica_rects_from_boxes_f32(void *, int64_t, ptrdiff_t, int, void *)',
-    # Ellipses from the boxes about them, whose sides they touch in the middle.
+    # Ellipses from their bounding boxes: each touches the sides of its turned box in the middle.
     'int64_t vesica_ellipses_from_boxes_f32(void *, int64_t, ptrdiff_t, int, void *)',
-    # Boxes from rectangles, or about ellipses: the way back.
+    # Boxes from rectangles or from ellipses: the inverse of the two functions above.
     'int64_t vesica_boxes_from_shapes_f32(void *, int, void *)',
-    # The four corners of rectangles, or of the boxes about ellipses: x0 y0 ... x3 y3.
+    # The four corners of rectangles, or of the turned boxes that bound ellipses: x0 y0 ... x3 y3.
     'int64_t vesica_corners_of_shapes_f32(void *, void *)',
-    # The bounds of shapes of any kind: out[i] is the result of vesica_bounds_f32.
+    # Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f32.
     'int64_t vesica_bounds_many_f32(void *, void *)',
     # How many bytes suffice for an index of `count` shapes, of any kinds?
     'int64_t vesica_index_size(int64_t)',
@@ -332,7 +332,7 @@ module Vesica
     'int64_t vesica_index_scratch(int64_t)',
     # How many bytes of scratch does a join need, whatever its indexes?
     'int64_t vesica_join_scratch()',
-    # Are these bytes an index that queries can read?
+    # Are these bytes an index that is safe to read?
     'int vesica_index_check(void *, int64_t)',
     # How many bytes does a built index take?
     'int64_t vesica_index_bytes(void *)',
@@ -340,19 +340,19 @@ module Vesica
     'int64_t vesica_index_count(void *)',
     # A box around all valid shapes of an index.
     'int vesica_index_bounds(void *, void *)',
-    # The items of an index in spatial order: shapes that are near to each other stand near to each other.
+    # The items of an index in spatial order: shapes near each other have nearby places in it.
     'int64_t vesica_index_order(void *, void *, int64_t)',
     # Builds the index of some sets of shapes.
     'int64_t vesica_index_build_f64(void *, int, void *, int64_t, void *, int64_t)',
-    # One part of a build in five steps, for several threads.
+    # One part of a build by several threads, in five steps.
     'int64_t vesica_index_step_f64(int, int64_t, int64_t, void *, int, void *, int64_t, void *, int64_t)',
     # Which items of an index does one shape overlap?
     'int64_t vesica_index_select_f64(void *, void *, int, void *, void *, int64_t, void *)',
-    # All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+    # Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
     'int64_t vesica_join_f64(int, void *, void *, int, void *, void *, int, int64_t, int64_t, void *, int64_t, void *,
         void *, int64_t, void *)',
     # All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
-    # whose answer from vesica_within_f64 is > 0.
+    # for which vesica_within_f64 is > 0.
     'int64_t vesica_join_within_f64(void *, void *, int, void *, void *, int, double, int64_t, int64_t, void *, void *,
         int64_t, void *)',
     # Which items of an index are nearest to one shape?
@@ -362,15 +362,15 @@ module Vesica
         void *)',
     # Builds the index of some sets of shapes.
     'int64_t vesica_index_build_f32(void *, int, void *, int64_t, void *, int64_t)',
-    # One part of a build in five steps, for several threads.
+    # One part of a build by several threads, in five steps.
     'int64_t vesica_index_step_f32(int, int64_t, int64_t, void *, int, void *, int64_t, void *, int64_t)',
     # Which items of an index does one shape overlap?
     'int64_t vesica_index_select_f32(void *, void *, int, void *, void *, int64_t, void *)',
-    # All pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
+    # Join: all pairs of an item of index_a and an item of index_b for which a query holds, each pair once.
     'int64_t vesica_join_f32(int, void *, void *, int, void *, void *, int, int64_t, int64_t, void *, int64_t, void *,
         void *, int64_t, void *)',
     # All pairs of an item of index_a and an item of index_b that are at most `distance` apart, each pair once: those
-    # whose answer from vesica_within_f32 is > 0.
+    # for which vesica_within_f32 is > 0.
     'int64_t vesica_join_within_f32(void *, void *, int, void *, void *, int, float, int64_t, int64_t, void *, void *,
         int64_t, void *)',
     # Which items of an index are nearest to one shape?
@@ -378,7 +378,7 @@ module Vesica
     # Which items of index_b are nearest to each item of sets_a?
     'int64_t vesica_join_nearest_f32(void *, int, void *, void *, int, int64_t, float, int64_t, int64_t, void *,
         void *)',
-    # What share of a's area does b cover, or of b's area a?
+    # What share of a's area does b cover?
     'int vesica_ratio_f64(int, int, void *, int, void *, void *)',
     # A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f64.
     'int64_t vesica_ratio_many_f64(int, void *, void *, void *)',
@@ -390,7 +390,7 @@ module Vesica
     'int64_t vesica_boundary_distance_matrix_f64(void *, void *, void *, ptrdiff_t)',
     # How deep do a[i] and b[j] overlap?
     'int64_t vesica_depth_matrix_f64(void *, void *, void *, ptrdiff_t)',
-    # How far apart are two shapes or, as a number below 0, how deep do they overlap?
+    # Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
     'int vesica_signed_distance_f64(int, void *, int, void *, void *)',
     # Signed distances of a[i] and b[i].
     'int64_t vesica_signed_distance_many_f64(void *, void *, void *)',
@@ -402,14 +402,14 @@ module Vesica
     'int64_t vesica_within_many_f64(void *, void *, double, void *)',
     # Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f64.
     'int64_t vesica_within_matrix_f64(void *, void *, double, void *, ptrdiff_t)',
-    # Greedy non-maximum suppression as vesica_nms_f64, by any ratio and among like labels.
+    # Greedy non-maximum suppression as vesica_nms_f64, by any ratio, each label on its own.
     'int vesica_suppress_f64(void *, void *, void *, int, double, double, int64_t, void *, int64_t, void *, void *)',
     # How many bytes of scratch does soft suppression of `count` shapes need?
     'int64_t vesica_suppress_soft_scratch(int64_t)',
-    # Soft suppression: what a better shape covers keeps a lower score.
+    # Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
     'int vesica_suppress_soft_f64(void *, void *, void *, int, int, double, double, int64_t, void *, int64_t, void *,
         void *, void *)',
-    # What share of a's area does b cover, or of b's area a?
+    # What share of a's area does b cover?
     'int vesica_ratio_f32(int, int, void *, int, void *, void *)',
     # A ratio of a[i] and b[i]: out[i] is the result of vesica_ratio_f32.
     'int64_t vesica_ratio_many_f32(int, void *, void *, void *)',
@@ -421,9 +421,9 @@ module Vesica
     'int64_t vesica_boundary_distance_matrix_f32(void *, void *, void *, ptrdiff_t)',
     # How deep do a[i] and b[j] overlap?
     'int64_t vesica_depth_matrix_f32(void *, void *, void *, ptrdiff_t)',
-    # Greedy non-maximum suppression as vesica_nms_f32, by any ratio and among like labels.
+    # Greedy non-maximum suppression as vesica_nms_f32, by any ratio, each label on its own.
     'int vesica_suppress_f32(void *, void *, void *, int, float, float, int64_t, void *, int64_t, void *, void *)',
-    # How far apart are two shapes or, as a number below 0, how deep do they overlap?
+    # Signed distance: how far apart are two shapes or, as a negative number, how deep do they overlap?
     'int vesica_signed_distance_f32(int, void *, int, void *, void *)',
     # Signed distances of a[i] and b[i].
     'int64_t vesica_signed_distance_many_f32(void *, void *, void *)',
@@ -435,24 +435,23 @@ module Vesica
     'int64_t vesica_within_many_f32(void *, void *, float, void *)',
     # Are a[i] and b[j] at most `distance` apart? out[i * row_stride + j] is the answer of vesica_within_f32.
     'int64_t vesica_within_matrix_f32(void *, void *, float, void *, ptrdiff_t)',
-    # Soft suppression: what a better shape covers keeps a lower score.
+    # Soft suppression (soft-NMS): a shape that a better one covers is not dropped, but gets a lower score.
     'int vesica_suppress_soft_f32(void *, void *, void *, int, int, float, float, int64_t, void *, int64_t, void *,
         void *, void *)',
     # Does b touch a while it moves, when first, and where?
     'int vesica_cast_f64(int, void *, int, void *, double, double, double, void *)',
-    # When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
+    # When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]?
     'int64_t vesica_cast_many_f64(void *, void *, void *, void *, ptrdiff_t, double, void *, void *, void *, void *,
         void *)',
     # Which of many shapes at rest does one moving shape touch first?
     'int64_t vesica_cast_first_f64(void *, void *, double, double, double, void *)',
-    # A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+    # A box that holds a shape throughout its motion, t from 0 to t_end.
     'int vesica_sweep_bounds_f64(int, void *, double, double, double, void *)',
     # Which items of an index does one moving shape touch?
     'int64_t vesica_index_cast_f64(void *, void *, int, void *, double, double, double, void *, int64_t, void *)',
     # Which item of an index does one moving shape touch first?
     'int64_t vesica_index_cast_first_f64(void *, void *, int, void *, double, double, double, void *)',
-    # When do two shapes that move and turn touch first? t is proved: however thin they are and however fast they
-    # turn, there is no contact before.
+    # When do two shapes that move and turn touch first?
     'int vesica_impact_time_f64(int, void *, void *, int, void *, void *, double, void *, void *)',
     # A ray at a point.
     'int vesica_cast_point_point_f64(void *, void *, double, double, double, void *)',
@@ -472,12 +471,12 @@ module Vesica
     'int vesica_cast_rect_rect_f64(void *, void *, double, double, double, void *)',
     # Does b touch a while it moves, when first, and where?
     'int vesica_cast_f32(int, void *, int, void *, float, float, float, void *)',
-    # When, and where, does b[i], moved by t (vx[i], vy[i]), touch a[i]?
+    # When and where does b[i], moved by t (vx[i], vy[i]), touch a[i]?
     'int64_t vesica_cast_many_f32(void *, void *, void *, void *, ptrdiff_t, float, void *, void *, void *, void *,
         void *)',
     # Which of many shapes at rest does one moving shape touch first?
     'int64_t vesica_cast_first_f32(void *, void *, float, float, float, void *)',
-    # A box that holds a shape throughout its motion, t from 0 to t_end: what is outside of it is never touched.
+    # A box that holds a shape throughout its motion, t from 0 to t_end.
     'int vesica_sweep_bounds_f32(int, void *, float, float, float, void *)',
     # Which items of an index does one moving shape touch?
     'int64_t vesica_index_cast_f32(void *, void *, int, void *, float, float, float, void *, int64_t, void *)',
@@ -501,17 +500,15 @@ module Vesica
     'int vesica_cast_circle_circle_f32(void *, void *, float, float, float, void *)',
     # Two rectangles.
     'int vesica_cast_rect_rect_f32(void *, void *, float, float, float, void *)',
-    # The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+    # The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
     'int vesica_de9im_f64(int, void *, int, void *, void *)',
-    # Does a nine-intersection matrix fit a pattern, such as "T*F**F***" for "a is within b"?
+    # Does a nine-intersection matrix match a pattern, such as "T*F**F***" for "a is within b"?
     'int vesica_de9im_match(const char *, const char *)',
-    # The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
-    # shape.
+    # The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
     'int vesica_intersection_f64(int, void *, int, void *, void *)',
-    # The nine-intersection matrix of two shapes (DE-9IM), as geographic systems have it.
+    # The nine-intersection matrix of two shapes (DE-9IM), as geographic systems write it.
     'int vesica_de9im_f32(int, void *, int, void *, void *)',
-    # The region that two shapes share, as its vertices: of two with straight outlines, or of a segment and any
-    # shape.
+    # The vertices of the region that two shapes share: two with straight outlines, or a segment and any shape.
     'int vesica_intersection_f32(int, void *, int, void *, void *)',
   ].freeze
 end
