@@ -51,7 +51,7 @@ VESICA_INLINE constexpr std::int32_t decide_by_filter(const A& a, const B& b) no
   return answer_of(detail::overlap::filter(a, b));
 }
 
-/// Ties, where one look at the numbers tells that a short evaluation is exact.
+/// Exact contact, where a look at the numbers shows that a short evaluation is exact.
 template <class A, class B>
 VESICA_INLINE constexpr std::int32_t decide_short_tie(const A& a, const B& b) noexcept {
   if constexpr (filter::HasSides<A, B>) {
@@ -62,7 +62,7 @@ VESICA_INLINE constexpr std::int32_t decide_short_tie(const A& a, const B& b) no
     return -1;
   }
 }
-/// Others where no digit that counts is lost.
+/// Other contacts, by evaluations that detect that no digit that matters was rounded away.
 template <class A, class B>
 VESICA_INLINE constexpr std::int32_t decide_long_tie(const A& a, const B& b) noexcept {
   if constexpr (filter::HasSides<A, B>) {
@@ -81,7 +81,7 @@ VESICA_INLINE constexpr std::int32_t decide_without_errors(const A& a, const B& 
   return answer >= 0 ? answer : decide_long_tie(a, b);
 }
 
-/// Apart from short ties, which would pay for the registers that this needs.
+/// A function of its own: the registers that it saves would cost short ties time.
 template <class A, class B>
 VESICA_COLD constexpr std::int32_t decide_long(const A& a, const B& b) noexcept {
   if (!std::is_constant_evaluated()) {
