@@ -68,6 +68,25 @@ TEST(Known, ThePointThatATipMeets) {
   }
 }
 
+// Half lengths of 2^-577 along an axis of 2^177: no product of the two lengths may be taken alone. Contact comes between
+// t and the next double, by rational arithmetic.
+TEST(Known, AnEllipseOfTinyNumbersOnALongAxis) {
+  const Pair p{VESICA_ELLIPSE,
+               VESICA_POINT,
+               {0x1.73cf305154d98p-400, -0x1.4a7c77b3cc658p-398, 0x1.88cbb4804e814p+177, -0x1.6b3c19d47559p+175,
+                0x1.227aaba16237p-577, 0x1.5a32fb613cd49p-593},
+               {0x1.8e42f1ba83bcp-399, 0x1.efee8d669a4a8p-399}};
+  const double vx = -0x1.99667f5b09452p+20, vy = -0x1.c3da71a22df5fp+26, t = 0x1.5484748e71e73p-424;
+  for (const double end : {0x1p-425, std::nextafter(t, 0), t}) {
+    EXPECT_EQ(cast(Scalar::f64, p, {vx, vy, end}).code, VESICA_CAST_MISS);
+  }
+  for (const double end : {std::nextafter(t, 1), infinity}) {
+    const Answer r = cast(Scalar::f64, p, {vx, vy, end});
+    EXPECT_EQ(r.code, VESICA_CAST_HIT);
+    EXPECT_EQ(r.t, t);
+  }
+}
+
 TEST(Known, Faces) {
   expect_hit(boxes, {1, 0, infinity}, 4, 0, 0.75, -1, 0);  // the middle of what faces share
   expect_hit(boxes, {1, 0, 4}, 4, 0, 0.75, -1, 0);

@@ -43,6 +43,18 @@ VESICA_INLINE constexpr Pair<V> fast_two_sum(V a, V b) noexcept {
   return {high, b - (high - a)};
 }
 
+/// a * b rounded, also where a compiler contracts: a plain product that only sums use may become part of each of them,
+/// and two of them would then see two numbers. Lanes whose bits are results are compiled without contraction.
+template <class V>
+VESICA_INLINE constexpr V rounded_product(V a, V b) noexcept {
+#if defined(VESICA_HAS_FUSED)
+  if constexpr (std::is_same_v<V, double>) {
+    if (!std::is_constant_evaluated()) return fused_difference(a, b, 0.0);
+  }
+#endif
+  return a * b;
+}
+
 /// A number as a factor: with its upper and lower 26 bits apart (G. W. Veltkamp's splitting). |high| < 2^990.
 template <class V>
 struct Factor {
@@ -51,21 +63,21 @@ struct Factor {
 
 template <class V>
 VESICA_INLINE constexpr Factor<V> factor(V x) noexcept {
-  const V spread = V(0x1p27 + 1) * x, upper = spread - (spread - x);
+  const V spread = rounded_product(V(0x1p27 + 1), x), upper = spread - (spread - x);
   return {x, upper, x - upper};
 }
 
 /// a.high * b.high (T. J. Dekker), exact unless it underflows: then the loss is below 2^-1020.
 template <class V, class A, class B>
 VESICA_INLINE constexpr Pair<V> two_product(const A& a, const B& b) noexcept {
-  const V high = a.high * b.high;
+  const V high = rounded_product<V>(a.high, b.high);
   return {high, (((a.upper * b.upper - high) + a.upper * b.lower) + a.lower * b.upper) + a.lower * b.lower};
 }
 
 /// The same for a square.
 template <class V, class A>
 VESICA_INLINE constexpr Pair<V> two_square(const A& a) noexcept {
-  const V high = a.high * a.high, middle = a.upper * a.lower;
+  const V high = rounded_product<V>(a.high, a.high), middle = a.upper * a.lower;
   return {high, ((a.upper * a.upper - high) + (middle + middle)) + a.lower * a.lower};
 }
 

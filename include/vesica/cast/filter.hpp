@@ -64,7 +64,8 @@ VESICA_INLINE Along along(const Sketch& s, const Reach& r) noexcept {
   if (!s.round) {
     return {lane::flip_sign(-(s.hx * r.c), r.k) + lane::flip_sign(s.hy * r.k, r.c), 8 * u * r.size};
   }
-  const double x = ((s.hy - s.hx) * (s.hy + s.hx)) * (r.c * r.k) / r.h;
+  // Each factor is a reach: the product of two lengths alone would underflow where the axis is long.
+  const double x = ((s.hy - s.hx) * r.c) * ((s.hy + s.hx) * r.k) / r.h;
   return {x, u * (10 * r.size * r.size + 16 * r.size * abs(x)) / r.h + 2 * u * abs(x)};
 }
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The header compiled by whom sums and products may be fused: for processors with fused multiply-adds g++ does so unless
+/// it is told otherwise. The time is the greatest double before contact all the same. Expected times are from rational
+/// arithmetic: there is no contact before them, and some before the next double.
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vesica/cast.hpp>
+
+namespace {
+
+using vesica::Circle;
+using vesica::Point;
+using vesica::Rect;
+using vesica::Segment;
+
+constexpr double forever = std::numeric_limits<double>::infinity();
+
+// All numbers are such that products are not fused ones: sizes or speeds are below 2^-40.
+
+TEST(ContractedCast, RayAtADisc) {
+  const Circle<double> disc{0x1.c840f69ec1f8p+6, 0x1.cc87eb6e7f948p+11, 0x1.99e9964268ca6p+11};
+  const Point<double> from{-0x1.3519c1e2934d8p+14, -0x1.6a70b8377aa44p+15};
+  EXPECT_EQ(vesica::cast(disc, from, 0x1.29779568f97afp-46, 0x1.3cad3bb718027p-45, forever).t, 0x1.3375700e2ae08p+60);
+}
+
+TEST(ContractedCast, RayAtARectangle) {
+  const Rect<double> rect{0x1.c6bf52633ffffp+10, -0x1.10d9316ebfff3p+9,  -0x1.3711544e16008p-2,
+                          0x1.8608c86298edep-1,  0x1.6888b8addd214p-41, 0x1.4de75a49154fp-43};
+  const Point<double> from{0x1.c6bf52633fffap+10, -0x1.10d9316ebfff7p+9};
+  EXPECT_EQ(vesica::cast(rect, from, 0x1.104c148242af3p-12, 0x1.f0c6d4210213ep-13, forever).t, 0x1.ccc558fce49afp-29);
+}
+
+TEST(ContractedCast, RayAtASegment) {
+  const Segment<double> segment{0x1.fac0d35bb85d8p-2, -0x1.0a58982793184p-1, 0x1.fac0d35bb8324p-2,
+                                -0x1.0a58982792f4ap-1};
+  const Point<double> from{0x1.316d44ea5e506p+0, -0x1.52219d5016c22p+0};
+  EXPECT_EQ(vesica::cast(segment, from, -0x1.a243b3b1e3eb9p-3, 0x1.df9efd6f0cc79p-3, forever).t, 0x1.b596fb7c80f55p+1);
+}
+
+TEST(ContractedCast, TwoDiscs) {
+  const Circle<double> a{0x1.e82868811808p-4, 0x1.e71bbade70634p-1, 0x1.6bf34fc4d536p-3};
+  const Circle<double> b{-0x1.1c3e47c0f21d5p+4, -0x1.be67346d1c165p+2, 0x1.aa9cc2af0f5cp-44};
+  EXPECT_EQ(vesica::cast(a, b, 0x1.3b41788ab18ddp+3, 0x1.109ea30930ca6p+2, forever).t, 0x1.d28a29b9cedebp+0);
+  // No contact by the double after it, and contact by the one after that.
+  EXPECT_EQ(vesica::cast(a, b, 0x1.3b41788ab18ddp+3, 0x1.109ea30930ca6p+2, 0x1.d28a29b9cedebp+0).t, forever);
+  EXPECT_EQ(vesica::cast(a, b, 0x1.3b41788ab18ddp+3, 0x1.109ea30930ca6p+2, 0x1.d28a29b9cedecp+0).t,
+            0x1.d28a29b9cedebp+0);
+}
+
+}  // namespace
