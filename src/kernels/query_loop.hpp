@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "kernels/cast_table.hpp"
 #include "kernels/outline_cores.hpp"
 #include "kernels/query_cores.hpp"
 #include "lanes/two_vectors.hpp"
@@ -153,6 +154,8 @@ consteval QueryTable make_relation_table() noexcept {
   return table;
 }
 
+constinit const CastTable cast_table = make_cast_table();
+
 /// Everything this instruction set offers, laid down at compile time.
 consteval QueryTable make_query_table() noexcept {
   QueryTable table = make_relation_table();
@@ -167,6 +170,7 @@ consteval QueryTable make_query_table() noexcept {
   fill<DepthCore, Ellipse, Ellipse>(table.depth);
   fill<AreaCore, Rect, Rect>(table.area);
   fill<IouCore, Rect, Rect>(table.iou);
+  if constexpr (casts_in_lanes) table.cast = &cast_table;
   return table;
 }
 

@@ -2,6 +2,8 @@
 /// The contact of round shapes of which quick.hpp tells that they meet. Points and normals are made of the operations of
 /// first_contact.hpp, in a scene that needs no scaling. The time is the floor of one step of Newton's method for f(t) = 0,
 /// f being convex along the ray; of two ellipses that of T(n), as in bound.hpp.
+///
+/// What lanes ask too has a type V of numbers, double or lanes of it.
 #pragma once
 
 #include <vesica/cast/quick_numbers.hpp>
@@ -9,61 +11,64 @@
 namespace vesica::detail::cast {
 
 /// A time, the bound of its error, and of a round shape how f grows there, in its frame: the contact's own normal.
+template <class V>
 struct QuickTime {
-  Twofold<double> value;
-  double error, gx, gy;
+  Twofold<V> value;
+  V error, gx, gy;
 };
 
 /// One step of Newton's method from `first`, for f = |(X, Y)|^2 - R^2 with (X, Y) moving by `way`. A step d leaves
 /// |way|^2 d^2 over the slope; f is off by f_error, and half its slope by slope_error.
-VESICA_INLINE QuickTime stepped(double first, const Vector& at, double f, const Offset& way, double f_error,
-                                double slope_error) noexcept {
-  const double x = arithmetic::rounded(at.x), y = arithmetic::rounded(at.y);
-  const double over = -0.5 / (x * way.x + y * way.y), step = f * over, size = abs(step);
-  const double left = 2 * ((way.x * way.x + way.y * way.y) * size + 2 * slope_error) * size;
-  return {{first, step}, over * (f_error + left) + 0x1p-50 * size, x + step * way.x, y + step * way.y};
+template <class V>
+VESICA_INLINE QuickTime<V> stepped(V first, const arithmetic::Vector<V>& at, V f, const OffsetOf<V>& way, V f_error,
+                                   V slope_error) noexcept {
+  const V two(2.0), x = arithmetic::rounded(at.x), y = arithmetic::rounded(at.y);
+  const V over = V(-0.5) / (x * way.x + y * way.y), step = f * over, size = abs(step);
+  const V left = two * ((way.x * way.x + way.y * way.y) * size + two * slope_error) * size;
+  return {{first, step}, over * (f_error + left) + V(0x1p-50) * size, x + step * way.x, y + step * way.y};
 }
 
 /// The first root of |P + t way|^2 = R^2 in double.
-VESICA_INLINE double rough_time(const Offset& p, const Offset& way, double r) noexcept {
-  const double q = p.x * way.x + p.y * way.y, w = way.x * p.y - way.y * p.x, ww = way.x * way.x + way.y * way.y;
+template <class V>
+VESICA_INLINE V rough_time(const OffsetOf<V>& p, const OffsetOf<V>& way, V r) noexcept {
+  const V q = p.x * way.x + p.y * way.y, w = way.x * p.y - way.y * p.x, ww = way.x * way.x + way.y * way.y;
   return (-q - sqrt((r * r) * ww - w * w)) / ww;
 }
 
 /// How far something reaches that reaches p and q along two axes.
-template <class Products>
-VESICA_INLINE Twofold<double> reach_of(const Twofold<double>& p, const Twofold<double>& q) noexcept {
+template <class Products, class V>
+VESICA_INLINE Twofold<V> reach_of(const Twofold<V>& p, const Twofold<V>& q) noexcept {
   return renormalised(Products::root(square(Products::factor(p)) + square(Products::factor(q))).value);
 }
 
 /// What of a disc direction.hpp asks for, to the bit.
 template <class Products>
-VESICA_INLINE Twofold<double> disc_reach(double r, const Motion& v) noexcept {
+VESICA_INLINE Twofold<double> disc_reach(double r, const Offset& v) noexcept {
   const auto factor = Products::factor(r);
-  return reach_of<Products>(factor * Products::factor(v.vy), factor * Products::factor(v.vx));
+  return reach_of<Products>(factor * Products::factor(v.y), factor * Products::factor(v.x));
 }
-VESICA_INLINE Curve disc_curve(double r, const Motion& v) noexcept {
-  const double al = (r * v.vy) * (r * v.vy) + (r * v.vx) * (r * v.vx), area = r * r * (v.vx * v.vx + v.vy * v.vy);
+VESICA_INLINE Curve disc_curve(double r, const Offset& v) noexcept {
+  const double al = (r * v.y) * (r * v.y) + (r * v.x) * (r * v.x), area = r * r * (v.x * v.x + v.y * v.y);
   return {0, al, area * area / al, sqrt(al)};
 }
 
 /// Of an ellipse, or a disc, the point farthest along a direction that is (p, q) in its frame.
-VESICA_INLINE Offset foremost_of(double a, double b, double p, double q) noexcept {
-  const double h = sqrt((a * p) * (a * p) + (b * q) * (b * q));
+template <class V>
+VESICA_INLINE OffsetOf<V> foremost_of(V a, V b, V p, V q) noexcept {
+  const V h = sqrt((a * p) * (a * p) + (b * q) * (b * q));
   return {a * (a * p / h), b * (b * q / h)};
 }
 
 /// |D + v t| = r. With the sum of lengths L = r + |D| + |v| t, X and Y are off by 2^-102 L.
 template <class Products>
-VESICA_INLINE QuickTime disc_time(const Vector& d, const Motion& v, const Twofold<double>& r) noexcept {
-  const Offset way{v.vx, v.vy};
-  const double first = rough_time({d.x.high, d.y.high}, way, r.high);
+VESICA_INLINE QuickTime<double> disc_time(const Vector& d, const Offset& v, const Twofold<double>& r) noexcept {
+  const double first = rough_time({d.x.high, d.y.high}, v, r.high);
   const auto t = Products::factor(first);
-  const Vector at{d.x + Products::factor(v.vx) * t, d.y + Products::factor(v.vy) * t};
+  const Vector at{d.x + Products::factor(v.x) * t, d.y + Products::factor(v.y) * t};
   const Twofold<double> f =
       (square(Products::factor(at.x)) + square(Products::factor(at.y))) - square(Products::factor(r));
-  const double speed = abs(v.vx) + abs(v.vy), sizes = r.high + (abs(d.x.high) + abs(d.y.high)) + speed * first;
-  return stepped(first, at, arithmetic::rounded(f), way, 0x1p-98 * r.high * sizes, 0x1p-50 * r.high * speed);
+  const double speed = abs(v.x) + abs(v.y), sizes = r.high + (abs(d.x.high) + abs(d.y.high)) + speed * first;
+  return stepped(first, at, arithmetic::rounded(f), v, 0x1p-98 * r.high * sizes, 0x1p-50 * r.high * speed);
 }
 
 /// A disc, which a point meets.
@@ -74,20 +79,22 @@ struct QuickDisc {
   double radius() const noexcept { return r; }
   double shortest() const noexcept { return r; }
 
-  template <class Products>
   struct Asked {
     double r;
-    QuickTime time;
+    QuickTime<double> time;
     Twofold<double> reach;
 
-    double best(const Motion& v, double w, double gap) const noexcept {
+    double best(const Offset& v, double w, double gap) const noexcept {
       return maximum_of_one(disc_curve(r, v), w, gap);
     }
-    Offset in_frame(const Vector& n) const noexcept { return {n.x.high, n.y.high}; }
-    Offset foremost(const Vector& n) const noexcept { return foremost_of(r, r, n.x.high, n.y.high); }
+    template <class Products>
+    Offset in_frame(const Vector& n) const noexcept {
+      return {n.x.high, n.y.high};
+    }
+    Offset foremost(const Offset& of_n) const noexcept { return foremost_of(r, r, of_n.x, of_n.y); }
   };
   template <class Products>
-  VESICA_INLINE Asked<Products> ask(const Vector& d, const Motion& v) const noexcept {
+  VESICA_INLINE Asked ask(const Vector& d, const Offset& v) const noexcept {
     return {r, disc_time<Products>(d, v, {r, 0}), disc_reach<Products>(r, v)};
   }
 };
@@ -100,95 +107,100 @@ struct QuickDiscs {
   double radius() const noexcept { return a + b; }
   double shortest() const noexcept { return a + b; }
 
-  template <class Products>
   struct Asked {
     double a, b;
-    QuickTime time;
+    QuickTime<double> time;
     Twofold<double> reach;
 
-    double best(const Motion& v, double w, double gap) const noexcept {
+    double best(const Offset& v, double w, double gap) const noexcept {
       int steps;
       return lane::flip_sign(maximum_of_two(disc_curve(a, v), disc_curve(b, v), gap, steps), w);
     }
-    Offset in_frame(const Vector& n) const noexcept { return {n.x.high, n.y.high}; }
-    Offset foremost(const Vector& n) const noexcept { return foremost_of(a, a, n.x.high, n.y.high); }
+    template <class Products>
+    Offset in_frame(const Vector& n) const noexcept {
+      return {n.x.high, n.y.high};
+    }
+    Offset foremost(const Offset& of_n) const noexcept { return foremost_of(a, a, of_n.x, of_n.y); }
   };
   template <class Products>
-  VESICA_INLINE Asked<Products> ask(const Vector& d, const Motion& v) const noexcept {
+  VESICA_INLINE Asked ask(const Vector& d, const Offset& v) const noexcept {
     return {a, b, disc_time<Products>(d, v, arithmetic::exact_sum(a, b)),
             arithmetic::renormalised(disc_reach<Products>(a, v) + disc_reach<Products>(b, v))};
   }
 };
 
-/// An ellipse, which a point meets.
+/// An ellipse, which a point meets. A disc is one with the axis (1, 0).
+template <class V>
 struct QuickEllipse {
-  double ux, uy, a, b;
+  V ux, uy, a, b;
 
-  bool is_usual() const noexcept {
-    const double uu = ux * ux + uy * uy;
-    return lane::both(
-        lane::both(lane::both(is_plain_size(a), is_plain_size(b)), lane::max(a, b) <= 64 * lane::min(a, b)),
-        lane::both(lane::both(uu >= 0.25, uu <= 4), lane::both(is_plain(ux), is_plain(uy))));
+  VESICA_INLINE MaskOf<V> is_usual() const noexcept {
+    const V uu = ux * ux + uy * uy;
+    return both(both(both(is_plain_size(a), is_plain_size(b)), max(a, b) <= V(64.0) * min(a, b)),
+                both(both(uu >= V(0.25), uu <= V(4.0)), both(is_plain(ux), is_plain(uy))));
   }
-  double radius() const noexcept { return 2 * (a > b ? a * a / b : b * b / a); }
-  double shortest() const noexcept { return lane::min(a, b); }
+  VESICA_INLINE V radius() const noexcept {
+    const MaskOf<V> wide = a > b;
+    const V longer = select(wide, a, b), shorter = select(wide, b, a);
+    return V(2.0) * (longer * longer / shorter);
+  }
+  VESICA_INLINE V shortest() const noexcept { return min(a, b); }
 
-  template <class Products>
   struct Asked {
     const QuickEllipse& e;
-    QuickTime time;
-    Twofold<double> reach;
+    QuickTime<V> time;
+    Twofold<V> reach;
 
-    double best(const Motion& v, double w, double gap) const noexcept { return maximum_of_one(e.curve(v), w, gap); }
-    Offset in_frame(const Vector& n) const noexcept {
+    VESICA_INLINE V best(const OffsetOf<V>& v, V w, V gap) const noexcept { return maximum_of_one(e.curve(v), w, gap); }
+    template <class Products>
+    VESICA_INLINE OffsetOf<V> in_frame(const arithmetic::Vector<V>& n) const noexcept {
       const auto u = plain_factor<Products>(e.ux, e.uy);
       const auto along = Products::factor(n);
       return {arithmetic::rounded(dot(u, along)), arithmetic::rounded(cross(u, along))};
     }
-    Offset foremost(const Vector& n) const noexcept {
-      const Offset of_n = in_frame(n);
+    VESICA_INLINE OffsetOf<V> foremost(const OffsetOf<V>& of_n) const noexcept {
       return e.out_of_frame(foremost_of(e.a, e.b, of_n.x, of_n.y));
     }
   };
 
-  VESICA_INLINE Offset out_of_frame(const Offset& at) const noexcept {
-    return at.x * Offset{ux, uy} + at.y * Offset{-uy, ux};
+  VESICA_INLINE OffsetOf<V> out_of_frame(const OffsetOf<V>& at) const noexcept {
+    return at.x * OffsetOf<V>{ux, uy} + at.y * OffsetOf<V>{-uy, ux};
   }
   template <class Products>
-  VESICA_INLINE Twofold<double> reach(const Motion& v) const noexcept {
-    const auto u = plain_factor<Products>(ux, uy), along = plain_factor<Products>(v.vx, v.vy);
+  VESICA_INLINE Twofold<V> reach(const OffsetOf<V>& v) const noexcept {
+    const auto u = plain_factor<Products>(ux, uy), along = plain_factor<Products>(v.x, v.y);
     return reach_of<Products>(Products::factor(a) * Products::factor(cross(u, along)),
                               Products::factor(b) * Products::factor(dot(u, along)));
   }
 
-  VESICA_INLINE Curve curve(const Motion& v) const noexcept {
-    const double c = ux * v.vx + uy * v.vy, k = ux * v.vy - uy * v.vx, al = (a * k) * (a * k) + (b * c) * (b * c);
-    const double area = a * b * (ux * ux + uy * uy) * (v.vx * v.vx + v.vy * v.vy);
+  VESICA_INLINE CurveOf<V> curve(const OffsetOf<V>& v) const noexcept {
+    const V c = ux * v.x + uy * v.y, k = ux * v.y - uy * v.x, al = (a * k) * (a * k) + (b * c) * (b * c);
+    const V area = a * b * (ux * ux + uy * uy) * (v.x * v.x + v.y * v.y);
     return {((b - a) * (b + a)) * (c * k) / al, al, area * area / al, sqrt(al)};
   }
 
   /// |(b X, a Y)| = a b u.u with X = u.(D + v t), Y = u x (D + v t), which are off by 2^-100 of the sum of their terms.
   template <class Products>
-  VESICA_INLINE Asked<Products> ask(const Vector& d, const Motion& v) const noexcept {
+  VESICA_INLINE Asked ask(const arithmetic::Vector<V>& d, const OffsetOf<V>& v) const noexcept {
     const auto fa = Products::factor(a), fb = Products::factor(b);
-    const auto u = plain_factor<Products>(ux, uy), along = plain_factor<Products>(v.vx, v.vy);
+    const auto u = plain_factor<Products>(ux, uy), along = plain_factor<Products>(v.x, v.y);
     const auto to = Products::factor(d);
-    const Twofold<double> c = dot(u, along), k = cross(u, along);
-    const Twofold<double> bx = fb * Products::factor(dot(u, to)), ay = fa * Products::factor(cross(u, to));
-    const Twofold<double> bc = fb * Products::factor(c), ak = fa * Products::factor(k);
-    const Twofold<double> r = fa * Products::factor(fb * Products::factor(dot(u, u)));
-    const Offset way{b * c.high, a * k.high};
-    const double first = rough_time({bx.high, ay.high}, way, r.high);
+    const Twofold<V> c = dot(u, along), k = cross(u, along);
+    const Twofold<V> bx = fb * Products::factor(dot(u, to)), ay = fa * Products::factor(cross(u, to));
+    const Twofold<V> bc = fb * Products::factor(c), ak = fa * Products::factor(k);
+    const Twofold<V> r = fa * Products::factor(fb * Products::factor(dot(u, u)));
+    const OffsetOf<V> way{b * c.high, a * k.high};
+    const V first = rough_time({bx.high, ay.high}, way, r.high);
     const auto t = Products::factor(first);
-    const Vector at{bx + t * Products::factor(bc), ay + t * Products::factor(ak)};
-    const Twofold<double> f =
+    const arithmetic::Vector<V> at{bx + t * Products::factor(bc), ay + t * Products::factor(ak)};
+    const Twofold<V> f =
         (square(Products::factor(at.x)) + square(Products::factor(at.y))) - square(Products::factor(r));
-    const double axis = (a + b) * (abs(ux) + abs(uy)), speed = axis * (abs(v.vx) + abs(v.vy));
-    const double sizes = r.high + axis * (abs(d.x.high) + abs(d.y.high)) + speed * first;
-    QuickTime time =
-        stepped(first, at, arithmetic::rounded(f), way, 0x1p-96 * r.high * sizes, 0x1p-48 * r.high * speed);
-    time.gx *= b;
-    time.gy *= a;
+    const V axis = (a + b) * (abs(ux) + abs(uy)), speed = axis * (abs(v.x) + abs(v.y));
+    const V sizes = r.high + axis * (abs(d.x.high) + abs(d.y.high)) + speed * first;
+    QuickTime<V> time =
+        stepped(first, at, arithmetic::rounded(f), way, V(0x1p-96) * r.high * sizes, V(0x1p-48) * r.high * speed);
+    time.gx = time.gx * b;
+    time.gy = time.gy * a;
     return {*this, time, reach_of<Products>(fa * Products::factor(k), fb * Products::factor(c))};
   }
 };
@@ -198,46 +210,62 @@ struct QuickEllipse {
 /// z, s is off by z |n|^2 / (v.v), which gains less than 4 H z^2 |n| / (v.v) (bound.hpp), H being the greatest radius of
 /// curvature. Here z < 2^-44 and H |n| / (v.v) < 2^13 t, so that the gain is below 2^-72 t. What support_of() may be off by
 /// counts less where lengths are below 2^16 of the shortest. What is nearly along a coordinate is left open.
-VESICA_INLINE bool ends_at(const Vector& n, const Offset& in_frame, const QuickTime& time, double radius, double vv,
-                           double t) noexcept {
-  const double x = abs(n.x.high), y = abs(n.y.high), longer = x + y, p = in_frame.x, q = in_frame.y;
-  const bool same = abs(time.gx * q - time.gy * p) <= 0x1p-45 * ((abs(time.gx) + abs(time.gy)) * (abs(p) + abs(q)));
-  return lane::both(lane::both(same, radius * longer <= 0x1p12 * (vv * t)),
-                    lane::both(x > 0x1p-24 * y, y > 0x1p-24 * x));
+template <class V>
+VESICA_INLINE MaskOf<V> ends_at(const arithmetic::Vector<V>& n, const OffsetOf<V>& in_frame, const QuickTime<V>& time,
+                                V radius, V vv, V t) noexcept {
+  const V x = abs(n.x.high), y = abs(n.y.high), longer = x + y, p = in_frame.x, q = in_frame.y;
+  const auto same =
+      abs(time.gx * q - time.gy * p) <= V(0x1p-45) * ((abs(time.gx) + abs(time.gy)) * (abs(p) + abs(q)));
+  return both(both(same, radius * longer <= V(0x1p12) * (vv * t)), both(x > V(0x1p-24) * y, y > V(0x1p-24) * x));
 }
 
 /// direction() of direction.hpp.
-template <class Products>
-VESICA_INLINE Vector normal_of(double s, const Motion& v) noexcept {
+template <class Products, class V>
+VESICA_INLINE arithmetic::Vector<V> normal_of(V s, const OffsetOf<V>& v) noexcept {
   const auto by = Products::factor(s);
-  const Twofold<double> x = by * Products::factor(v.vy), y = by * Products::factor(v.vx);
-  return {arithmetic::renormalised(-(x + Twofold<double>{v.vx, 0})),
-          arithmetic::renormalised(y - Twofold<double>{v.vy, 0})};
+  const Twofold<V> x = by * Products::factor(v.y), y = by * Products::factor(v.x);
+  return {arithmetic::renormalised(-(x + Twofold<V>{v.x, V(0.0)})),
+          arithmetic::renormalised(y - Twofold<V>{v.y, V(0.0)})};
 }
 
-VESICA_INLINE Impact<double> round_impact(double t, double cx, double cy, const Offset& at, const Vector& n) noexcept {
-  const double x = n.x.high, y = n.y.high, length = sqrt(x * x + y * y);
-  return {t, support_minimum::located_coordinate(cx, cx, at.x) + 0.0,
-          support_minimum::located_coordinate(cy, cy, at.y) + 0.0, x / length + 0.0, y / length + 0.0};
+/// Where a round shape is met, from its centre, and along which normal, of any length.
+template <class V>
+struct QuickPlace {
+  OffsetOf<V> at;
+  arithmetic::Vector<V> normal;
+  MaskOf<V> certain;
+};
+VESICA_INLINE Impact<double> round_impact(double t, double cx, double cy, const QuickPlace<double>& place) noexcept {
+  const double x = place.normal.x.high, y = place.normal.y.high, length = sqrt(x * x + y * y);
+  return {t, support_minimum::located_coordinate(cx, cx, place.at.x) + 0.0,
+          support_minimum::located_coordinate(cy, cy, place.at.y) + 0.0, x / length + 0.0, y / length + 0.0};
 }
 
-/// Where the offset of centres d meets the sum of round shapes; (cx, cy) is the first's centre.
+/// Where the offset of centres d meets the sum of round shapes at the time t.
+template <class Products, class Sum, class Asked, class V>
+VESICA_INLINE QuickPlace<V> round_place(const Sum& sum, const Asked& asked, const arithmetic::Vector<V>& d,
+                                        const OffsetOf<V>& v, V t) noexcept {
+  const Twofold<V> w = arithmetic::renormalised(cross(plain_factor<Products>(v.x, v.y), Products::factor(d)));
+  const V gap = gap_of(asked.reach, w);
+  const arithmetic::Vector<V> n = normal_of<Products>(asked.best(v, w.high, gap), v);
+  const V vv = v.x * v.x + v.y * v.y, lengths = abs(d.x.high) + abs(d.y.high) + (abs(v.x) + abs(v.y)) * t;
+  const auto usual = both(gap >= V(0x1p-8) * asked.reach.high, lengths <= V(0x1p16) * sum.shortest());
+  const OffsetOf<V> of_n = asked.template in_frame<Products>(n);
+  return {asked.foremost(of_n), n, both(usual, ends_at(n, of_n, asked.time, sum.radius(), vv, t))};
+}
+
 template <class Products, class Sum>
-VESICA_INLINE Quick round_hit(const Sum& sum, const Vector& d, const Motion& v, double cx, double cy,
+VESICA_INLINE Quick round_hit(const Sum& sum, const Vector& d, const Motion& motion, double cx, double cy,
                               Impact<double>& out) noexcept {
+  const Offset v = velocity(motion);
   if (!lane::both(is_plain(d, v), sum.is_usual())) return Quick::open;
   const auto asked = sum.template ask<Products>(d, v);
   double t;
-  const Quick quick = floor_of(asked.time.value, asked.time.error, v.end, t);
+  const Quick quick = floor_of(asked.time.value, asked.time.error, motion.end, t);
   if (quick != Quick::hit) return quick;
-  const Twofold<double> w = arithmetic::renormalised(cross(plain_factor<Products>(v.vx, v.vy), Products::factor(d)));
-  const double gap = gap_of(asked.reach, w);
-  const Vector n = normal_of<Products>(asked.best(v, w.high, gap), v);
-  const double vv = v.vx * v.vx + v.vy * v.vy, speed = abs(v.vx) + abs(v.vy);
-  const double lengths = abs(d.x.high) + abs(d.y.high) + speed * t;
-  const bool usual = lane::both(gap >= 0x1p-8 * asked.reach.high, lengths <= 0x1p16 * sum.shortest());
-  if (!lane::both(usual, ends_at(n, asked.in_frame(n), asked.time, sum.radius(), vv, t))) return Quick::open;
-  out = round_impact(t, cx, cy, asked.foremost(n), n);
+  const QuickPlace<double> place = round_place<Products>(sum, asked, d, v, t);
+  if (!place.certain) return Quick::open;
+  out = round_impact(t, cx, cy, place);
   return Quick::hit;
 }
 
@@ -254,70 +282,88 @@ VESICA_INLINE Quick quick_hit(const Circle<double>& a, const Circle<double>& b, 
 template <class Products>
 VESICA_INLINE Quick quick_hit(const Ellipse<double>& a, const Point<double>& b, const Motion& v,
                               Impact<double>& out) noexcept {
-  return round_hit<Products>(QuickEllipse{a.ux, a.uy, a.a, a.b}, exact_offset(b.x, b.y, a.cx, a.cy), v, a.cx, a.cy,
-                             out);
+  return round_hit<Products>(QuickEllipse<double>{a.ux, a.uy, a.a, a.b}, exact_offset(b.x, b.y, a.cx, a.cy), v, a.cx,
+                             a.cy, out);
 }
 
 /// Of two ellipses there is no root to go to. T(n) at the n found is a lower bound of the time, and what the slope there,
 /// known to e in double, may still gain is as in bound.hpp.
+template <class V>
 struct QuickSupport {
-  Twofold<double> h;
-  double beside, bend, error, steepness;
-  Offset in_frame;
+  Twofold<V> h;
+  V beside, bend, error, steepness;
+  OffsetOf<V> in_frame;
 };
-template <class Products>
-VESICA_INLINE QuickSupport quick_support(const QuickEllipse& e, const Vector& n, const Motion& v) noexcept {
+template <class Products, class V>
+VESICA_INLINE QuickSupport<V> quick_support(const QuickEllipse<V>& e, const arithmetic::Vector<V>& n,
+                                            const OffsetOf<V>& v) noexcept {
   const auto u = plain_factor<Products>(e.ux, e.uy);
   const auto along = Products::factor(n);
-  const Twofold<double> p = arithmetic::renormalised(dot(u, along)), q = arithmetic::renormalised(cross(u, along));
-  const Twofold<double> ap = Products::factor(e.a) * Products::factor(p),
-                        bq = Products::factor(e.b) * Products::factor(q);
-  const Twofold<double> h = reach_of<Products>(ap, bq);
-  const double c = e.ux * v.vx + e.uy * v.vy, k = e.ux * v.vy - e.uy * v.vx, over = 1 / h.high;
-  const double vv = v.vx * v.vx + v.vy * v.vy, ratio = (e.a * e.b) * (e.ux * e.ux + e.uy * e.uy) * vv * over;
-  const double size = (e.a + e.b) * (abs(e.ux) + abs(e.uy)) * (abs(v.vx) + abs(v.vy));
+  const Twofold<V> p = arithmetic::renormalised(dot(u, along)), q = arithmetic::renormalised(cross(u, along));
+  const Twofold<V> ap = Products::factor(e.a) * Products::factor(p), bq = Products::factor(e.b) * Products::factor(q);
+  const Twofold<V> h = reach_of<Products>(ap, bq);
+  const V c = e.ux * v.x + e.uy * v.y, k = e.ux * v.y - e.uy * v.x, over = V(1.0) / h.high;
+  const V vv = v.x * v.x + v.y * v.y, ratio = (e.a * e.b) * (e.ux * e.ux + e.uy * e.uy) * vv * over;
+  const V size = (e.a + e.b) * (abs(e.ux) + abs(e.uy)) * (abs(v.x) + abs(v.y));
   return {h,
           (bq.high * (e.b * c) - ap.high * (e.a * k)) * over,
           ratio * ratio * over,
-          0x1p-48 * size,
+          V(0x1p-48) * size,
           size * over,
           {p.high, q.high}};
 }
 
-template <class Products>
-VESICA_INLINE Quick quick_hit(const Ellipse<double>& first, const Ellipse<double>& second, const Motion& v,
-                              Impact<double>& out) noexcept {
-  const QuickEllipse a{first.ux, first.uy, first.a, first.b}, b{second.ux, second.uy, second.a, second.b};
-  const Vector d = exact_offset(second.cx, second.cy, first.cx, first.cy);
-  if (!lane::both(is_plain(d, v), lane::both(a.is_usual(), b.is_usual()))) return Quick::open;
-  const auto along = plain_factor<Products>(v.vx, v.vy);
+/// The floor of the time, and where.
+template <class V>
+struct QuickMeeting {
+  Floor<V> floor;
+  QuickPlace<V> place;
+};
+/// idle: where nothing is asked.
+template <class Products, class V>
+VESICA_INLINE QuickMeeting<V> ellipses_meeting(const QuickEllipse<V>& a, const QuickEllipse<V>& b,
+                                               const arithmetic::Vector<V>& d, const OffsetOf<V>& v,
+                                               MaskOf<V> idle) noexcept {
+  const auto along = plain_factor<Products>(v.x, v.y);
   const auto to = Products::factor(d);
-  const Twofold<double> w = arithmetic::renormalised(cross(along, to));
-  const double gap = gap_of(arithmetic::renormalised(a.reach<Products>(v) + b.reach<Products>(v)), w);
-  Curve ca = a.curve(v), cb = b.curve(v);
-  ca.s = lane::flip_sign(ca.s, w.high);
-  cb.s = lane::flip_sign(cb.s, w.high);
-  int steps;
-  const Vector n = normal_of<Products>(lane::flip_sign(maximum_of_two(ca, cb, gap, steps), w.high), v);
-  const QuickSupport sa = quick_support<Products>(a, n, v), sb = quick_support<Products>(b, n, v);
+  const Twofold<V> w = arithmetic::renormalised(cross(along, to));
+  const V gap = gap_of(arithmetic::renormalised(a.template reach<Products>(v) + b.template reach<Products>(v)), w);
+  CurveOf<V> ca = a.curve(v), cb = b.curve(v);
+  ca.s = flip_sign(ca.s, w.high);
+  cb.s = flip_sign(cb.s, w.high);
+  V best;
+  maximum_of_two(ca, cb, gap, idle, best);
+  const arithmetic::Vector<V> n = normal_of<Products>(flip_sign(best, w.high), v);
+  const QuickSupport<V> sa = quick_support<Products>(a, n, v), sb = quick_support<Products>(b, n, v);
   const auto nf = Products::factor(n);
-  const Twofold<double> room = arithmetic::renormalised(dot(nf, to) - (sa.h + sb.h));
-  const Twofold<double> approach = arithmetic::renormalised(-dot(nf, along));
-  const double start = room.high / approach.high;
-  const Twofold<double> rest = room - Products::factor(start) * Products::factor(approach);
-  const double step = arithmetic::rounded(rest) / approach.high;
-  const double vv = v.vx * v.vx + v.vy * v.vy, speed = abs(v.vx) + abs(v.vy);
-  const double n_size = abs(n.x.high) + abs(n.y.high), error = sa.error + sb.error;
-  const double sizes = (abs(d.x.high) + abs(d.y.high)) + speed * abs(start) + 0x1p48 * error / speed;
-  const double slope = abs(w.high - (sa.beside + sb.beside)) + error, bend = sa.bend + sb.bend, off = slope / bend;
-  const double gain = 2 * slope * (off / vv);
-  const double lost = 0x1p-94 * n_size * sizes / approach.high + 0x1p-100 * abs(start);
-  const bool ends = lane::both(gain <= 0x1p-74 * start, 64 * off * lane::max(sa.steepness, sb.steepness) < 1);
-  if (!lane::both(ends, sizes * (0x1p-40 * n_size) < sa.h.high + sb.h.high)) return Quick::open;
-  double t;
-  const Quick quick = floor_of({start, step}, lost + gain, v.end, t);
-  if (quick != Quick::hit) return quick;
-  out = round_impact(t, first.cx, first.cy, a.out_of_frame(foremost_of(a.a, a.b, sa.in_frame.x, sa.in_frame.y)), n);
+  const Twofold<V> room = arithmetic::renormalised(dot(nf, to) - (sa.h + sb.h));
+  const Twofold<V> approach = arithmetic::renormalised(-dot(nf, along));
+  const V start = room.high / approach.high;
+  const Twofold<V> rest = room - Products::factor(start) * Products::factor(approach);
+  const V step = arithmetic::rounded(rest) / approach.high;
+  const V vv = v.x * v.x + v.y * v.y, speed = abs(v.x) + abs(v.y);
+  const V n_size = abs(n.x.high) + abs(n.y.high), error = sa.error + sb.error;
+  const V sizes = (abs(d.x.high) + abs(d.y.high)) + speed * abs(start) + V(0x1p48) * error / speed;
+  const V slope = abs(w.high - (sa.beside + sb.beside)) + error, bend = sa.bend + sb.bend, off = slope / bend;
+  const V gain = V(2.0) * slope * (off / vv);
+  const V lost = V(0x1p-94) * n_size * sizes / approach.high + V(0x1p-100) * abs(start);
+  const auto ends =
+      both(gain <= V(0x1p-74) * start, V(64.0) * off * max(sa.steepness, sb.steepness) < V(1.0));
+  const OffsetOf<V> at = a.out_of_frame(foremost_of(a.a, a.b, sa.in_frame.x, sa.in_frame.y));
+  return {floor_of(Twofold<V>{start, step}, lost + gain),
+          {at, n, both(ends, sizes * (V(0x1p-40) * n_size) < sa.h.high + sb.h.high)}};
+}
+
+template <class Products>
+VESICA_INLINE Quick quick_hit(const Ellipse<double>& first, const Ellipse<double>& second, const Motion& motion,
+                              Impact<double>& out) noexcept {
+  const QuickEllipse<double> a{first.ux, first.uy, first.a, first.b}, b{second.ux, second.uy, second.a, second.b};
+  const Vector d = exact_offset(second.cx, second.cy, first.cx, first.cy);
+  if (!lane::both(is_plain(d, motion), lane::both(a.is_usual(), b.is_usual()))) return Quick::open;
+  const auto [floor, place] = ellipses_meeting<Products>(a, b, d, velocity(motion), false);
+  if (!lane::both(floor.certain, place.certain) || floor.t == motion.end) return Quick::open;
+  if (floor.t > motion.end) return Quick::missed;
+  out = round_impact(floor.t, first.cx, first.cy, place);
   return Quick::hit;
 }
 
