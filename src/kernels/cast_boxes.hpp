@@ -34,11 +34,12 @@ VESICA_INLINE CastMask same_vector(const VectorLanes& u, const VectorLanes& w) n
 }
 VESICA_INLINE VectorLanes perpendicular(const VectorLanes& u) noexcept { return {-u.y, u.x}; }
 
-/// Two boxes, the way of the second, and the length that errors are relative to.
+/// Two boxes, the way of the second, and the length that errors are relative to. ray: the second is a point.
 struct BoxesLanes {
   BoxLanes a, b;
   WayLanes way;
   Doubles speed, size;
+  bool ray;
 };
 
 /// An axis of a box as a normal, and between which times it stops to separate; both are -1 where it cannot be the last.
@@ -70,8 +71,7 @@ struct LastAxis {
   CastMask settled;
 };
 
-/// The one axis that separates longest; not settled where double cannot tell. ray: b is a point.
-template <bool ray>
+/// The one axis that separates longest; not settled where double cannot tell.
 VESICA_INLINE LastAxis last_axis(const BoxesLanes& s) noexcept {
   const Doubles zero(0.0);
   const CastMask none = zero < zero;
@@ -80,27 +80,23 @@ VESICA_INLINE LastAxis last_axis(const BoxesLanes& s) noexcept {
   const Doubles ux = u.x.high, uy = u.y.high, wx = w.x.high, wy = w.y.high, uu = ux * ux + uy * uy;
   CastMask doubtful = none;
   LastAxis out;
-  constexpr int count = ray ? 2 : 4;
-  AxisLanes axes[4];
-  if constexpr (ray) {
-    doubtful = no_a;
-    axes[0] = axis_lanes(s, u, s.a.hx.high * uu, none, doubtful);
-    axes[1] = axis_lanes(s, perpendicular(u), s.a.hy.high * uu, none, doubtful);
-  } else {
-    const CastMask only_a = either(same, and_not(no_b, no_a)), only_b = and_not(and_not(no_a, no_b), same);
-    const Doubles ax = s.a.hx.high, ay = s.a.hy.high, bx = s.b.hx.high, by = s.b.hy.high;
-    const Doubles ww = wx * wx + wy * wy, c = abs(ux * wx + uy * wy), k = abs(ux * wy - uy * wx);
-    axes[0] = axis_lanes(s, u, ax * uu + (bx * c + by * k), only_b, doubtful);
-    axes[1] = axis_lanes(s, perpendicular(u), ay * uu + (bx * k + by * c), only_b, doubtful);
+  const CastMask only_a = either(same, and_not(no_b, no_a)), only_b = and_not(and_not(no_a, no_b), same);
+  const Doubles ax = s.a.hx.high, ay = s.a.hy.high, bx = s.b.hx.high, by = s.b.hy.high;
+  const Doubles c = abs(ux * wx + uy * wy), k = abs(ux * wy - uy * wx);
+  AxisLanes axes[4] = {axis_lanes(s, u, ax * uu + (bx * c + by * k), only_b, doubtful),
+                       axis_lanes(s, perpendicular(u), ay * uu + (bx * k + by * c), only_b, doubtful)};
+  axes[2] = axes[3] = {w, Doubles(-1.0), Doubles(-1.0)};
+  if (!s.ray) {
+    const Doubles ww = wx * wx + wy * wy;
     axes[2] = axis_lanes(s, w, bx * ww + (ax * c + ay * k), only_a, doubtful);
     axes[3] = axis_lanes(s, perpendicular(w), by * ww + (ax * k + ay * c), only_a, doubtful);
   }
   Doubles least = axes[0].least;
-  for (int i = 1; i < count; ++i) least = max(least, axes[i].least);
+  for (int i = 1; i < 4; ++i) least = max(least, axes[i].least);
   CastMask some = none, several = none, of_b = none;
   out.across = none;
   out.normal = axes[0].normal;
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < 4; ++i) {
     const CastMask left = axes[i].most >= least;
     several = either(several, both(some, left));
     some = either(some, left);
@@ -109,8 +105,8 @@ VESICA_INLINE LastAxis last_axis(const BoxesLanes& s) noexcept {
     if (i % 2 == 1) out.across = either(out.across, left);
     if (i >= 2) of_b = either(of_b, left);
   }
-  out.of_b = ray ? of_b : either(of_b, same);
-  out.of_a = ray ? negated<Doubles>(of_b) : either(negated<Doubles>(of_b), same);
+  out.of_b = either(of_b, same);
+  out.of_a = either(negated<Doubles>(of_b), same);
   out.settled = and_not(and_not(both(some, least > zero), several), doubtful);
   const Doubles back = -(out.normal.x.high * s.way.v.x + out.normal.y.high * s.way.v.y);
   out.normal = {flipped(out.normal.x, back), flipped(out.normal.y, back)};
@@ -127,12 +123,11 @@ VESICA_INLINE TwofoldLanes height_lanes(const BoxLanes& s, const Factor& n) noex
 }
 
 /// T(n), as detail::cast::lower_bound() has it.
-template <bool ray>
 VESICA_INLINE FloorLanes floor_lanes(const BoxesLanes& s, const VectorLanes& normal) noexcept {
   using P = LaneProducts;
   const auto n = P::factor(normal);
   TwofoldLanes height = height_lanes(s.a, n);
-  if constexpr (!ray) height = height + height_lanes(s.b, n);
+  if (!s.ray) height = height + height_lanes(s.b, n);
   const TwofoldLanes room = renormalised(dot(n, P::factor(s.way.d)) - height);
   const TwofoldLanes approach =
       renormalised(-dot(n, detail::cast::plain_factor<P>(s.way.v.x, s.way.v.y)));
@@ -180,20 +175,20 @@ VESICA_INLINE OffsetLanes point_on_edge(const ForemostLanes& a, const ForemostLa
   return {a.middle.x + at * a.half.x, a.middle.y + at * a.half.y};
 }
 
-template <bool ray>
 void cast_boxes(const CastColumns& columns, std::int32_t n, double* const* results) noexcept {
   const Doubles zero(0.0);
   const ForemostLanes point{{zero, zero}, {zero, zero}, zero <= zero};
   for (std::int32_t i = 0; i < n; i += Doubles::width) {
-    BoxesLanes s{box_lanes(columns.a, i), box_lanes(columns.b, i), way_lanes(columns, i), zero, zero};
+    BoxesLanes s{box_lanes(columns.a, i), box_lanes(columns.b, i), way_lanes(columns, i), zero, zero, columns.b.is_point};
     const OffsetLanes& v = s.way.v;
     s.speed = abs(v.x) + abs(v.y);
     s.size = Doubles(2.0) * length_of(s.way.d) + (reach_of(s.a) + reach_of(s.b));
-    const LastAxis last = last_axis<ray>(s);
-    const FloorLanes floor = floor_lanes<ray>(s, last.normal);
+    const LastAxis last = last_axis(s);
+    const FloorLanes floor = floor_lanes(s, last.normal);
     const Doubles nx = last.normal.x.high, ny = last.normal.y.high;
     const ForemostLanes of_a = foremost_lanes(s.a, nx, ny, last.of_a, last.across);
-    const ForemostLanes of_b = ray ? point : foremost_lanes(s.b, -nx, -ny, last.of_b, last.across);
+    ForemostLanes of_b = point;
+    if (!s.ray) of_b = foremost_lanes(s.b, -nx, -ny, last.of_b, last.across);
     const CastMask is_edge = either(abs(of_a.half.x) > zero, abs(of_a.half.y) > zero);
     const OffsetLanes on_edge =
         point_on_edge(of_a, of_b, s.way.d.x.high + floor.t * v.x, s.way.d.y.high + floor.t * v.y);

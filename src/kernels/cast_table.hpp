@@ -10,21 +10,18 @@ namespace {
 
 consteval CastTable make_cast_table() noexcept {
   CastTable table{filter_casts, {}};
-  // Two lanes find a contact no faster than the scalar functions do.
-  if constexpr (Doubles::width > 2) {
-    constexpr Kind boxes[] = {Kind::segment, Kind::aabb, Kind::rect}, rounds[] = {Kind::circle, Kind::ellipse};
-    const auto enter = [&table](Kind a, Kind b, CastKernel kernel) {
-      table.contact[static_cast<int>(a)][static_cast<int>(b)] = kernel;
-    };
-    for (const Kind a : boxes) {
-      enter(a, Kind::point, cast_boxes<true>);
-      enter(Kind::point, a, cast_boxes<false>);
-      for (const Kind b : boxes) enter(a, b, cast_boxes<false>);
-    }
-    for (const Kind a : rounds) {
-      enter(a, Kind::point, cast_rounds<true>);
-      for (const Kind b : rounds) enter(a, b, cast_rounds<false>);
-    }
+  constexpr Kind boxes[] = {Kind::segment, Kind::aabb, Kind::rect}, rounds[] = {Kind::circle, Kind::ellipse};
+  const auto enter = [&table](Kind a, Kind b, CastKernel kernel) {
+    table.contact[static_cast<int>(a)][static_cast<int>(b)] = kernel;
+  };
+  for (const Kind a : boxes) {
+    enter(a, Kind::point, cast_boxes);
+    enter(Kind::point, a, cast_boxes);
+    for (const Kind b : boxes) enter(a, b, cast_boxes);
+  }
+  for (const Kind a : rounds) {
+    enter(a, Kind::point, cast_rounds);
+    for (const Kind b : rounds) enter(a, b, cast_rounds);
   }
   return table;
 }

@@ -8,10 +8,12 @@
 #include <limits>
 #include <utility>
 
-#include "kernels/cast_table.hpp"
 #include "kernels/outline_cores.hpp"
 #include "kernels/query_cores.hpp"
 #include "lanes/two_vectors.hpp"
+#if defined(__AVX__)
+#include "kernels/cast_table.hpp"
+#endif
 
 namespace vesica {
 namespace {
@@ -154,7 +156,12 @@ consteval QueryTable make_relation_table() noexcept {
   return table;
 }
 
+#if defined(__AVX__)
 constinit const CastTable cast_table = make_cast_table();
+constexpr const CastTable* casts = &cast_table;
+#else
+constexpr const CastTable* casts = nullptr;
+#endif
 
 /// Everything this instruction set offers, laid down at compile time.
 consteval QueryTable make_query_table() noexcept {
@@ -170,7 +177,7 @@ consteval QueryTable make_query_table() noexcept {
   fill<DepthCore, Ellipse, Ellipse>(table.depth);
   fill<AreaCore, Rect, Rect>(table.area);
   fill<IouCore, Rect, Rect>(table.iou);
-  if constexpr (casts_in_lanes) table.cast = &cast_table;
+  table.cast = casts;
   return table;
 }
 

@@ -11,27 +11,24 @@
 namespace vesica::detail::cast {
 
 /// A time, the bound of its error, and of a round shape how f grows there, in its frame: the contact's own normal.
-template <class V>
 struct QuickTime {
-  Twofold<V> value;
-  V error, gx, gy;
+  Twofold<double> value;
+  double error, gx, gy;
 };
 
 /// One step of Newton's method from `first`, for f = |(X, Y)|^2 - R^2 with (X, Y) moving by `way`. A step d leaves
 /// |way|^2 d^2 over the slope; f is off by f_error, and half its slope by slope_error.
-template <class V>
-VESICA_INLINE QuickTime<V> stepped(V first, const arithmetic::Vector<V>& at, V f, const OffsetOf<V>& way, V f_error,
-                                   V slope_error) noexcept {
-  const V two(2.0), x = arithmetic::rounded(at.x), y = arithmetic::rounded(at.y);
-  const V over = V(-0.5) / (x * way.x + y * way.y), step = f * over, size = abs(step);
-  const V left = two * ((way.x * way.x + way.y * way.y) * size + two * slope_error) * size;
-  return {{first, step}, over * (f_error + left) + V(0x1p-50) * size, x + step * way.x, y + step * way.y};
+VESICA_INLINE QuickTime stepped(double first, const Vector& at, double f, const Offset& way, double f_error,
+                                double slope_error) noexcept {
+  const double x = arithmetic::rounded(at.x), y = arithmetic::rounded(at.y);
+  const double over = -0.5 / (x * way.x + y * way.y), step = f * over, size = abs(step);
+  const double left = 2 * ((way.x * way.x + way.y * way.y) * size + 2 * slope_error) * size;
+  return {{first, step}, over * (f_error + left) + 0x1p-50 * size, x + step * way.x, y + step * way.y};
 }
 
 /// The first root of |P + t way|^2 = R^2 in double.
-template <class V>
-VESICA_INLINE V rough_time(const OffsetOf<V>& p, const OffsetOf<V>& way, V r) noexcept {
-  const V q = p.x * way.x + p.y * way.y, w = way.x * p.y - way.y * p.x, ww = way.x * way.x + way.y * way.y;
+VESICA_INLINE double rough_time(const Offset& p, const Offset& way, double r) noexcept {
+  const double q = p.x * way.x + p.y * way.y, w = way.x * p.y - way.y * p.x, ww = way.x * way.x + way.y * way.y;
   return (-q - sqrt((r * r) * ww - w * w)) / ww;
 }
 
@@ -43,12 +40,12 @@ VESICA_INLINE Twofold<V> reach_of(const Twofold<V>& p, const Twofold<V>& q) noex
 
 /// What of a disc direction.hpp asks for, to the bit.
 template <class Products>
-VESICA_INLINE Twofold<double> disc_reach(double r, const Offset& v) noexcept {
+VESICA_INLINE Twofold<double> disc_reach(double r, const Motion& v) noexcept {
   const auto factor = Products::factor(r);
-  return reach_of<Products>(factor * Products::factor(v.y), factor * Products::factor(v.x));
+  return reach_of<Products>(factor * Products::factor(v.vy), factor * Products::factor(v.vx));
 }
-VESICA_INLINE Curve disc_curve(double r, const Offset& v) noexcept {
-  const double al = (r * v.y) * (r * v.y) + (r * v.x) * (r * v.x), area = r * r * (v.x * v.x + v.y * v.y);
+VESICA_INLINE Curve disc_curve(double r, const Motion& v) noexcept {
+  const double al = (r * v.vy) * (r * v.vy) + (r * v.vx) * (r * v.vx), area = r * r * (v.vx * v.vx + v.vy * v.vy);
   return {0, al, area * area / al, sqrt(al)};
 }
 
@@ -61,14 +58,15 @@ VESICA_INLINE OffsetOf<V> foremost_of(V a, V b, V p, V q) noexcept {
 
 /// |D + v t| = r. With the sum of lengths L = r + |D| + |v| t, X and Y are off by 2^-102 L.
 template <class Products>
-VESICA_INLINE QuickTime<double> disc_time(const Vector& d, const Offset& v, const Twofold<double>& r) noexcept {
-  const double first = rough_time({d.x.high, d.y.high}, v, r.high);
+VESICA_INLINE QuickTime disc_time(const Vector& d, const Motion& v, const Twofold<double>& r) noexcept {
+  const Offset way{v.vx, v.vy};
+  const double first = rough_time({d.x.high, d.y.high}, way, r.high);
   const auto t = Products::factor(first);
-  const Vector at{d.x + Products::factor(v.x) * t, d.y + Products::factor(v.y) * t};
+  const Vector at{d.x + Products::factor(v.vx) * t, d.y + Products::factor(v.vy) * t};
   const Twofold<double> f =
       (square(Products::factor(at.x)) + square(Products::factor(at.y))) - square(Products::factor(r));
-  const double speed = abs(v.x) + abs(v.y), sizes = r.high + (abs(d.x.high) + abs(d.y.high)) + speed * first;
-  return stepped(first, at, arithmetic::rounded(f), v, 0x1p-98 * r.high * sizes, 0x1p-50 * r.high * speed);
+  const double speed = abs(v.vx) + abs(v.vy), sizes = r.high + (abs(d.x.high) + abs(d.y.high)) + speed * first;
+  return stepped(first, at, arithmetic::rounded(f), way, 0x1p-98 * r.high * sizes, 0x1p-50 * r.high * speed);
 }
 
 /// A disc, which a point meets.
@@ -79,22 +77,20 @@ struct QuickDisc {
   double radius() const noexcept { return r; }
   double shortest() const noexcept { return r; }
 
+  template <class Products>
   struct Asked {
     double r;
-    QuickTime<double> time;
+    QuickTime time;
     Twofold<double> reach;
 
-    double best(const Offset& v, double w, double gap) const noexcept {
+    double best(const Motion& v, double w, double gap) const noexcept {
       return maximum_of_one(disc_curve(r, v), w, gap);
     }
-    template <class Products>
-    Offset in_frame(const Vector& n) const noexcept {
-      return {n.x.high, n.y.high};
-    }
-    Offset foremost(const Offset& of_n) const noexcept { return foremost_of(r, r, of_n.x, of_n.y); }
+    Offset in_frame(const Vector& n) const noexcept { return {n.x.high, n.y.high}; }
+    Offset foremost(const Vector& n) const noexcept { return foremost_of(r, r, n.x.high, n.y.high); }
   };
   template <class Products>
-  VESICA_INLINE Asked ask(const Vector& d, const Offset& v) const noexcept {
+  VESICA_INLINE Asked<Products> ask(const Vector& d, const Motion& v) const noexcept {
     return {r, disc_time<Products>(d, v, {r, 0}), disc_reach<Products>(r, v)};
   }
 };
@@ -107,23 +103,21 @@ struct QuickDiscs {
   double radius() const noexcept { return a + b; }
   double shortest() const noexcept { return a + b; }
 
+  template <class Products>
   struct Asked {
     double a, b;
-    QuickTime<double> time;
+    QuickTime time;
     Twofold<double> reach;
 
-    double best(const Offset& v, double w, double gap) const noexcept {
+    double best(const Motion& v, double w, double gap) const noexcept {
       int steps;
       return lane::flip_sign(maximum_of_two(disc_curve(a, v), disc_curve(b, v), gap, steps), w);
     }
-    template <class Products>
-    Offset in_frame(const Vector& n) const noexcept {
-      return {n.x.high, n.y.high};
-    }
-    Offset foremost(const Offset& of_n) const noexcept { return foremost_of(a, a, of_n.x, of_n.y); }
+    Offset in_frame(const Vector& n) const noexcept { return {n.x.high, n.y.high}; }
+    Offset foremost(const Vector& n) const noexcept { return foremost_of(a, a, n.x.high, n.y.high); }
   };
   template <class Products>
-  VESICA_INLINE Asked ask(const Vector& d, const Offset& v) const noexcept {
+  VESICA_INLINE Asked<Products> ask(const Vector& d, const Motion& v) const noexcept {
     return {a, b, disc_time<Products>(d, v, arithmetic::exact_sum(a, b)),
             arithmetic::renormalised(disc_reach<Products>(a, v) + disc_reach<Products>(b, v))};
   }
@@ -139,26 +133,25 @@ struct QuickEllipse {
     return both(both(both(is_plain_size(a), is_plain_size(b)), max(a, b) <= V(64.0) * min(a, b)),
                 both(both(uu >= V(0.25), uu <= V(4.0)), both(is_plain(ux), is_plain(uy))));
   }
-  VESICA_INLINE V radius() const noexcept {
-    const MaskOf<V> wide = a > b;
-    const V longer = select(wide, a, b), shorter = select(wide, b, a);
-    return V(2.0) * (longer * longer / shorter);
-  }
-  VESICA_INLINE V shortest() const noexcept { return min(a, b); }
+  double radius() const noexcept { return 2 * (a > b ? a * a / b : b * b / a); }
+  double shortest() const noexcept { return lane::min(a, b); }
 
+  template <class Products>
   struct Asked {
     const QuickEllipse& e;
-    QuickTime<V> time;
-    Twofold<V> reach;
+    QuickTime time;
+    Twofold<double> reach;
 
-    VESICA_INLINE V best(const OffsetOf<V>& v, V w, V gap) const noexcept { return maximum_of_one(e.curve(v), w, gap); }
-    template <class Products>
-    VESICA_INLINE OffsetOf<V> in_frame(const arithmetic::Vector<V>& n) const noexcept {
+    double best(const Motion& v, double w, double gap) const noexcept {
+      return maximum_of_one(e.curve(velocity(v)), w, gap);
+    }
+    Offset in_frame(const Vector& n) const noexcept {
       const auto u = plain_factor<Products>(e.ux, e.uy);
       const auto along = Products::factor(n);
       return {arithmetic::rounded(dot(u, along)), arithmetic::rounded(cross(u, along))};
     }
-    VESICA_INLINE OffsetOf<V> foremost(const OffsetOf<V>& of_n) const noexcept {
+    Offset foremost(const Vector& n) const noexcept {
+      const Offset of_n = in_frame(n);
       return e.out_of_frame(foremost_of(e.a, e.b, of_n.x, of_n.y));
     }
   };
@@ -181,26 +174,26 @@ struct QuickEllipse {
 
   /// |(b X, a Y)| = a b u.u with X = u.(D + v t), Y = u x (D + v t), which are off by 2^-100 of the sum of their terms.
   template <class Products>
-  VESICA_INLINE Asked ask(const arithmetic::Vector<V>& d, const OffsetOf<V>& v) const noexcept {
+  VESICA_INLINE Asked<Products> ask(const Vector& d, const Motion& v) const noexcept {
     const auto fa = Products::factor(a), fb = Products::factor(b);
-    const auto u = plain_factor<Products>(ux, uy), along = plain_factor<Products>(v.x, v.y);
+    const auto u = plain_factor<Products>(ux, uy), along = plain_factor<Products>(v.vx, v.vy);
     const auto to = Products::factor(d);
-    const Twofold<V> c = dot(u, along), k = cross(u, along);
-    const Twofold<V> bx = fb * Products::factor(dot(u, to)), ay = fa * Products::factor(cross(u, to));
-    const Twofold<V> bc = fb * Products::factor(c), ak = fa * Products::factor(k);
-    const Twofold<V> r = fa * Products::factor(fb * Products::factor(dot(u, u)));
-    const OffsetOf<V> way{b * c.high, a * k.high};
-    const V first = rough_time({bx.high, ay.high}, way, r.high);
+    const Twofold<double> c = dot(u, along), k = cross(u, along);
+    const Twofold<double> bx = fb * Products::factor(dot(u, to)), ay = fa * Products::factor(cross(u, to));
+    const Twofold<double> bc = fb * Products::factor(c), ak = fa * Products::factor(k);
+    const Twofold<double> r = fa * Products::factor(fb * Products::factor(dot(u, u)));
+    const Offset way{b * c.high, a * k.high};
+    const double first = rough_time({bx.high, ay.high}, way, r.high);
     const auto t = Products::factor(first);
-    const arithmetic::Vector<V> at{bx + t * Products::factor(bc), ay + t * Products::factor(ak)};
-    const Twofold<V> f =
+    const Vector at{bx + t * Products::factor(bc), ay + t * Products::factor(ak)};
+    const Twofold<double> f =
         (square(Products::factor(at.x)) + square(Products::factor(at.y))) - square(Products::factor(r));
-    const V axis = (a + b) * (abs(ux) + abs(uy)), speed = axis * (abs(v.x) + abs(v.y));
-    const V sizes = r.high + axis * (abs(d.x.high) + abs(d.y.high)) + speed * first;
-    QuickTime<V> time =
-        stepped(first, at, arithmetic::rounded(f), way, V(0x1p-96) * r.high * sizes, V(0x1p-48) * r.high * speed);
-    time.gx = time.gx * b;
-    time.gy = time.gy * a;
+    const double axis = (a + b) * (abs(ux) + abs(uy)), speed = axis * (abs(v.vx) + abs(v.vy));
+    const double sizes = r.high + axis * (abs(d.x.high) + abs(d.y.high)) + speed * first;
+    QuickTime time =
+        stepped(first, at, arithmetic::rounded(f), way, 0x1p-96 * r.high * sizes, 0x1p-48 * r.high * speed);
+    time.gx *= b;
+    time.gy *= a;
     return {*this, time, reach_of<Products>(fa * Products::factor(k), fb * Products::factor(c))};
   }
 };
@@ -210,13 +203,12 @@ struct QuickEllipse {
 /// z, s is off by z |n|^2 / (v.v), which gains less than 4 H z^2 |n| / (v.v) (bound.hpp), H being the greatest radius of
 /// curvature. Here z < 2^-44 and H |n| / (v.v) < 2^13 t, so that the gain is below 2^-72 t. What support_of() may be off by
 /// counts less where lengths are below 2^16 of the shortest. What is nearly along a coordinate is left open.
-template <class V>
-VESICA_INLINE MaskOf<V> ends_at(const arithmetic::Vector<V>& n, const OffsetOf<V>& in_frame, const QuickTime<V>& time,
-                                V radius, V vv, V t) noexcept {
-  const V x = abs(n.x.high), y = abs(n.y.high), longer = x + y, p = in_frame.x, q = in_frame.y;
-  const auto same =
-      abs(time.gx * q - time.gy * p) <= V(0x1p-45) * ((abs(time.gx) + abs(time.gy)) * (abs(p) + abs(q)));
-  return both(both(same, radius * longer <= V(0x1p12) * (vv * t)), both(x > V(0x1p-24) * y, y > V(0x1p-24) * x));
+VESICA_INLINE bool ends_at(const Vector& n, const Offset& in_frame, const QuickTime& time, double radius, double vv,
+                           double t) noexcept {
+  const double x = abs(n.x.high), y = abs(n.y.high), longer = x + y, p = in_frame.x, q = in_frame.y;
+  const bool same = abs(time.gx * q - time.gy * p) <= 0x1p-45 * ((abs(time.gx) + abs(time.gy)) * (abs(p) + abs(q)));
+  return lane::both(lane::both(same, radius * longer <= 0x1p12 * (vv * t)),
+                    lane::both(x > 0x1p-24 * y, y > 0x1p-24 * x));
 }
 
 /// direction() of direction.hpp.
@@ -228,44 +220,29 @@ VESICA_INLINE arithmetic::Vector<V> normal_of(V s, const OffsetOf<V>& v) noexcep
           arithmetic::renormalised(y - Twofold<V>{v.y, V(0.0)})};
 }
 
-/// Where a round shape is met, from its centre, and along which normal, of any length.
-template <class V>
-struct QuickPlace {
-  OffsetOf<V> at;
-  arithmetic::Vector<V> normal;
-  MaskOf<V> certain;
-};
-VESICA_INLINE Impact<double> round_impact(double t, double cx, double cy, const QuickPlace<double>& place) noexcept {
-  const double x = place.normal.x.high, y = place.normal.y.high, length = sqrt(x * x + y * y);
-  return {t, support_minimum::located_coordinate(cx, cx, place.at.x) + 0.0,
-          support_minimum::located_coordinate(cy, cy, place.at.y) + 0.0, x / length + 0.0, y / length + 0.0};
+VESICA_INLINE Impact<double> round_impact(double t, double cx, double cy, const Offset& at, const Vector& n) noexcept {
+  const double x = n.x.high, y = n.y.high, length = sqrt(x * x + y * y);
+  return {t, support_minimum::located_coordinate(cx, cx, at.x) + 0.0,
+          support_minimum::located_coordinate(cy, cy, at.y) + 0.0, x / length + 0.0, y / length + 0.0};
 }
 
-/// Where the offset of centres d meets the sum of round shapes at the time t.
-template <class Products, class Sum, class Asked, class V>
-VESICA_INLINE QuickPlace<V> round_place(const Sum& sum, const Asked& asked, const arithmetic::Vector<V>& d,
-                                        const OffsetOf<V>& v, V t) noexcept {
-  const Twofold<V> w = arithmetic::renormalised(cross(plain_factor<Products>(v.x, v.y), Products::factor(d)));
-  const V gap = gap_of(asked.reach, w);
-  const arithmetic::Vector<V> n = normal_of<Products>(asked.best(v, w.high, gap), v);
-  const V vv = v.x * v.x + v.y * v.y, lengths = abs(d.x.high) + abs(d.y.high) + (abs(v.x) + abs(v.y)) * t;
-  const auto usual = both(gap >= V(0x1p-8) * asked.reach.high, lengths <= V(0x1p16) * sum.shortest());
-  const OffsetOf<V> of_n = asked.template in_frame<Products>(n);
-  return {asked.foremost(of_n), n, both(usual, ends_at(n, of_n, asked.time, sum.radius(), vv, t))};
-}
-
+/// Where the offset of centres d meets the sum of round shapes; (cx, cy) is the first's centre.
 template <class Products, class Sum>
-VESICA_INLINE Quick round_hit(const Sum& sum, const Vector& d, const Motion& motion, double cx, double cy,
+VESICA_INLINE Quick round_hit(const Sum& sum, const Vector& d, const Motion& v, double cx, double cy,
                               Impact<double>& out) noexcept {
-  const Offset v = velocity(motion);
   if (!lane::both(is_plain(d, v), sum.is_usual())) return Quick::open;
   const auto asked = sum.template ask<Products>(d, v);
   double t;
-  const Quick quick = floor_of(asked.time.value, asked.time.error, motion.end, t);
+  const Quick quick = floor_of(asked.time.value, asked.time.error, v.end, t);
   if (quick != Quick::hit) return quick;
-  const QuickPlace<double> place = round_place<Products>(sum, asked, d, v, t);
-  if (!place.certain) return Quick::open;
-  out = round_impact(t, cx, cy, place);
+  const Twofold<double> w = arithmetic::renormalised(cross(plain_factor<Products>(v.vx, v.vy), Products::factor(d)));
+  const double gap = gap_of(asked.reach, w);
+  const Vector n = normal_of<Products>(asked.best(v, w.high, gap), velocity(v));
+  const double vv = v.vx * v.vx + v.vy * v.vy, speed = abs(v.vx) + abs(v.vy);
+  const double lengths = abs(d.x.high) + abs(d.y.high) + speed * t;
+  const bool usual = lane::both(gap >= 0x1p-8 * asked.reach.high, lengths <= 0x1p16 * sum.shortest());
+  if (!lane::both(usual, ends_at(n, asked.in_frame(n), asked.time, sum.radius(), vv, t))) return Quick::open;
+  out = round_impact(t, cx, cy, asked.foremost(n), n);
   return Quick::hit;
 }
 
@@ -282,8 +259,8 @@ VESICA_INLINE Quick quick_hit(const Circle<double>& a, const Circle<double>& b, 
 template <class Products>
 VESICA_INLINE Quick quick_hit(const Ellipse<double>& a, const Point<double>& b, const Motion& v,
                               Impact<double>& out) noexcept {
-  return round_hit<Products>(QuickEllipse<double>{a.ux, a.uy, a.a, a.b}, exact_offset(b.x, b.y, a.cx, a.cy), v, a.cx,
-                             a.cy, out);
+  return round_hit<Products>(QuickEllipse<double>{a.ux, a.uy, a.a, a.b}, exact_offset(b.x, b.y, a.cx, a.cy), v, a.cx, a.cy,
+                             out);
 }
 
 /// Of two ellipses there is no root to go to. T(n) at the n found is a lower bound of the time, and what the slope there,
@@ -313,28 +290,38 @@ VESICA_INLINE QuickSupport<V> quick_support(const QuickEllipse<V>& e, const arit
           {p.high, q.high}};
 }
 
-/// The floor of the time, and where.
+/// The floor of the time, where from the first's centre, and along which normal, of any length.
 template <class V>
 struct QuickMeeting {
   Floor<V> floor;
-  QuickPlace<V> place;
+  OffsetOf<V> at;
+  arithmetic::Vector<V> normal;
 };
-/// idle: where nothing is asked.
+/// idle: where nothing is asked. is_point: whether b is a point, whose numbers are 0.
 template <class Products, class V>
 VESICA_INLINE QuickMeeting<V> ellipses_meeting(const QuickEllipse<V>& a, const QuickEllipse<V>& b,
                                                const arithmetic::Vector<V>& d, const OffsetOf<V>& v,
-                                               MaskOf<V> idle) noexcept {
+                                               MaskOf<V> idle, bool is_point) noexcept {
   const auto along = plain_factor<Products>(v.x, v.y);
   const auto to = Products::factor(d);
   const Twofold<V> w = arithmetic::renormalised(cross(along, to));
-  const V gap = gap_of(arithmetic::renormalised(a.template reach<Products>(v) + b.template reach<Products>(v)), w);
-  CurveOf<V> ca = a.curve(v), cb = b.curve(v);
-  ca.s = flip_sign(ca.s, w.high);
-  cb.s = flip_sign(cb.s, w.high);
+  Twofold<V> reach = a.template reach<Products>(v);
+  CurveOf<V> curve = a.curve(v);
   V best;
-  maximum_of_two(ca, cb, gap, idle, best);
-  const arithmetic::Vector<V> n = normal_of<Products>(flip_sign(best, w.high), v);
-  const QuickSupport<V> sa = quick_support<Products>(a, n, v), sb = quick_support<Products>(b, n, v);
+  if (is_point) {
+    best = maximum_of_one(curve, w.high, gap_of(reach, w));
+  } else {
+    reach = arithmetic::renormalised(reach + b.template reach<Products>(v));
+    CurveOf<V> other = b.curve(v);
+    curve.s = flip_sign(curve.s, w.high);
+    other.s = flip_sign(other.s, w.high);
+    maximum_of_two(curve, other, gap_of(reach, w), idle, best);
+    best = flip_sign(best, w.high);
+  }
+  const arithmetic::Vector<V> n = normal_of<Products>(best, v);
+  const QuickSupport<V> sa = quick_support<Products>(a, n, v);
+  QuickSupport<V> sb{};
+  if (!is_point) sb = quick_support<Products>(b, n, v);
   const auto nf = Products::factor(n);
   const Twofold<V> room = arithmetic::renormalised(dot(nf, to) - (sa.h + sb.h));
   const Twofold<V> approach = arithmetic::renormalised(-dot(nf, along));
@@ -347,11 +334,10 @@ VESICA_INLINE QuickMeeting<V> ellipses_meeting(const QuickEllipse<V>& a, const Q
   const V slope = abs(w.high - (sa.beside + sb.beside)) + error, bend = sa.bend + sb.bend, off = slope / bend;
   const V gain = V(2.0) * slope * (off / vv);
   const V lost = V(0x1p-94) * n_size * sizes / approach.high + V(0x1p-100) * abs(start);
-  const auto ends =
-      both(gain <= V(0x1p-74) * start, V(64.0) * off * max(sa.steepness, sb.steepness) < V(1.0));
-  const OffsetOf<V> at = a.out_of_frame(foremost_of(a.a, a.b, sa.in_frame.x, sa.in_frame.y));
-  return {floor_of(Twofold<V>{start, step}, lost + gain),
-          {at, n, both(ends, sizes * (V(0x1p-40) * n_size) < sa.h.high + sb.h.high)}};
+  const auto ends = both(gain <= V(0x1p-74) * start, V(64.0) * off * max(sa.steepness, sb.steepness) < V(1.0));
+  Floor<V> floor = floor_of(Twofold<V>{start, step}, lost + gain);
+  floor.certain = both(floor.certain, both(ends, sizes * (V(0x1p-40) * n_size) < sa.h.high + sb.h.high));
+  return {floor, a.out_of_frame(foremost_of(a.a, a.b, sa.in_frame.x, sa.in_frame.y)), n};
 }
 
 template <class Products>
@@ -360,10 +346,10 @@ VESICA_INLINE Quick quick_hit(const Ellipse<double>& first, const Ellipse<double
   const QuickEllipse<double> a{first.ux, first.uy, first.a, first.b}, b{second.ux, second.uy, second.a, second.b};
   const Vector d = exact_offset(second.cx, second.cy, first.cx, first.cy);
   if (!lane::both(is_plain(d, motion), lane::both(a.is_usual(), b.is_usual()))) return Quick::open;
-  const auto [floor, place] = ellipses_meeting<Products>(a, b, d, velocity(motion), false);
-  if (!lane::both(floor.certain, place.certain) || floor.t == motion.end) return Quick::open;
+  const auto [floor, at, n] = ellipses_meeting<Products>(a, b, d, velocity(motion), false, false);
+  if (!floor.certain || floor.t == motion.end) return Quick::open;
   if (floor.t > motion.end) return Quick::missed;
-  out = round_impact(floor.t, first.cx, first.cy, place);
+  out = round_impact(floor.t, first.cx, first.cy, at, n);
   return Quick::hit;
 }
 
