@@ -3,6 +3,7 @@
 // single pairs.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <vesica/cast.hpp>
 
@@ -101,6 +102,11 @@ class CastBlock {
     if (known > 0) find(kernel, end, of_block, known);
   }
 
+  /// A pair of the block, as read.
+  Body first(std::int32_t i) const noexcept { return body(a_, i); }
+  Body second(std::int32_t i) const noexcept { return body(b_, i); }
+  Motion motion(std::int32_t i, double end) const noexcept { return {vx_[i], vy_[i], end}; }
+
   /// Pairs that are not certain misses, by their places in the block.
   std::int32_t count() const noexcept { return count_; }
   std::int32_t place(std::int32_t k) const noexcept { return list_[k]; }
@@ -124,6 +130,12 @@ class CastBlock {
   double vx_[query_block], vy_[query_block];
   std::int32_t list_[query_block], found_at_[query_block];
   double found_[5][query_block];
+
+  static Body body(const NumberColumns& shapes, std::int32_t i) noexcept {
+    Body out{static_cast<Kind>(shapes.kind()), {}};
+    shapes.element(i, out.number);
+    return out;
+  }
 
   /// n in whole vectors of these kernels, which do not take two as one.
   std::int32_t whole(std::int32_t n) const noexcept {
@@ -158,73 +170,99 @@ class CastBlock {
   }
 };
 
-template <class T>
-Motion motion_at(const Velocities<T>& v, std::int64_t i, double end) noexcept {
-  return {static_cast<double>(v.vx.advanced(i * v.stride)[0]), static_cast<double>(v.vy.advanced(i * v.stride)[0]),
-          end};
-}
-
-template <class T>
-void write(const Impact<T>& impact, std::int64_t i, T* const (&columns)[5]) noexcept {
-  const T numbers[] = {impact.t, impact.x, impact.y, impact.nx, impact.ny};
-  for (int k = 0; k < 5; ++k) {
-    if (columns[k] != nullptr) columns[k][i] = numbers[k];
-  }
-}
-
-template <class T>
-void write_misses(std::int64_t begin, std::int32_t n, T* const (&columns)[5]) noexcept {
-  const Impact<T> none = detail::cast::no_impact<T>();
-  for (int k = 0; k < 5; ++k) {
-    if (columns[k] != nullptr) std::fill_n(columns[k] + begin, n, k == 0 ? none.t : none.x);
-  }
-}
-
 /// One pair, by the scalar function.
 template <class T>
-[[gnu::noinline]] void ask_and_write(const Shapes<T>& a, const Shapes<T>& b, const Velocities<T>& v, double end,
-                                     std::int64_t i, T* const (&columns)[5], CastTally& tally) noexcept {
-  const Body first = body_at(a, i), second = body_at(b, i);
-  const Motion motion = motion_at(v, i, end);
-  Impact<T> impact = detail::cast::no_impact<T>();
+[[gnu::noinline]] void ask(const Body& first, const Body& second, const Motion& motion, CastTally& tally,
+                           Impact<T>& impact) noexcept {
+  impact = detail::cast::no_impact<T>();
   const bool moves = detail::cast::is_sound(motion);
   const std::int32_t still = moves || (is_valid(first) && is_valid(second)) ? error_argument : error_shape;
   const std::int32_t code = moves ? queries::cast(first, second, motion, impact) : still;
   if (code < 0) impact.t = std::numeric_limits<T>::quiet_NaN();
   tally.hits += code > 0;
   note(code, tally.error);
-  write(impact, i, columns);
+}
+
+template <class T>
+void put(const Impact<T>& impact, std::int64_t i, T* const (&columns)[5]) noexcept {
+  const T numbers[] = {impact.t, impact.x, impact.y, impact.nx, impact.ny};
+  for (int k = 0; k < 5; ++k) {
+    if (columns[k] != nullptr) columns[k][i] = numbers[k];
+  }
+}
+
+/// Elements [begin, end) one by one.
+template <class T>
+void ask_each(const Shapes<T>& a, const Shapes<T>& b, const Velocities<T>& v, double t_end, std::int64_t begin,
+              std::int64_t end, T* const (&columns)[5], CastTally& tally) noexcept {
+  for (std::int64_t i = begin; i < end; ++i) {
+    const Motion motion{static_cast<double>(v.vx.advanced(i * v.stride)[0]),
+                        static_cast<double>(v.vy.advanced(i * v.stride)[0]), t_end};
+    Impact<T> impact;
+    ask(body_at(a, i), body_at(b, i), motion, tally, impact);
+    put(impact, i, columns);
+  }
+}
+
+/// The answers of a block. They are written when all of it was read: an output may lie where an operand does.
+template <class T>
+class Answers {
+ public:
+  Answers() noexcept : columns_{number_[0], number_[1], number_[2], number_[3], number_[4]} {}
+  void set_misses(std::int32_t n) noexcept {
+    const Impact<T> none = detail::cast::no_impact<T>();
+    for (int k = 0; k < 5; ++k) std::fill_n(number_[k], n, k == 0 ? none.t : none.x);
+  }
+  void set(std::int32_t i, const Impact<T>& impact) noexcept { put(impact, i, columns_); }
+  void write(std::int64_t begin, std::int32_t n, T* const (&columns)[5]) const noexcept {
+    for (int k = 0; k < 5; ++k) {
+      if (columns[k] != nullptr) std::memcpy(columns[k] + begin, number_[k], static_cast<std::size_t>(n) * sizeof(T));
+    }
+  }
+
+ private:
+  T number_[5][query_block];
+  T* const columns_[5];
+};
+
+/// Answers a block that was read. Returns how many pairs were asked as single ones.
+template <class T>
+std::int32_t answer_block(CastBlock& block, double end, std::int32_t n, Answers<T>& answers, CastTally& tally) noexcept {
+  block.answer(end);
+  answers.set_misses(n);
+  std::int32_t asked = 0;
+  for (std::int32_t k = 0; k < block.count(); ++k) {
+    const std::int32_t i = block.place(k);
+    const Impact<double> found = block.found(k);
+    Impact<T> impact;
+    if (found.t == std::numeric_limits<double>::infinity()) continue;
+    if (!std::isnan(found.t) && detail::cast::rounded_to(found, impact)) {
+      ++tally.hits;
+    } else {
+      ask(block.first(i), block.second(i), block.motion(i, end), tally, impact);
+      ++asked;
+    }
+    answers.set(i, impact);
+  }
+  return asked;
 }
 
 template <class T>
 void cast_many_in_lanes(const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, const Velocities<T>& v, double end,
                         T* const (&columns)[5], CastTally& tally) noexcept {
   CastBlock block(kernels());
+  Answers<T> answers;
   std::int32_t blocks_to_ask = 0;
   for (std::int64_t begin = 0; begin < n; begin += query_block) {
     const std::int32_t length = block_length(n - begin, query_block);
     if (blocks_to_ask > 0) {
       --blocks_to_ask;
-      for (std::int64_t i = begin; i < begin + length; ++i) ask_and_write(a, b, v, end, i, columns, tally);
+      ask_each(a, b, v, end, begin, begin + length, columns, tally);
       continue;
     }
     block.set(a, b, v, begin, length);
-    block.answer(end);
-    write_misses(begin, length, columns);
-    std::int32_t asked = 0;
-    for (std::int32_t k = 0; k < block.count(); ++k) {
-      const std::int64_t i = begin + block.place(k);
-      const Impact<double> found = block.found(k);
-      Impact<T> impact;
-      if (found.t == std::numeric_limits<double>::infinity()) continue;
-      if (!std::isnan(found.t) && detail::cast::rounded_to(found, impact)) {
-        ++tally.hits;
-        write(impact, i, columns);
-      } else {
-        ask_and_write(a, b, v, end, i, columns, tally);
-        ++asked;
-      }
-    }
+    const std::int32_t asked = answer_block(block, end, length, answers, tally);
+    answers.write(begin, length, columns);
     if (16 * (length - asked) < length) blocks_to_ask = blocks_without;
   }
 }
@@ -246,9 +284,8 @@ struct FirstSearch {
     first.index = i;
   }
   /// Element i, by the scalar function.
-  [[gnu::noinline]] void ask(std::int64_t i) noexcept {
+  [[gnu::noinline]] void ask(std::int64_t i, const Body& still) noexcept {
     const Motion rest{motion.vx, motion.vy, end()};
-    const Body still = body_at(many, i);
     Impact<T> impact;
     std::int32_t code = queries::cast(still, moving, rest, impact);
     // A place at the best time may have more digits than any place that the whole motion asks for.
@@ -275,7 +312,7 @@ void cast_first_in_lanes(const Shapes<T>& one, FirstSearch<T>& search) noexcept 
       if (!std::isnan(found.t) && detail::cast::rounded_to(found, impact)) {
         search.take(i, impact);
       } else {
-        search.ask(i);
+        search.ask(i, block.first(block.place(k)));
       }
     }
   }
@@ -297,7 +334,7 @@ CastTally cast_many(const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, cons
       return tally;
     }
   }
-  for (std::int64_t i = 0; i < n; ++i) ask_and_write(a, b, v, end, i, columns, tally);
+  ask_each(a, b, v, end, 0, n, columns, tally);
   return tally;
 }
 
@@ -310,7 +347,7 @@ FirstHit cast_first(const Shapes<T>& many, const Shapes<T>& one, const Motion& m
     asked = in_lanes(many.count);
     if (asked) cast_first_in_lanes(one, search);
   }
-  for (std::int64_t i = asked ? many.count : 0; i < many.count; ++i) search.ask(i);
+  for (std::int64_t i = asked ? many.count : 0; i < many.count; ++i) search.ask(i, body_at(many, i));
   if (search.first.error == 0) out = search.best;
   return search.first;
 }

@@ -53,8 +53,8 @@ VESICA_INLINE WayLanes way_lanes(const CastColumns& columns, std::int32_t i) noe
 VESICA_INLINE void store_impacts(const CastColumns& columns, std::int32_t i, Doubles time, const OffsetLanes& at,
                                  Doubles nx, Doubles ny, CastMask settled, double* const* results) noexcept {
   using detail::support_minimum::located_coordinate;
-  const Doubles end(columns.end), none(std::numeric_limits<double>::quiet_NaN()),
-      infinity(std::numeric_limits<double>::infinity()), zero(0.0), length = sqrt(nx * nx + ny * ny);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), never = std::numeric_limits<double>::infinity();
+  const Doubles end(columns.end), none(nan), infinity(never), zero(0.0), length = sqrt(nx * nx + ny * ny);
   const SideColumns& a = columns.a;
   // At the very end it is the exact stage that tells.
   const Doubles t = select(time < end, time, select(time > end, infinity, none));

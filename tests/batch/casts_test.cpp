@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 
 #include "batch/instruction_sets.hpp"
 #include "batch/shapes.hpp"

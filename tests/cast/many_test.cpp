@@ -3,9 +3,8 @@
 /// and about the end, at every length, among wrong elements, with operands that repeat, at the edge of a page.
 #include <gtest/gtest.h>
 
-#include <bit>
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <limits>
 
