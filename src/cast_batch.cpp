@@ -193,8 +193,9 @@ void put(const Impact<T>& impact, std::int64_t i, T* const (&columns)[5]) noexce
 
 /// Elements [begin, end) one by one.
 template <class T>
-void ask_each(const Shapes<T>& a, const Shapes<T>& b, const Velocities<T>& v, double t_end, std::int64_t begin,
-              std::int64_t end, T* const (&columns)[5], CastTally& tally) noexcept {
+[[gnu::noinline]] void ask_each(const Shapes<T>& a, const Shapes<T>& b, const Velocities<T>& v, double t_end,
+                                std::int64_t begin, std::int64_t end, T* const (&columns)[5],
+                                CastTally& tally) noexcept {
   for (std::int64_t i = begin; i < end; ++i) {
     const Motion motion{static_cast<double>(v.vx.advanced(i * v.stride)[0]),
                         static_cast<double>(v.vy.advanced(i * v.stride)[0]), t_end};
