@@ -49,18 +49,25 @@ VESICA_INLINE WayLanes way_lanes(const CastColumns& columns, std::int32_t i) noe
   return way;
 }
 
+/// support_minimum::located_coordinate(), where nothing is large.
+VESICA_INLINE Doubles located_lanes(Doubles from, Doubles to, Doubles offset) noexcept {
+  const TwofoldLanes twice = exact_sum(from, to), all = exact_sum(twice.high, Doubles(2.0) * offset);
+  return Doubles(0.5) * (all.high + (all.low + twice.low)) + Doubles(0.0);
+}
+
 /// Writes what was found, from the time to the normal: NaN for a time that is not settled, infinity for a miss.
 VESICA_INLINE void store_impacts(const CastColumns& columns, std::int32_t i, Doubles time, const OffsetLanes& at,
                                  Doubles nx, Doubles ny, CastMask settled, double* const* results) noexcept {
-  using detail::support_minimum::located_coordinate;
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), never = std::numeric_limits<double>::infinity();
-  const Doubles end(columns.end), none(nan), infinity(never), zero(0.0), length = sqrt(nx * nx + ny * ny);
+  const Doubles end(columns.end), none(nan), infinity(never), zero(0.0), large(0x1p1000);
   const SideColumns& a = columns.a;
+  const Doubles x0 = load(a.x0, i), x1 = load(a.x1, i), y0 = load(a.y0, i), y1 = load(a.y1, i);
+  settled = both(settled, both(abs(x0) + abs(x1) < large, abs(y0) + abs(y1) < large));
   // At the very end it is the exact stage that tells.
-  const Doubles t = select(time < end, time, select(time > end, infinity, none));
+  const Doubles t = select(time < end, time, select(time > end, infinity, none)), length = sqrt(nx * nx + ny * ny);
   select(settled, t, none).store(results[0] + i);
-  (located_coordinate(load(a.x0, i), load(a.x1, i), at.x) + zero).store(results[1] + i);
-  (located_coordinate(load(a.y0, i), load(a.y1, i), at.y) + zero).store(results[2] + i);
+  located_lanes(x0, x1, at.x).store(results[1] + i);
+  located_lanes(y0, y1, at.y).store(results[2] + i);
   (nx / length + zero).store(results[3] + i);
   (ny / length + zero).store(results[4] + i);
 }

@@ -131,6 +131,16 @@ VESICA_INLINE V maximum_of_one(const CurveOf<V>& e, V w, V gap) noexcept {
   return e.s + flip_sign(e.width() * (side / sqrt(gap * (e.reach + side))), w);
 }
 
+/// One of two numbers, of lanes by selecting, of scalars by a branch: it is mostly foreseen, and a select would wait.
+template <class V, class Yes, class No>
+VESICA_INLINE auto foreseen(V mask, const Yes& yes, const No& no) noexcept {
+  if constexpr (std::is_same_v<V, bool>) {
+    return mask ? yes() : no();
+  } else {
+    return select(mask, yes(), no());
+  }
+}
+
 /// r - al y / h without cancellation, the root of h and its bend.
 template <class V>
 struct Tail {
@@ -139,12 +149,9 @@ struct Tail {
 template <class V>
 VESICA_INLINE Tail<V> tail(const CurveOf<V>& e, V s) noexcept {
   const V y = s - e.s, h = sqrt(e.al * y * y + e.de), t = e.reach * y;
-  const V bend = e.al * (e.de / (h * h * h));
-  if constexpr (std::is_same_v<V, double>) {
-    return {t > 0 ? e.reach * (e.de / (h * (h + t))) : e.reach * (1 - t / h), h, bend};
-  } else {
-    return {select(t > V(0.0), e.reach * (e.de / (h * (h + t))), e.reach * (V(1.0) - t / h)), h, bend};
-  }
+  const auto before = [&] { return e.reach * (V(1.0) - t / h); };
+  const auto behind = [&] { return e.reach * (e.de / (h * (h + t))); };
+  return {foreseen(t > V(0.0), behind, before), h, e.al * (e.de / (h * h * h))};
 }
 
 /// Where the slopes of two curves have the sum w >= 0: each rest falls from twice its reach to 0, and both together are
@@ -159,19 +166,22 @@ VESICA_INLINE int maximum_of_two(const CurveOf<V>& a, const CurveOf<V>& b, V gap
   V low = min(at_a, at_b), high = max(at_a, at_b);
   const V weight_a = a.al / sqrt(a.de), weight_b = b.al / sqrt(b.de);
   s = (weight_a * at_a + weight_b * at_b) / (weight_a + weight_b);
-  s = select(both(s >= low, s <= high), s, low);
+  const auto old = [&] { return s; };
+  s = foreseen(both(s >= low, s <= high), old, [&] { return low; });
   int steps = 1;
   for (; steps < 80; ++steps) {
     const Tail<V> ta = tail(a, s), tb = tail(b, s);
     const V rest = ta.rest + tb.rest, bend = ta.bend + tb.bend;
     const MaskOf<V> above = rest > gap;
-    low = select(above, s, low);
-    high = select(above, high, s);
+    low = foreseen(above, old, [&] { return low; });
+    high = foreseen(above, [&] { return high; }, old);
     V next = s + V(2.0) * rest * (rest - gap) / ((sqrt(rest * gap) + gap) * bend);
-    next = select(both(next >= low, next <= high), next, V(0.5) * (low + high));
+    const auto newton = [&] { return next; };
+    const auto middle = [&] { return V(0.5) * (low + high); };
+    next = foreseen(both(next >= low, next <= high), newton, middle);
     const MaskOf<V> done = either(abs(next - s) <= V(0x1p-28) * min(ta.h / a.reach, tb.h / b.reach),
                                   nearest::negated<V>(low < high));
-    s = select(idle, s, next);
+    s = foreseen(idle, old, newton);
     idle = either(idle, done);
     if (all(idle)) break;
   }

@@ -20,18 +20,23 @@ struct Floor {
   MaskOf<V> certain;
 };
 /// The double before x is x (1 - 2^-53), rounded: a product is off x by more than half the step below it, or, of a power
-/// of two, exact.
+/// of two, exact. Of scalars its bits are quicker.
 template <class V>
 VESICA_INLINE Floor<V> floor_of(const Twofold<V>& time, V error) noexcept {
   const Twofold<V> x = arithmetic::renormalised(time);
-  return {select(x.low < V(0.0), x.high * V(1 - 0x1p-53), x.high),
-          both(both(error < V(0x1p-56) * x.high, abs(x.low) > error), x.high <= V(0x1p100))};
+  const auto certain = both(both(error < V(0x1p-56) * x.high, abs(x.low) > error), x.high <= V(0x1p100));
+  if constexpr (std::is_same_v<V, double>) {
+    return {std::bit_cast<double>(std::bit_cast<std::uint64_t>(x.high) - static_cast<std::uint64_t>(x.low < 0)),
+            certain};
+  } else {
+    return {select(x.low < V(0.0), x.high * V(1 - 0x1p-53), x.high), certain};
+  }
 }
 /// The same, which is before the end.
 VESICA_INLINE Quick floor_of(const Twofold<double>& time, double error, double end, double& t) noexcept {
-  const Floor<double> floor = floor_of(time, error);
-  if (!floor.certain) return Quick::open;
-  t = floor.t;
+  const auto [floor, certain] = floor_of(time, error);
+  if (!certain) return Quick::open;
+  t = floor;
   return t < end ? Quick::hit : t > end ? Quick::missed : Quick::open;
 }
 

@@ -138,12 +138,10 @@ inline BoxPair<double> box_pair(const PlacedPair& p) noexcept {
 }
 
 /// (from + to) / 2 + offset, rounded once; what is halved last may be subnormal, first where it might overflow.
-template <class V>
-inline V located_coordinate(V from, V to, V offset) noexcept {
-  const auto large = abs(from) + abs(to) + abs(offset) >= V(0x1p1020);
-  const V first = select(large, V(0.5), V(1.0)), last = select(large, V(1.0), V(0.5));
-  const auto twice = arithmetic::two_sum(first * from, first * to),
-             all = arithmetic::two_sum(twice.high, V(2.0) * first * offset);
+inline double located_coordinate(double from, double to, double offset) noexcept {
+  const bool large = lane::abs(from) + lane::abs(to) + lane::abs(offset) >= 0x1p1020;
+  const double first = large ? 0.5 : 1, last = large ? 1 : 0.5;
+  const FastDoubleDouble<double> twice = sum(first * from, first * to), all = sum(twice.high, 2 * first * offset);
   return last * (all.high + (all.low + twice.low));
 }
 
