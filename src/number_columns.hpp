@@ -9,7 +9,7 @@
 #include "query.hpp"
 
 namespace vesica::batch {
-namespace {  // of one object alone, that of queries.cpp, so that what is called once is compiled in place
+namespace {  // of the objects that call it, queries.cpp and cast_batch.cpp, so that it is compiled in place
 
 /// n rounded up to a multiple of the widest vector's doubles.
 constexpr std::int32_t whole_vectors(std::int32_t n) noexcept {
@@ -38,26 +38,21 @@ class NumberColumns {
            const KernelTable& kernels) noexcept {
     const Known known = query.asked().known;
     const ShapeArea shape_area = query.shape_area;
-    kind_ = shapes.kind;
-    repeated_ = shapes.stride == 0;
-    if (repeated_) n = 1;
+    if (shapes.stride == 0) n = 1;
     // The rest of the columns is set too, since overlap_block() reads whole columns.
-    const std::int32_t end = repeated_ && known == Known::overlap ? query_block : whole_vectors(n);
-    if (!read_in_place(shapes, begin, n, end)) {
-      if (n < widest_vector) {
-        read_few(shapes, begin, n);
-      } else {
-        read(shapes, begin, n, kernels);
-      }
-      fill_up(n, end);
-      for (int k = 0; k < max_fields; ++k) number_[k] = copy_[k];
-    }
-    // Numbers that the kind does not have repeat the first: loops of a fixed length read elements faster.
-    for (int k = field_count(kind_); k < max_fields; ++k) number_[k] = number_[0];
+    const std::int32_t end = shapes.stride == 0 && known == Known::overlap ? query_block : whole_vectors(n);
+    set_numbers(shapes, begin, n, end, kernels);
     if (shape_area != nullptr) set_areas(n, end, shape_area);
     if (known == Known::reach && kind_ == static_cast<std::int32_t>(Kind::rect)) {
       set_reaches(end, shape_area != nullptr);
     }
+  }
+
+  /// The numbers alone.
+  template <class T>
+  void set(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n, const KernelTable& kernels) noexcept {
+    if (shapes.stride == 0) n = 1;
+    set_numbers(shapes, begin, n, whole_vectors(n), kernels);
   }
 
   /// n > 0 elements of another.
@@ -76,6 +71,7 @@ class NumberColumns {
   }
 
   const double* area() const noexcept { return area_; }
+  const double* const* numbers() const noexcept { return number_; }
 
   QueryOperand operand() const noexcept {
     QueryOperand out{{}, area_, reach_, repeated_};
@@ -104,6 +100,24 @@ class NumberColumns {
   double copy_[max_fields][query_block];
   double area_[query_block] = {};
   double reach_[query_block] = {};
+
+  template <class T>
+  void set_numbers(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n, std::int32_t end,
+                   const KernelTable& kernels) noexcept {
+    kind_ = shapes.kind;
+    repeated_ = shapes.stride == 0;
+    if (!read_in_place(shapes, begin, n, end)) {
+      if (n < widest_vector) {
+        read_few(shapes, begin, n);
+      } else {
+        read(shapes, begin, n, kernels);
+      }
+      fill_up(n, end);
+      for (int k = 0; k < max_fields; ++k) number_[k] = copy_[k];
+    }
+    // Numbers that the kind does not have repeat the first: loops of a fixed length read elements faster.
+    for (int k = field_count(kind_); k < max_fields; ++k) number_[k] = number_[0];
+  }
 
   /// Whole vectors of aligned doubles that lie in columns need no copy.
   bool read_in_place(const Shapes<double>& shapes, std::int64_t begin, std::int32_t n, std::int32_t end) noexcept {

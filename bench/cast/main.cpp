@@ -15,6 +15,7 @@
 #include <vector>
 #include <vesica/cast.hpp>
 
+#include "cast/pairs.hpp"
 #include "cast/peer.hpp"
 #include "quantile.hpp"
 #include "random.hpp"
@@ -27,58 +28,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::size_t pairs_per_pass = 256;
 constexpr int passes = 300;
-
-/// How velocities are drawn: of any direction (few hits), towards the other shape (aimed), at a relative
-/// distance inside or outside of a line that only grazes.
-struct Aim {
-  const char* name;
-  double spread, graze, spin = 0;
-};
-constexpr Aim any{"few hits", 0, 0}, towards{"aimed", 2.2, 0}, sure{"hits", 0.3, 0};
-/// So that about that share of rays hits, and of two discs, which are a larger target.
-constexpr Aim tenth{"about 10% hit", 10, 0}, half{"about 50% hit", 2.1, 0};
-constexpr Aim tenth_of_discs{"about 10% hit", 23, 0}, half_of_discs{"about 50% hit", 4.5, 0};
-
-Numbers draw_shape(std::int32_t kind, Random& random) {
-  const double x = random.between(-4, 4), y = random.between(-4, 4), angle = random.between(0, 6.283185307179586);
-  const double a = random.between(0.2, 1), b = random.between(0.2, 1);
-  return shape_about(kind, x, y, std::cos(angle), std::sin(angle), a, b);
-}
-
-Numbers centre_of(std::int32_t kind, const Numbers& n) {
-  const bool corners = kind == VESICA_SEGMENT || kind == VESICA_AABB;
-  return corners ? Numbers{0.5 * (n[0] + n[2]), 0.5 * (n[1] + n[3])} : Numbers{n[0], n[1]};
-}
-
-struct Pair {
-  Numbers a, b;
-  double vx, vy, angle = 0;
-};
-
-/// Of rectangles: how far the shape reaches across v, times |v|.
-double reach_across(const Numbers& n, double vx, double vy) {
-  return n[4] * std::fabs(n[2] * vy - n[3] * vx) + n[5] * std::fabs(n[2] * vx + n[3] * vy);
-}
-
-Pair draw_pair(std::int32_t kind_a, std::int32_t kind_b, const Aim& aim, Random& random) {
-  for (;;) {
-    Pair p{draw_shape(kind_a, random), draw_shape(kind_b, random), random.between(-8, 8), random.between(-8, 8)};
-    if (aim.spread > 0) {
-      const Numbers from = centre_of(kind_b, p.b), to = centre_of(kind_a, p.a);
-      p.vx = 1.5 * (to[0] - from[0]) + aim.spread * random.between(-1, 1);
-      p.vy = 1.5 * (to[1] - from[1]) + aim.spread * random.between(-1, 1);
-    }
-    p.angle = aim.spin * random.between(-1, 1);
-    if (aim.graze != 0) {
-      const double vv = p.vx * p.vx + p.vy * p.vy;
-      const double h = (reach_across(p.a, p.vx, p.vy) + reach_across(p.b, p.vx, p.vy)) * (1 + aim.graze) / vv;
-      p.b[0] = p.a[0] - 0.6 * p.vx - p.vy * h;
-      p.b[1] = p.a[1] - 0.6 * p.vy + p.vx * h;
-    }
-    // Contact at the start is another question.
-    if (vesica_overlap_f64(kind_a, p.a.data(), kind_b, p.b.data()) == 0) return p;
-  }
-}
 
 template <class Call>
 double nanoseconds(const Call& call, std::int64_t& sum) {

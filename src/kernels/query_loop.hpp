@@ -11,6 +11,9 @@
 #include "kernels/outline_cores.hpp"
 #include "kernels/query_cores.hpp"
 #include "lanes/two_vectors.hpp"
+#if defined(__AVX__)
+#include "kernels/cast_table.hpp"
+#endif
 
 namespace vesica {
 namespace {
@@ -154,6 +157,13 @@ consteval QueryTable make_relation_table() noexcept {
   return table;
 }
 
+#if defined(__AVX__)
+constinit const CastTable cast_table = make_cast_table();
+constexpr const CastTable* casts = &cast_table;
+#else
+constexpr const CastTable* casts = nullptr;
+#endif
+
 /// The tables of this instruction set, as constants.
 consteval QueryTable make_query_table() noexcept {
   QueryTable table = make_relation_table();
@@ -168,6 +178,7 @@ consteval QueryTable make_query_table() noexcept {
   fill<DepthCore, Ellipse, Ellipse>(table.depth);
   fill<AreaCore, Rect, Rect>(table.area);
   fill<IouCore, Rect, Rect>(table.iou);
+  table.cast = casts;
   return table;
 }
 

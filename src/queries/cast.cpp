@@ -154,74 +154,8 @@ Body body_at(const Shapes<T>& shapes, std::int64_t i) noexcept {
   return body;
 }
 
-namespace {
-
-/// An invalid shape shows before anything else.
-void note(std::int32_t error, std::int32_t& worst) noexcept {
-  if (error < 0 && worst != error_shape) worst = error;
-}
-
-bool is_valid(const Body& body) noexcept {
-  return detail::cast::with_shape(body, [](const auto& s) { return check(s) == 0; });
-}
-
-}  // namespace
-
-template <class T>
-CastTally cast_many(const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, const Velocities<T>& v, double end,
-                    T* const (&columns)[5]) noexcept {
-  constexpr T none = std::numeric_limits<T>::quiet_NaN();
-  CastTally tally;
-  for (std::int64_t i = 0; i < n; ++i) {
-    const Body first = body_at(a, i), second = body_at(b, i);
-    const Motion motion{static_cast<double>(v.vx.advanced(i * v.stride)[0]),
-                        static_cast<double>(v.vy.advanced(i * v.stride)[0]), end};
-    Impact<T> impact = detail::cast::no_impact<T>();
-    const bool moves = detail::cast::is_sound(motion);
-    const std::int32_t still = moves || (is_valid(first) && is_valid(second)) ? error_argument : error_shape;
-    const std::int32_t code = moves ? queries::cast(first, second, motion, impact) : still;
-    if (code < 0) impact.t = none;
-    tally.hits += code > 0;
-    note(code, tally.error);
-    const T numbers[] = {impact.t, impact.x, impact.y, impact.nx, impact.ny};
-    for (int k = 0; k < 5; ++k) {
-      if (columns[k] != nullptr) columns[k][i] = numbers[k];
-    }
-  }
-  return tally;
-}
-
-template <class T>
-FirstHit cast_first(const Shapes<T>& many, const Shapes<T>& one, const Motion& motion, Impact<T>& out) noexcept {
-  const Body moving = body_at(one, 0);
-  FirstHit first{many.count, 0};
-  Impact<T> best = detail::cast::no_impact<T>();
-  if (!is_valid(moving)) return {0, error_shape};
-  for (std::int64_t i = 0; i < many.count; ++i) {
-    // What comes later than the best so far is a miss.
-    const Motion rest{motion.vx, motion.vy, first.index == many.count ? motion.end : static_cast<double>(best.t)};
-    Impact<T> impact;
-    const Body still = body_at(many, i);
-    std::int32_t code = queries::cast(still, moving, rest, impact);
-    // A place at the best time may have more digits than any place that the whole motion asks for.
-    if (code == error_range && rest.end < motion.end) code = queries::cast(still, moving, motion, impact);
-    note(code, first.error);
-    if (code <= 0 || (first.index != many.count && !(impact.t < best.t))) continue;
-    best = impact;
-    first.index = i;
-  }
-  if (first.error == 0) out = best;
-  return first;
-}
-
-#define VESICA_CASTS(T)                                                                                        \
-  template Body body_at(const Shapes<T>&, std::int64_t) noexcept;                                              \
-  template CastTally cast_many(const Shapes<T>&, const Shapes<T>&, std::int64_t, const Velocities<T>&, double, \
-                               T* const(&)[5]) noexcept;                                                       \
-  template FirstHit cast_first(const Shapes<T>&, const Shapes<T>&, const Motion&, Impact<T>&) noexcept;
-VESICA_CASTS(double)
-VESICA_CASTS(float)
-#undef VESICA_CASTS
+template Body body_at(const Shapes<double>&, std::int64_t) noexcept;
+template Body body_at(const Shapes<float>&, std::int64_t) noexcept;
 
 }  // namespace batch
 

@@ -9,6 +9,7 @@ set(workload_sources
   properties/shape_maker.cpp
   properties/touching.cpp)
 set(batch_test_sources
+  batch/casts_test.cpp
   batch/checked_test.cpp
   batch/data.cpp
   batch/guard_pages.cpp

@@ -10,72 +10,12 @@
 #include <utility>
 #include <vector>
 
-#include "capi/face.hpp"
-#include "cast/motions.hpp"
+#include "cast/arrays.hpp"
 #include "properties/generators.hpp"
 
 namespace {
 
 using namespace cast_test;
-using capi_tests::Face;
-
-template <class T>
-constexpr Scalar scalar_of = sizeof(T) == 8 ? Scalar::f64 : Scalar::f32;
-
-/// Pairs as records, and their velocities as records of two.
-template <class T>
-struct Arrays {
-  std::vector<std::array<T, 6>> a, b;
-  std::vector<std::array<T, 2>> v;
-  typename Face<T>::Shapes shapes_a{}, shapes_b{};
-
-  Arrays(properties::Workload workload, int kind_a, int kind_b, int n) {
-    properties::Stream stream(workload, kind_a, kind_b, scalar_of<T>, properties::seed() + 31);
-    properties::Random random(properties::seed() + 32);
-    for (int i = 0; i < n; ++i) {
-      const Pair p = stream.next();
-      const Motion m = draw_motion(p, scalar_of<T>, random);
-      a.emplace_back();
-      b.emplace_back();
-      for (std::size_t k = 0; k < 6; ++k) {
-        a.back()[k] = static_cast<T>(p.a[k]);
-        b.back()[k] = static_cast<T>(p.b[k]);
-      }
-      v.push_back({static_cast<T>(m.vx), static_cast<T>(m.vy)});
-    }
-    Face<T>::from_records(kind_a, n, a.data(), sizeof a[0], &shapes_a);
-    Face<T>::from_records(kind_b, n, b.data(), sizeof b[0], &shapes_b);
-  }
-};
-
-bool same_bits(const void* a, const void* b, std::size_t n) { return std::memcmp(a, b, n) == 0; }
-
-template <class T>
-void check_many(Arrays<T>& s, T end) {
-  const std::size_t n = s.a.size();
-  std::vector<T> columns[5];
-  for (auto& column : columns) column.resize(n);
-  const std::int64_t hits =
-      Face<T>::cast_many(&s.shapes_a, &s.shapes_b, &s.v[0][0], &s.v[0][1], sizeof s.v[0], end, columns[0].data(),
-                         columns[1].data(), columns[2].data(), columns[3].data(), columns[4].data());
-  std::int64_t expected = 0, worst = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    typename Face<T>::Impact one;
-    const std::int32_t code =
-        Face<T>::cast(s.shapes_a.kind, s.a[i].data(), s.shapes_b.kind, s.b[i].data(), s.v[i][0], s.v[i][1], end, &one);
-    expected += code > 0;
-    if (code < 0) {
-      worst = worst == VESICA_E_SHAPE ? worst : code;
-      EXPECT_TRUE(std::isnan(columns[0][i]));
-      continue;
-    }
-    const T numbers[] = {one.t, one.x, one.y, one.nx, one.ny};
-    for (std::size_t k = 0; k < 5; ++k) {
-      EXPECT_TRUE(same_bits(&numbers[k], &columns[k][i], sizeof(T)) || std::isnan(numbers[k])) << i << ' ' << k;
-    }
-  }
-  EXPECT_EQ(hits, worst != 0 ? worst : expected);
-}
 
 template <class T>
 class Batches : public testing::Test {};

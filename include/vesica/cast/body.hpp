@@ -8,6 +8,8 @@
 
 namespace vesica::detail::cast {
 
+// For scalars; lanes of a vector bring the same names by argument-dependent lookup.
+using namespace lane;
 using lane::abs;
 using lane::sqrt;
 

@@ -21,6 +21,8 @@
 
 namespace vesica::detail::cast {
 
+using nearest::all;
+using nearest::MaskOf;
 using nearest::Twofold;
 using Vector = arithmetic::Vector<double>;
 using arithmetic::FusedProducts;

@@ -23,18 +23,20 @@ struct Feature {
   Twofold<double> w;
 };
 
-struct Curve {
-  double s, al, de, reach;
+template <class V>
+struct CurveOf {
+  V s, al, de, reach;
 
   /// Of al (s - s_i)^2 + de the root's slope.
-  double slope(double at) const noexcept {
+  V slope(V at) const noexcept {
     if (!(abs(at) < 0x1p500)) return lane::flip_sign(reach, at);
-    const double y = at - s;
+    const V y = at - s;
     return al * y / sqrt(al * y * y + de);
   }
   /// How wide the bend is: a unit of s.
-  double width() const noexcept { return sqrt(de) / reach; }
+  VESICA_INLINE V width() const noexcept { return sqrt(de) / reach; }
 };
+using Curve = CurveOf<double>;
 
 inline double dot_of(const Scene& scene, const Vector& u) noexcept { return u.x.high * scene.vx + u.y.high * scene.vy; }
 inline double cross_of(const Scene& scene, const Vector& u) noexcept {
@@ -116,46 +118,78 @@ Twofold<double> reach_across(const Scene& scene, const Side& e) noexcept {
 }
 
 /// How far the line stays within the reach: at least 2^-106 of that, for what rounding makes of nothing.
-inline double gap_of(const Twofold<double>& reach, const Twofold<double>& w) noexcept {
-  return lane::max(arithmetic::rounded(reach - magnitude(arithmetic::renormalised(w))), 0x1p-106 * reach.high);
+template <class V>
+VESICA_INLINE V gap_of(const Twofold<V>& reach, const Twofold<V>& w) noexcept {
+  const Twofold<V> side = arithmetic::renormalised(w);
+  return max(arithmetic::rounded(reach - flipped(side, side.high)), V(0x1p-106) * reach.high);
 }
 
 /// Where the slope of one curve is w.
-inline double maximum_of_one(const Curve& e, double w, double gap) noexcept {
-  const double side = abs(w);
-  return e.s + lane::flip_sign(e.width() * (side / sqrt(gap * (e.reach + side))), w);
+template <class V>
+VESICA_INLINE V maximum_of_one(const CurveOf<V>& e, V w, V gap) noexcept {
+  const V side = abs(w);
+  return e.s + flip_sign(e.width() * (side / sqrt(gap * (e.reach + side))), w);
+}
+
+/// One of two numbers, of lanes by selecting, of scalars by a branch: it is mostly foreseen, and a select would wait.
+template <class V, class Yes, class No>
+VESICA_INLINE auto foreseen(V mask, const Yes& yes, const No& no) noexcept {
+  if constexpr (std::is_same_v<V, bool>) {
+    return mask ? yes() : no();
+  } else {
+    return select(mask, yes(), no());
+  }
 }
 
 /// r - al y / h without cancellation, the root of h and its bend.
+template <class V>
 struct Tail {
-  double rest, h, bend;
+  V rest, h, bend;
 };
-inline Tail tail(const Curve& e, double s) noexcept {
-  const double y = s - e.s, h = sqrt(e.al * y * y + e.de), t = e.reach * y;
-  const double rest = t > 0 ? e.reach * (e.de / (h * (h + t))) : e.reach * (1 - t / h);
-  return {rest, h, e.al * (e.de / (h * h * h))};
+template <class V>
+VESICA_INLINE Tail<V> tail(const CurveOf<V>& e, V s) noexcept {
+  const V y = s - e.s, h = sqrt(e.al * y * y + e.de), t = e.reach * y;
+  const auto before = [&] { return e.reach * (V(1.0) - t / h); };
+  const auto behind = [&] { return e.reach * (e.de / (h * (h + t))); };
+  return {foreseen(t > V(0.0), behind, before), h, e.al * (e.de / (h * h * h))};
 }
 
 /// Where the slopes of two curves have the sum w >= 0: each rest falls from twice its reach to 0, and both together are
 /// the gap. Newton's method on the power -1/2 of their sum, which is nearly straight where the line grazes; within a
-/// bracket, the places at which either alone has its share of w.
-inline double maximum_of_two(const Curve& a, const Curve& b, double gap, int& steps) noexcept {
-  const double sum = a.reach + b.reach, share = 1 - gap / sum, far = share / sqrt((gap / sum) * (1 + share));
-  const double at_a = a.s + a.width() * far, at_b = b.s + b.width() * far;
-  double low = lane::min(at_a, at_b), high = lane::max(at_a, at_b);
-  const double weight_a = a.al / sqrt(a.de), weight_b = b.al / sqrt(b.de);
-  double s = (weight_a * at_a + weight_b * at_b) / (weight_a + weight_b);
-  if (!(s >= low && s <= high)) s = low;
-  for (steps = 1; steps < 80; ++steps) {
-    const Tail ta = tail(a, s), tb = tail(b, s);
-    const double rest = ta.rest + tb.rest, bend = ta.bend + tb.bend;
-    (rest > gap ? low : high) = s;
-    double next = s + 2 * rest * (rest - gap) / ((sqrt(rest * gap) + gap) * bend);
-    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
-    const bool done = abs(next - s) <= 0x1p-28 * lane::min(ta.h / a.reach, tb.h / b.reach) || !(low < high);
-    s = next;
-    if (done) break;
+/// bracket, the places at which either alone has its share of w. Returns the number of steps; lanes take as many as the
+/// last of them, and those in which nothing is asked, `idle`, do not count.
+template <class V>
+VESICA_INLINE int maximum_of_two(const CurveOf<V>& a, const CurveOf<V>& b, V gap, MaskOf<V> idle, V& s) noexcept {
+  const V sum = a.reach + b.reach, share = V(1.0) - gap / sum,
+          far = share / sqrt((gap / sum) * (V(1.0) + share));
+  const V at_a = a.s + a.width() * far, at_b = b.s + b.width() * far;
+  V low = min(at_a, at_b), high = max(at_a, at_b);
+  const V weight_a = a.al / sqrt(a.de), weight_b = b.al / sqrt(b.de);
+  s = (weight_a * at_a + weight_b * at_b) / (weight_a + weight_b);
+  const auto old = [&] { return s; };
+  s = foreseen(both(s >= low, s <= high), old, [&] { return low; });
+  int steps = 1;
+  for (; steps < 80; ++steps) {
+    const Tail<V> ta = tail(a, s), tb = tail(b, s);
+    const V rest = ta.rest + tb.rest, bend = ta.bend + tb.bend;
+    const MaskOf<V> above = rest > gap;
+    low = foreseen(above, old, [&] { return low; });
+    high = foreseen(above, [&] { return high; }, old);
+    V next = s + V(2.0) * rest * (rest - gap) / ((sqrt(rest * gap) + gap) * bend);
+    const auto newton = [&] { return next; };
+    const auto middle = [&] { return V(0.5) * (low + high); };
+    next = foreseen(both(next >= low, next <= high), newton, middle);
+    const MaskOf<V> done = either(abs(next - s) <= V(0x1p-28) * min(ta.h / a.reach, tb.h / b.reach),
+                                  nearest::negated<V>(low < high));
+    s = foreseen(idle, old, newton);
+    idle = either(idle, done);
+    if (all(idle)) break;
   }
+  return steps;
+}
+inline double maximum_of_two(const Curve& a, const Curve& b, double gap, int& steps) noexcept {
+  double s;
+  steps = maximum_of_two(a, b, gap, false, s);
   return s;
 }
 

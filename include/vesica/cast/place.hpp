@@ -7,7 +7,9 @@
 
 namespace vesica::detail::cast {
 
-using Offset = support_minimum::PlaneVector;
+template <class V>
+using OffsetOf = support_minimum::PlaneVectorOf<V>;
+using Offset = OffsetOf<double>;
 
 /// What of a shape lies farthest along a normal: a point, or an edge by its middle and half of it.
 struct Foremost {

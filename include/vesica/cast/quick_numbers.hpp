@@ -8,15 +8,35 @@
 namespace vesica::detail::cast {
 
 /// Whether a number is 0 or moderate: products with it are exact to all digits that count.
-VESICA_INLINE bool is_plain(double x) noexcept {
-  return lane::either(x == 0, lane::both(abs(x) >= least_moderate, abs(x) <= most_moderate));
+template <class V>
+VESICA_INLINE MaskOf<V> is_plain(V x) noexcept {
+  return either(x == V(0.0), both(abs(x) >= V(least_moderate), abs(x) <= V(most_moderate)));
 }
 
-/// The floor of a time, which is before the end.
+/// The floor of a time.
+template <class V>
+struct Floor {
+  V t;
+  MaskOf<V> certain;
+};
+/// The double before x is x (1 - 2^-53), rounded: a product is off x by more than half the step below it, or, of a power
+/// of two, exact. Of scalars its bits are quicker.
+template <class V>
+VESICA_INLINE Floor<V> floor_of(const Twofold<V>& time, V error) noexcept {
+  const Twofold<V> x = arithmetic::renormalised(time);
+  const auto certain = both(both(error < V(0x1p-56) * x.high, abs(x.low) > error), x.high <= V(0x1p100));
+  if constexpr (std::is_same_v<V, double>) {
+    return {std::bit_cast<double>(std::bit_cast<std::uint64_t>(x.high) - static_cast<std::uint64_t>(x.low < 0)),
+            certain};
+  } else {
+    return {select(x.low < V(0.0), x.high * V(1 - 0x1p-53), x.high), certain};
+  }
+}
+/// The same, which is before the end.
 VESICA_INLINE Quick floor_of(const Twofold<double>& time, double error, double end, double& t) noexcept {
-  const Twofold<double> x = arithmetic::renormalised(time);
-  if (!(error < 0x1p-56 * x.high && abs(x.low) > error && x.high <= 0x1p100)) return Quick::open;
-  t = std::bit_cast<double>(std::bit_cast<std::uint64_t>(x.high) - static_cast<std::uint64_t>(x.low < 0));
+  const auto [floor, certain] = floor_of(time, error);
+  if (!certain) return Quick::open;
+  t = floor;
   return t < end ? Quick::hit : t > end ? Quick::missed : Quick::open;
 }
 
@@ -31,18 +51,23 @@ VESICA_INLINE Vector exact_offset(const Point<double>& p, const form::Corners<do
 }
 
 /// An axis or a velocity, of which nothing was rounded, as factors.
-template <class Products>
-VESICA_INLINE auto plain_factor(double x, double y) noexcept {
+template <class Products, class V>
+VESICA_INLINE auto plain_factor(V x, V y) noexcept {
   return arithmetic::VectorFactor<decltype(Products::factor(x))>{Products::factor(x), Products::factor(y)};
 }
 
 /// All numbers of a pair that are multiplied are 0 or moderate, and a length is.
-VESICA_INLINE bool is_plain(const Vector& d, const Motion& v) noexcept {
-  const double far = abs(d.x.high) + abs(d.y.high);
-  return lane::both(
-      lane::both(lane::both(is_plain(d.x.high), is_plain(d.y.high)), lane::both(is_plain(v.vx), is_plain(v.vy))),
-      lane::both(far >= 0x1p-40, far <= 0x1p40));
+template <class V>
+VESICA_INLINE MaskOf<V> is_plain(const arithmetic::Vector<V>& d, const OffsetOf<V>& v) noexcept {
+  const V far = abs(d.x.high) + abs(d.y.high);
+  return both(both(both(is_plain(d.x.high), is_plain(d.y.high)), both(is_plain(v.x), is_plain(v.y))),
+              both(far >= V(0x1p-40), far <= V(0x1p40)));
 }
-VESICA_INLINE bool is_plain_size(double x) noexcept { return lane::both(x >= 0x1p-40, x <= 0x1p40); }
+VESICA_INLINE Offset velocity(const Motion& v) noexcept { return {v.vx, v.vy}; }
+VESICA_INLINE bool is_plain(const Vector& d, const Motion& v) noexcept { return is_plain(d, velocity(v)); }
+template <class V>
+VESICA_INLINE MaskOf<V> is_plain_size(V x) noexcept {
+  return both(x >= V(0x1p-40), x <= V(0x1p40));
+}
 
 }  // namespace vesica::detail::cast

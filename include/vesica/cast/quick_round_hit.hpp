@@ -2,6 +2,8 @@
 /// The contact of round shapes, after quick.hpp has decided that they meet. Points and normals are computed by the
 /// operations of first_contact.hpp, in a scene that needs no scaling. The time is one step of Newton's method for
 /// f(t) = 0, f being convex along the ray, rounded down; for two ellipses it is T(n), as in bound.hpp.
+///
+/// What lanes use too has a type V of numbers, double or lanes of it.
 #pragma once
 
 #include <vesica/cast/quick_numbers.hpp>
@@ -31,8 +33,8 @@ VESICA_INLINE double rough_time(const Offset& p, const Offset& way, double r) no
 }
 
 /// How far something reaches that reaches p and q along two axes.
-template <class Products>
-VESICA_INLINE Twofold<double> reach_of(const Twofold<double>& p, const Twofold<double>& q) noexcept {
+template <class Products, class V>
+VESICA_INLINE Twofold<V> reach_of(const Twofold<V>& p, const Twofold<V>& q) noexcept {
   return renormalised(Products::root(square(Products::factor(p)) + square(Products::factor(q))).value);
 }
 
@@ -48,8 +50,9 @@ VESICA_INLINE Curve disc_curve(double r, const Motion& v) noexcept {
 }
 
 /// Of an ellipse, or a disc, the point farthest along a direction that is (p, q) in its frame.
-VESICA_INLINE Offset foremost_of(double a, double b, double p, double q) noexcept {
-  const double h = sqrt((a * p) * (a * p) + (b * q) * (b * q));
+template <class V>
+VESICA_INLINE OffsetOf<V> foremost_of(V a, V b, V p, V q) noexcept {
+  const V h = sqrt((a * p) * (a * p) + (b * q) * (b * q));
   return {a * (a * p / h), b * (b * q / h)};
 }
 
@@ -120,15 +123,15 @@ struct QuickDiscs {
   }
 };
 
-/// An ellipse, which a point meets.
+/// An ellipse, which a point meets. A disc is one with the axis (1, 0).
+template <class V>
 struct QuickEllipse {
-  double ux, uy, a, b;
+  V ux, uy, a, b;
 
-  bool is_usual() const noexcept {
-    const double uu = ux * ux + uy * uy;
-    return lane::both(
-        lane::both(lane::both(is_plain_size(a), is_plain_size(b)), lane::max(a, b) <= 64 * lane::min(a, b)),
-        lane::both(lane::both(uu >= 0.25, uu <= 4), lane::both(is_plain(ux), is_plain(uy))));
+  VESICA_INLINE MaskOf<V> is_usual() const noexcept {
+    const V uu = ux * ux + uy * uy;
+    return both(both(both(is_plain_size(a), is_plain_size(b)), max(a, b) <= V(64.0) * min(a, b)),
+                both(both(uu >= V(0.25), uu <= V(4.0)), both(is_plain(ux), is_plain(uy))));
   }
   double radius() const noexcept { return 2 * (a > b ? a * a / b : b * b / a); }
   double shortest() const noexcept { return lane::min(a, b); }
@@ -139,7 +142,9 @@ struct QuickEllipse {
     QuickTime time;
     Twofold<double> reach;
 
-    double best(const Motion& v, double w, double gap) const noexcept { return maximum_of_one(e.curve(v), w, gap); }
+    double best(const Motion& v, double w, double gap) const noexcept {
+      return maximum_of_one(e.curve(velocity(v)), w, gap);
+    }
     Offset in_frame(const Vector& n) const noexcept {
       const auto u = plain_factor<Products>(e.ux, e.uy);
       const auto along = Products::factor(n);
@@ -151,19 +156,19 @@ struct QuickEllipse {
     }
   };
 
-  VESICA_INLINE Offset out_of_frame(const Offset& at) const noexcept {
-    return at.x * Offset{ux, uy} + at.y * Offset{-uy, ux};
+  VESICA_INLINE OffsetOf<V> out_of_frame(const OffsetOf<V>& at) const noexcept {
+    return at.x * OffsetOf<V>{ux, uy} + at.y * OffsetOf<V>{-uy, ux};
   }
   template <class Products>
-  VESICA_INLINE Twofold<double> reach(const Motion& v) const noexcept {
-    const auto u = plain_factor<Products>(ux, uy), along = plain_factor<Products>(v.vx, v.vy);
+  VESICA_INLINE Twofold<V> reach(const OffsetOf<V>& v) const noexcept {
+    const auto u = plain_factor<Products>(ux, uy), along = plain_factor<Products>(v.x, v.y);
     return reach_of<Products>(Products::factor(a) * Products::factor(cross(u, along)),
                               Products::factor(b) * Products::factor(dot(u, along)));
   }
 
-  VESICA_INLINE Curve curve(const Motion& v) const noexcept {
-    const double c = ux * v.vx + uy * v.vy, k = ux * v.vy - uy * v.vx, al = (a * k) * (a * k) + (b * c) * (b * c);
-    const double area = a * b * (ux * ux + uy * uy) * (v.vx * v.vx + v.vy * v.vy);
+  VESICA_INLINE CurveOf<V> curve(const OffsetOf<V>& v) const noexcept {
+    const V c = ux * v.x + uy * v.y, k = ux * v.y - uy * v.x, al = (a * k) * (a * k) + (b * c) * (b * c);
+    const V area = a * b * (ux * ux + uy * uy) * (v.x * v.x + v.y * v.y);
     return {((b - a) * (b + a)) * (c * k) / al, al, area * area / al, sqrt(al)};
   }
 
@@ -207,12 +212,12 @@ VESICA_INLINE bool ends_at(const Vector& n, const Offset& in_frame, const QuickT
 }
 
 /// direction() of direction.hpp.
-template <class Products>
-VESICA_INLINE Vector normal_of(double s, const Motion& v) noexcept {
+template <class Products, class V>
+VESICA_INLINE arithmetic::Vector<V> normal_of(V s, const OffsetOf<V>& v) noexcept {
   const auto by = Products::factor(s);
-  const Twofold<double> x = by * Products::factor(v.vy), y = by * Products::factor(v.vx);
-  return {arithmetic::renormalised(-(x + Twofold<double>{v.vx, 0})),
-          arithmetic::renormalised(y - Twofold<double>{v.vy, 0})};
+  const Twofold<V> x = by * Products::factor(v.y), y = by * Products::factor(v.x);
+  return {arithmetic::renormalised(-(x + Twofold<V>{v.x, V(0.0)})),
+          arithmetic::renormalised(y - Twofold<V>{v.y, V(0.0)})};
 }
 
 VESICA_INLINE Impact<double> round_impact(double t, double cx, double cy, const Offset& at, const Vector& n) noexcept {
@@ -232,7 +237,7 @@ VESICA_INLINE Quick round_hit(const Sum& sum, const Vector& d, const Motion& v, 
   if (quick != Quick::hit) return quick;
   const Twofold<double> w = arithmetic::renormalised(cross(plain_factor<Products>(v.vx, v.vy), Products::factor(d)));
   const double gap = gap_of(asked.reach, w);
-  const Vector n = normal_of<Products>(asked.best(v, w.high, gap), v);
+  const Vector n = normal_of<Products>(asked.best(v, w.high, gap), velocity(v));
   const double vv = v.vx * v.vx + v.vy * v.vy, speed = abs(v.vx) + abs(v.vy);
   const double lengths = abs(d.x.high) + abs(d.y.high) + speed * t;
   const bool usual = lane::both(gap >= 0x1p-8 * asked.reach.high, lengths <= 0x1p16 * sum.shortest());
@@ -254,70 +259,97 @@ VESICA_INLINE Quick quick_hit(const Circle<double>& a, const Circle<double>& b, 
 template <class Products>
 VESICA_INLINE Quick quick_hit(const Ellipse<double>& a, const Point<double>& b, const Motion& v,
                               Impact<double>& out) noexcept {
-  return round_hit<Products>(QuickEllipse{a.ux, a.uy, a.a, a.b}, exact_offset(b.x, b.y, a.cx, a.cy), v, a.cx, a.cy,
+  return round_hit<Products>(QuickEllipse<double>{a.ux, a.uy, a.a, a.b}, exact_offset(b.x, b.y, a.cx, a.cy), v, a.cx, a.cy,
                              out);
 }
 
 /// Of two ellipses there is no root to go to. T(n) at the n found is a lower bound of the time, and what the slope there,
 /// known to e in double, may still gain is as in bound.hpp.
+template <class V>
 struct QuickSupport {
-  Twofold<double> h;
-  double beside, bend, error, steepness;
-  Offset in_frame;
+  Twofold<V> h;
+  V beside, bend, error, steepness;
+  OffsetOf<V> in_frame;
 };
-template <class Products>
-VESICA_INLINE QuickSupport quick_support(const QuickEllipse& e, const Vector& n, const Motion& v) noexcept {
+template <class Products, class V>
+VESICA_INLINE QuickSupport<V> quick_support(const QuickEllipse<V>& e, const arithmetic::Vector<V>& n,
+                                            const OffsetOf<V>& v) noexcept {
   const auto u = plain_factor<Products>(e.ux, e.uy);
   const auto along = Products::factor(n);
-  const Twofold<double> p = arithmetic::renormalised(dot(u, along)), q = arithmetic::renormalised(cross(u, along));
-  const Twofold<double> ap = Products::factor(e.a) * Products::factor(p),
-                        bq = Products::factor(e.b) * Products::factor(q);
-  const Twofold<double> h = reach_of<Products>(ap, bq);
-  const double c = e.ux * v.vx + e.uy * v.vy, k = e.ux * v.vy - e.uy * v.vx, over = 1 / h.high;
-  const double vv = v.vx * v.vx + v.vy * v.vy, ratio = (e.a * e.b) * (e.ux * e.ux + e.uy * e.uy) * vv * over;
-  const double size = (e.a + e.b) * (abs(e.ux) + abs(e.uy)) * (abs(v.vx) + abs(v.vy));
+  const Twofold<V> p = arithmetic::renormalised(dot(u, along)), q = arithmetic::renormalised(cross(u, along));
+  const Twofold<V> ap = Products::factor(e.a) * Products::factor(p), bq = Products::factor(e.b) * Products::factor(q);
+  const Twofold<V> h = reach_of<Products>(ap, bq);
+  const V c = e.ux * v.x + e.uy * v.y, k = e.ux * v.y - e.uy * v.x, over = V(1.0) / h.high;
+  const V vv = v.x * v.x + v.y * v.y, ratio = (e.a * e.b) * (e.ux * e.ux + e.uy * e.uy) * vv * over;
+  const V size = (e.a + e.b) * (abs(e.ux) + abs(e.uy)) * (abs(v.x) + abs(v.y));
   return {h,
           (bq.high * (e.b * c) - ap.high * (e.a * k)) * over,
           ratio * ratio * over,
-          0x1p-48 * size,
+          V(0x1p-48) * size,
           size * over,
           {p.high, q.high}};
 }
 
-template <class Products>
-VESICA_INLINE Quick quick_hit(const Ellipse<double>& first, const Ellipse<double>& second, const Motion& v,
-                              Impact<double>& out) noexcept {
-  const QuickEllipse a{first.ux, first.uy, first.a, first.b}, b{second.ux, second.uy, second.a, second.b};
-  const Vector d = exact_offset(second.cx, second.cy, first.cx, first.cy);
-  if (!lane::both(is_plain(d, v), lane::both(a.is_usual(), b.is_usual()))) return Quick::open;
-  const auto along = plain_factor<Products>(v.vx, v.vy);
+/// The floor of the time, where from the first's centre, and along which normal, of any length.
+template <class V>
+struct QuickMeeting {
+  Floor<V> floor;
+  OffsetOf<V> at;
+  arithmetic::Vector<V> normal;
+};
+/// idle: where nothing is asked. is_point: whether b is a point, whose numbers are 0.
+template <class Products, class V>
+VESICA_INLINE QuickMeeting<V> ellipses_meeting(const QuickEllipse<V>& a, const QuickEllipse<V>& b,
+                                               const arithmetic::Vector<V>& d, const OffsetOf<V>& v,
+                                               MaskOf<V> idle, bool is_point) noexcept {
+  const auto along = plain_factor<Products>(v.x, v.y);
   const auto to = Products::factor(d);
-  const Twofold<double> w = arithmetic::renormalised(cross(along, to));
-  const double gap = gap_of(arithmetic::renormalised(a.reach<Products>(v) + b.reach<Products>(v)), w);
-  Curve ca = a.curve(v), cb = b.curve(v);
-  ca.s = lane::flip_sign(ca.s, w.high);
-  cb.s = lane::flip_sign(cb.s, w.high);
-  int steps;
-  const Vector n = normal_of<Products>(lane::flip_sign(maximum_of_two(ca, cb, gap, steps), w.high), v);
-  const QuickSupport sa = quick_support<Products>(a, n, v), sb = quick_support<Products>(b, n, v);
+  const Twofold<V> w = arithmetic::renormalised(cross(along, to));
+  Twofold<V> reach = a.template reach<Products>(v);
+  CurveOf<V> curve = a.curve(v);
+  V best;
+  if (is_point) {
+    best = maximum_of_one(curve, w.high, gap_of(reach, w));
+  } else {
+    reach = arithmetic::renormalised(reach + b.template reach<Products>(v));
+    CurveOf<V> other = b.curve(v);
+    curve.s = flip_sign(curve.s, w.high);
+    other.s = flip_sign(other.s, w.high);
+    maximum_of_two(curve, other, gap_of(reach, w), idle, best);
+    best = flip_sign(best, w.high);
+  }
+  const arithmetic::Vector<V> n = normal_of<Products>(best, v);
+  const QuickSupport<V> sa = quick_support<Products>(a, n, v);
+  QuickSupport<V> sb{};
+  if (!is_point) sb = quick_support<Products>(b, n, v);
   const auto nf = Products::factor(n);
-  const Twofold<double> room = arithmetic::renormalised(dot(nf, to) - (sa.h + sb.h));
-  const Twofold<double> approach = arithmetic::renormalised(-dot(nf, along));
-  const double start = room.high / approach.high;
-  const Twofold<double> rest = room - Products::factor(start) * Products::factor(approach);
-  const double step = arithmetic::rounded(rest) / approach.high;
-  const double vv = v.vx * v.vx + v.vy * v.vy, speed = abs(v.vx) + abs(v.vy);
-  const double n_size = abs(n.x.high) + abs(n.y.high), error = sa.error + sb.error;
-  const double sizes = (abs(d.x.high) + abs(d.y.high)) + speed * abs(start) + 0x1p48 * error / speed;
-  const double slope = abs(w.high - (sa.beside + sb.beside)) + error, bend = sa.bend + sb.bend, off = slope / bend;
-  const double gain = 2 * slope * (off / vv);
-  const double lost = 0x1p-94 * n_size * sizes / approach.high + 0x1p-100 * abs(start);
-  const bool ends = lane::both(gain <= 0x1p-74 * start, 64 * off * lane::max(sa.steepness, sb.steepness) < 1);
-  if (!lane::both(ends, sizes * (0x1p-40 * n_size) < sa.h.high + sb.h.high)) return Quick::open;
-  double t;
-  const Quick quick = floor_of({start, step}, lost + gain, v.end, t);
-  if (quick != Quick::hit) return quick;
-  out = round_impact(t, first.cx, first.cy, a.out_of_frame(foremost_of(a.a, a.b, sa.in_frame.x, sa.in_frame.y)), n);
+  const Twofold<V> room = arithmetic::renormalised(dot(nf, to) - (sa.h + sb.h));
+  const Twofold<V> approach = arithmetic::renormalised(-dot(nf, along));
+  const V start = room.high / approach.high;
+  const Twofold<V> rest = room - Products::factor(start) * Products::factor(approach);
+  const V step = arithmetic::rounded(rest) / approach.high;
+  const V vv = v.x * v.x + v.y * v.y, speed = abs(v.x) + abs(v.y);
+  const V n_size = abs(n.x.high) + abs(n.y.high), error = sa.error + sb.error;
+  const V sizes = (abs(d.x.high) + abs(d.y.high)) + speed * abs(start) + V(0x1p48) * error / speed;
+  const V slope = abs(w.high - (sa.beside + sb.beside)) + error, bend = sa.bend + sb.bend, off = slope / bend;
+  const V gain = V(2.0) * slope * (off / vv);
+  const V lost = V(0x1p-94) * n_size * sizes / approach.high + V(0x1p-100) * abs(start);
+  const auto ends = both(gain <= V(0x1p-74) * start, V(64.0) * off * max(sa.steepness, sb.steepness) < V(1.0));
+  Floor<V> floor = floor_of(Twofold<V>{start, step}, lost + gain);
+  floor.certain = both(floor.certain, both(ends, sizes * (V(0x1p-40) * n_size) < sa.h.high + sb.h.high));
+  return {floor, a.out_of_frame(foremost_of(a.a, a.b, sa.in_frame.x, sa.in_frame.y)), n};
+}
+
+template <class Products>
+VESICA_INLINE Quick quick_hit(const Ellipse<double>& first, const Ellipse<double>& second, const Motion& motion,
+                              Impact<double>& out) noexcept {
+  const QuickEllipse<double> a{first.ux, first.uy, first.a, first.b}, b{second.ux, second.uy, second.a, second.b};
+  const Vector d = exact_offset(second.cx, second.cy, first.cx, first.cy);
+  if (!lane::both(is_plain(d, motion), lane::both(a.is_usual(), b.is_usual()))) return Quick::open;
+  const auto [floor, at, n] = ellipses_meeting<Products>(a, b, d, velocity(motion), false, false);
+  if (!floor.certain || floor.t == motion.end) return Quick::open;
+  if (floor.t > motion.end) return Quick::missed;
+  out = round_impact(floor.t, first.cx, first.cy, at, n);
   return Quick::hit;
 }
 

@@ -7,13 +7,21 @@
 
 namespace vesica::detail::support_minimum {
 
-struct PlaneVector {
-  double x, y;
+template <class V>
+struct PlaneVectorOf {
+  V x, y;
 };
+using PlaneVector = PlaneVectorOf<double>;
 
-inline PlaneVector operator+(const PlaneVector& v, const PlaneVector& w) noexcept { return {v.x + w.x, v.y + w.y}; }
+template <class V>
+VESICA_INLINE PlaneVectorOf<V> operator+(const PlaneVectorOf<V>& v, const PlaneVectorOf<V>& w) noexcept {
+  return {v.x + w.x, v.y + w.y};
+}
 inline PlaneVector operator-(const PlaneVector& v) noexcept { return {-v.x, -v.y}; }
-inline PlaneVector operator*(double k, const PlaneVector& v) noexcept { return {k * v.x, k * v.y}; }
+template <class V>
+VESICA_INLINE PlaneVectorOf<V> operator*(std::type_identity_t<V> k, const PlaneVectorOf<V>& v) noexcept {
+  return {k * v.x, k * v.y};
+}
 inline double dot(const PlaneVector& v, const PlaneVector& w) noexcept { return v.x * w.x + v.y * w.y; }
 inline double cross(const PlaneVector& v, const PlaneVector& w) noexcept { return v.x * w.y - v.y * w.x; }
 inline PlaneVector perp(const PlaneVector& v) noexcept { return {-v.y, v.x}; }

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which pairs of kinds have kernels of first contacts: boxes, a ray at anything, and round shapes.
+#pragma once
+
+#include "kernels/cast_boxes.hpp"
+#include "kernels/cast_rounds.hpp"
+
+namespace vesica {
+namespace {
+
+consteval CastTable make_cast_table() noexcept {
+  CastTable table{filter_casts, {}};
+  constexpr Kind boxes[] = {Kind::segment, Kind::aabb, Kind::rect}, rounds[] = {Kind::circle, Kind::ellipse};
+  const auto enter = [&table](Kind a, Kind b, CastKernel kernel) {
+    table.contact[static_cast<int>(a)][static_cast<int>(b)] = kernel;
+  };
+  for (const Kind a : boxes) {
+    enter(a, Kind::point, cast_boxes);
+    enter(Kind::point, a, cast_boxes);
+    for (const Kind b : boxes) enter(a, b, cast_boxes);
+  }
+  for (const Kind a : rounds) {
+    enter(a, Kind::point, cast_rounds);
+    for (const Kind b : rounds) enter(a, b, cast_rounds);
+  }
+  return table;
+}
+
+}  // namespace
+}  // namespace vesica
