@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The version, and the names of things.
+// The version, and names: errors, kinds, instruction sets.
 #include "by_kind.hpp"
 #include "vesica.h"
 

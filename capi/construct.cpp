@@ -9,7 +9,7 @@
 
 namespace {
 
-/// Calls make(result), a constructor of the core, and hands the result on when it succeeds.
+/// Calls make(result), a constructor of the core, and copies the result to the caller if it succeeds.
 template <class Shape, class CShape, class Make>
 int32_t construct(CShape* out, Make make) noexcept {
   static_assert(sizeof(Shape) == sizeof(CShape));

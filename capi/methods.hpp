@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the C face of the named methods shares.
+// Common code of the C interface of the named methods.
 #pragma once
 
 #include "environment.hpp"

@@ -12,7 +12,7 @@ namespace {
 using namespace vesica::capi;
 namespace index = vesica::index;
 
-/// Up to so many ratios are asked for one by one: to begin a batch costs as much.
+/// Up to this many ratios are computed one by one, because starting a batch costs as much.
 constexpr int64_t few = 8;
 
 /// The ratio of a shape with shape i of others.
@@ -41,7 +41,7 @@ void exceeds(int32_t kind, const void* const* one, const void* const* others, in
   for (int64_t i = 0; i < n; ++i) out[i] = ratio[i] > static_cast<T>(measured.threshold);
 }
 
-/// What a suppression may choose by, beside scores.
+/// The criteria of a suppression besides scores.
 template <class T>
 struct Choice {
   const int32_t* labels;

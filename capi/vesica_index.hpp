@@ -2,8 +2,8 @@
 /// vesica::Index<T>: an index that owns its memory, and loops over the pairs of two. A C++20 face of vesica.h, for
 /// programs that link the library.
 ///
-///   const vesica::Index<double> trees({vesica::shapes(circles), vesica::shapes(boxes)}),
-///   roads({vesica::shapes(rects)});
+///     const vesica::Index<double> trees({vesica::shapes(circles), vesica::shapes(boxes)});
+///     const vesica::Index<double> roads({vesica::shapes(rects)});
 ///     for (const auto& [tree, road] : vesica::pairs(trees, roads)) ...
 ///
 /// The shapes stay the caller's: an index keeps the descriptors of their arrays, and the arrays must outlive it.

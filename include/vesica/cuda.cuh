@@ -3,9 +3,9 @@
 /// how many overlap. The answers are those of the library, bit for bit, and the device finds every one of them itself.
 ///
 /// A batch is three kernels. The first one runs the pair's filter in the arrays' own scalar, float or double, and lists
-/// what that leaves open. The second one decides the listed pairs in double, and those where nothing is rounded; what is
-/// still open it lists anew. The third one decides these few exactly, in few threads, since each needs up to 40 kB of
-/// local memory. A list has no particular order, but each answer has its place: the results are always the same.
+/// the undecided pairs. The second one decides these in double, and those where nothing is rounded, and lists the rest.
+/// The third one decides those exactly, in few threads, since each needs up to 40 kB of local memory. A list has no
+/// particular order, but each answer has its place: the results are always the same.
 ///
 /// For programs compiled with nvcc's --expt-relaxed-constexpr and without --use_fast_math. docs/cuda.md has an example.
 /// In a kernel of one's own, overlap_or_error() and the other constexpr functions need only <vesica/vesica.hpp>.
@@ -49,11 +49,11 @@ Shapes<T> part(Shapes<T> shapes, std::int64_t first, std::int64_t count) noexcep
   return shapes;
 }
 
-/// Pairs of one batch, at most. More are to be asked in parts.
+/// Pairs of one batch, at most. Larger arrays need several batches.
 inline constexpr std::int64_t most_pairs = 0xfffffffe;
 
-/// Device memory that a batch of so many pairs works in: 8 bytes a pair, and 16. When a batch is done, the first number
-/// of 32 bits says how many of its pairs had an invalid shape; their answer is 0.
+/// Device memory that a batch of `pairs` pairs needs: 8 bytes a pair, and 16. When a batch is done, its first 32 bits are
+/// the number of pairs with an invalid shape; their answer is 0.
 constexpr std::size_t work_bytes(std::int64_t pairs) noexcept { return 16 + 8 * static_cast<std::size_t>(pairs); }
 
 struct Work {
@@ -254,8 +254,8 @@ bool is_matrix(const Shapes<T>& a, const Shapes<T>& b) noexcept {
 }  // namespace detail
 
 // Each function queues a batch on a stream and returns at once. A and B name the kinds, in any order: for instance
-// overlap_many<Ellipse, Rect>(ellipses, rects, out, work). What it returns is an error of the launch, or
-// cudaErrorInvalidValue: another kind than named, counts that do not fit, more than most_pairs, too little memory.
+// overlap_many<Ellipse, Rect>(ellipses, rects, out, work). It returns an error of the launch, or cudaErrorInvalidValue
+// for arrays of other kinds, counts that do not agree, more than most_pairs pairs, or too little memory.
 
 /// out[i]: whether a[i] overlaps b[i], 1 or 0. A count of 1 repeats.
 template <template <class> class A, template <class> class B, class T>
