@@ -11,22 +11,47 @@
 
 namespace vesica {
 
+namespace detail {
+
+/// What the number is taken from: points where the shapes are disjoint, else the depth.
+struct Separation {
+  bool disjoint;
+  ClosestPoints<double> points;
+  Penetration<double> depth;
+};
+
+/// A call, for shapes of float and of double.
+template <class A, class B>
+VESICA_CALLED std::int32_t separation(const A& a, const B& b, Separation& out) noexcept {
+  const std::int32_t overlapping = overlap_or_error(a, b);
+  if (overlapping < 0) return overlapping;
+  out.disjoint = overlapping == 0;
+  return out.disjoint ? nearest_or_error(a, b, out.points) : depth_or_error(a, b, out.depth);
+}
+
+inline std::int32_t signed_distance_of(const Separation& s, double& out) noexcept {
+  out = s.disjoint ? s.points.distance : 0 - s.depth.depth;  // no -0
+  return 0;
+}
+/// As nearest() and depth() round their results.
+inline std::int32_t signed_distance_of(const Separation& s, float& out) noexcept {
+  ClosestPoints<float> points;
+  Penetration<float> depth;
+  const bool in_range = s.disjoint ? nearest::rounded_to(s.points, false, points) : depth::rounded_to(s.depth, depth);
+  if (!in_range) return error_range;
+  out = s.disjoint ? points.distance : 0 - depth.depth;
+  return 0;
+}
+
+}  // namespace detail
+
 /// The checked form, for shapes of any kinds, in either order. Returns 0, error_shape when either is invalid, or
 /// error_range when nearest_or_error() or depth_or_error() does; on error `out` is untouched.
 template <template <class> class A, template <class> class B, class T>
 std::int32_t signed_distance_or_error(const A<T>& a, const B<T>& b, T& out) noexcept {
-  const std::int32_t overlapping = overlap_or_error(a, b);
-  if (overlapping < 0) return overlapping;
-  if (overlapping == 0) {
-    ClosestPoints<T> found;
-    const std::int32_t error = nearest_or_error(a, b, found);
-    if (error == 0) out = found.distance;
-    return error;
-  }
-  Penetration<T> found;
-  const std::int32_t error = depth_or_error(a, b, found);
-  if (error == 0) out = 0 - found.depth;  // no -0
-  return error;
+  detail::Separation found;
+  const std::int32_t error = detail::separation(widen(a), widen(b), found);
+  return error != 0 ? error : detail::signed_distance_of(found, out);
 }
 
 /// For valid shapes: NaN where signed_distance_or_error(), the checked form, returns an error.
