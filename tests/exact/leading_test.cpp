@@ -200,6 +200,42 @@ TEST(Leading, RoundsSurelyWhereWhatIsMissingMakesNoDifference) {
   EXPECT_TRUE(surely(with_error(10, {half, 12})));
 }
 
+/// The sum of eight numbers, asked in each of the ways in which leading digits may tell.
+struct OfEight {
+  static constexpr auto sum = [](const auto& x, const auto&... rest) { return (x + ... + rest); };
+
+  template <class... Same>
+  static void expect_positive(const Same&... x) {
+    EXPECT_EQ(exact::sign_of(sum, x...), 1);
+    EXPECT_GT(exact::rounded_value(sum, x...).value, 0);
+    const auto question = [](exact::Signs& signs, const auto&... y) { return signs.of_polynomial(sum, y...); };
+    EXPECT_EQ(exact::decide(question, x...), 1);
+  }
+};
+
+Number<8> eighth_power(double x) { return square(square(square(exact::from_double(x)))); }
+
+// Any of the numbers may be the one that is long, or none. It is 7 less than a sum of powers of two, and the others are 1:
+// so what leads cancels, and the first digits to tell are those of the sum.
+TEST(Leading, EachNumberMayBeTheLongOne) {
+  const Number<8> one = eighth_power(1), seven = one + one + one + one + one + one + one;
+  const Number<8> far = eighth_power(0x1p-125), farther = eighth_power(0x1p-250), very_far = eighth_power(0x1p-500),
+                  farthest = eighth_power(0x1p-1000);
+  const Number<8> longest = farthest - seven;
+  ASSERT_GT(longest.size, 96);
+  for (const Number<8>& x :
+       {one, one + far, far + very_far - seven, very_far - seven, farther + farthest - seven, longest}) {
+    OfEight::expect_positive(x, one, one, one, one, one, one, one);
+    OfEight::expect_positive(one, x, one, one, one, one, one, one);
+    OfEight::expect_positive(one, one, x, one, one, one, one, one);
+    OfEight::expect_positive(one, one, one, x, one, one, one, one);
+    OfEight::expect_positive(one, one, one, one, x, one, one, one);
+    OfEight::expect_positive(one, one, one, one, one, x, one, one);
+    OfEight::expect_positive(one, one, one, one, one, one, x, one);
+    OfEight::expect_positive(one, one, one, one, one, one, one, x);
+  }
+}
+
 /// Limbs of any kind between `zeros` limbs that are 0 in pairs, and then `ones` that are all ones in pairs.
 std::vector<Limb> runs_of(int zeros, int ones) {
   std::vector<Limb> limbs;
