@@ -224,7 +224,7 @@ TEST(Leading, EachNumberMayBeTheLongOne) {
   const Number<8> longest = farthest - seven;
   ASSERT_GT(longest.size, 96);
   for (const Number<8>& x :
-       {one, one + far, far + very_far - seven, very_far - seven, farther + farthest - seven, longest}) {
+       {one, one + far, far - seven, far + very_far - seven, very_far - seven, farther + farthest - seven, longest}) {
     OfEight::expect_positive(x, one, one, one, one, one, one, one);
     OfEight::expect_positive(one, x, one, one, one, one, one, one);
     OfEight::expect_positive(one, one, x, one, one, one, one, one);
