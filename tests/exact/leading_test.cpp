@@ -223,8 +223,8 @@ TEST(Leading, EachNumberMayBeTheLongOne) {
                   farthest = eighth_power(0x1p-1000);
   const Number<8> longest = farthest - seven;
   ASSERT_GT(longest.size, 96);
-  for (const Number<8>& x :
-       {one, one + far, far - seven, far + very_far - seven, very_far - seven, farther + farthest - seven, longest}) {
+  for (const Number<8>& x : {one, one + far, far - seven, far + far + far + very_far - seven, very_far - seven,
+                             farther + farthest - seven, longest}) {
     OfEight::expect_positive(x, one, one, one, one, one, one, one);
     OfEight::expect_positive(one, x, one, one, one, one, one, one);
     OfEight::expect_positive(one, one, x, one, one, one, one, one);
