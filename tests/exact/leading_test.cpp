@@ -170,6 +170,111 @@ TEST(Leading, RoundsTiesByWhatIsFarBelow) {
   }
 }
 
+/// 2^383 and some more, with a last kept place of 1: less than 2^error is missing.
+exact::Leading<6> with_error(std::int64_t error, std::initializer_list<int> bits) {
+  exact::Leading<6> x;
+  x.sign = 1;
+  x.limb[5] = Limb{1} << 63;
+  for (const int bit : bits) x.limb[bit / 64] |= Limb{1} << bit % 64;
+  x.error = error;
+  return x;
+}
+
+TEST(Leading, RoundsSurelyWhereWhatIsMissingMakesNoDifference) {
+  constexpr int place = 383 - 52, half = place - 1;  // the last place of a double, and half of it
+  constexpr auto nothing = exact::Leading<6>::nothing;
+  detail::arithmetic::Scaled out{7, 7};
+  const auto surely = [&out](const exact::Leading<6>& x) { return exact::detail::rounds_surely(x, out); };
+  EXPECT_TRUE(surely({}));
+  EXPECT_EQ(out.value, 0);
+  EXPECT_TRUE(surely(with_error(nothing, {half})));
+  EXPECT_TRUE(out.value == 0.5 && out.exponent == 384) << "a tie goes to the even one";
+  EXPECT_TRUE(surely(with_error(nothing, {half, 0})));
+  EXPECT_TRUE(out.value == 0.5 + 0x1p-53 && out.exponent == 384);
+  EXPECT_TRUE(surely(with_error(300, {place})));
+  EXPECT_TRUE(out.value == 0.5 + 0x1p-53 && out.exponent == 384);
+  EXPECT_FALSE(surely(with_error(383, {}))) << "not even the sign";
+  EXPECT_FALSE(surely(with_error(-1, {}))) << "beyond the digits kept";
+  EXPECT_FALSE(surely(with_error(10, {half}))) << "up, with more";
+  EXPECT_FALSE(surely(with_error(10, {half, 5}))) << "down, with less";
+  EXPECT_TRUE(surely(with_error(10, {half, 12})));
+}
+
+/// The sum of eight numbers, asked in each of the ways in which leading digits may tell.
+struct OfEight {
+  static constexpr auto sum = [](const auto& x, const auto&... rest) { return (x + ... + rest); };
+
+  template <class... Same>
+  static void expect_positive(const Same&... x) {
+    EXPECT_EQ(exact::sign_of(sum, x...), 1);
+    EXPECT_GT(exact::rounded_value(sum, x...).value, 0);
+    const auto question = [](exact::Signs& signs, const auto&... y) { return signs.of_polynomial(sum, y...); };
+    EXPECT_EQ(exact::decide(question, x...), 1);
+  }
+};
+
+Number<8> eighth_power(double x) { return square(square(square(exact::from_double(x)))); }
+
+// Any of the numbers may be the one that is long, or none. It is 7 less than a sum of powers of two, and the others are 1:
+// so what leads cancels, and the first digits to tell are those of the sum.
+TEST(Leading, EachNumberMayBeTheLongOne) {
+  const Number<8> one = eighth_power(1), seven = one + one + one + one + one + one + one;
+  const Number<8> far = eighth_power(0x1p-125), farther = eighth_power(0x1p-250), very_far = eighth_power(0x1p-500),
+                  farthest = eighth_power(0x1p-1000);
+  const Number<8> longest = farthest - seven;
+  ASSERT_GT(longest.size, 96);
+  for (const Number<8>& x : {one, one + far, far - seven, far + far + far + very_far - seven, very_far - seven,
+                             farther + farthest - seven, longest}) {
+    OfEight::expect_positive(x, one, one, one, one, one, one, one);
+    OfEight::expect_positive(one, x, one, one, one, one, one, one);
+    OfEight::expect_positive(one, one, x, one, one, one, one, one);
+    OfEight::expect_positive(one, one, one, x, one, one, one, one);
+    OfEight::expect_positive(one, one, one, one, x, one, one, one);
+    OfEight::expect_positive(one, one, one, one, one, x, one, one);
+    OfEight::expect_positive(one, one, one, one, one, one, x, one);
+    OfEight::expect_positive(one, one, one, one, one, one, one, x);
+  }
+}
+
+/// Limbs of any kind between `zeros` limbs that are 0 in pairs, and then `ones` that are all ones in pairs.
+std::vector<Limb> runs_of(int zeros, int ones) {
+  std::vector<Limb> limbs;
+  for (int i = 0; i < zeros + ones; ++i) {
+    const Limb filling = i < zeros ? 0 : ~Limb{0};
+    limbs.insert(limbs.end(), {5, filling, filling});
+  }
+  limbs.push_back(5);
+  return limbs;
+}
+
+// There is room for 24 runs. Ones are three: what is before, one added behind them, one taken away.
+TEST(Sparse, OfFewRunsAndOfNoMoreLimbsThanThereIsRoomFor) {
+  const auto is_sparse = [](const std::vector<Limb>& a) {
+    exact::detail::Runs runs;
+    return runs.set(a.data(), static_cast<int>(a.size()));
+  };
+  for (int zeros = 0; zeros < 30; ++zeros) {
+    for (int ones = 0; ones < 12; ++ones) EXPECT_EQ(is_sparse(runs_of(zeros, ones)), zeros + 3 * ones + 1 <= 24);
+  }
+  std::vector<Limb> out(2000);
+  const auto multiplied = [&out](const std::vector<Limb>& a, const std::vector<Limb>& b) {
+    const auto span = [](const std::vector<Limb>& x) {
+      return exact::detail::Span{x.data(), 0, static_cast<int>(x.size())};
+    };
+    return exact::detail::multiply_sparse(span(a), span(b), out.data());
+  };
+  const auto gap = [](std::size_t zeros) {
+    std::vector<Limb> limbs(zeros + 2);
+    limbs.front() = limbs.back() = 3;
+    return limbs;
+  };
+  ASSERT_TRUE(multiplied(gap(547), gap(547)));
+  EXPECT_TRUE(out[0] == 9 && out[548] == 18 && out[1096] == 9);
+  EXPECT_FALSE(multiplied(gap(547), gap(548))) << "1,101 limbs";
+  EXPECT_FALSE(multiplied(runs_of(24, 0), gap(40)));
+  EXPECT_FALSE(multiplied(gap(40), runs_of(24, 0)));
+}
+
 TEST(Leading, ShortNumbersAreExact) {
   const exact::Leading<6> three(exact::integer(3)), four(exact::integer(4)), five(exact::integer(5));
   const exact::Leading<6> zero = square(three) + square(four) - square(five);
