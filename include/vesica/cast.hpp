@@ -8,9 +8,10 @@
 ///
 /// Accuracy, u = 2^-53, scale the largest coordinate of the offset of centres or half length: the point is within 8u
 /// scale of a's outline, before the rounding of its coordinates. Along the outline it is off by what t and the normal
-/// are, times 1 / |n.v| for unit n and v. The normal is a unit vector to 4u. Where a corner meets a corner it is that
-/// of one of the edges there; where b only slides along a it is across v. Shapes that overlap at the start have the
-/// direction of depth() for a normal and the point of nearest(): at depth 0 with n.v >= 0 they part again.
+/// are: at most (8u scale + 4u R) / |n.v| for unit n and v, R being a's greatest radius of curvature; of rays 0.93 of that
+/// was seen. The normal is a unit vector to 4u. Where a corner meets a corner it is that of one of the edges there; where b
+/// only slides along a it is across v. Shapes that overlap at the start have the direction of depth() for a normal and the
+/// point of nearest(): at depth 0 with n.v >= 0 they part again.
 ///
 /// Laws, each tested, of answers and times to the bit: cast(b, a, -v) has the same time and, but for rounding, the
 /// opposite normal; mirroring, turning by quarters or scaling by powers of two changes nothing; half the velocity takes

@@ -3176,9 +3176,11 @@ extern "C" {
     /// unlike).
     ///
     /// Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along
-    /// that it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u. Bounds on
-    /// computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres
-    /// and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    /// that it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the greatest radius of curvature of
+    /// a: of an ellipse its long half length squared over the short one, far more than its size if it is thin. The
+    /// normal is unit to 4 u. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx|
+    /// and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its
+    /// shorter one.
     ///
     /// Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; of a ray (b a point), two circles and two ellipses less,
     /// see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms, where
@@ -3435,9 +3437,11 @@ extern "C" {
     /// unlike).
     ///
     /// Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along
-    /// that it may be off by 8 u scale over |n.v|, n and v of unit length. The normal is unit to 4 u. Bounds on
-    /// computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres
-    /// and of their half lengths. An aspect ratio is a shape's longer size over its shorter one.
+    /// that it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the greatest radius of curvature of
+    /// a: of an ellipse its long half length squared over the short one, far more than its size if it is thin. The
+    /// normal is unit to 4 u. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx|
+    /// and |dy| between their centres and of their half lengths. An aspect ratio is a shape's longer size over its
+    /// shorter one.
     ///
     /// Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; of a ray (b a point), two circles and two ellipses less,
     /// see the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide; at worst 2 ms, where
