@@ -88,7 +88,8 @@ TEST(Accuracy, AlongTheOutline) {
         SCOPED_TRACE(describe(p, m));
         const double offset = std::max(std::fabs(p.b[0] - p.a[0]), std::fabs(p.b[1] - p.a[1]));
         const double scale = std::max(offset, size_of(a, p.a)), bend = bend_of(a, p.a);
-        const double rounding = u * (std::fabs(r.x) + std::fabs(r.y)) + 2 * u * speed * r.t;
+        const double step = std::max(2 * u * r.t, 0x1p-1074),
+                     rounding = u * (std::fabs(r.x) + std::fabs(r.y)) + step * speed;
         const double off = std::hypot(std::fma(m.vx, r.t, p.b[0] - r.x), std::fma(m.vy, r.t, p.b[1] - r.y));
         const double share = off / ((8 * u * scale + 4 * u * bend) / straight + rounding + u * scale);
         EXPECT_LE(share, 1);
