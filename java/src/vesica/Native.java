@@ -2709,8 +2709,9 @@ final class Native {
    * Does b touch a while it moves, when first, and where?
    *
    * <p>The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
-   * there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of
-   * what they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of
+   * there; where b only slides along a, it is across the velocity. Of a face that is met at an angle below 2^-80 it may
+   * be that of the face beside it, and the point their corner. The point of two faces that meet is the middle of what
+   * they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of
    * vesica_nearest_f64. So shapes that only touch, with a normal that does not point against the velocity, are moving
    * apart. Exchanging the shapes and turning the velocity round changes neither the answer nor the time, and the normal
    * but for its sign and rounding.
@@ -3007,8 +3008,9 @@ final class Native {
    * Does b touch a while it moves, when first, and where?
    *
    * <p>The normal is that of the face or the round outline that is met; where a corner meets a corner, that of an edge
-   * there; where b only slides along a, it is across the velocity. The point of two faces that meet is the middle of
-   * what they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32 and the point of
+   * there; where b only slides along a, it is across the velocity. Of a face that is met at an angle below 2^-80 it may
+   * be that of the face beside it, and the point their corner. The point of two faces that meet is the middle of what
+   * they share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f32 and the point of
    * vesica_nearest_f32. So shapes that only touch, with a normal that does not point against the velocity, are moving
    * apart. Exchanging the shapes and turning the velocity round changes neither the answer nor the time, and the normal
    * but for its sign and rounding.
