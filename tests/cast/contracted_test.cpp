@@ -25,7 +25,7 @@ TEST(ContractedCast, RayAtADisc) {
 }
 
 TEST(ContractedCast, RayAtARectangle) {
-  const Rect<double> rect{0x1.c6bf52633ffffp+10, -0x1.10d9316ebfff3p+9,  -0x1.3711544e16008p-2,
+  const Rect<double> rect{0x1.c6bf52633ffffp+10, -0x1.10d9316ebfff3p+9, -0x1.3711544e16008p-2,
                           0x1.8608c86298edep-1,  0x1.6888b8addd214p-41, 0x1.4de75a49154fp-43};
   const Point<double> from{0x1.c6bf52633fffap+10, -0x1.10d9316ebfff7p+9};
   EXPECT_EQ(vesica::cast(rect, from, 0x1.104c148242af3p-12, 0x1.f0c6d4210213ep-13, forever).t, 0x1.ccc558fce49afp-29);
