@@ -38,8 +38,9 @@ VESICA_INLINE SketchLanes sketch_lanes(const SideColumns& side, std::int32_t i, 
   if (!side.round) {
     return {abs(p) + abs(q), Doubles(0x1p-49) * size, abs(p_along) + abs(q_along), size, usable};
   }
-  return {sqrt(p * p + q * q), Doubles(0x1.8p-50) * size, sqrt(p_along * p_along + q_along * q_along), size,
-          both(usable, size >= Doubles(0x1p-400))};
+  const Doubles h = sqrt(p * p + q * q);
+  const Doubles forward = side.disc ? h : sqrt(p_along * p_along + q_along * q_along);  // of a disc the same
+  return {h, Doubles(0x1.8p-50) * size, forward, size, both(usable, size >= Doubles(0x1p-400))};
 }
 
 VESICA_INLINE Doubles offset_lanes(Doubles to0, Doubles to1, Doubles from0, Doubles from1) noexcept {
