@@ -228,7 +228,8 @@ class Answers {
 
 /// Answers a block that was read. Returns how many pairs were asked as single ones.
 template <class T>
-std::int32_t answer_block(CastBlock& block, double end, std::int32_t n, Answers<T>& answers, CastTally& tally) noexcept {
+std::int32_t answer_block(CastBlock& block, double end, std::int32_t n, Answers<T>& answers,
+                          CastTally& tally) noexcept {
   block.answer(end);
   answers.set_misses(n);
   std::int32_t asked = 0;

@@ -59,8 +59,10 @@ class Arrays {
   }
   std::int64_t ask_many() {
     typename Face::Shapes a, b;
-    Face::from_records(kind_a_, pairs_per_pass, a_.data(), static_cast<std::ptrdiff_t>(fields(kind_a_) * sizeof(T)), &a);
-    Face::from_records(kind_b_, pairs_per_pass, b_.data(), static_cast<std::ptrdiff_t>(fields(kind_b_) * sizeof(T)), &b);
+    Face::from_records(kind_a_, pairs_per_pass, a_.data(), static_cast<std::ptrdiff_t>(fields(kind_a_) * sizeof(T)),
+                       &a);
+    Face::from_records(kind_b_, pairs_per_pass, b_.data(), static_cast<std::ptrdiff_t>(fields(kind_b_) * sizeof(T)),
+                       &b);
     return Face::many(&a, &b, &v_[0][0], &v_[0][1], sizeof v_[0], 1, out_[0].data(), out_[1].data(), out_[2].data(),
                       out_[3].data(), out_[4].data());
   }
@@ -115,8 +117,8 @@ void contest(std::int32_t kind_a, std::int32_t kind_b, const Aim& aim) {
     single.push_back(of_single);
     ratio.push_back(of_single / of_many);
   }
-  const std::string name = std::string(vesica_kind_name(kind_a)) + '_' + vesica_kind_name(kind_b) + ' ' + Face::name +
-                           ", " + aim.name;
+  const std::string name =
+      std::string(vesica_kind_name(kind_a)) + '_' + vesica_kind_name(kind_b) + ' ' + Face::name + ", " + aim.name;
   std::printf("%-42s %5.0f%% %9.1f %9.1f %7.2f\n", name.c_str(),
               100 * static_cast<double>(hits + others) / (2.0 * static_cast<double>(pairs_per_pass) * passes),
               median(many), median(single), median(ratio));
@@ -127,9 +129,10 @@ void contest(std::int32_t kind_a, std::int32_t kind_b, const Aim& aim) {
 
 int main() {
   using namespace vesica::bench;
-  std::printf("Nanoseconds a pair, medians over passes on %d fresh pairs; ratio: the median over passes of the time of\n"
-              "single calls to that of the array.\n\n%-42s %6s %9s %9s %7s\n",
-              static_cast<int>(pairs_per_pass), "pair, workload", "hits", "array", "single", "ratio");
+  std::printf(
+      "Nanoseconds a pair, medians over passes on %d fresh pairs; ratio: the median over passes of the time of\n"
+      "single calls to that of the array.\n\n%-42s %6s %9s %9s %7s\n",
+      static_cast<int>(pairs_per_pass), "pair, workload", "hits", "array", "single", "ratio");
   constexpr std::int32_t kinds[] = {VESICA_POINT, VESICA_SEGMENT, VESICA_CIRCLE,
                                     VESICA_AABB,  VESICA_RECT,    VESICA_ELLIPSE};
   for (const std::int32_t b : kinds) {

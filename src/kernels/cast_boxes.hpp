@@ -129,14 +129,12 @@ VESICA_INLINE FloorLanes floor_lanes(const BoxesLanes& s, const VectorLanes& nor
   TwofoldLanes height = height_lanes(s.a, n);
   if (!s.ray) height = height + height_lanes(s.b, n);
   const TwofoldLanes room = renormalised(dot(n, P::factor(s.way.d)) - height);
-  const TwofoldLanes approach =
-      renormalised(-dot(n, detail::cast::plain_factor<P>(s.way.v.x, s.way.v.y)));
+  const TwofoldLanes approach = renormalised(-dot(n, detail::cast::plain_factor<P>(s.way.v.x, s.way.v.y)));
   const Doubles first = room.high / approach.high;
   const TwofoldLanes rest = room - P::factor(first) * P::factor(approach);
   const Doubles step = detail::arithmetic::rounded(rest) / approach.high;
-  const Doubles error =
-      Doubles(0x1p-95) * length_of(normal) * (s.size + s.speed * abs(first)) / approach.high +
-      Doubles(0x1p-99) * abs(first);
+  const Doubles error = Doubles(0x1p-95) * length_of(normal) * (s.size + s.speed * abs(first)) / approach.high +
+                        Doubles(0x1p-99) * abs(first);
   return detail::cast::floor_of(TwofoldLanes{first, step}, error);
 }
 
@@ -179,7 +177,8 @@ void cast_boxes(const CastColumns& columns, std::int32_t n, double* const* resul
   const Doubles zero(0.0);
   const ForemostLanes point{{zero, zero}, {zero, zero}, zero <= zero};
   for (std::int32_t i = 0; i < n; i += Doubles::width) {
-    BoxesLanes s{box_lanes(columns.a, i), box_lanes(columns.b, i), way_lanes(columns, i), zero, zero, columns.b.is_point};
+    BoxesLanes s{box_lanes(columns.a, i), box_lanes(columns.b, i), way_lanes(columns, i), zero, zero,
+                 columns.b.is_point};
     const OffsetLanes& v = s.way.v;
     s.speed = abs(v.x) + abs(v.y);
     s.size = Doubles(2.0) * length_of(s.way.d) + (reach_of(s.a) + reach_of(s.b));

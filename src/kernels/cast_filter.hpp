@@ -29,7 +29,8 @@ VESICA_INLINE SketchLanes sketch_lanes(const SideColumns& side, std::int32_t i, 
                                        Doubles speed) noexcept {
   const Doubles zero(0.0), ux = load(side.ux, i), uy = load(side.uy, i), hx = load(side.hx, i), hy = load(side.hy, i);
   const Doubles length = abs(ux) + abs(uy), shorter = min(hx, hy), sizes = hx + hy;
-  CastMask usable = both(side.round ? shorter > zero : shorter >= zero, filter::in_range(sizes, zero, Doubles(0x1p200)));
+  CastMask usable =
+      both(side.round ? shorter > zero : shorter >= zero, filter::in_range(sizes, zero, Doubles(0x1p200)));
   CastMask axis = filter::in_range(length, Doubles(0x1p-200), Doubles(0x1p200));
   if (side.may_vanish) axis = either(axis, length == zero);
   usable = both(usable, axis);
@@ -38,8 +39,9 @@ VESICA_INLINE SketchLanes sketch_lanes(const SideColumns& side, std::int32_t i, 
   if (!side.round) {
     return {abs(p) + abs(q), Doubles(0x1p-49) * size, abs(p_along) + abs(q_along), size, usable};
   }
-  return {sqrt(p * p + q * q), Doubles(0x1.8p-50) * size, sqrt(p_along * p_along + q_along * q_along), size,
-          both(usable, size >= Doubles(0x1p-400))};
+  const Doubles h = sqrt(p * p + q * q);
+  const Doubles forward = side.disc ? h : sqrt(p_along * p_along + q_along * q_along);  // of a disc the same
+  return {h, Doubles(0x1.8p-50) * size, forward, size, both(usable, size >= Doubles(0x1p-400))};
 }
 
 VESICA_INLINE Doubles offset_lanes(Doubles to0, Doubles to1, Doubles from0, Doubles from1) noexcept {
@@ -75,7 +77,7 @@ VESICA_INLINE CastVerdict cast_verdict(const CastColumns& columns, std::int32_t 
     missed = either(missed, before - whole > forward_error + Doubles(8.0) * u * whole);
   }
   missed = both(usable, missed);
-  const CastMask crosses = both(gap < -(d_error + h_error), before > forward_error);
+  const CastMask crosses = both(gap<-(d_error + h_error), before> forward_error);
   return {missed, and_not(both(usable, crosses), missed)};
 }
 

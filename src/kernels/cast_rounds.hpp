@@ -21,8 +21,7 @@ void cast_rounds(const CastColumns& columns, std::int32_t n, double* const* resu
     const EllipseLanes a = ellipse_lanes(columns.a, i), b = ellipse_lanes(columns.b, i);
     CastMask usual = both(way.plain, a.is_usual());
     if (!ray) usual = both(usual, b.is_usual());
-    const auto met =
-        detail::cast::ellipses_meeting<LaneProducts>(a, b, way.d, way.v, negated<Doubles>(usual), ray);
+    const auto met = detail::cast::ellipses_meeting<LaneProducts>(a, b, way.d, way.v, negated<Doubles>(usual), ray);
     const Doubles nx = met.normal.x.high, ny = met.normal.y.high, least(0x1p-24);
     // As detail::cast::ends_at() has it.
     if (ray) usual = both(usual, both(abs(nx) > least * abs(ny), abs(ny) > least * abs(nx)));

@@ -22,8 +22,8 @@ using TwofoldLanes = detail::arithmetic::Twofold<Doubles>;
 using VectorLanes = detail::arithmetic::Vector<Doubles>;
 using OffsetLanes = detail::cast::OffsetOf<Doubles>;
 using FloorLanes = detail::cast::Floor<Doubles>;
-using LaneProducts = std::conditional_t<detail::arithmetic::HasFused<Doubles>, detail::cast::FusedProducts,
-                                        detail::cast::SplitProducts>;
+using LaneProducts =
+    std::conditional_t<detail::arithmetic::HasFused<Doubles>, detail::cast::FusedProducts, detail::cast::SplitProducts>;
 
 /// As form::twice_offset() has it.
 VESICA_INLINE TwofoldLanes exact_offset(Doubles to0, Doubles to1, Doubles from0, Doubles from1) noexcept {

@@ -77,8 +77,8 @@ Tally tally(const vesica::KernelTable& table, int kind_a, int kind_b) {
     first.set(view(kind_a, pairs.a), block * n, n, table);
     second.set(view(kind_b, pairs.b), block * n, n, table);
     const vesica::CastColumns columns{vesica::side_columns(kind_a, first.operand()),
-                                      vesica::side_columns(kind_b, second.operand()),
-                                      pairs.vx.data() + block * n, pairs.vy.data() + block * n, 1.0};
+                                      vesica::side_columns(kind_b, second.operand()), pairs.vx.data() + block * n,
+                                      pairs.vy.data() + block * n, 1.0};
     std::uint8_t missed[n], meets[n];
     double results[5][n];
     casts.filter(columns, n, {missed, meets});

@@ -160,8 +160,7 @@ VESICA_INLINE Tail<V> tail(const CurveOf<V>& e, V s) noexcept {
 /// last of them, and those in which nothing is asked, `idle`, do not count.
 template <class V>
 VESICA_INLINE int maximum_of_two(const CurveOf<V>& a, const CurveOf<V>& b, V gap, MaskOf<V> idle, V& s) noexcept {
-  const V sum = a.reach + b.reach, share = V(1.0) - gap / sum,
-          far = share / sqrt((gap / sum) * (V(1.0) + share));
+  const V sum = a.reach + b.reach, share = V(1.0) - gap / sum, far = share / sqrt((gap / sum) * (V(1.0) + share));
   const V at_a = a.s + a.width() * far, at_b = b.s + b.width() * far;
   V low = min(at_a, at_b), high = max(at_a, at_b);
   const V weight_a = a.al / sqrt(a.de), weight_b = b.al / sqrt(b.de);
@@ -174,13 +173,14 @@ VESICA_INLINE int maximum_of_two(const CurveOf<V>& a, const CurveOf<V>& b, V gap
     const V rest = ta.rest + tb.rest, bend = ta.bend + tb.bend;
     const MaskOf<V> above = rest > gap;
     low = foreseen(above, old, [&] { return low; });
-    high = foreseen(above, [&] { return high; }, old);
+    high = foreseen(
+        above, [&] { return high; }, old);
     V next = s + V(2.0) * rest * (rest - gap) / ((sqrt(rest * gap) + gap) * bend);
     const auto newton = [&] { return next; };
     const auto middle = [&] { return V(0.5) * (low + high); };
     next = foreseen(both(next >= low, next <= high), newton, middle);
-    const MaskOf<V> done = either(abs(next - s) <= V(0x1p-28) * min(ta.h / a.reach, tb.h / b.reach),
-                                  nearest::negated<V>(low < high));
+    const MaskOf<V> done =
+        either(abs(next - s) <= V(0x1p-28) * min(ta.h / a.reach, tb.h / b.reach), nearest::negated<V>(low < high));
     s = foreseen(idle, old, newton);
     idle = either(idle, done);
     if (all(idle)) break;

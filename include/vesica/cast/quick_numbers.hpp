@@ -24,7 +24,7 @@ struct Floor {
 template <class V>
 VESICA_INLINE Floor<V> floor_of(const Twofold<V>& time, V error) noexcept {
   const Twofold<V> x = arithmetic::renormalised(time);
-  const auto certain = both(both(error < V(0x1p-56) * x.high, abs(x.low) > error), x.high <= V(0x1p100));
+  const auto certain = both(both(error<V(0x1p-56) * x.high, abs(x.low)> error), x.high <= V(0x1p100));
   if constexpr (std::is_same_v<V, double>) {
     return {std::bit_cast<double>(std::bit_cast<std::uint64_t>(x.high) - static_cast<std::uint64_t>(x.low < 0)),
             certain};

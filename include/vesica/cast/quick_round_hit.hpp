@@ -259,8 +259,8 @@ VESICA_INLINE Quick quick_hit(const Circle<double>& a, const Circle<double>& b, 
 template <class Products>
 VESICA_INLINE Quick quick_hit(const Ellipse<double>& a, const Point<double>& b, const Motion& v,
                               Impact<double>& out) noexcept {
-  return round_hit<Products>(QuickEllipse<double>{a.ux, a.uy, a.a, a.b}, exact_offset(b.x, b.y, a.cx, a.cy), v, a.cx, a.cy,
-                             out);
+  return round_hit<Products>(QuickEllipse<double>{a.ux, a.uy, a.a, a.b}, exact_offset(b.x, b.y, a.cx, a.cy), v, a.cx,
+                             a.cy, out);
 }
 
 /// Of two ellipses there is no root to go to. T(n) at the n found is a lower bound of the time, and what the slope there,
@@ -300,8 +300,8 @@ struct QuickMeeting {
 /// idle: where nothing is asked. is_point: whether b is a point, whose numbers are 0.
 template <class Products, class V>
 VESICA_INLINE QuickMeeting<V> ellipses_meeting(const QuickEllipse<V>& a, const QuickEllipse<V>& b,
-                                               const arithmetic::Vector<V>& d, const OffsetOf<V>& v,
-                                               MaskOf<V> idle, bool is_point) noexcept {
+                                               const arithmetic::Vector<V>& d, const OffsetOf<V>& v, MaskOf<V> idle,
+                                               bool is_point) noexcept {
   const auto along = plain_factor<Products>(v.x, v.y);
   const auto to = Products::factor(d);
   const Twofold<V> w = arithmetic::renormalised(cross(along, to));
