@@ -123,4 +123,18 @@ TEST(Circles, PassNoInvalidShape) {
   }
 }
 
+/// The squared axis loses its x by underflow, which the half length would make a reach of 2^-40.
+TEST(Circles, LeaveWhatUnderflowsTooMuch) {
+  const Ellipse<double> flat{0, 0, 0x1p-540, 1, 0x1p500, 0x1p-48}, small{0, 0, 1, 0, 0x1p-48, 0x1p-48};
+  EXPECT_FALSE(detail::overlap::filter(flat, small).disjoint);
+  EXPECT_FALSE(detail::overlap::filter(small, flat).disjoint);
+  EXPECT_EQ(overlap_or_error(flat, small), 1);
+  for (int e = -1000; e <= 1000; e += 8) {
+    const Ellipse<double> thin{0, 0, std::ldexp(1.0, e), 1, 0x1p300, 0x1p-48};
+    const Circle<double> disc{0x1p-49, 0, 0x1p-48};
+    EXPECT_FALSE(detail::overlap::filter(thin, small).disjoint) << e;
+    EXPECT_FALSE(detail::overlap::filter(disc, thin).disjoint) << e;
+  }
+}
+
 }  // namespace
