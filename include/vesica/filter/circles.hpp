@@ -21,6 +21,16 @@ VESICA_INLINE constexpr bool circles_apart(double distance, double about, bool u
   return both(usable, both(distance > (2 + slack) * about, distance <= finite));
 }
 
+/// For what is left in the end, of magnitudes that only comparisons of squares bear: do circles within two shapes overlap? p and q
+/// are their squared radii: (p + q)^2 >= 3 p^2 + q^2 of radii p <= q. `sum`: infinite if a size or an axis is; none is NaN.
+VESICA_INLINE constexpr Verdict<bool> circles_meet(const Centre<double>& d, double p, double q, double sum,
+                                                   bool usable) noexcept {
+  const double distance = d.x * d.x + d.y * d.y;
+  constexpr double finite = std::numeric_limits<double>::max(), slack = 0x1p-40;
+  const bool meet = distance <= (1 - slack) * ((p + q) + 2 * min(p, q));
+  return {both(both(usable, distance + sum <= finite), meet), false};
+}
+
 /// By ellipses about the first shape's centre; D is the other's.
 ///
 /// Along a unit vector n shapes reach h and k, with h^2 = n.S n, k^2 = n.T n, and D is in their sum iff n.D <= h + k for all n.

@@ -122,6 +122,14 @@ VESICA_INLINE constexpr Verdict<bool> look_at_ellipses(const Ellipse<double>& e,
                      0x1p-40 * ((qx + qy) + squares), 0x1p600, usable);
 }
 
+VESICA_COLD constexpr Verdict<bool> circles_within_meet(const Ellipse<double>& e, const Ellipse<double>& f) noexcept {
+  const double vv = e.ux * e.ux + e.uy * e.uy, ww = f.ux * f.ux + f.uy * f.uy;
+  const double a0 = e.a * e.a, a1 = e.b * e.b, b0 = f.a * f.a, b1 = f.b * f.b;
+  const Centre<double> d = offset(place(e), place(f));
+  return circles_meet(d, min(a0, a1) * vv, min(b0, b1) * ww, max(a0, a1) * vv + max(b0, b1) * ww,
+                      at_least(0x1p-48, e.a, e.b, f.a, f.b, vv, ww));
+}
+
 template <class V>
 VESICA_INLINE constexpr auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy, ww = f.ux * f.ux + f.uy * f.uy;
@@ -135,7 +143,14 @@ VESICA_INLINE constexpr auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<
   }
   const ContactCubic<V> p = contact_cubic(e, f, d, vv, ww);
   const auto verdict = decide(p);
-  return guarded(ellipse_ellipse_usable(p, e, f, vv, ww), verdict.overlap, verdict.disjoint);
+  const auto answer = guarded(ellipse_ellipse_usable(p, e, f, vv, ww), verdict.overlap, verdict.disjoint);
+  if constexpr (looks<V>) {
+    // One comparison: which of the two it is could not be predicted.
+    const Estimate<V> least = least_value(p);
+    if (!both(ellipse_ellipse_usable(p, e, f, vv, ww), abs(least.value) > least.error))
+      return circles_within_meet(e, f);
+  }
+  return answer;
 }
 
 /// Circle and ellipse: the same cubic with x = t / r^2, times r^2, is monic:
@@ -173,6 +188,12 @@ VESICA_INLINE constexpr Verdict<bool> look_at_ellipses(const Circle<double>& dis
                      usable);
 }
 
+VESICA_COLD constexpr Verdict<bool> circles_within_meet(const Circle<double>& disc, const Ellipse<double>& e) noexcept {
+  const double vv = e.ux * e.ux + e.uy * e.uy, aa = e.a * e.a, bb = e.b * e.b, rr = disc.r * disc.r;
+  return circles_meet(offset(place(disc), place(e)), rr, min(aa, bb) * vv, rr + max(aa, bb) * vv,
+                      both(at_least(0x1p-64, e.a, e.b, disc.r), vv >= 0x1p-128));
+}
+
 /// Guard: radius and half lengths at least 2^-8 and the squared axis 2^-16 (double: the 8th powers), so that
 /// r^2 P Q >= 2^-80 stays normal.
 template <class V>
@@ -189,7 +210,12 @@ VESICA_INLINE constexpr auto circle_ellipse(const Circle<V>& disc, const Ellipse
   }
   const ContactCubic<V> p = contact_cubic(disc, e, d, vv);
   const auto verdict = decide(p);
-  return guarded(both(sizes, totals_in_range(p)), verdict.overlap, verdict.disjoint);
+  const auto answer = guarded(both(sizes, totals_in_range(p)), verdict.overlap, verdict.disjoint);
+  if constexpr (looks<V>) {
+    const Estimate<V> least = least_value(p);
+    if (!both(both(sizes, totals_in_range(p)), abs(least.value) > least.error)) return circles_within_meet(disc, e);
+  }
+  return answer;
 }
 
 }  // namespace vesica::filter
