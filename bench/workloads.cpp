@@ -177,6 +177,22 @@ Pool lattice(double parts, std::uint64_t seed) {
   });
 }
 
+/// On the middle of the segment, which is the second shape; of a segment and an AABB the first.
+Pool incident(Kinds kinds, std::uint64_t seed) {
+  Random random(seed);
+  const auto coordinate = [&] { return 8 * random.integer(-0x1p48, 0x1p48); };
+  return matched(pool_size, [&] {
+    const double x0 = coordinate(), y0 = coordinate(), x1 = coordinate(), y1 = coordinate();
+    const Numbers segment{x0, y0, x1, y1};
+    Numbers other{(x0 + x1) / 2, (y0 + y1) / 2, coordinate(), coordinate()};
+    if (kinds.b != VESICA_AABB) return Pair(other, segment);
+    for (const std::size_t i : {0, 1}) {
+      if (other[i] > other[i + 2]) std::swap(other[i], other[i + 2]);
+    }
+    return Pair(segment, other);
+  });
+}
+
 Pool tangent(Kinds kinds, std::uint64_t seed) {
   Random random(seed);
   return matched(exact_pool_size, [&] {
@@ -240,6 +256,8 @@ const char* name_of(Workload workload) {
       return "pixels";
     case Workload::hundredths:
       return "hundredths";
+    case Workload::incident:
+      return "incident";
     case Workload::tangent:
       return "tangent";
     case Workload::last_ulp:
@@ -265,6 +283,8 @@ bool has_workload(std::int32_t kind_a, std::int32_t kind_b, Workload workload) {
     case Workload::pixels:
     case Workload::hundredths:
       return kind_a == VESICA_RECT && kind_b == VESICA_RECT;
+    case Workload::incident:
+      return kind_b == VESICA_SEGMENT || (kind_a == VESICA_SEGMENT && kind_b == VESICA_AABB);
     case Workload::tangent:
     case Workload::exponents:
       return kind_a >= VESICA_RECT && kind_b >= VESICA_RECT;
@@ -291,6 +311,8 @@ Pool make_pool(std::int32_t kind_a, std::int32_t kind_b, Workload workload, std:
       return lattice(1, seed);
     case Workload::hundredths:
       return lattice(100, seed);
+    case Workload::incident:
+      return incident(kinds, seed);
     case Workload::tangent:
       return tangent(kinds, seed);
     case Workload::last_ulp:

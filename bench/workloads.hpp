@@ -19,6 +19,7 @@ enum class Workload {
   near,        ///< pairs moved along a line until they touch, then apart or together by 1e-6 of the distance
   pixels,      ///< unit squares at whole coordinates that touch along an edge or at a corner
   hundredths,  ///< the same at multiples of 0.01, which are rounded: they touch, miss or overlap by a place
+  incident,    ///< a point, a segment's end or a box's corner on a segment exactly, of numbers of 52 digits
   tangent,     ///< integers that touch exactly: no bound on an error can decide
   last_ulp,    ///< pairs within the last unit in the last place of touching, all mantissas full
   exponents,   ///< random exponents over the whole finite range, a field each; the slowest few of many

@@ -24,7 +24,9 @@ bool add() {
     return true;
   } else {
     const bool is_round = a == VESICA_CIRCLE && b == VESICA_ELLIPSE;
-    return add_rates<f64, yardstick<f64>, f32, yardstick<f32>>(is_round ? ratio_at_most(0.6) : nanoseconds_above(2.5));
+    return add_rates<f64, yardstick<f64>, f32, yardstick<f32>>(is_round ? ratio_at_most(0.6)
+                                                                        : nanoseconds_above(2.5)) &&
+           add_rows<f64>({{Workload::incident, nanoseconds_at_most(40)}});
   }
 }
 

@@ -40,6 +40,13 @@ TEST(Workloads, EveryPairHasItsHitRates) {
   }
 }
 
+TEST(Workloads, IncidentPairsMeet) {
+  for (const auto& [a, b] : {std::pair(VESICA_POINT, VESICA_SEGMENT), std::pair(VESICA_SEGMENT, VESICA_SEGMENT),
+                             std::pair(VESICA_SEGMENT, VESICA_AABB)}) {
+    EXPECT_EQ(hit_rate(a, b, make_pool(a, b, Workload::incident, seed_of_run())), 1.0);
+  }
+}
+
 // They touch, and one that shrinks by the least there is no longer does: so they touch exactly and from outside.
 TEST(Workloads, TangentPairsTouchExactly) {
   for (const auto& [a, b] : {std::pair(VESICA_RECT, VESICA_RECT), std::pair(VESICA_RECT, VESICA_ELLIPSE),

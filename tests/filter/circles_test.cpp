@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The look at circles before the filter of round shapes: what it decides is what exact arithmetic decides, at the very
-// distances where it begins to decide; it does decide there; and no invalid shape passes.
+// The look at circles and ellipses before the filter of round shapes: what it decides is what exact arithmetic decides, at the
+// very distances where it begins to decide; it does decide there; and no invalid shape passes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,26 +45,47 @@ void place_at_edge(const A& a, Ellipse<double>& b, bool apart, double by) {
   b.cy = a.cy + (1 + by) * edge * std::sin(angle);
 }
 
+/// The matrix of the squared reach.
+struct Reach {
+  double xx, yy, xy;
+};
+Reach reach(const Ellipse<double>& e) {
+  const double a = e.a * e.a, b = e.b * e.b;
+  return {a * e.ux * e.ux + b * e.uy * e.uy, a * e.uy * e.uy + b * e.ux * e.ux, (a - b) * e.ux * e.uy};
+}
+Reach reach(const Circle<double>& c) { return {c.r * c.r, c.r * c.r, 0}; }
+
+/// The same at the edges of the ellipses about and within the sum of the two.
+template <class A>
+void place_at_edge_of_ellipse(const A& a, Ellipse<double>& b, bool apart, double by) {
+  const Reach s = reach(a), t = reach(b);
+  const double m = apart ? 0 : 2 * std::pow(std::fmin(radii(a).inner, radii(b).inner), 2);
+  const double xx = s.xx + t.xx + m, yy = s.yy + t.yy + m, xy = s.xy + t.xy;
+  const double angle = between(0, 6.3), x = std::cos(angle), y = std::sin(angle);
+  const double edge = std::sqrt((apart ? 2 : 1) * (xx * yy - xy * xy) / (yy * x * x + xx * y * y - 2 * xy * x * y));
+  b.cx = a.cx + (1 + by) * edge * x;
+  b.cy = a.cy + (1 + by) * edge * y;
+}
+
 template <class A, class MakeA>
 void attack(const MakeA& make_a) {
-  int apart = 0, together = 0;
-  for (int i = 0; i < 60000; ++i) {
+  int apart = 0, together = 0, apart_by_ellipse = 0, together_by_ellipse = 0;
+  for (int i = 0; i < 120000; ++i) {
     const int exponent = i % 3 == 0 ? 3 : 40;
     const A a = make_a(exponent);
     Ellipse<double> b = random_ellipse(exponent);
-    const bool at_apart = i % 2 == 0;
+    const bool at_apart = i % 2 == 0, at_ellipse = i % 4 >= 2;
     const double by = std::ldexp(between(-1, 1), -static_cast<int>(between(5, 52)));
-    place_at_edge(a, b, at_apart, by);
+    at_ellipse ? place_at_edge_of_ellipse(a, b, at_apart, by) : place_at_edge(a, b, at_apart, by);
     if (check(a) != 0 || check(b) != 0) continue;
     const auto verdict = detail::overlap::filter(a, b);
     const bool truth = detail::overlap::exact(a, b);
     ASSERT_FALSE(verdict.overlap && !truth) << "pair " << i;
     ASSERT_FALSE(verdict.disjoint && truth) << "pair " << i;
-    if (at_apart && by > 0x1p-38) apart += verdict.disjoint;
-    if (!at_apart && by < -0x1p-38) together += verdict.overlap;
+    if (at_apart && by > 0x1p-30) (at_ellipse ? apart_by_ellipse : apart) += verdict.disjoint;
+    if (!at_apart && by < -0x1p-30) (at_ellipse ? together_by_ellipse : together) += verdict.overlap;
   }
-  EXPECT_GT(apart, 7000);
-  EXPECT_GT(together, 7000);
+  for (const int decided : {apart, together, apart_by_ellipse, together_by_ellipse}) EXPECT_GT(decided, 5000);
 }
 
 TEST(Circles, DecideAsExactArithmeticDoes) {
@@ -99,6 +120,20 @@ TEST(Circles, PassNoInvalidShape) {
     expect_undecided(far, near);
     expect_undecided(Circle<double>{x, 0, 1}, near);
     EXPECT_EQ(overlap_or_error(near, Ellipse<double>{x, 0, 0, 0, 2, 1}), error_shape);
+  }
+}
+
+/// The squared axis loses its x by underflow, which the half length would make a reach of 2^-40.
+TEST(Circles, LeaveWhatUnderflowsTooMuch) {
+  const Ellipse<double> flat{0, 0, 0x1p-540, 1, 0x1p500, 0x1p-48}, small{0, 0, 1, 0, 0x1p-48, 0x1p-48};
+  EXPECT_FALSE(detail::overlap::filter(flat, small).disjoint);
+  EXPECT_FALSE(detail::overlap::filter(small, flat).disjoint);
+  EXPECT_EQ(overlap_or_error(flat, small), 1);
+  for (int e = -1000; e <= 1000; e += 8) {
+    const Ellipse<double> thin{0, 0, std::ldexp(1.0, e), 1, 0x1p300, 0x1p-48};
+    const Circle<double> disc{0x1p-49, 0, 0x1p-48};
+    EXPECT_FALSE(detail::overlap::filter(thin, small).disjoint) << e;
+    EXPECT_FALSE(detail::overlap::filter(disc, thin).disjoint) << e;
   }
 }
 

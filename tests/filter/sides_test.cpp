@@ -117,7 +117,8 @@ TEST(Sides, DecideIntegersOfAnyLength) {
 TEST(Sides, DecideNumbersOfAllDigits) {
   Random random(properties::seed());
   Counts counts;
-  for (int i = 0; i < 4000 * properties::repeat(); ++i) ask_all(moved(anywhere(1, 0, random), random), 1, random, counts);
+  for (int i = 0; i < 4000 * properties::repeat(); ++i)
+    ask_all(moved(anywhere(1, 0, random), random), 1, random, counts);
   EXPECT_EQ(counts.wrong, 0);
   EXPECT_GT(counts.near, counts.asked * 9 / 10);
   EXPECT_GT(counts.far, counts.asked * 999 / 1000);
@@ -187,13 +188,14 @@ TEST(Sides, LeaveInvalidShapes) {
   const Aabb<double> box{0.5, 0.5, 1, 1};
   EXPECT_TRUE(decided(p, s) && decided(s, s) && decided(s, box));
   for (const double bad : {nan, inf, -inf, -nan}) {
-    for (const auto& wrong : {Segment<double>{bad, 0, 1, 1}, Segment<double>{0, bad, 1, 1}, Segment<double>{0, 0, bad, 1},
-                              Segment<double>{0, 0, 1, bad}, Segment<double>{bad, bad, bad, bad}}) {
+    for (const auto& wrong :
+         {Segment<double>{bad, 0, 1, 1}, Segment<double>{0, bad, 1, 1}, Segment<double>{0, 0, bad, 1},
+          Segment<double>{0, 0, 1, bad}, Segment<double>{bad, bad, bad, bad}}) {
       EXPECT_FALSE(decided(p, wrong) || decided(s, wrong) || decided(wrong, s) || decided(wrong, box));
     }
     EXPECT_FALSE(decided(Point<double>{bad, 0.5}, s) || decided(Point<double>{0.5, bad}, s));
-    for (const auto& wrong :
-         {Aabb<double>{bad, 0, 1, 1}, Aabb<double>{0, bad, 1, 1}, Aabb<double>{0, 0, bad, 1}, Aabb<double>{0, 0, 1, bad}}) {
+    for (const auto& wrong : {Aabb<double>{bad, 0, 1, 1}, Aabb<double>{0, bad, 1, 1}, Aabb<double>{0, 0, bad, 1},
+                              Aabb<double>{0, 0, 1, bad}}) {
       EXPECT_FALSE(decided(s, wrong));
     }
   }

@@ -105,19 +105,52 @@ VESICA_INLINE constexpr auto ellipse_ellipse_usable(const ContactCubic<V>& p, co
   return both(at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww), totals_in_range(p));
 }
 
+/// Q = (xx, xy; xy, yy): xx and yy err by 5u of themselves, xy by 6u of sums of magnitudes, whose square is at most xx yy
+/// (Cauchy and Schwarz). So the distance errs by 23u (qx + qy), det Q by 25u xx yy. As m <= xx and m <= yy, what has it errs by
+/// 10u (qx + qy) + 36u xx yy: together less than 100u of either. xx and yy are at least 2^-144, and where xx yy <= 2^640, squares
+/// of half lengths at most 2^832: what underflows loses less than 2^-242 of an entry.
+VESICA_INLINE constexpr Verdict<bool> look_at_ellipses(const Ellipse<double>& e, const Ellipse<double>& f,
+                                                       const Centre<double>& d, double vv, double ww,
+                                                       bool usable) noexcept {
+  const double a0 = e.a * e.a, a1 = e.b * e.b, b0 = f.a * f.a, b1 = f.b * f.b;
+  const double dxx = d.x * d.x, dyy = d.y * d.y, square = dxx + dyy;
+  const double exx = e.ux * e.ux, eyy = e.uy * e.uy, fxx = f.ux * f.ux, fyy = f.uy * f.uy;
+  const double xx = (a0 * exx + a1 * eyy) + (b0 * fxx + b1 * fyy), yy = (a0 * eyy + a1 * exx) + (b0 * fyy + b1 * fxx);
+  const double xy = (a0 - a1) * (e.ux * e.uy) + (b0 - b1) * (f.ux * f.uy);
+  const double qx = yy * dxx, qy = xx * dyy, squares = xx * yy, m = 2 * min(min(a0, a1) * vv, min(b0, b1) * ww);
+  return by_ellipses((qx + qy) - 2 * (xy * (d.x * d.y)), squares - xy * xy, m * (((xx + yy) + m) - square),
+                     0x1p-40 * ((qx + qy) + squares), 0x1p600, usable);
+}
+
+VESICA_COLD constexpr Verdict<bool> circles_within_meet(const Ellipse<double>& e, const Ellipse<double>& f) noexcept {
+  const double vv = e.ux * e.ux + e.uy * e.uy, ww = f.ux * f.ux + f.uy * f.uy;
+  const double a0 = e.a * e.a, a1 = e.b * e.b, b0 = f.a * f.a, b1 = f.b * f.b;
+  const Centre<double> d = offset(place(e), place(f));
+  return circles_meet(d, min(a0, a1) * vv, min(b0, b1) * ww, max(a0, a1) * vv + max(b0, b1) * ww,
+                      at_least(0x1p-48, e.a, e.b, f.a, f.b, vv, ww));
+}
+
 template <class V>
 VESICA_INLINE constexpr auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy, ww = f.ux * f.ux + f.uy * f.uy;
   const Centre<V> d = offset(place(e), place(f));
   if constexpr (looks<V>) {
-    const V a0 = e.a * e.a, a1 = e.b * e.b, b0 = f.a * f.a, b1 = f.b * f.b;
     const bool usable = at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww);
-    const auto look = by_circles(d, circles(a0, a1, vv), circles(b0, b1, ww), (a0 + a1) + (b0 + b1), usable);
+    const V outer_e = max(e.a * e.a, e.b * e.b) * vv, outer_f = max(f.a * f.a, f.b * f.b) * ww;
+    if (circles_apart(d.x * d.x + d.y * d.y, outer_e + outer_f, usable)) return Verdict<bool>{false, true};
+    const auto look = look_at_ellipses(e, f, d, vv, ww, usable);
     if (look.overlap || look.disjoint) return look;
   }
   const ContactCubic<V> p = contact_cubic(e, f, d, vv, ww);
   const auto verdict = decide(p);
-  return guarded(ellipse_ellipse_usable(p, e, f, vv, ww), verdict.overlap, verdict.disjoint);
+  const auto answer = guarded(ellipse_ellipse_usable(p, e, f, vv, ww), verdict.overlap, verdict.disjoint);
+  if constexpr (looks<V>) {
+    // One comparison: which of the two it is could not be predicted.
+    const Estimate<V> least = least_value(p);
+    if (!both(ellipse_ellipse_usable(p, e, f, vv, ww), abs(least.value) > least.error))
+      return circles_within_meet(e, f);
+  }
+  return answer;
 }
 
 /// Circle and ellipse: the same cubic with x = t / r^2, times r^2, is monic:
@@ -142,6 +175,25 @@ VESICA_INLINE constexpr ContactCubic<V> contact_cubic(const Circle<V>& disc, con
   return pencil(disc, e, d, vv).contact;
 }
 
+/// Along the ellipse's axes Q is diagonal, p and q: it errs by 4u of itself, coordinates times |v| by 3u |v| |D|, so x0^2 q and
+/// x1^2 p by less than 10u (x0^2 + x1^2) (p + q). Errors of the rest are as in look_at_ellipses(). p and q are at least 2^-128,
+/// and where V p q <= 2^340, at most 2^596: what underflows loses less than 2^-478 beside V p q >= 2^-384.
+VESICA_INLINE constexpr Verdict<bool> look_at_ellipses(const Circle<double>& disc, const Ellipse<double>& e,
+                                                       const Centre<double>& d, double vv, bool usable) noexcept {
+  const double aa = e.a * e.a, bb = e.b * e.b, rr = disc.r * disc.r;
+  const double x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x, xx = x0 * x0, yy = x1 * x1;
+  const double p = aa * vv + rr, q = bb * vv + rr, sum = p + q, m = 2 * min(rr, min(aa, bb) * vv);
+  const double square = xx + yy, det = vv * (p * q);
+  return by_ellipses(xx * q + yy * p, det, m * (vv * (sum + m) - square), 0x1p-40 * (square * sum + det), 0x1p300,
+                     usable);
+}
+
+VESICA_COLD constexpr Verdict<bool> circles_within_meet(const Circle<double>& disc, const Ellipse<double>& e) noexcept {
+  const double vv = e.ux * e.ux + e.uy * e.uy, aa = e.a * e.a, bb = e.b * e.b, rr = disc.r * disc.r;
+  return circles_meet(offset(place(disc), place(e)), rr, min(aa, bb) * vv, rr + max(aa, bb) * vv,
+                      both(at_least(0x1p-64, e.a, e.b, disc.r), vv >= 0x1p-128));
+}
+
 /// Guard: radius and half lengths at least 2^-8 and the squared axis 2^-16 (double: the 8th powers), so that
 /// r^2 P Q >= 2^-80 stays normal.
 template <class V>
@@ -151,13 +203,19 @@ VESICA_INLINE constexpr auto circle_ellipse(const Circle<V>& disc, const Ellipse
   const auto sizes = both(at_least(low, e.a, e.b, disc.r), vv >= guard_power<V, -16>());
   const Centre<V> d = offset(place(disc), place(e));
   if constexpr (looks<V>) {
-    const V aa = e.a * e.a, bb = e.b * e.b, rr = disc.r * disc.r;
-    const auto look = by_circles(d, {rr, rr}, circles(aa, bb, vv), aa + bb, sizes);
+    const V about = disc.r * disc.r + max(e.a * e.a, e.b * e.b) * vv;
+    if (circles_apart(d.x * d.x + d.y * d.y, about, sizes)) return Verdict<bool>{false, true};
+    const auto look = look_at_ellipses(disc, e, d, vv, sizes);
     if (look.overlap || look.disjoint) return look;
   }
   const ContactCubic<V> p = contact_cubic(disc, e, d, vv);
   const auto verdict = decide(p);
-  return guarded(both(sizes, totals_in_range(p)), verdict.overlap, verdict.disjoint);
+  const auto answer = guarded(both(sizes, totals_in_range(p)), verdict.overlap, verdict.disjoint);
+  if constexpr (looks<V>) {
+    const Estimate<V> least = least_value(p);
+    if (!both(both(sizes, totals_in_range(p)), abs(least.value) > least.error)) return circles_within_meet(disc, e);
+  }
+  return answer;
 }
 
 }  // namespace vesica::filter

@@ -47,8 +47,8 @@ VESICA_INLINE constexpr Integer64 operator-(Integer64 a, Integer64 b) noexcept {
 VESICA_INLINE constexpr Residue128 operator*(Integer64 a, Integer64 b) noexcept {
   const auto p = static_cast<std::uint64_t>(a.n), q = static_cast<std::uint64_t>(b.n);
   const exact::detail::LimbPair product = exact::detail::multiply_add(p, q, 0, 0);
-  return {product.low, product.high - (static_cast<std::uint64_t>(a.n >> 63) & q) -
-                           (static_cast<std::uint64_t>(b.n >> 63) & p)};
+  return {product.low,
+          product.high - (static_cast<std::uint64_t>(a.n >> 63) & q) - (static_cast<std::uint64_t>(b.n >> 63) & p)};
 }
 
 /// Numbers as multiples of a power of two, G, chosen such that the greatest is from 2^(digits - 1) G to 2^digits G.

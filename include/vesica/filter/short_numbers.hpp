@@ -124,7 +124,7 @@ requires is_straight<B> VESICA_INLINE constexpr Verdict<bool> short_numbers(cons
 /// Pairs for which this is quicker than error_free().
 template <class A, class B>
 concept HasShortNumbers = HasErrorFree<A, B> && !HasSides<A, B> &&
-    ((is_straight<A> && is_straight<B>) || (is_disc<A> && is_straight<B> && !is_aabb<B>) ||
-     (is_straight<A> && is_disc<B> && !is_point<A>));
+                          ((is_straight<A> && is_straight<B>) || (is_disc<A> && is_straight<B> && !is_aabb<B>) ||
+                           (is_straight<A> && is_disc<B> && !is_point<A>));
 
 }  // namespace vesica::filter

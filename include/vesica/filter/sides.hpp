@@ -124,6 +124,8 @@ VESICA_INLINE constexpr Verdict<bool> by_sides(const Segment<double>& s, const A
 
 /// Pairs that by_sides() knows.
 template <class A, class B>
-concept HasSides = requires(const A& a, const B& b) { by_sides<NearUnit>(a, b); };
+concept HasSides = requires(const A& a, const B& b) {
+  by_sides<NearUnit>(a, b);
+};
 
 }  // namespace vesica::filter
