@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "area/crossing_count.hpp"
+#include "crossings/crossing_count.hpp"
 #include "area/reference.hpp"
 #include "hammer/exact_stage.hpp"
 #include "hammer/laws.hpp"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "area/crossing_count.hpp"
+#include "crossings/crossing_count.hpp"
 #include "area/reference.hpp"
 #include "properties/generators.hpp"
 

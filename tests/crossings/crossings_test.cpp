@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "area/crossing_count.hpp"
+#include "crossings/crossing_count.hpp"
 #include "area/hard_pairs.hpp"
 #include "area/reference.hpp"
 #include "properties/generators.hpp"
