@@ -234,4 +234,30 @@ TYPED_TEST(ErrorOrder, OfOneShapeOrArray) {
   }
 }
 
+/// Of an index, and a shape to look for in it without its sets.
+TYPED_TEST(ErrorOrder, OfAnIndex) {
+  using T = TypeParam;
+  using F = Face<T>;
+  alignas(64) static unsigned char index[1 << 17], built[1 << 17], scratch[1 << 19];
+  ASSERT_LE(vesica_index_size(1), std::int64_t{sizeof index});
+  ASSERT_LE(vesica_index_scratch(1), std::int64_t{sizeof scratch});
+  const auto set = operand<T>(false, false, false);
+  ASSERT_GT(F::index_build(set.array(), 1, built, sizeof built, scratch, sizeof scratch), 0);
+  for (unsigned chosen = 1; chosen <= all; ++chosen) {
+    const auto has = [chosen](Fault fault) { return (chosen & fault) != 0; };
+    for (const bool no_output : {false, true}) {
+      const bool null = has(null_pointer), wrong = has(bad_argument);
+      const auto one = operand<T>(null && !no_output, has(unknown_kind), has(invalid_shape));
+      void* const to = null && no_output ? nullptr : index;
+      EXPECT_EQ(F::index_build(one.array(), 1, to, wrong ? 1 : sizeof index, scratch, sizeof scratch), first_of(chosen))
+          << chosen;
+      std::int64_t item, state[4] = {};
+      EXPECT_EQ(
+          F::index_select(built, nullptr, wrong ? 1 : 0, one.array(), null && no_output ? nullptr : &item, 1, state),
+          first_of(chosen))
+          << chosen;
+    }
+  }
+}
+
 }  // namespace
