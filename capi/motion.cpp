@@ -196,7 +196,7 @@ struct Moving {
     t = static_cast<double>(moving.last.t);
     return code;
   }
-  static void foresee(const void* context, std::uint32_t item) {
+  static void prefetch(const void* context, std::uint32_t item) {
     const Moving& moving = *static_cast<const Moving*>(context);
     const index::Set& set = moving.sets.set[moving.sets.of(item)];
     for (int k = 0; k < index::fields_of[set.kind]; ++k) __builtin_prefetch(moving.place(set, k, item));
@@ -223,7 +223,7 @@ int64_t through_index(const void* from, const CShapesOf<T>* sets, int32_t set_co
   if (!index::bounds_of_item(index_kernels(), single, 0, box)) return VESICA_E_SHAPE;
   constexpr Impact<T> none = vesica::detail::cast::no_impact<T>();
   Moving<T> moving{items, body_at(view<T>(*one), 0), motion, none, none};
-  const index::Targets targets{&moving, Moving<T>::ask, Moving<T>::foresee, Moving<T>::keep};
+  const index::Targets targets{&moving, Moving<T>::ask, Moving<T>::prefetch, Moving<T>::keep};
   const index::Cast cast{from, targets, box, motion.vx, motion.vy, motion.end, items.is_float};
   return action(cast, moving);
 }

@@ -308,7 +308,8 @@ class Rows {
     block_ = checked_ = block;
     checked_.give_up = block.count / 32;
     allowance_ = few;
-    usable_ = rows >= worth_a_look && kernels_.look != nullptr && kernels_.look(checked_, space, block_size<T>);
+    usable_ = rows >= worth_checking && kernels_.check_block != nullptr &&
+              kernels_.check_block(checked_, space, block_size<T>);
   }
 
   void answer(const Unaligned<T> (&shape)[max_fields], std::uint8_t* out) noexcept {
@@ -320,7 +321,7 @@ class Rows {
   const Tally& tally() const noexcept { return answerer_.tally; }
 
  private:
-  static constexpr std::int64_t worth_a_look = 4;
+  static constexpr std::int64_t worth_checking = 4;
 
   Answerer<T> answerer_;
   Repeat repeat_;

@@ -69,11 +69,11 @@ enum Error : std::int32_t {
 /// The kind of a shape template.
 template <template <class> class Shape>
 inline constexpr Kind kind_of = Kind{-1};
-#define VESICA_KIND_OF(name, Name) \
-  template <>                      \
+#define VESICA_SET_KIND(name, Name) \
+  template <>                       \
   inline constexpr Kind kind_of<Name> = Kind::name;
-VESICA_EACH_SHAPE(VESICA_KIND_OF)
-#undef VESICA_KIND_OF
+VESICA_EACH_SHAPE(VESICA_SET_KIND)
+#undef VESICA_SET_KIND
 
 /// What a shape type is: its kind, its scalar, how many numbers it has.
 template <class Shape>

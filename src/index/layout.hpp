@@ -125,6 +125,13 @@ constexpr std::int64_t directory_bytes(std::int64_t blocks) noexcept {
 /// Functions that objects of several instruction sets call: inlined, so that none runs another's code.
 #define VESICA_INLINE [[gnu::always_inline]] inline
 
+/// Prefetches the cache lines of so many bytes: locality 3 to the first cache, 2 to the second.
+template <int locality = 3>
+VESICA_INLINE void prefetch_bytes(const void* begin, std::size_t bytes) noexcept {
+  const auto* at = static_cast<const unsigned char*>(begin);
+  for (std::size_t i = 0; i < bytes; i += 64) __builtin_prefetch(at + i, 0, locality);
+}
+
 /// An index as queries read it.
 class View {
  public:

@@ -70,10 +70,10 @@ template <class T, int Count>
 void load_records(const unsigned char* at, std::ptrdiff_t stride, int n, Fields& out) noexcept {
   int i = 0;
   for (; i + 2 <= n; i += 2, at += 2 * stride) {
-    constexpr int asked_before = 32;
+    constexpr int prefetch_distance = 32;
     // Hardware prefetchers stop at the end of a page.
-    __builtin_prefetch(at + asked_before * stride);
-    __builtin_prefetch(at + (asked_before + 1) * stride);
+    __builtin_prefetch(at + prefetch_distance * stride);
+    __builtin_prefetch(at + (prefetch_distance + 1) * stride);
     for (int k = 0; k < Count; k += 2) {
       Two<T> a, b;
       std::memcpy(&a, at + static_cast<std::size_t>(k) * sizeof(T), sizeof a);

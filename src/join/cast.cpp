@@ -162,14 +162,14 @@ class First {
     for (int i = 0; i < node_children; ++i) time[i] = is_there(node, i) ? time[i] : never;
     order.take(time, node_children, [](int i) { return static_cast<std::uint32_t>(i); });
     const std::int64_t first = number * node_children;
-    const auto foresee_child = [&](int i) {
+    const auto prefetch_child = [&](int i) {
       if (level == 0 && i < order.count && first + order.value[i] < view_.blocks()) {
-        foresee(&view_.block(first + order.value[i]), sizeof(Block) + sizeof(std::uint16_t) * 4 * block_leaves);
+        prefetch_bytes(&view_.block(first + order.value[i]), sizeof(Block) + sizeof(std::uint16_t) * 4 * block_leaves);
       }
     };
-    foresee_child(0);
+    prefetch_child(0);
     for (int i = 0; i < order.count && order.time[i] <= limit_; ++i) {
-      foresee_child(i + 1);
+      prefetch_child(i + 1);
       const std::int64_t child = first + order.value[i];
       if (level > 0) {
         visit(level - 1, child);
@@ -179,19 +179,14 @@ class First {
     }
   }
 
-  static void foresee(const void* from, std::size_t bytes) noexcept {
-    const auto* at = static_cast<const unsigned char*>(from);
-    for (std::size_t i = 0; i < bytes; i += 64) __builtin_prefetch(at + i);
-  }
-
   void visit_block(const Block& block) noexcept {
     double time[block_leaves];
     swept_.entries(leaf_sides(block), block.leaves, limit_, time);
     ByTime<block_leaves> order;
     order.take(time, block.leaves, [](int l) { return static_cast<std::uint32_t>(l); });
-    if (order.count > 0) foresee(leaves_of(block) + order.value[0], sizeof(Leaf));
+    if (order.count > 0) prefetch_bytes(leaves_of(block) + order.value[0], sizeof(Leaf));
     for (int i = 0; i < order.count && order.time[i] <= limit_; ++i) {
-      if (i + 1 < order.count) foresee(leaves_of(block) + order.value[i + 1], sizeof(Leaf));
+      if (i + 1 < order.count) prefetch_bytes(leaves_of(block) + order.value[i + 1], sizeof(Leaf));
       const auto leaf = static_cast<std::int32_t>(order.value[i]);
       visit_leaf(block.frame, leaves_of(block)[leaf], items_of_leaf(block, leaf));
     }
@@ -202,7 +197,7 @@ class First {
     swept_.entries(item_sides(frame, leaf), n, limit_, time);
     ByTime<leaf_items> order;
     order.take(time, n, [&](int i) { return leaf.item[i]; });
-    for (int i = 0; i < order.count; ++i) cast_.targets.foresee(cast_.targets.context, order.value[i]);
+    for (int i = 0; i < order.count; ++i) cast_.targets.prefetch(cast_.targets.context, order.value[i]);
     for (int i = 0; i < order.count && order.time[i] <= limit_; ++i) ask(order.value[i]);
   }
 

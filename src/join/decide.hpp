@@ -31,9 +31,9 @@ struct Columns {
 };
 
 /// Records are prefetched so many places before they are gathered, as both of a pair are at random places in memory.
-inline constexpr int asked_before = 40;
+inline constexpr int prefetch_distance = 40;
 
-inline void ask_for(const Set& set, std::int64_t item) noexcept {
+inline void prefetch(const Set& set, std::int64_t item) noexcept {
   const auto at = static_cast<std::ptrdiff_t>((item - set.first) * set.stride);
   __builtin_prefetch(set.field[0] + at);
   __builtin_prefetch(set.field[fields_of[set.kind] - 1] + at);
@@ -44,7 +44,7 @@ class FromSet {
  public:
   explicit FromSet(const Set& set) noexcept : base_(set.field[0] - set.first * set.stride), stride_(set.stride) {}
   const unsigned char* at(std::uint32_t item) noexcept { return base_ + static_cast<std::int64_t>(item) * stride_; }
-  void ask_for(std::uint32_t item, std::size_t bytes) noexcept {
+  void prefetch(std::uint32_t item, std::size_t bytes) noexcept {
     // To the second cache: the first takes few at a time.
     __builtin_prefetch(at(item), 0, 2);
     __builtin_prefetch(at(item) + bytes - 1, 0, 2);
@@ -66,7 +66,7 @@ class FromColumns {
     for (int k = 0; k < fields_of[set_.kind]; ++k) std::memcpy(to + k, place(k, item), sizeof(T));
     return reinterpret_cast<const unsigned char*>(to);
   }
-  void ask_for(std::uint32_t item, std::size_t) noexcept {
+  void prefetch(std::uint32_t item, std::size_t) noexcept {
     for (int k = 0; k < fields_of[set_.kind]; ++k) __builtin_prefetch(place(k, item), 0, 2);
   }
 
@@ -87,7 +87,7 @@ struct FromRecent {
   std::uint32_t mark;  // 0 or Recent::of_second
 
   const unsigned char* at(std::uint32_t item) noexcept { return recent.at(set, item, mark); }
-  void ask_for(std::uint32_t, std::size_t) noexcept {}
+  void prefetch(std::uint32_t, std::size_t) noexcept {}
 };
 
 /// n records to columns; `behind` so many more items follow these.
@@ -95,10 +95,10 @@ template <class T, int Fields, class From>
 void gather_records(From from, const std::uint32_t* item, int n, int behind, Columns& out) noexcept {
   int i = 0;
   for (; i + 2 <= n; i += 2) {
-    const int ahead = i + asked_before;
+    const int ahead = i + prefetch_distance;
     if (ahead + 2 <= n + behind) {
-      from.ask_for(item[ahead], Fields * sizeof(T));
-      from.ask_for(item[ahead + 1], Fields * sizeof(T));
+      from.prefetch(item[ahead], Fields * sizeof(T));
+      from.prefetch(item[ahead + 1], Fields * sizeof(T));
     }
     const unsigned char *first = from.at(item[i]), *second = from.at(item[i + 1]);
     for (int k = 0; k + 2 <= Fields; k += 2) {
@@ -176,16 +176,16 @@ void gather_columns(const Sets& sets, std::int32_t kind, const std::uint32_t* it
     }
   }
   for (int i = 0; i < n; ++i) {
-    if (i + asked_before < n + behind) {
-      const std::uint32_t ahead = item[i + asked_before];
-      ask_for(sets.set[sets.of(ahead)], ahead);
+    if (i + prefetch_distance < n + behind) {
+      const std::uint32_t ahead = item[i + prefetch_distance];
+      prefetch(sets.set[sets.of(ahead)], ahead);
     }
     const Set& set = sets.set[sets.of(item[i])];
     for (int k = 0; k < fields_of[kind]; ++k) gather_number<T>(set, k, item[i], i, out);
   }
 }
 
-/// Not inlined: where few are gathered, compilers warn of the asking ahead, which does not happen there. Where `recent`
+/// Not inlined: where few are gathered, compilers warn of the prefetches, which do not happen there. Where `recent`
 /// is given it has begun, and `mark` tells the sets apart that use it.
 [[gnu::noinline]] inline void gather_columns(const Sets& sets, std::int32_t kind, const std::uint32_t* item, int n,
                                              int behind, Columns& out, Recent* recent = nullptr,

@@ -40,7 +40,7 @@ class Search {
         if (places_.empty() || found_ + ready_count_ >= query_.k) measure_ready();
       } else {
         const Entry e = places_.pop();
-        if (!places_.empty()) ask_for_leaf(places_.least() & which_mask);
+        if (!places_.empty()) prefetch_leaf(places_.least() & which_mask);
         look_into(e & which_mask);
       }
     }
@@ -73,16 +73,11 @@ class Search {
     return static_cast<std::int64_t>(which & ((std::uint64_t{1} << number_bits) - 1));
   }
 
-  static void ask_for_lines(const void* begin, std::size_t bytes) noexcept {
-    const auto* at = static_cast<const unsigned char*>(begin);
-    for (std::size_t i = 0; i < bytes; i += 64) __builtin_prefetch(at + i);
-  }
-
   /// The leaf that will be opened next.
-  void ask_for_leaf(std::uint64_t which) const noexcept {
+  void prefetch_leaf(std::uint64_t which) const noexcept {
     if (which >> number_bits != in_leaf) return;
     const Block& block = view_.block(number_of(which) / block_leaves);
-    ask_for_lines(leaves_of(block) + number_of(which) % block_leaves, sizeof(Leaf));
+    prefetch_bytes(leaves_of(block) + number_of(which) % block_leaves, sizeof(Leaf));
   }
 
   void look_into(std::uint64_t which) noexcept {
@@ -95,7 +90,7 @@ class Search {
                 [&](int i) { note_place(bound[i], place(level - 1, number * node_children + i)); });
     } else if (level == in_block) {
       const Block& block = view_.block(number);
-      ask_for_lines(&block, 3 * 64);
+      prefetch_bytes(&block, 3 * 64);
       query_.kernels.leaf_distances(block, shape_, bound);
       each_near(bound, block.leaves, [&](int i) { note_place(bound[i], place(in_leaf, number * block_leaves + i)); });
     } else {
@@ -166,7 +161,7 @@ class Search {
     count_ = rest;
     for (int i = ready_count_; i < n; ++i) {
       const auto item = static_cast<std::uint32_t>(ready_[i]);
-      ask_for(query_.sets.set[query_.sets.of(item)], item);
+      prefetch(query_.sets.set[query_.sets.of(item)], item);
     }
     ready_count_ = n;
   }

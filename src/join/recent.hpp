@@ -32,7 +32,7 @@ class Recent {
       key_[place] = key;
     }
     for (int i = 0; i < missing; ++i) {
-      if (i + asked_before < missing) from.ask_for(missing_[i + asked_before], Bytes);
+      if (i + prefetch_distance < missing) from.prefetch(missing_[i + prefetch_distance], Bytes);
       std::memcpy(record_[place_of(missing_[i] | mark)], from.at(missing_[i]), Bytes);
     }
   }
@@ -48,7 +48,7 @@ class Recent {
   static constexpr int most_at_once = 256;
 
  private:
-  static constexpr int place_bits = 13, asked_before = 20;
+  static constexpr int place_bits = 13, prefetch_distance = 20;
   static std::uint32_t place_of(std::uint32_t key) noexcept { return (key * 0x9e3779b1u) >> (32 - place_bits); }
 
   std::uint32_t key_[1 << place_bits];  // all bits set, which is no item's, where nothing is kept

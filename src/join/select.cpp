@@ -72,8 +72,7 @@ class Selector {
     whole_list_ = listed_end_ < block_list;
     if (listed_end_ > 0) from_ = blocks_[listed_end_ - 1] + 1;
     for (std::int32_t i = 0; i < listed_end_; ++i) {
-      const auto* block = reinterpret_cast<const unsigned char*>(&view_.block(blocks_[i]));
-      for (int line = 0; line < 4; ++line) __builtin_prefetch(block + line * alignment);
+      prefetch_bytes(&view_.block(blocks_[i]), 4 * alignment);
     }
   }
 

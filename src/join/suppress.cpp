@@ -192,7 +192,7 @@ class Suppressor {
 
   void set_extents(std::int64_t begin, int n) noexcept {
     for (std::int64_t ahead = begin + chunk; ahead < std::min(begin + 2 * chunk, placed_); ++ahead) {
-      ask_for(asked_.sets.set[0], item_[ahead]);
+      prefetch(asked_.sets.set[0], item_[ahead]);
     }
     gather(asked_.sets, asked_.sets.set[0], item_ + begin, n, fields_);
     asked_.kernels.bounds(kind_, fields_, n, boxes_);

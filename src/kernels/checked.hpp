@@ -38,7 +38,7 @@ inline constexpr bool is_ellipse = kind_of<Shape> == Kind::ellipse;
 
 /// Whether the kernel may be used for the row's shape and a block of that extent, see checked_rect_ellipse.hpp.
 template <template <class> class One, template <class> class Many, class V>
-VESICA_INLINE bool askable(const One<V>& one, V extent_of_many) noexcept {
+VESICA_INLINE bool is_usable(const One<V>& one, V extent_of_many) noexcept {
   if (!all(filter::checked(one))) return false;
   if constexpr (is_ellipse<One> == is_ellipse<Many>) return true;
   const V of_rect = is_ellipse<One> ? extent_of_many : filter::extent(one);
@@ -46,14 +46,14 @@ VESICA_INLINE bool askable(const One<V>& one, V extent_of_many) noexcept {
   return all(of_rect <= V(4096.0f) * of_ellipse);
 }
 
-/// Answers a whole number of vectors of a block that look() found usable.
+/// Answers a whole number of vectors of a block that check_block() found usable.
 template <template <class> class One, template <class> class Many, class T>
 [[gnu::noinline]] BlockResult answer_checked(const Block<T>& block) noexcept {
   using V = LanesOf<T>;
   constexpr bool in_order = kind_of<One> <= kind_of<Many>;
   const Unaligned<T>* const many = in_order ? block.second : block.first;
   const One<V> one = LaneOperand<One, T, true>(in_order ? block.first : block.second).shape;
-  if (!askable<One, Many>(one, V(block.extent))) return {0, row_is_unusable};
+  if (!is_usable<One, Many>(one, V(block.extent))) return {0, row_is_unusable};
   if constexpr (is_ellipse<One> && is_ellipse<Many>) {
     return answer_whole(CheckedEllipses{}, RowOperand<filter::SquaredEllipse<V>>{filter::squared(one)},
                         LaneOperand<filter::SquaredEllipse, T, false>(many), block);
@@ -86,7 +86,7 @@ VESICA_INLINE void store_columns(T* to, std::int32_t stride, V... column) noexce
 /// extent to the block. Columns of prepared ellipses go to `space`, one every `stride` numbers, and replace the block's
 /// own.
 template <template <class> class One, template <class> class Many, class T>
-[[gnu::noinline]] bool look(Block<T>& block, T* space, std::int32_t stride) noexcept {
+[[gnu::noinline]] bool check_block(Block<T>& block, T* space, std::int32_t stride) noexcept {
   using V = LanesOf<T>;
   constexpr int prepared_columns = !is_ellipse<Many> ? 0 : is_ellipse<One> ? 2 : 4;
   Unaligned<T>* const field = kind_of<One> <= kind_of<Many> ? block.second : block.first;
@@ -113,7 +113,7 @@ template <template <class> class One, template <class> class Many, class T>
 
 template <template <class> class One, template <class> class Many, class T>
 consteval typename CheckedKernels<T>::Pair checked_pair() noexcept {
-  return {look<One, Many, T>, answer_checked<One, Many, T>};
+  return {check_block<One, Many, T>, answer_checked<One, Many, T>};
 }
 
 /// For vectors of 32 bytes and more: narrower ones were not measured.

@@ -20,7 +20,7 @@ struct Block {
   std::uint8_t* out;        // count bytes: 1 where the filter is sure of overlap, else 0
   std::int32_t* undecided;  // room for count indices, ascending
   std::int32_t give_up;     // more undecided than this, and the kernel stops: the caller then asks another way
-  T extent;                 // for checked kernels: what look() found
+  T extent;                 // for checked kernels: what check_block() found
 };
 
 struct BlockResult {
@@ -59,7 +59,7 @@ template <class T>
 struct CheckedKernels {
   struct Pair {
     /// Whether answer() may be asked; checked.hpp says what else it does.
-    bool (*look)(Block<T>& block, T* space, std::int32_t stride) noexcept;
+    bool (*check_block)(Block<T>& block, T* space, std::int32_t stride) noexcept;
     /// Returns row_is_unusable as the number of undecided pairs if it cannot take the row's shape.
     BlockKernel<T> answer;
   };

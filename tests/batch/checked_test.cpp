@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows of a matrix against a block that was looked at as a whole. What such a kernel decides must be right however near
+// Rows of a matrix against a block that was checked as a whole. What such a kernel decides must be right however near
 // to contact a pair is, whatever the sizes beside it; it must leave little undecided; and a matrix must have the same
 // bytes where it cannot be asked.
 #include <gtest/gtest.h>
@@ -33,8 +33,8 @@ auto kernels_of(const Case& c) {
 std::vector<Case> checked_cases() {
   std::vector<Case> cases;
   for (const Case& c : all_cases()) {
-    const bool has = c.scalar == properties::Scalar::f32 ? kernels_of<float>(c).look != nullptr
-                                                         : kernels_of<double>(c).look != nullptr;
+    const bool has = c.scalar == properties::Scalar::f32 ? kernels_of<float>(c).check_block != nullptr
+                                                         : kernels_of<double>(c).check_block != nullptr;
     if (has) cases.push_back(c);
   }
   return cases;
@@ -43,7 +43,7 @@ std::vector<Case> checked_cases() {
 /// What a kernel says of one shape and a block.
 template <class T>
 struct Said {
-  bool looked = false, row_taken = false;
+  bool block_taken = false, row_taken = false;
   std::vector<std::uint8_t> bytes;
   std::vector<bool> known;
 
@@ -69,8 +69,8 @@ Said<T> ask(const Case& c, const Numbers<T>& one, const std::vector<Numbers<T>>&
   block.out = said.bytes.data();
   block.undecided = list.data();
   const auto kernels = kernels_of<T>(c);
-  said.looked = kernels.look(block, space.data(), stride<T>);
-  if (!said.looked) return said;
+  said.block_taken = kernels.check_block(block, space.data(), stride<T>);
+  if (!said.block_taken) return said;
   const vesica::BlockResult result = kernels.answer(block);
   said.row_taken = result.undecided != vesica::row_is_unusable;
   if (!said.row_taken) return said;
@@ -87,7 +87,7 @@ properties::Numbers resized(properties::Numbers shape, int k) {
   return shape;
 }
 
-/// A shape that a look takes: its axis as it is made, an ellipse no thinner than 1 : 12.
+/// A shape that the check takes: its axis as it is made, an ellipse no thinner than 1 : 12.
 template <class T>
 properties::Numbers taken_shape(int kind, int spread, properties::Random& draw) {
   properties::Numbers shape = resized(unit_shape(kind, scalar_of<T>, draw), draw.integer(-spread, spread));
@@ -134,7 +134,7 @@ TEST_P(Checked, DecidesNoContactWrongly) {
       const Numbers<T> one = to_scalar<T>(a);
       const std::vector<Numbers<T>> many = at_contact<T>(c, a, 3 * c.set->lanes(T{}), spread, draw);
       const Said<T> said = ask<T>(c, one, many);
-      ASSERT_TRUE(said.looked && said.row_taken);
+      ASSERT_TRUE(said.block_taken && said.row_taken);
       for (std::size_t i = 0; i < many.size(); ++i) {
         ++asked;
         if (!said.known[i]) continue;
@@ -186,7 +186,7 @@ TEST_P(Checked, LeavesLittleUndecided) {
       int undecided = 0;
       for (const Numbers<T>& one : a) {
         const Said<T> said = ask<T>(c, one, b);
-        ASSERT_TRUE(said.looked && said.row_taken) << data.name;
+        ASSERT_TRUE(said.block_taken && said.row_taken) << data.name;
         undecided += said.undecided();
       }
       const bool too_unlike = c.kind_a != c.kind_b && data.most / data.least > 100;
@@ -246,7 +246,7 @@ TEST_P(Checked, MatrixIsRightWithOddShapes) {
 }
 
 /// Every length about one to three vectors, all at contact with the first row and none with others; as many rows as are
-/// worth a look, one fewer and more.
+/// worth the check, one fewer and more.
 TEST_P(Checked, MatrixIsRightAtEveryLength) {
   in_its_scalar([this]<class T>(T) {
     const Case& c = GetParam();

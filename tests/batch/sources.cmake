@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What the tests of batches are made of, here and on other processors (tests/cross); paths from tests/.
+# What the tests of batches are made of, here and on other processors (tests/platforms); paths from tests/.
 set(workload_sources
   properties/answers.cpp
   properties/exact_changes.cpp

@@ -15,7 +15,7 @@ namespace capi {
 template <class Struct>
 struct KindOf;
 
-#define VESICA_KIND_OF(name, Name)                                                \
+#define VESICA_SET_KIND(name, Name)                                               \
   template <>                                                                     \
   struct KindOf<vesica_##name##_f64> {                                            \
     using Scalar = double;                                                        \
@@ -26,8 +26,8 @@ struct KindOf;
     using Scalar = float;                                                         \
     static constexpr auto kind = static_cast<std::int32_t>(::vesica::Kind::name); \
   };
-VESICA_EACH_SHAPE(VESICA_KIND_OF)
-#undef VESICA_KIND_OF
+VESICA_EACH_SHAPE(VESICA_SET_KIND)
+#undef VESICA_SET_KIND
 
 /// A typed function of two shapes, as its structs and as a function of flat numbers. NULL is passed on as NULL.
 template <auto function>

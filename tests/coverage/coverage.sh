@@ -12,7 +12,7 @@ here=$root/tests/coverage
 folder=$root/build/coverage
 
 # Tests of other things than the library's own code.
-foreign='^(abi_|bench_|constexpr_|consumer|cross|cuda_docs|declarations_|demo_|description_|ffi_|figures_|flags_|header_|install'
+foreign='^(abi_|bench_|constexpr_|consumer|platforms|cuda_docs|declarations_|demo_|description_|ffi_|figures_|flags_|header_|install'
 foreign+='|.*isa_symbols|join_|lint_|oracle_|package_|readme_|run_|sanitize|subproject_)'
 # Of the library's own tests those that only `./run test --all` has.
 later=(batch_portable_test filter_fused_test invalid_shapes_every_pair_test relation_filter_fused_test)

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <utility>
 
-#include "area/crossing_count.hpp"
 #include "area/reference.hpp"
+#include "crossings/crossing_count.hpp"
 #include "hammer/exact_stage.hpp"
 #include "hammer/laws.hpp"
 #include "nearest/reference.hpp"

@@ -211,19 +211,14 @@ inline std::int32_t candidates(const Block& first, const Block& second, Meetings
   return n;
 }
 
-/// Asks for what lies in so many bytes, to the second cache: the first takes few lines at a time.
-inline void ask_for_bytes(const void* begin, std::size_t bytes) noexcept {
-  const auto* at = static_cast<const unsigned char*>(begin);
-  for (std::size_t i = 0; i < bytes; i += 64) __builtin_prefetch(at + i, 0, 2);
-}
-
 inline std::int32_t in_window(const Block& block, const GridBox& box, std::uint32_t* out) noexcept {
   const Window window(box);
   const Leaf* leaf = leaves_of(block);
   const std::uint32_t all = leaves_meeting(block, window);
   constexpr int few = 2;
   if (__builtin_popcount(all) > few) {
-    for (std::uint32_t met = all; met != 0; met &= met - 1) ask_for_bytes(leaf + __builtin_ctz(met), sizeof(Leaf));
+    // To the second cache: the first takes few lines at a time.
+    for (std::uint32_t met = all; met != 0; met &= met - 1) prefetch_bytes<2>(leaf + __builtin_ctz(met), sizeof(Leaf));
   }
   std::int32_t n = 0;
   for (std::uint32_t met = all; met != 0; met &= met - 1) {

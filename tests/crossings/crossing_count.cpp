@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "area/crossing_count.hpp"
+#include "crossings/crossing_count.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <vector>
 
-#include "area/crossing_count.hpp"
 #include "area/hard_pairs.hpp"
 #include "area/reference.hpp"
+#include "crossings/crossing_count.hpp"
 #include "properties/generators.hpp"
 #include "relation/nesting.hpp"
 

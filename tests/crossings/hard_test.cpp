@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "area/crossing_count.hpp"
 #include "area/reference.hpp"
+#include "crossings/crossing_count.hpp"
 #include "properties/generators.hpp"
 
 namespace {

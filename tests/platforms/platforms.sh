@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# cross.sh [--quick] [NAME...]: the library's answers on other processors, systems and compilers: all rows of the table
-# below, or those named. --quick: the near-tie hash, the programs in C and the index alone, not the corpus and the
-# batches. Installs what a row needs, builds under build/cross-<build>, prints each row's minutes. Exit status 0 when
-# every row passes.
+# platforms.sh [--quick] [NAME...]: the library's answers on other processors, systems and compilers: all rows of the
+# table below, or those named. --quick: the near-tie hash, the programs in C and the index alone, not the corpus and
+# the batches. Installs what a row needs, builds under build/cross-<build>, prints each row's minutes. Exit status 0
+# when every row passes.
 # shellcheck disable=SC2154,SC2317
 set -euo pipefail
 
 # shellcheck source=/dev/null
 . "$(dirname "${BASH_SOURCE[0]}")/../../run"  # root, need, CMAKE_BUILD_PARALLEL_LEVEL
-here=$root/tests/cross
+here=$root/tests/platforms
 export WINEPREFIX=${WINEPREFIX:-$root/build/wine} WINEDEBUG=${WINEDEBUG:--all}
 
 # build: a folder; rows that share one share its programs. For triplets of Debian's cross compilers it is the triplet.
@@ -240,11 +240,11 @@ main() {
     rows=$((rows + 1))
     # A fault ends the row, not the table. Nothing of a row reads the table.
     if time row </dev/null; then result=passed; else result=FAILED failures=$((failures + 1)); fi
-    printf 'cross: %-14s %s\n' "$name" $result
+    printf 'platforms: %-14s %s\n' "$name" $result
   done <<<"$table"
-  [ $rows -gt 0 ] || { echo 'cross: no such row' >&2; exit 2; }
+  [ $rows -gt 0 ] || { echo 'platforms: no such row' >&2; exit 2; }
   [ $failures = 0 ] || exit 1
-  echo "cross: $rows rows passed"
+  echo "platforms: $rows rows passed"
 }
 
 main "$@"
