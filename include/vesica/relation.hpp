@@ -37,9 +37,24 @@ inline constexpr bool is_compared = ShapeTraits<Shape>::kind == Kind::point || S
 template <class A, class B>
 inline constexpr bool are_points = ShapeTraits<A>::kind == Kind::point&& ShapeTraits<B>::kind == Kind::point;
 
+/// Overlap decides a point on a segment quickly; where on it, comparisons tell.
+template <class A, class B>
+inline constexpr bool is_told_by_overlap = ShapeTraits<A>::kind == Kind::point&& ShapeTraits<B>::kind == Kind::segment;
+
+/// Of a point to a segment that it is on.
+constexpr Relation place_on(const Segment<double>& s, const Point<double>& p) noexcept {
+  const bool at_start = p.x == s.x0 && p.y == s.y0, at_end = p.x == s.x1 && p.y == s.y1;
+  if (at_start && at_end) return Relation::equal;
+  return at_start || at_end ? Relation::inside_touch : Relation::inside;
+}
+
 /// For pairs in double, of kinds in order, that a filter left undecided.
 template <class A, class B>
 VESICA_COLD constexpr std::int32_t decide_relation(const A& a, const B& b) noexcept {
+  if constexpr (is_told_by_overlap<A, B>) {
+    const std::int32_t meets = decide_undecided(a, b);
+    return meets == 1 ? static_cast<std::int32_t>(place_on(b, a)) : meets;  // 0 is Relation::disjoint
+  }
   if (check(a) != 0 || check(b) != 0) return error_shape;
   if constexpr (is_compared<A> && is_compared<B>) {
     return static_cast<std::int32_t>(
@@ -58,7 +73,7 @@ VESICA_COLD constexpr std::int32_t decide_relation(const A<float>& a, const B<fl
 template <class A, class B>
 VESICA_COLD constexpr std::int32_t decide_containment(const A& a, const B& b, bool other_way) noexcept {
   if (check(a) != 0 || check(b) != 0) return error_shape;
-  if constexpr (is_compared<A> && is_compared<B>) {
+  if constexpr ((is_compared<A> && is_compared<B>) || is_told_by_overlap<A, B>) {
     const auto relation = static_cast<Relation>(decide_relation(a, b));
     return (other_way ? converse(relation) : relation) >= Relation::contains ? 1 : 0;
   } else {

@@ -23,6 +23,9 @@ struct CertainFacts {
   }
 };
 
+/// Of shapes that are known to be disjoint.
+VESICA_INLINE constexpr CertainFacts<bool> apart() noexcept { return {true, false, false, false, true, true, true}; }
+
 /// Nothing outside the guard.
 template <class Mask>
 VESICA_INLINE constexpr CertainFacts<Mask> guarded(Mask guard, const CertainFacts<Mask>& s) noexcept {

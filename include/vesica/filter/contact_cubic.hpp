@@ -105,6 +105,12 @@ VESICA_INLINE constexpr auto ellipse_ellipse_usable(const ContactCubic<V>& p, co
   return both(at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww), totals_in_range(p));
 }
 
+VESICA_INLINE constexpr bool circles_apart(const Ellipse<double>& e, const Ellipse<double>& f, const Centre<double>& d,
+                                           double vv, double ww, bool usable) noexcept {
+  const double outer_e = max(e.a * e.a, e.b * e.b) * vv, outer_f = max(f.a * f.a, f.b * f.b) * ww;
+  return circles_apart(d.x * d.x + d.y * d.y, outer_e + outer_f, usable);
+}
+
 /// Q = (xx, xy; xy, yy): xx and yy err by 5u of themselves, xy by 6u of sums of magnitudes, whose square is at most xx yy
 /// (Cauchy and Schwarz). So the distance errs by 23u (qx + qy), det Q by 25u xx yy. As m <= xx and m <= yy, what has it errs by
 /// 10u (qx + qy) + 36u xx yy: together less than 100u of either. xx and yy are at least 2^-144, and where xx yy <= 2^640, squares
@@ -136,8 +142,7 @@ VESICA_INLINE constexpr auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<
   const Centre<V> d = offset(place(e), place(f));
   if constexpr (looks<V>) {
     const bool usable = at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww);
-    const V outer_e = max(e.a * e.a, e.b * e.b) * vv, outer_f = max(f.a * f.a, f.b * f.b) * ww;
-    if (circles_apart(d.x * d.x + d.y * d.y, outer_e + outer_f, usable)) return Verdict<bool>{false, true};
+    if (circles_apart(e, f, d, vv, ww, usable)) return Verdict<bool>{false, true};
     const auto look = look_at_ellipses(e, f, d, vv, ww, usable);
     if (look.overlap || look.disjoint) return look;
   }
@@ -175,6 +180,12 @@ VESICA_INLINE constexpr ContactCubic<V> contact_cubic(const Circle<V>& disc, con
   return pencil(disc, e, d, vv).contact;
 }
 
+VESICA_INLINE constexpr bool circles_apart(const Circle<double>& disc, const Ellipse<double>& e,
+                                           const Centre<double>& d, double vv, bool usable) noexcept {
+  const double about = disc.r * disc.r + max(e.a * e.a, e.b * e.b) * vv;
+  return circles_apart(d.x * d.x + d.y * d.y, about, usable);
+}
+
 /// Along the ellipse's axes Q is diagonal, p and q: it errs by 4u of itself, coordinates times |v| by 3u |v| |D|, so x0^2 q and
 /// x1^2 p by less than 10u (x0^2 + x1^2) (p + q). Errors of the rest are as in look_at_ellipses(). p and q are at least 2^-128,
 /// and where V p q <= 2^340, at most 2^596: what underflows loses less than 2^-478 beside V p q >= 2^-384.
@@ -203,8 +214,7 @@ VESICA_INLINE constexpr auto circle_ellipse(const Circle<V>& disc, const Ellipse
   const auto sizes = both(at_least(low, e.a, e.b, disc.r), vv >= guard_power<V, -16>());
   const Centre<V> d = offset(place(disc), place(e));
   if constexpr (looks<V>) {
-    const V about = disc.r * disc.r + max(e.a * e.a, e.b * e.b) * vv;
-    if (circles_apart(d.x * d.x + d.y * d.y, about, sizes)) return Verdict<bool>{false, true};
+    if (circles_apart(disc, e, d, vv, sizes)) return Verdict<bool>{false, true};
     const auto look = look_at_ellipses(disc, e, d, vv, sizes);
     if (look.overlap || look.disjoint) return look;
   }

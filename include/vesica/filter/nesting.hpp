@@ -122,7 +122,11 @@ VESICA_INLINE constexpr CertainFacts<Mask> certain_facts(const Pencil<V>& s, Mas
 template <class V>
 VESICA_INLINE constexpr auto ellipse_ellipse_certain_facts(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy, ww = f.ux * f.ux + f.uy * f.uy;
-  const Pencil<V> s = pencil(e, f, offset(place(e), place(f)), vv, ww);
+  const Centre<V> d = offset(place(e), place(f));
+  if constexpr (looks<V>) {
+    if (circles_apart(e, f, d, vv, ww, at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww))) return apart();
+  }
+  const Pencil<V> s = pencil(e, f, d, vv, ww);
   return guarded(ellipse_ellipse_usable(s.contact, e, f, vv, ww), certain_facts(s, s.det1 > s.det2));
 }
 
@@ -131,8 +135,12 @@ VESICA_INLINE constexpr auto ellipse_ellipse_certain_facts(const Ellipse<V>& e, 
 template <class V>
 VESICA_INLINE constexpr auto circle_ellipse_certain_facts(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy, rr = disc.r * disc.r;
-  const Pencil<V> s = pencil(disc, e, offset(place(disc), place(e)), vv);
+  const Centre<V> d = offset(place(disc), place(e));
   const auto sizes = both(at_least(guard_power<V, -5>(), e.a, e.b, disc.r), vv >= guard_power<V, -8>());
+  if constexpr (looks<V>) {
+    if (circles_apart(disc, e, d, vv, sizes)) return apart();
+  }
+  const Pencil<V> s = pencil(disc, e, d, vv);
   return guarded(both(sizes, totals_in_range(s.contact)), certain_facts(s, s.det1 > rr * rr).exchanged());
 }
 
