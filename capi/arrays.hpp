@@ -27,6 +27,14 @@ void widen(int32_t kind, const T* numbers, double (&out)[max_fields]) noexcept {
   for (int k = 0; k < field_count(kind); ++k) out[k] = static_cast<double>(numbers[k]);
 }
 
+/// Of two errors, each 0 for none, the one that is checked first: NULL, kind, argument.
+inline int32_t first_error(int32_t a, int32_t b) noexcept {
+  for (const int32_t error : {VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT}) {
+    if (a == error || b == error) return error;
+  }
+  return a != 0 ? a : b;
+}
+
 /// count elements of `stride` bytes each, within the address space. The stride of a single one is not looked at.
 inline bool addressable(int64_t count, ptrdiff_t stride) noexcept {
   ptrdiff_t extent;
@@ -54,9 +62,8 @@ bool has_null(const Array& shapes) noexcept {
 template <class Array>
 int32_t check_call(const Array* a, const Array* b, const void* out, bool anything) noexcept {
   if (a == nullptr || b == nullptr || (anything && out == nullptr)) return VESICA_E_NULL;
-  const int32_t error_a = check_array(*a), error_b = check_array(*b);
-  if (error_a == VESICA_E_KIND || error_b == VESICA_E_KIND) return VESICA_E_KIND;
-  if (error_a != 0 || error_b != 0) return VESICA_E_ARGUMENT;
+  const int32_t error = first_error(check_array(*a), check_array(*b));
+  if (error != 0) return error;
   return anything && (has_null(*a) || has_null(*b)) ? VESICA_E_NULL : 0;
 }
 

@@ -54,12 +54,13 @@ template <class T>
 int64_t select(const void* from, const CShapesOf<T>* sets, int32_t set_count, const CShapesOf<T>* one, int64_t* out,
                int64_t capacity, int64_t* state) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(select<T>, from, sets, set_count, one, out, capacity, state);
+  if (one == nullptr || (capacity > 0 && (out == nullptr || state == nullptr))) return VESICA_E_NULL;
   int32_t error = check_index(from);
   if (error != 0) return error;
-  if (one == nullptr || (capacity > 0 && (out == nullptr || state == nullptr))) return VESICA_E_NULL;
   index::Sets items, single;
-  if ((error = view_sets<T>(one, 1, single)) != 0) return error;
-  if (sets != nullptr && (error = view_sets<T>(sets, set_count, items)) != 0) return error;
+  error = view_sets<T>(one, 1, single);
+  if (sets != nullptr) error = first_error(error, view_sets<T>(sets, set_count, items));
+  if (error != 0) return error;
   if (capacity < 0 || single.items != 1) return VESICA_E_ARGUMENT;
   if (sets == nullptr ? set_count != 0 : items.items != index::View(from).items()) return VESICA_E_ARGUMENT;
   const index::Selection selection{index_kernels(), from, &items, single,

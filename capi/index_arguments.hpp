@@ -37,8 +37,7 @@ int32_t view_sets(const CShapesOf<T>* sets, int32_t set_count, index::Sets& out)
     if (error == 0 && sets[s].count > 0 && has_null(sets[s])) error = VESICA_E_NULL;
     if (error == 0 && sets[s].count > index::most_items - out.items) error = VESICA_E_ARGUMENT;
     if (error == 0 && sets[s].count > 0 && out.count == index::most_sets) error = VESICA_E_ARGUMENT;
-    // Errors in the order of all functions: NULL, kind, argument.
-    if (error == VESICA_E_NULL || (error == VESICA_E_KIND && worst != VESICA_E_NULL) || worst == 0) worst = error;
+    worst = first_error(worst, error);
     if (error != 0 || sets[s].count == 0) continue;
     out.set[out.count++] = set_of<T>(sets[s], out.items);
     out.items += sets[s].count;

@@ -45,11 +45,11 @@ int64_t join(int32_t query, const void* index_a, const CShapesOf<T>* sets_a, int
   int32_t error = check_index(index_a);
   if (error == 0) error = check_index(index_b);
   if (error != 0) return error;
-  if (query < VESICA_JOIN_OVERLAP || query > VESICA_JOIN_INSIDE) return VESICA_E_ARGUMENT;
   index::Sets a, b;
-  error = check_side<T>(query, index_a, sets_a, set_count_a, a);
-  if (error == 0) error = check_side<T>(query, index_b, sets_b, set_count_b, b);
+  error = first_error(check_side<T>(query, index_a, sets_a, set_count_a, a),
+                      check_side<T>(query, index_b, sets_b, set_count_b, b));
   if (error != 0) return error;
+  if (query < VESICA_JOIN_OVERLAP || query > VESICA_JOIN_INSIDE) return VESICA_E_ARGUMENT;
   if (parts < 1 || part < 0 || part >= parts || capacity < 0) return VESICA_E_ARGUMENT;
   if (!aligned(scratch) || scratch_size < index::join_scratch_bytes()) return VESICA_E_ARGUMENT;
   const index::Join all{index_kernels(),

@@ -36,10 +36,10 @@ int32_t ratio_of(int32_t ratio, int32_t kind_a, const T* a, int32_t kind_b, cons
   return error;
 }
 
-/// Of arrays.
+/// What is returned for arrays if the ratio is none.
 template <class Shapes>
-int64_t not_a_ratio(const Shapes* a, const Shapes* b) noexcept {
-  return a == nullptr || b == nullptr ? VESICA_E_NULL : VESICA_E_ARGUMENT;
+int64_t not_a_ratio(const Shapes* a, const Shapes* b, const void* out) noexcept {
+  return first_error(check_call(a, b, out, anything(a, b)), VESICA_E_ARGUMENT);
 }
 
 }  // namespace
@@ -51,13 +51,13 @@ int64_t not_a_ratio(const Shapes* a, const Shapes* b) noexcept {
   }                                                                                                                    \
   int64_t vesica_ratio_many_##scalar(int32_t ratio, const vesica_shapes_##scalar* a, const vesica_shapes_##scalar* b,  \
                                      T* out) {                                                                         \
-    if (!is_ratio(ratio)) return not_a_ratio(a, b);                                                                    \
+    if (!is_ratio(ratio)) return not_a_ratio(a, b, out);                                                               \
     T* const columns[] = {out};                                                                                        \
     return many<T>(queries::ratio(static_cast<Ratio>(ratio)), a, b, columns);                                          \
   }                                                                                                                    \
   int64_t vesica_ratio_matrix_##scalar(int32_t ratio, const vesica_shapes_##scalar* a,                                 \
                                        const vesica_shapes_##scalar* b, T* out, ptrdiff_t row_stride) {                \
-    if (!is_ratio(ratio)) return not_a_ratio(a, b);                                                                    \
+    if (!is_ratio(ratio)) return not_a_ratio(a, b, out);                                                               \
     return matrix<T>(queries::ratio(static_cast<Ratio>(ratio)), a, b, out, row_stride);                                \
   }
 

@@ -210,14 +210,14 @@ struct Moving {
 /// What both functions of an index are given, checked; action(cast, moving) answers.
 template <class T, class Action>
 int64_t through_index(const void* from, const CShapesOf<T>* sets, int32_t set_count, const CShapesOf<T>* one,
-                      const Motion& motion, const Action& action) noexcept {
+                      const Motion& motion, int64_t capacity, const Action& action) noexcept {
+  if (one == nullptr) return VESICA_E_NULL;
   int32_t error = check_index(from);
   if (error != 0) return error;
-  if (one == nullptr) return VESICA_E_NULL;
   index::Sets items, single;
-  if ((error = view_sets<T>(one, 1, single)) != 0) return error;
-  if ((error = view_sets<T>(sets, set_count, items)) != 0) return error;
-  const bool sound = single.items == 1 && items.items == index::View(from).items();
+  error = first_error(view_sets<T>(one, 1, single), view_sets<T>(sets, set_count, items));
+  if (error != 0) return error;
+  const bool sound = single.items == 1 && items.items == index::View(from).items() && capacity >= 0;
   if (!sound || !vesica::detail::cast::is_sound(motion)) return VESICA_E_ARGUMENT;
   double box[4];
   if (!index::bounds_of_item(index_kernels(), single, 0, box)) return VESICA_E_SHAPE;
@@ -233,10 +233,12 @@ int64_t index_all(const void* from, const CShapesOf<T>* sets, int32_t set_count,
                   T end, int64_t* out, int64_t capacity, int64_t* state) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(index_all<T>, from, sets, set_count, one, vx, vy, end, out, capacity, state);
   if (capacity > 0 && (out == nullptr || state == nullptr)) return VESICA_E_NULL;
-  return through_index<T>(from, sets, set_count, one, motion_of(vx, vy, end), [&](const auto& cast, const auto&) {
-    if (capacity < 0 || (capacity > 0 && !index::cast_state_is_sound(cast, state))) return int64_t{VESICA_E_ARGUMENT};
-    return index::write_hits(cast, out, capacity, state);
-  });
+  return through_index<T>(from, sets, set_count, one, motion_of(vx, vy, end), capacity,
+                          [&](const auto& cast, const auto&) {
+                            if (capacity > 0 && !index::cast_state_is_sound(cast, state))
+                              return int64_t{VESICA_E_ARGUMENT};
+                            return index::write_hits(cast, out, capacity, state);
+                          });
 }
 
 template <class T, class Out>
@@ -244,7 +246,7 @@ int64_t index_first(const void* from, const CShapesOf<T>* sets, int32_t set_coun
                     T end, Out* out) noexcept {
   VESICA_DEFAULT_ENVIRONMENT((index_first<T, Out>), from, sets, set_count, one, vx, vy, end, out);
   if (out == nullptr) return VESICA_E_NULL;
-  return through_index<T>(from, sets, set_count, one, motion_of(vx, vy, end),
+  return through_index<T>(from, sets, set_count, one, motion_of(vx, vy, end), 1,
                           [&](const auto& cast, const auto& moving) {
                             const index::FirstItem found = index::find_first_hit(cast);
                             if (found.error != 0) return int64_t{found.error};

@@ -188,6 +188,14 @@ TYPED_TEST(ErrorOrder, OfTwoArrays) {
     std::int64_t index;
     return F::overlap_select(d.a.array(), d.b.array(), c.out(index), 1);
   });
+  this->expect_order("ratio_many", all, 3, [](const Call<T>& c) -> std::int64_t {
+    T ratio;
+    return F::ratio_many(c.wrong ? 99 : VESICA_RATIO_OVER_UNION, c.a.array(), c.b.array(), c.out(ratio));
+  });
+  this->expect_order("ratio_matrix", all, 3, [](const Call<T>& c) -> std::int64_t {
+    T ratio;
+    return F::ratio_matrix(c.wrong ? 99 : VESICA_RATIO_OVER_UNION, c.a.array(), c.b.array(), c.out(ratio), 1);
+  });
   this->expect_order("within_many", all, 3, [](const Call<T>& c) -> std::int64_t {
     std::uint8_t byte;
     return F::within_many(c.a.array(), c.b.array(), static_cast<T>(c.wrong ? -1 : 1), c.out(byte));
@@ -255,6 +263,16 @@ TYPED_TEST(ErrorOrder, OfAnIndex) {
       EXPECT_EQ(
           F::index_select(built, nullptr, wrong ? 1 : 0, one.array(), null && no_output ? nullptr : &item, 1, state),
           first_of(chosen))
+          << chosen;
+      const auto* const sets = null && !no_output ? nullptr : set.array();
+      EXPECT_EQ(F::index_cast(built, sets, 1, one.array(), 1, 0, 1, null && no_output ? nullptr : &item,
+                              wrong ? -1 : 1, state),
+                null && no_output && wrong ? first_of(chosen & ~null_pointer) : first_of(chosen))
+          << chosen;
+      if (has(invalid_shape)) continue;  // of the other side
+      EXPECT_EQ(F::join(wrong ? 99 : VESICA_JOIN_OVERLAP, built, sets, 1, built, one.array(), 1, 0, 1,
+                        null && no_output ? nullptr : scratch, sizeof scratch, &item, &item, 1, state),
+                first_of(chosen))
           << chosen;
     }
   }
