@@ -265,8 +265,8 @@ TYPED_TEST(ErrorOrder, OfAnIndex) {
           first_of(chosen))
           << chosen;
       const auto* const sets = null && !no_output ? nullptr : set.array();
-      EXPECT_EQ(F::index_cast(built, sets, 1, one.array(), 1, 0, 1, null && no_output ? nullptr : &item,
-                              wrong ? -1 : 1, state),
+      EXPECT_EQ(F::index_cast(built, sets, 1, one.array(), 1, 0, 1, null && no_output ? nullptr : &item, wrong ? -1 : 1,
+                              state),
                 null && no_output && wrong ? first_of(chosen & ~null_pointer) : first_of(chosen))
           << chosen;
       if (has(invalid_shape)) continue;  // of the other side
