@@ -152,17 +152,24 @@ struct ByFilter {
     return vesica::detail::decide_by_filter(a, b);
   }
 };
+// Without the quick ways of overlap.hpp for ties: on a device they would take registers from all threads.
 struct InDouble {
-  template <class A, class B>
-  __device__ std::int32_t operator()(const A& a, const B& b) const noexcept {
-    const std::int32_t answer = vesica::detail::decide_by_filter(widen(a), widen(b));
-    return answer >= 0 ? answer : vesica::detail::decide_without_errors(widen(a), widen(b));
+  template <template <class> class A, template <class> class B, class T>
+  __device__ std::int32_t operator()(const A<T>& a, const B<T>& b) const noexcept {
+    const A<double> first = widen(a);
+    const B<double> second = widen(b);
+    const std::int32_t answer = vesica::detail::decide_by_filter(first, second);
+    if constexpr (vesica::filter::HasErrorFree<A<double>, B<double>>) {
+      if (answer < 0) return vesica::detail::answer_of(vesica::filter::error_free(first, second));
+    }
+    return answer;
   }
 };
 struct Exactly {
-  template <class A, class B>
-  __device__ std::int32_t operator()(const A& a, const B& b) const noexcept {
-    return vesica::detail::decide_undecided(a, b);
+  template <template <class> class A, template <class> class B, class T>
+  __device__ std::int32_t operator()(const A<T>& a, const B<T>& b) const noexcept {
+    if (check(a) != 0 || check(b) != 0) return error_shape;
+    return vesica::detail::overlap::exact(widen(a), widen(b)) ? 1 : 0;
   }
 };
 
