@@ -32,7 +32,9 @@
 /// much as the whole filter (VESICA_INLINE). Code for undecided pairs is kept out of the hot code (VESICA_COLD). Long
 /// functions with several callers are not inlined: a call costs less than a copy.
 #if defined(__GNUC__)
+#ifndef VESICA_INLINE  // src/kernels/flatten.hpp has another for the library's kernels
 #define VESICA_INLINE [[gnu::always_inline]] inline
+#endif
 #define VESICA_COLD [[gnu::noinline, gnu::cold]]
 #define VESICA_CALLED [[gnu::noinline]]
 #else

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // clang-format off
+#include "kernels/flatten.hpp"
 #include "lanes/neon.hpp"
 // clang-format on
 #include "kernels/query_loop.hpp"

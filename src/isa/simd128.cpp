@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "kernels/flatten.hpp"
 #include "lanes/simd128.hpp"
 
 #include "kernels/block.hpp"

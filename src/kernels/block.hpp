@@ -45,7 +45,7 @@ consteval void fill_pairs(ScalarKernels<T>& kernels) noexcept {
 }
 
 /// Floats as doubles, exactly.
-void widen_column(Unaligned<float> from, std::int32_t n, double* to) noexcept {
+VESICA_KERNEL void widen_column(Unaligned<float> from, std::int32_t n, double* to) noexcept {
   std::int32_t i = 0;
   for (; i + Doubles::width <= n; i += Doubles::width) Doubles::load(from + i).store(to + i);
   for (; i < n; ++i) to[i] = from[i];

@@ -123,7 +123,7 @@ VESICA_INLINE BlockResult answer_whole(const Filter& filter, const First& first,
 }
 
 template <class Filter, template <class> class A, template <class> class B, class T, Repeat repeat>
-[[gnu::noinline]] BlockResult answer_vectors(const Block<T>& block) noexcept {
+[[gnu::noinline]] VESICA_KERNEL BlockResult answer_vectors(const Block<T>& block) noexcept {
   const LaneOperand<A, T, repeat == Repeat::first> first(block.first);
   const LaneOperand<B, T, repeat == Repeat::second> second(block.second);
   return answer_whole(Filter{}, first, second, block);

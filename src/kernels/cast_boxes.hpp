@@ -173,7 +173,7 @@ VESICA_INLINE OffsetLanes point_on_edge(const ForemostLanes& a, const ForemostLa
   return {a.middle.x + at * a.half.x, a.middle.y + at * a.half.y};
 }
 
-void cast_boxes(const CastColumns& columns, std::int32_t n, double* const* results) noexcept {
+VESICA_KERNEL void cast_boxes(const CastColumns& columns, std::int32_t n, double* const* results) noexcept {
   const Doubles zero(0.0);
   const ForemostLanes point{{zero, zero}, {zero, zero}, zero <= zero};
   for (std::int32_t i = 0; i < n; i += Doubles::width) {

@@ -81,7 +81,7 @@ VESICA_INLINE CastVerdict cast_verdict(const CastColumns& columns, std::int32_t 
   return {missed, and_not(both(usable, crosses), missed)};
 }
 
-void filter_casts(const CastColumns& columns, std::int32_t n, const CastBytes& out) noexcept {
+VESICA_KERNEL void filter_casts(const CastColumns& columns, std::int32_t n, const CastBytes& out) noexcept {
   for (std::int32_t i = 0; i < n; i += Doubles::width) {
     const CastVerdict verdict = cast_verdict(columns, i);
     store_bytes(verdict.missed, out.missed + i);

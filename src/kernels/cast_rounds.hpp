@@ -14,7 +14,7 @@ VESICA_INLINE EllipseLanes ellipse_lanes(const SideColumns& side, std::int32_t i
   return {load(side.ux.to, i), load(side.uy.to, i), load(side.hx.to, i), load(side.hy.to, i)};
 }
 
-void cast_rounds(const CastColumns& columns, std::int32_t n, double* const* results) noexcept {
+VESICA_KERNEL void cast_rounds(const CastColumns& columns, std::int32_t n, double* const* results) noexcept {
   const bool ray = columns.b.is_point;
   for (std::int32_t i = 0; i < n; i += Doubles::width) {
     const WayLanes way = way_lanes(columns, i);

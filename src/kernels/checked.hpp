@@ -48,7 +48,7 @@ VESICA_INLINE bool is_usable(const One<V>& one, V extent_of_many) noexcept {
 
 /// Answers a whole number of vectors of a block that check_block() found usable.
 template <template <class> class One, template <class> class Many, class T>
-[[gnu::noinline]] BlockResult answer_checked(const Block<T>& block) noexcept {
+[[gnu::noinline]] VESICA_KERNEL BlockResult answer_checked(const Block<T>& block) noexcept {
   using V = LanesOf<T>;
   constexpr bool in_order = kind_of<One> <= kind_of<Many>;
   const Unaligned<T>* const many = in_order ? block.second : block.first;
@@ -86,7 +86,7 @@ VESICA_INLINE void store_columns(T* to, std::int32_t stride, V... column) noexce
 /// extent to the block. Columns of prepared ellipses go to `space`, one every `stride` numbers, and replace the block's
 /// own.
 template <template <class> class One, template <class> class Many, class T>
-[[gnu::noinline]] bool check_block(Block<T>& block, T* space, std::int32_t stride) noexcept {
+[[gnu::noinline]] VESICA_KERNEL bool check_block(Block<T>& block, T* space, std::int32_t stride) noexcept {
   using V = LanesOf<T>;
   constexpr int prepared_columns = !is_ellipse<Many> ? 0 : is_ellipse<One> ? 2 : 4;
   Unaligned<T>* const field = kind_of<One> <= kind_of<Many> ? block.second : block.first;

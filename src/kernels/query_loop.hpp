@@ -60,7 +60,7 @@ inline constexpr bool goes_on = std::is_same_v<Core, NestedCore>;
 
 /// The loop: loads a vector of pairs, runs Core, stores the results.
 template <class Core, template <class> class A, template <class> class B, class V>
-bool answer_vectors(const QueryColumns& columns, std::int32_t n, double* const* results) noexcept {
+VESICA_KERNEL bool answer_vectors(const QueryColumns& columns, std::int32_t n, double* const* results) noexcept {
   constexpr bool sees_validity =
       std::is_same_v<Core, RelationCore> || std::is_same_v<Core, AreaCore> || std::is_same_v<Core, IouCore>;
   const V no_number(std::numeric_limits<double>::quiet_NaN());
@@ -105,7 +105,7 @@ bool answer_circles(const QueryColumns& columns, std::int32_t n, double* const* 
 }
 
 /// The ApartKernel: one comparison a pair.
-inline void find_apart(const QueryColumns& columns, std::int32_t n, std::uint8_t* out) noexcept {
+VESICA_KERNEL inline void find_apart(const QueryColumns& columns, std::int32_t n, std::uint8_t* out) noexcept {
   const std::int32_t step_a = columns.first.repeated ? 0 : 1, step_b = columns.second.repeated ? 0 : 1;
   for (std::int32_t i = 0; i < n; i += Doubles::width) {
     const auto a = [&](const double* column) { return Doubles::load(column + i * step_a); };

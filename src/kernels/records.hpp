@@ -70,7 +70,7 @@ void copy_two_fields(Unaligned<T> from, std::ptrdiff_t stride, std::int32_t n, T
 /// Copies n records, `stride` bytes apart, of at least two adjacent numbers to columns, `column_length` numbers apart. Of an
 /// odd number of fields the last two overlap the two before.
 template <class T>
-void records_to_columns(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
+VESICA_KERNEL void records_to_columns(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
                         std::int32_t column_length) noexcept {
   const std::int32_t whole = n - n % record_vector<T>;
   for (int k = 0; k < fields; k += 2) {
