@@ -76,6 +76,7 @@ batch::Shapes<T> view(const CShapesOf<T>& shapes) noexcept {
 
 inline int64_t result(const batch::Tally& tally) noexcept { return tally.invalid ? VESICA_E_SHAPE : tally.overlaps; }
 
+/// Whether there are pairs. If not, fields may be NULL, so nothing may be read.
 template <class Array>
 bool anything(const Array* a, const Array* b) noexcept {
   return a != nullptr && b != nullptr && a->count != 0 && b->count != 0;

@@ -22,6 +22,7 @@ int64_t overlap_matrix(const CShapesOf<T>* a, const CShapesOf<T>* b, uint8_t* ou
   const int32_t error = check_call(a, b, out, anything(a, b));
   if (error != 0) return error;
   if (!rows_apart(a->count, b->count, row_stride, 1)) return VESICA_E_ARGUMENT;
+  if (!anything(a, b)) return 0;
   return result(vesica::batch::matrix<T>(vesica::kernels(), view<T>(*a), view<T>(*b), out, row_stride));
 }
 

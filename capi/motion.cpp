@@ -149,6 +149,7 @@ int64_t first(const CShapesOf<T>* shapes, const CShapesOf<T>* one, T vx, T vy, T
   if (out == nullptr) return VESICA_E_NULL;
   const int32_t error = check_call(shapes, one, out, anything(shapes, one));
   if (error != 0) return error;
+  if (one->count == 1 && has_null(*one)) return VESICA_E_NULL;  // it is looked at even if there are no others
   const Motion motion = motion_of(vx, vy, end);
   if (one->count != 1 || !vesica::detail::cast::is_sound(motion)) return VESICA_E_ARGUMENT;
   Impact<T> impact;

@@ -40,6 +40,7 @@ int64_t matrix(const Query& query, const CShapesOf<T>* a, const CShapesOf<T>* b,
   if (error != 0) return error;
   if (!query.answers(a->kind, b->kind)) return VESICA_E_KIND;
   if (!rows_apart(a->count, b->count, row_stride, sizeof(Out))) return VESICA_E_ARGUMENT;
+  if (!anything(a, b)) return 0;
   return result(vesica::batch::query_matrix(query, vesica::kernels(), view<T>(*a), view<T>(*b), out, row_stride));
 }
 

@@ -57,6 +57,7 @@ int64_t within_matrix(const CShapesOf<T>* a, const CShapesOf<T>* b, T distance, 
   const int32_t error = check_call(a, b, out, anything(a, b));
   if (error != 0) return error;
   if (!rows_apart(a->count, b->count, row_stride, 1) || !(distance >= 0)) return VESICA_E_ARGUMENT;
+  if (!anything(a, b)) return 0;
   return result(
       vesica::batch::within_matrix<T>(view<T>(*a), view<T>(*b), static_cast<double>(distance), out, row_stride));
 }

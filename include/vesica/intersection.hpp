@@ -101,7 +101,7 @@ bool is_later(const Shape& a, const Shape& b) noexcept {
 /// Returns the count, or error_range.
 template <class T>
 std::int32_t store(const Vertices& v, SharedRegion<T>& out) noexcept {
-  T x[10], y[10];
+  T x[Vertices::most], y[Vertices::most];
   int first = 0;
   for (int i = 0; i < v.count; ++i) {
     x[i] = static_cast<T>(v.at[i].x) + T{0};
@@ -110,7 +110,7 @@ std::int32_t store(const Vertices& v, SharedRegion<T>& out) noexcept {
     if (y[i] < y[first] || (y[i] == y[first] && x[i] < x[first])) first = i;
   }
   SharedRegion<T> region{};
-  for (int i = 0; i < v.count && i < 8; ++i) {
+  for (int i = 0; i < v.count; ++i) {
     const int from = (first + i) % v.count;
     region.at[2 * i] = x[from];
     region.at[2 * i + 1] = y[from];
@@ -121,7 +121,7 @@ std::int32_t store(const Vertices& v, SharedRegion<T>& out) noexcept {
 
 }  // namespace detail::intersection
 
-/// The checked form: the number of vertices, 0 to 8, with the vertices in `out`; error_shape, or error_range where one
+/// The checked form: the number of vertices, 0 to 8 (Vertices says why), with the vertices in `out`; error_shape, or error_range where one
 /// is beyond the finite numbers, and then `out` is untouched. Floats are the double vertices, rounded.
 template <template <class> class A, template <class> class B, class T>
 requires(detail::intersection::answers<A<T>, B<T>>) std::int32_t

@@ -10,13 +10,19 @@ namespace vesica::filter {
 
 /// The separating axes of unit_rect_rect.hpp, with squared axes taken to be 1.
 ///
-/// Let H be the sum of the four half extents, so that no r_i exceeds H, in units of u and to first order. Of the axis
-/// that gives a wrong answer p and r are within H, and both projections on it: |D| <= sqrt(2) H. Then p errs by
-/// 3 |D| <= 4.3 H, hx U by 14 hx as U is within 14u of 1, (gx c) and (gy s) by 3 (gx + gy), and three subtractions of
-/// what is within H by 3 H: 21.3u H. 32u H leaves room for second order. It grows with H, so that of the largest of a
-/// block serves all of it, and neither centres nor their differences are part of it.
+/// Proved: a gap beyond 32u H has the right sign, H being the sum of the four half extents. The bound grows with H and
+/// has no offset in it, so that of the largest box of a block serves the whole row, and is computed once.
 ///
-/// Sizes and coordinates below 2^32 (double: 2^256) let nothing overflow; what underflows is far below 2^-100.
+/// In units of u, and to first order:
+///
+///   - No r_i exceeds H. On the axis that gives a wrong answer p and r are within H, and so is the other projection:
+///     |D| <= sqrt(2) H.
+///   - p errs by 3 |D| <= 4.3 H.
+///   - hx U errs by 14 hx, as U is within 14u of 1 (unit_axes.hpp); (gx c) and (gy s) by 3 (gx + gy).
+///   - Three subtractions of what is within H add 3 H. In all 21.3 H; the rest is room for second order.
+///
+/// Sizes and coordinates below 2^32 (double: 2^256) let nothing overflow. What underflows is far below the 2^-100
+/// added.
 template <class V>
 class CheckedBoxBox {
  public:

@@ -6,8 +6,11 @@
 
 namespace vesica::filter {
 
-/// Computed squares of axes from 1 - 10u to 1 + 12u, true ones within 14u of 1: a rounded cosine and sine have theirs
-/// within 4u, a vector divided by its rounded length within 8u.
+/// Requires that the computed squares of axes are from 1 - 10u to 1 + 12u. The filters for unit axes build on what
+/// follows: the true squares are within 14u of 1, since computing one adds two roundings at most.
+///
+/// Axes as users make them pass: the square of a rounded cosine and sine is within 4u of 1, that of a vector divided by
+/// its rounded length within 8u.
 template <class V, class... Shape>
 VESICA_INLINE Guard<V>& require_unit_axes(Guard<V>& guard, const Shape&... shape) noexcept {
   using T = typename Element<V>::Type;

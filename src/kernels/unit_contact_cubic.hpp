@@ -11,13 +11,17 @@
 namespace vesica::filter {
 
 /// The contact cubic of filter/contact_cubic.hpp in its two parts: overlap iff
-/// p(x) = (g + x)(d1 + mu x + d2 x^2) - x (al + be x) >= 0 for all x > 0. All are positive, and each has a relative
-/// error of at most 37u, al and be of 62u. For by the guard ratios k of half lengths are below 17, axes' squares V, W
-/// within 14u of 1, their cosine and sine c, s off by 2u, and coordinates x0, x1 along them by 3u |v||D|:
-///   d1 = (a b V)^2: 31u
-///   mu = c^2 P + s^2 R: 11u, and 4u |c s|(P + R). |c s| <= mu / (2 sqrt(P R)), and (P + R) / 2 <= 6.1 sqrt(P R), R / P
-///   being from 2 / k^2 to (k^4 + 1) / (2 k^2): 36u
-///   al = (b x0)^2 + (a x1)^2: 10u, and 6u (a^2 + b^2)|x0 x1| <= 3u (k + 1 / k) al: 62u
+/// p(x) = (g + x)(d1 + mu x + d2 x^2) - x (al + be x) >= 0 for all x > 0. All coefficients are positive.
+///
+/// Proved: each has a relative error of at most 37u, but al and be of 62u. So decide() can bound the error of p by p's
+/// own two parts, without sums of magnitudes. By the guard, ratios k of half lengths are below 17, axes' squares V, W
+/// within 14u of 1, their cosine and sine c, s off by 2u, and coordinates x0, x1 along them by 3u |v||D|. Then errors
+/// are:
+///
+///   d1 = (a b V)^2:                31u
+///   mu = c^2 P + s^2 R:            11u of itself, and 4u |c s|(P + R): in all 36u, as |c s| <= mu / (2 sqrt(P R)) and
+///                                  (P + R) / 2 <= 6.1 sqrt(P R), R / P being from 2 / k^2 to (k^4 + 1) / (2 k^2)
+///   al = (b x0)^2 + (a x1)^2:      10u of itself, and 6u (a^2 + b^2)|x0 x1| <= 3u (k + 1 / k) al: in all 62u
 template <class V, class Usable>
 struct UnitCubic {
   using Lanes = V;
@@ -25,12 +29,19 @@ struct UnitCubic {
   Usable usable;
 };
 
-/// -p(t) at a t >= 0 that nearly minimises a lower estimate of p, against its error.
+/// -p(t) at a t >= 0 that nearly minimises q, a lower estimate of p.
 ///
-/// With q(x) = (g + x)(d1 + mu x + d2 x^2) - (1 + r) x (al + be x), 112u <= r <= 225u, whose coefficients are off by 2u
-/// of their parts, p >= (1 - 40u) q. t minimises q but for an error that enters squared, as filter/contact_cubic.hpp
-/// shows: by 7u h, where h = (g + t)(d1 + mu t + d2 t^2) + t (al + be t). Evaluation errs by 8u h. So p(t) is at most
-/// 70u h above the value, and q nowhere more than (225 + 2 + 7 + 8)u h below it.
+/// Proved: beyond 512u of p's first part (`above`) the sign of the value answers. If it is positive, p(t) < 0, so
+/// shapes are disjoint; if it is negative, q > 0 everywhere, so they overlap. Let h = (g + t)(d1 + mu t + d2 t^2) + t
+/// (al + be t).
+///
+///   - q(x) = (g + x)(d1 + mu x + d2 x^2) - (1 + r) x (al + be x), with 112u <= r <= 225u. Its coefficients are off by
+///     2u of their parts, and p >= (1 - 40u) q.
+///   - t minimises q but for an error that enters squared, as filter/contact_cubic.hpp shows: 7u h.
+///   - Evaluation errs by 8u h.
+///   - So p(t) is at most 70u h above what was computed, and q nowhere more than (225 + 2 + 7 + 8)u h below it.
+///   - Overlap: the first part is the greater one, so h <= 2 above, and 242u h <= 484u above.
+///   - Disjoint: 70u h <= 512u above as long as h <= 7 above. Beyond that the value is more than half of h.
 template <class V, class Usable>
 VESICA_INLINE auto decide(const UnitCubic<V, Usable>& p) noexcept {
   const V zero(0.0f), three_d2 = V(3.0f) * p.d2;

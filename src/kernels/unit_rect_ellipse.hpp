@@ -12,19 +12,34 @@ namespace vesica::filter {
 /// The two segments of filter/box_ellipse.hpp in the box's frame, with the axes u, v taken to be of length 1: their
 /// squares U, V are within 14u of 1. `bound` is for the error of the gap along either.
 ///
-/// Let Q = p00 + p11, T = |kx| + |ky| + hx + hy, m >= 0 the gap along a segment, at distance x from the centre.
-/// Whichever answer were wrong, m^2 <= det (p00 - x^2) for one of the segments, computed or true, so that
-/// m <= a b sqrt(Q) <= a b (a + b) and x^2 <= p00. To first order, units of u,
-///   k: 3T; h U and the difference: x errs by 15T; c, s by 2; p00, p11 by 8Q, p01 by 5Q
-///   p00 y: 8Q y + 3Q T + Q y; p01 x, |p01| <= Q / 2: 5.5Q x + 7.5Q T; p00 h U: 23Q h; two differences: 2Q (y + x/2 + h)
-/// so m by 11Q y + 3Q (|kx| + |ky|) + 6.5Q x + 7.5Q T + 25Q h <= 33Q T, and with det = (a b U V)^2 off by 59
-///   m^2: 66 m Q T, and 33^2 u Q^2 T^2;  det (p00 - x^2): det (59Q + 8Q + 30 sqrt(Q) T + 4Q);  the difference: det Q.
-/// As a b <= (a + b)^2 / 4 the second is at most 18 a b Q (a + b)^2 + 15 a b Q (a + b) T; with R = T + a + b all are
-/// below 84u a b (a + b) Q R + 1089u^2 Q^2 R^2. 128u Q R (a b (a + b) + 16u Q R) leaves room for second order.
+/// Proved: a gap beyond 128u Q R (a b (a + b) + 16u Q R) has the right sign. The bound has no term for each product, as
+/// filter/box_ellipse.hpp needs for axes of any length; so it costs few operations. Here Q = p00 + p11,
+/// T = |kx| + |ky| + hx + hy, R = T + a + b, and m >= 0 is the gap along a segment at distance x from the centre.
 ///
-/// With a, b in [2^-16, 2^16) (double: the 8th powers) it is at least 2^-111, all that underflows far below it,
-/// and Q at least 2^-32. If a product of the gap overflows, so does the square of the gap's error, or the square of the
-/// gap or of x alone; these are far from contact, and infinity of the right sign. NaN and infinity reach T.
+/// Suppose the sign were wrong. Then m^2 <= det (p00 - x^2) for one of the segments, computed or true, so that
+/// m <= a b sqrt(Q) <= a b (a + b) and x^2 <= p00. In units of u, and to first order, what is computed errs by:
+///
+///   k:                    3T
+///   x:                    15T, for h U and the difference
+///   c, s:                 2
+///   p00, p11; p01:        8Q; 5Q
+///   p00 y:                8Q y + 3Q T + Q y
+///   p01 x:                5.5Q x + 7.5Q T, as |p01| <= Q / 2
+///   p00 h U:              23Q h
+///   two differences:      2Q (y + x/2 + h)
+///   m, by these four:     11Q y + 3Q (|kx| + |ky|) + 6.5Q x + 7.5Q T + 25Q h <= 33Q T
+///   m^2:                  66 m Q T, and 33^2 u Q^2 T^2
+///   det = (a b U V)^2:    59 of itself
+///   det (p00 - x^2):      det (59Q + 8Q + 30 sqrt(Q) T + 4Q)
+///   the difference:       det Q
+///
+/// As a b <= (a + b)^2 / 4, what has det is at most 18 a b Q (a + b)^2 + 15 a b Q (a + b) T. All together is below
+/// 84u a b (a + b) Q R + 1089u^2 Q^2 R^2. The bound leaves room for second order.
+///
+/// The guard keeps underflow and overflow from mattering. With a, b in [2^-16, 2^16) (double: the 8th powers) the bound
+/// is at least 2^-111, all that underflows far below it, and Q at least 2^-32. If a product of the gap overflows, so
+/// does the square of the gap's error, or the square of the gap or of x alone; these are far from contact, and infinity
+/// has the right sign. NaN and infinity reach T.
 template <class V, class Usable>
 struct UnitBoxEllipse {
   using Lanes = V;

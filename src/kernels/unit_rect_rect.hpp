@@ -8,17 +8,25 @@
 
 namespace vesica::filter {
 
-/// The separating axes of filter/box_box.hpp, decided for squared axes in [1/2, 2) by a bound made of sizes alone.
+/// The separating axes of filter/box_box.hpp, for squared axes in [1/2, 2).
 ///
-/// Let H be the sum of the four half extents. No r_i exceeds 2H. Whichever answer were wrong, both projections p_i
-/// would be within their r_i, computed or true, so |u||D| <= sqrt(8) H. With stored axes p errs by 3u |u||D| <= 8.5u H,
-/// and r with the subtraction by 6u (hx U + (gx + gy) |u||w|) <= 12u H: 20.5u H; 32u H leaves room for second order,
-/// and is a power of two.
+/// Proved: a gap beyond 32u H has the right sign, H being the sum of the four half extents. So the bound is made of
+/// sizes alone, and costs two operations. (u: the unit roundoff. p_i: a projection of the offset D on an axis; r_i: how
+/// far both boxes reach along it; a gap is p_i - r_i.)
 ///
-/// The bound is formed as 8H, which overflows where an r could, and a gap counts up to 2^106 (f64: 2^973). So no NaN or
-/// overflow can have been lost in a maximum: a centre that is not finite, or too far, leaves no p finite; of finite
-/// numbers at most one product u_i D_j overflows, as |u|^2 < 2, and its infinity stays; an axis that is not finite is
-/// out of range.
+///   - No r_i exceeds 2H.
+///   - Suppose the sign of a gap were wrong. Then both p_i would be within their r_i, computed or true: |u||D| <=
+///     sqrt(8) H.
+///   - So p errs by 3u |u||D| <= 8.5u H, as axes are stored and not computed.
+///   - r, with the subtraction, errs by 6u (hx U + (gx + gy) |u||w|) <= 12u H.
+///   - That is 20.5u H. 32u H leaves room for terms of second order, and is a power of two.
+///
+/// Proved too: no NaN and no overflow is lost in a maximum, so that an invalid box stays undecided. The bound is formed
+/// as 8H, which overflows where an r could, and a gap counts up to 2^106 (double: 2^973).
+///
+///   - A centre that is not finite, or too far away, leaves no p finite.
+///   - Of finite numbers at most one product u_i D_j overflows, as |u|^2 < 2, and its infinity stays.
+///   - An axis that is not finite is out of the range that the guard asks for.
 template <class V>
 VESICA_INLINE auto unit_box_box(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
   using T = typename Element<V>::Type;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include "nearest/reference.hpp"
@@ -272,6 +273,52 @@ std::vector<properties::Kinds> answered_pairs() {
   return all;
 }
 INSTANTIATE_TEST_SUITE_P(All, Intersection, testing::ValuesIn(answered_pairs()), properties::test_name);
+
+/// Two quadrilaterals that share an octagon, or nearly: the most vertices that there may be, and edges that pass through
+/// corners of the other, or by them, as near as numbers can be.
+class Octagons : public Intersection {
+ protected:
+  double nudged(double x) {
+    const int steps = draw(3) - 1;
+    for (int i = 0; i < std::abs(steps); ++i) {
+      const double to = steps > 0 ? 2 * x : 0;
+      x = narrow() ? static_cast<double>(std::nextafterf(static_cast<float>(x), static_cast<float>(to)))
+                   : std::nextafter(x, to);
+    }
+    return x;
+  }
+  int draw(int n) { return std::uniform_int_distribution<int>(0, n - 1)(random_); }
+
+  /// A square of half size h and one turned by half a right angle, whose edges are from h / 2 to h of its axis away.
+  Pair pair() {
+    const bool aabb = GetParam().a == VESICA_AABB;
+    const double m = aabb ? 1 : 1 + draw(20), n = aabb ? 0 : draw(20), h = 16 + draw(16);
+    const auto size = [&] { return nudged(draw(3) == 0 ? h / 2 : draw(2) == 0 ? h : h / 2 + draw(128) * h / 256); };
+    const Numbers turned{draw(3) == 0 ? 0.5 : 0, 0, m - n, m + n, size(), size()};
+    if (aabb) return {VESICA_AABB, VESICA_RECT, {-h, -h, h, nudged(h)}, turned};
+    return {VESICA_RECT, VESICA_RECT, {0, 0, m, n, h, nudged(h)}, turned};
+  }
+  std::mt19937_64 random_{properties::seed() + 52};
+};
+
+TEST_P(Octagons, HaveTheirVertices) {
+  int full = 0;
+  for (int i = 0; i < 2000 * properties::repeat(); ++i) {
+    most_ = 0;
+    check(pair());
+    full += most_ == 8;
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(full, cases_ / 5);
+  EXPECT_LT(full, cases_);
+}
+INSTANTIATE_TEST_SUITE_P(
+    Quadrilaterals, Octagons,
+    testing::Values(properties::Kinds{VESICA_AABB, VESICA_RECT, Scalar::f64},
+                    properties::Kinds{VESICA_AABB, VESICA_RECT, Scalar::f32},
+                    properties::Kinds{VESICA_RECT, VESICA_RECT, Scalar::f64},
+                    properties::Kinds{VESICA_RECT, VESICA_RECT, Scalar::f32}),
+    properties::test_name);
 
 using Numbers16 = std::array<double, 16>;
 

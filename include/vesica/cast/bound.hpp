@@ -3,14 +3,17 @@
 ///
 ///     T(n) = (n.D - h(n)) / -(n.v),    h = h_a + h_b the support function of M
 ///
-/// so T(n) is a lower bound of t0, and t0 is the greatest of them. With n = -v + s perp(v) the slope of v.v T(n) in s
-/// is w - perp(v).x, x being the point of M farthest along n: how far beside x the line passes. It falls with s.
+/// so T(n) is a lower bound of t0, and t0 is the greatest of them.
+///
+/// Proved: how far T(n) may be below t0, from numbers that are known at n. So a direction found in double tells t0 to
+/// twice the precision of double, wherever the search for it stopped. With n = -v + s perp(v) the slope of v.v T(n) in
+/// s is w - perp(v).x, x being the point of M farthest along n: how far beside x the line passes. It falls with s.
 ///
 ///   - If n is the normal of an edge of M, x may be any point of it. If one of them lies on the line, T(n) = t0.
 ///   - Else the slope falls by bend = sum of (a b u.u v.v)^2 / h_i^3 over the ellipses. Let d = |slope| / bend be below
 ///     h_i / (8 r_i) for each, r_i being the reach across v. No h_i changes by more than a quarter within 2d, for
-///     |h_i'| <= r_i. So bend stays above its half there, and if no vertex gives way to another, the greatest T lies
-///     within 2d and t0 <= T(n) + slope^2 / (bend v.v).
+///     |h_i'| <= r_i. So bend stays above its half there. If besides no vertex gives way to another, the greatest T
+///     lies within 2d, and t0 <= T(n) + slope^2 / (bend v.v).
 #pragma once
 
 #include <bit>
@@ -55,8 +58,11 @@ struct Scene {
 };
 
 /// Whether FusedProducts give the bits of SplitProducts: all numbers of the scene are 0, or multiples of 2^-112 up to
-/// 2^40. s is a multiple of 2^-102, and n = -v + s perp(v) of 2^-194. The longest products are squares of a size times
-/// u.n, multiples of 2^-836, and what is divided by the root of one, at most 2^136. So none is above 0 and below 2^-960.
+/// 2^40.
+///
+/// Proved: then no product is above 0 and below 2^-960, so that the error of none underflows, in either way to find it.
+/// s is a multiple of 2^-102, and n = -v + s perp(v) of 2^-194. The longest products are squares of a size times u.n,
+/// multiples of 2^-836, and what is divided by the root of one, at most 2^136.
 inline bool has_fused_products(const Scene& s) noexcept {
   std::uint64_t out = 0;
   // 0, or between two powers of two: by bits, for on ordinary numbers all is looked at.
@@ -91,8 +97,8 @@ inline Side side(const nearest::ScaledShape& p) noexcept {
   return {p.box.u, p.box.hx, p.box.hy, p.curved};
 }
 
-/// An ellipse smaller than 2^-120 of the pair is taken for a point, a thin one for a segment (nearest/scaled_pair.hpp). A
-/// circle's squares must not underflow either.
+/// An ellipse smaller than 2^-120 of the pair is taken for a point, a thin one for a segment (nearest/scaled_pair.hpp).
+/// A circle's squares must not underflow either.
 inline bool is_faithful(const nearest::UnscaledShape& f, const nearest::ScaledShape& p) noexcept {
   return f.curved == p.curved && (f.radius == 0 || p.radius >= nearest::smallest);
 }

@@ -235,7 +235,8 @@ struct Axis {
   double least, most;
 };
 
-/// 16u covers four products and as many sums of each term.
+/// Its time is certain to be between `least` and `most`: 16u of the sum of all terms covers four products and as many
+/// sums of each.
 template <class Products>
 Axis axis(const Scene& scene, const Vector& normal) noexcept {
   const Vector n = against<Products>(scene, normal);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The decision of exact.hpp in double, with bounds on its errors. u = 2^-53 in comments; constants in the code leave
-/// room for terms of higher order.
+/// The decision of exact.hpp in double, with bounds on its errors: most casts are decided here, and what is decided is
+/// certain. u = 2^-53 in comments, which state errors to first order; constants in the code leave room for the rest.
 #pragma once
 
 #include <limits>
@@ -35,10 +35,10 @@ VESICA_INLINE Sketch sketch(const Body& body) noexcept {
   return with_shape(body, [](const auto& s) { return sketch(s); });
 }
 
-/// Reach across v as in exact.hpp, the reach along v, and errors.
+/// Reach h across v as in exact.hpp, the reach along v, and errors.
 ///
-/// c and k have an error of 3u A V, A and V being the sums of components, so of a box h has one of 6u R, R = (hx + hy)
-/// A V; of an ellipse h has one of 8u R.
+/// Proved: h is off by at most 6u R for a box and 8u R for an ellipse, where R = (hx + hy) A V, and A and V are the
+/// sums of the components of axis and velocity. For c and k are off by 3u A V, and sizes by u of themselves.
 struct Reach {
   double c, k, h, h_error, forward, size;
 };
@@ -52,9 +52,11 @@ VESICA_INLINE Reach reach(const Sketch& s, const Motion& v, double speed) noexce
   return {c, k, sqrt(p * p + q * q), 12 * u * size, sqrt(p_along * p_along + q_along * q_along), size};
 }
 
-/// x.v of exact.hpp and its error. The sign of k or c of a box may be wrong. Then the point x lies at the other end of an
-/// edge that is nearly along v: the true reach of that end is within 6u R of h. That end will do, so this counts in the
-/// error of h alone. Of an ellipse m has an error of 8u R^2.
+/// x.v of exact.hpp and its error.
+///
+/// Proved: a wrong sign of k or c of a box does no harm. The point x then lies at the other end of an edge that is
+/// nearly along v, and the true reach of that end is within 6u R of h. That end will do, so this counts in the error of
+/// h alone. Of an ellipse the product m has an error of 8u R^2.
 struct Along {
   double x, error;
 };
@@ -79,8 +81,8 @@ struct Filtered {
   bool apart;
 };
 
-/// Offset of the centres along a coordinate: the mean of two differences, each rounded, and none larger than |D| + R / V.
-/// So the error is below 2u |D| + u R / V.
+/// Offset of the centres along a coordinate: the mean of two differences, each rounded, and none larger than |D| + R /
+/// V. So the error is below 2u |D| + u R / V.
 VESICA_INLINE double offset(double to0, double to1, double from0, double from1) noexcept {
   return 0.5 * ((to0 - from0) + (to1 - from1));
 }
@@ -102,7 +104,8 @@ VESICA_INLINE Filtered filter(const Sketch& a, const Sketch& b, const Motion& v)
   const double forward = ra.forward + rb.forward, forward_error = d_error + h_error + 4 * u * forward;
   const bool has_end = v.end <= most_usable;
   const double vv = v.vx * v.vx + v.vy * v.vy, whole = has_end ? v.end * vv : 0;
-  // Beside the line; moving away; out of reach at the end. One of them, which cannot be foreseen, mostly holds of misses.
+  // Beside the line; moving away; out of reach at the end. One of them, which cannot be foreseen, mostly holds of
+  // misses.
   const bool beside = gap > d_error + h_error, away = q - forward > forward_error;
   const bool short_of = -q - forward - whole > forward_error + 8 * u * whole;
   if (lane::either(lane::either(beside, away), lane::both(has_end, short_of))) return {Verdict::missed, true};

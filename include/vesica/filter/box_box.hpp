@@ -16,21 +16,25 @@ VESICA_INLINE constexpr auto box_axis_in_range(V squared_length) noexcept {
 
 /// Widest gap between the shapes' projections on the two axes of a box, times |u|; negative when both overlap.
 ///
-/// The error bound, to first order. p0 = u.D, p1 = u x D; r0, r1 are the sums of half extents along them. A coordinate
-/// of D errs by 2u of itself plus u times corner extents (offset()), one of u by u; two roundings follow, so
-///   |error p_i| <= 5u |u||D| + 2u (r0 + r1)     as |u||e| <= |c| + |s| for a segment, and sums to r for an AABB;
-///   |error r_i| <= 8u (r0 + r1)                 (U: 4u; c, s: 4u |u||w| <= 4u (|c| + |s|); sizes u; 3 roundings)
-/// and |u||D| <= |p0| + |p1|. With the subtraction's u: 6u (|p0| + |p1|) + 11u (r0 + r1) <= 12u of the sum of all.
+/// Proved: the gap is off by at most 12u (|p0| + |p1| + r0 + r1), where p0 = u.D, p1 = u x D, and r0, r1 are the sums
+/// of half extents along them. A gap beyond that has the right sign.
+///
+///   - A coordinate of D errs by 2u of itself and u times the corners' extents e (offset()), one of the axis u by u of
+///     itself. Two roundings follow. As |u||e| <= |c| + |s| for a segment, and sums to r for an AABB,
+///     |error p_i| <= 5u |u||D| + 2u (r0 + r1).
+///   - U errs by 4u, c and s by 4u |u||w| <= 4u (|c| + |s|), sizes by u, and there are three roundings:
+///     |error r_i| <= 8u (r0 + r1).
+///   - |u||D| <= |p0| + |p1|, and the subtraction adds u. In all 6u (|p0| + |p1|) + 11u (r0 + r1).
 template <class V>
 VESICA_INLINE constexpr Estimate<V> widest_gap(V p0, V p1, V r0, V r1) noexcept {
   return {max(p0 - r0, p1 - r1), roundoffs<V>(12) * ((p0 + p1) + (r0 + r1)) + underflow_allowance<V>()};
 }
 
-/// Farthest that a box reaches out of another along the other's two axes, times |u|; negative when it stays within.
+/// Farthest that a box reaches out of another along the other's two axes, times |u|; negative when it stays within. h0,
+/// h1 are the other's half extents along them, e0, e1 the box's own.
 ///
-/// h0, h1 are the other's half extents along them, e0, e1 the box's own. The bounds above are sums over h and e, and
-/// there is one addition more, of magnitudes p + e: 7u (|p0| + |p1|) + 12u (h0 + h1 + e0 + e1) <= 14u of the sum of
-/// all.
+/// Proved: it is off by at most 14u of the sum of all magnitudes. The bounds of widest_gap() are sums over h and e, and
+/// there is one addition more, of p + e: 7u (|p0| + |p1|) + 12u (h0 + h1 + e0 + e1).
 template <class V>
 VESICA_INLINE constexpr Estimate<V> farthest_out(V p0, V p1, V h0, V h1, V e0, V e1) noexcept {
   return {max((p0 + e0) - h0, (p1 + e1) - h1),

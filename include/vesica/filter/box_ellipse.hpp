@@ -19,14 +19,21 @@ struct BoxEllipse {
 /// A segment at distance x from the centre, centred at y and of half length e, misses the ellipse by
 /// m^2 - det (p00 - x^2), m = max(|p00 y - p01 x| - p00 e, 0) being this gap.
 ///
-/// With U = u.u, V = v.v, Q = p00 + p11 = (a^2 + b^2) U V, T = |kx| + |ky| + (hx + hy) U, and components of u off by u
-/// (a segment's direction), to first order:
-///   k: 6u T, h U: 6u h U, x: 10u T            (filter/box_box.hpp)
-///   c, s: 4u |u||v|; p00, p11: 12u Q; p01: 10u Q, |p01| <= Q / 2
-///   m: 12u Q y + 6u Q T + 10u Q x + 5u Q T + 18u Q e + 3u (Q y + Q x / 2 + Q e) <= 32u Q T =: error_m
-///   det = (a b U V)^2: 19u; p00 - x^2: 13u Q + 22u x T
-/// so m^2 is off by error_m (2m + error_m) + u m^2, the product by det (33u Q + 42u x T) and the difference by u of
-/// each. Summed over both segments this bounds either.
+/// Proved: what is computed is off by at most error_m (2m + error_m) + u m^2 + det (33u Q + 42u x T) + u of either
+/// term, with error_m = 32u Q T. visible_edges() forms this bound from numbers that it has anyway. Here U = u.u, V =
+/// v.v, Q = p00 + p11 = (a^2 + b^2) U V, T = |kx| + |ky| + (hx + hy) U, and components of u are off by u of themselves
+/// (a segment's direction). To first order errors are:
+///
+///   k; h U; x:            6u T; 6u h U; 10u T            (filter/box_box.hpp)
+///   c, s:                 4u |u||v|
+///   p00, p11; p01:        12u Q; 10u Q, with |p01| <= Q / 2
+///   m:                    12u Q y + 6u Q T + 10u Q x + 5u Q T + 18u Q e + 3u (Q y + Q x / 2 + Q e) <= 32u Q T
+///   m^2:                  error_m (2m + error_m) + u m^2
+///   det = (a b U V)^2:    19u of itself
+///   p00 - x^2:            13u Q + 22u x T
+///   det (p00 - x^2):      det (33u Q + 42u x T)
+///
+/// The bound is summed over both segments, so that one serves either.
 template <class V>
 VESICA_INLINE constexpr V gap_along_segment(V p00, V p01, V x, V y, V e) noexcept {
   return positive_part(abs(p00 * y - p01 * x) - p00 * e);
@@ -73,8 +80,8 @@ VESICA_INLINE constexpr BoxEllipse<V> visible_edges(const Box<V>& box, const Ell
 /// How far the ellipse reaches out of the box: its squared half extent along an axis of the box less the square of the
 /// room that the box leaves there, the greater of two. Where there is no room, it reaches out.
 ///
-/// With T and Q as above, the room errs by e = 10u T, its square by e (2 room + e) and a rounding, p by 12u Q; the
-/// difference by u of either. 12u and 14u taken.
+/// Proved: it is off by at most e (2 room + e) + 14u Q, with e = 12u T and T, Q as for gap_along_segment(). The room
+/// errs by 10u T, its square so by e (2 room + e) and a rounding, p by 12u Q, the difference by u of either.
 template <class V>
 VESICA_INLINE constexpr Estimate<V> ellipse_out_of_box(const BoxFrame<V>& f) noexcept {
   const V kx = abs(f.kx), ky = abs(f.ky);
@@ -87,10 +94,14 @@ VESICA_INLINE constexpr Estimate<V> ellipse_out_of_box(const BoxFrame<V>& f) noe
 /// disc of radius a b V about the origin, m the box's centre, g and h its half edges, the corners are m +- (g + h) and
 /// m +- (g - h), and of two opposite ones the farther is at |m|^2 + |e|^2 + 2 |m . e|.
 ///
-/// With L = |x0| + |x1| + (hx + hy) (|c| + |s|), which is at least |v| (|D| + (hx + hy) |u|): x0, x1 err by 4u L, m by
-/// 5u b L and 5u a L, g + h and g - h by 7u b L and 7u a L, so corners by 12u b L, 12u a L. With X0, X1 the greatest
-/// coordinates of a corner, |X0| <= b L, the squared distance errs by 24u (b X0 + a X1) L + 144u^2 (a^2 + b^2) L^2 and
-/// seven roundings of X0^2 + X1^2, (a b V)^2 by 9u and the difference by one.
+/// Proved: it is off by at most 32u L (b X0 + a X1 + 32u L (a^2 + b^2)) + 12u (a b V)^2, X0 and X1 being the greatest
+/// coordinates of a corner, and L = |x0| + |x1| + (hx + hy) (|c| + |s|), which is at least |v| (|D| + (hx + hy) |u|).
+///
+///   - x0, x1 err by 4u L, and m by 5u b L and 5u a L along the two axes.
+///   - g + h and g - h err by 7u b L and 7u a L, so corners by 12u b L and 12u a L.
+///   - As |X0| <= b L, the squared distance errs by 24u (b X0 + a X1) L + 144u^2 (a^2 + b^2) L^2, and by seven
+///     roundings of X0^2 + X1^2.
+///   - (a b V)^2 errs by 9u, and the difference is one rounding more.
 template <class V>
 VESICA_INLINE constexpr Estimate<V> box_out_of_ellipse(const BoxFrame<V>& f, const Box<V>& box,
                                                        const Ellipse<V>& ellipse, const Centre<V>& d) noexcept {
@@ -108,9 +119,10 @@ VESICA_INLINE constexpr Estimate<V> box_out_of_ellipse(const BoxFrame<V>& f, con
           e * (reach + e * (ellipse.a * ellipse.a + ellipse.b * ellipse.b)) + roundoffs<V>(12) * det};
 }
 
-/// Guard: half lengths at least 2^-10, squared axes 2^-5 to 2^15 (double: the 8th powers), sizes not negative, errors
-/// below 2^100. Then det Q >= 2^-90 stays normal, no product of either side overflows while its bound does not, and
-/// what underflows in k or T is far below the part of the bound that det Q carries.
+/// The guard, where neither underflow nor overflow breaks the bound: half lengths at least 2^-10, squared axes 2^-5 to
+/// 2^15 (double: the 8th powers), sizes not negative, errors below 2^100. Then det Q >= 2^-90 stays normal, no product
+/// of either side overflows while its bound does not, and what underflows in k or T is far below the part of the bound
+/// that det Q carries.
 template <class V>
 VESICA_INLINE constexpr auto box_ellipse_usable(const BoxEllipse<V>& edges, const Box<V>& box,
                                                 const Ellipse<V>& ellipse) noexcept {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A look before a long filter: shapes are disjoint if circles about them are, or if their centres are beyond an ellipse about
-/// the sum of the shapes, and overlap if these are within an ellipse inside it.
+/// A look before a long filter: shapes are disjoint if circles about them are, or if their centres are beyond an
+/// ellipse about the sum of the shapes, and overlap if these are within an ellipse inside it.
 ///
 /// Policy, the same for all pairs: a call looks first where its filter takes more than twice the time of the look and
 /// of a jump that could not be predicted. These are the pairs of round shapes, for their contact cubic. Others would
-/// lose more among shapes that are close than they gain among shapes that are apart. The circles come first and alone: where
-/// most pairs are far apart they settle nearly all. Lanes never look: they cannot jump.
+/// lose more among shapes that are close than they gain among shapes that are apart. The circles come first and alone:
+/// where most pairs are far apart they settle nearly all. Lanes never look: they cannot jump.
 #pragma once
 
 #include <limits>
@@ -13,16 +13,18 @@
 
 namespace vesica::filter {
 
-/// Are circles about two shapes apart? Of `distance` and `about`, the sum of the squared radii R and S, all errors together are
-/// below 16u (u = 2^-53), and (R + S)^2 <= 2 (R^2 + S^2). usable: sizes and squared axes are at least 2^-48 (discs: their powers
-/// are, as in the contact cubic's guards), so that nothing underflows that counts, and none is NaN.
+/// Are circles about two shapes apart? Of `distance` and `about`, the sum of the squared radii R and S, all errors
+/// together are below 16u (u = 2^-53), and (R + S)^2 <= 2 (R^2 + S^2). usable: sizes and squared axes are at least
+/// 2^-48 (discs: their powers are, as in the contact cubic's guards), so that nothing underflows that counts, and none
+/// is NaN.
 VESICA_INLINE constexpr bool circles_apart(double distance, double about, bool usable) noexcept {
   constexpr double finite = std::numeric_limits<double>::max(), slack = 0x1p-40;
   return both(usable, both(distance > (2 + slack) * about, distance <= finite));
 }
 
-/// For what is left in the end, of magnitudes that only comparisons of squares bear: do circles within two shapes overlap? p and q
-/// are their squared radii: (p + q)^2 >= 3 p^2 + q^2 of radii p <= q. `sum`: infinite if a size or an axis is; none is NaN.
+/// For what is left in the end, of magnitudes that only comparisons of squares bear: do circles within two shapes
+/// overlap? p and q are the squares of their radii, P <= Q: (P + Q)^2 >= 3 P^2 + Q^2, so no root is needed. `sum`:
+/// infinite if a size or an axis is; none is NaN.
 VESICA_INLINE constexpr Verdict<bool> circles_meet(const Centre<double>& d, double p, double q, double sum,
                                                    bool usable) noexcept {
   const double distance = d.x * d.x + d.y * d.y;
@@ -33,13 +35,19 @@ VESICA_INLINE constexpr Verdict<bool> circles_meet(const Centre<double>& d, doub
 
 /// By ellipses about the first shape's centre; D is the other's.
 ///
-/// Along a unit vector n shapes reach h and k, with h^2 = n.S n, k^2 = n.T n, and D is in their sum iff n.D <= h + k for all n.
-/// With Q = S + T, h^2 + k^2 = n.Q n, so that the ellipse of Q, adj(Q) D.D <= det Q, is in the sum, and that of 2 Q is about it,
-/// as h^2 + k^2 <= (h + k)^2 <= 2 (h^2 + k^2). Nor is h k less than p q, p and q the radii of circles within the shapes. So the
-/// ellipse of Q + m is in the sum too, with m = 2 min(p^2, q^2): adj(Q) D.D + m |D|^2 <= det Q + m (tr Q + m).
+/// Proved: D inside the ellipse of Q + m means overlap, and outside that of 2 Q that shapes are disjoint. S and T are
+/// the matrices of the two shapes, Q = S + T, and m = 2 min(p^2, q^2), p and q being the radii of circles within them.
+/// Two quadratic forms so settle most pairs before the cubic is formed.
 ///
-/// distance: adj(Q) D.D. room: m (tr Q + m - |D|^2). error: above the errors of all, and NaN or infinite if a number of a shape
-/// is. most: beyond this a factor of what underflows could be too large.
+///   - Along a unit vector n the shapes reach h and k, with h^2 = n.S n and k^2 = n.T n. They overlap iff n.D <= h + k
+///     for all n, that is iff D is in their sum.
+///   - h^2 + k^2 = n.Q n, and h^2 + k^2 <= (h + k)^2 <= 2 (h^2 + k^2). So the ellipse of Q, adj(Q) D.D <= det Q, is in
+///     the sum, and that of 2 Q is about it.
+///   - (h + k)^2 = h^2 + k^2 + 2 h k, and h k is not less than p q. So the ellipse of Q + m is in the sum too:
+///     adj(Q) D.D + m |D|^2 <= det Q + m (tr Q + m).
+///
+/// distance: adj(Q) D.D. room: m (tr Q + m - |D|^2). error: above the errors of all, and NaN or infinite if a number of
+/// a shape is. most: beyond this a factor of what underflows could be too large.
 VESICA_INLINE constexpr Verdict<bool> by_ellipses(double distance, double det, double room, double error, double most,
                                                   bool usable) noexcept {
   return guarded(both(usable, error <= most), distance + error <= det + room, distance > 2 * det + error);

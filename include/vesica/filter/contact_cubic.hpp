@@ -25,15 +25,18 @@ struct Pencil {
 
 /// p(t) at a t >= 0 that nearly minimises a lower estimate of p over x >= 0.
 ///
-/// Let l_i = c_i - 16u total_i, so that d1 + l1 x + l2 x^2 + d2 x^3 lies below p but for the errors of d1 and d2. Its
-/// minimiser is t, by the form of the quadratic's root that adds like signs. With
-/// h = d1 + total1 t + total2 t^2 + d2 t^3,
+/// Proved: if it is beyond 40u h, its sign answers, where h = d1 + total1 t + total2 t^2 + d2 t^3. Below -40u h the
+/// shapes are disjoint, above 40u h they overlap. So one evaluation, with one root and one quotient that need not be
+/// accurate, decides both ways.
+///
+/// The lower estimate is d1 + l1 x + l2 x^2 + d2 x^3 with l_i = c_i - 16u total_i. It lies below p but for the errors
+/// of d1 and d2. Its minimiser is t, by the form of the quadratic's root that adds like signs.
+///
 ///   disjoint: p(t) < 0 at any t > 0 proves it. Coefficients err by 14u h, Horner's rule by 6u h: 20u h in all.
 ///   overlap: the lower estimate at t is 16u h and 6u h below the computed value; d1 and d2 err by 11u h. An error of t
 ///     enters squared: even where the quadratic's root is nearly double, t errs by less than 4 sqrt(u) t, and p by less
 ///     than 110 u^1.5 h. A rough root and quotient, each off by e, cost 3 e^2 h: less than u h for float's 2^-13, 6u h
 ///     for double's 2^-26. 39u h in all.
-/// 40u h serves both.
 template <class V>
 VESICA_INLINE constexpr Estimate<V> least_value(const ContactCubic<V>& p) noexcept {
   const V zero(0.0f), three(3.0f), shift = roundoffs<V>(16);
@@ -60,11 +63,16 @@ VESICA_INLINE constexpr auto totals_in_range(const ContactCubic<V>& p) noexcept 
   return (p.d1 + p.d2) + (p.total1 + p.total2) <= guard_power<V, 62>();
 }
 
-/// d: from the first ellipse's centre to the second's. With v, w the axes, N = |v||w| and M = |v||D| <= |x0| + |x1|,
+/// d: from the first ellipse's centre to the second's.
+///
+/// Proved: errors are as ContactCubic and Pencil state them, on which least_value() builds. With v, w the axes, N =
+/// |v||w| and M = |v||D| <= |x0| + |x1| they are:
+///
 ///   d1 = (a0 a1 V)^2: 9u
 ///   mu: c and s err by 2u N, so c^2 by 4u (c^2 + |c s|) + u c^2: in all 11u mu + 4u |c s| (a0^2 + a1^2)(b0^2 + b1^2)
 ///   al: x0 and x1 err by 3u M, so al by 10u al + 6u (a0^2 + a1^2) |x0 x1|
 ///   c1 = d1 + mu - al: two roundings more; 13u total1.
+///
 /// For ellipses thinner than 1 : 2^-26 errors of second order count where those of first order vanish: b^2 (3u M)^2 in
 /// al when x0 is nearly zero, (2u N)^2 (a0^2 + a1^2)(b0^2 + b1^2) in mu when c or s is. The u^2 terms in the totals
 /// cover them.
@@ -111,10 +119,16 @@ VESICA_INLINE constexpr bool circles_apart(const Ellipse<double>& e, const Ellip
   return circles_apart(d.x * d.x + d.y * d.y, outer_e + outer_f, usable);
 }
 
-/// Q = (xx, xy; xy, yy): xx and yy err by 5u of themselves, xy by 6u of sums of magnitudes, whose square is at most xx yy
-/// (Cauchy and Schwarz). So the distance errs by 23u (qx + qy), det Q by 25u xx yy. As m <= xx and m <= yy, what has it errs by
-/// 10u (qx + qy) + 36u xx yy: together less than 100u of either. xx and yy are at least 2^-144, and where xx yy <= 2^640, squares
-/// of half lengths at most 2^832: what underflows loses less than 2^-242 of an entry.
+/// by_ellipses() for two ellipses, with Q = (xx, xy; xy, yy).
+///
+/// Proved: all errors together are below 100u (qx + qy + xx yy), far below the 2^-40 that the code allows.
+///
+///   - xx and yy err by 5u of themselves, xy by 6u of sums of magnitudes, whose square is at most xx yy (Cauchy,
+///     Schwarz).
+///   - So the distance errs by 23u (qx + qy), and det Q by 25u xx yy.
+///   - As m <= xx and m <= yy, what has m errs by 10u (qx + qy) + 36u xx yy.
+///   - Underflow: xx and yy are at least 2^-144, and where xx yy <= 2^640, squares of half lengths are at most 2^832.
+///     What underflows loses less than 2^-242 of an entry.
 VESICA_INLINE constexpr Verdict<bool> look_at_ellipses(const Ellipse<double>& e, const Ellipse<double>& f,
                                                        const Centre<double>& d, double vv, double ww,
                                                        bool usable) noexcept {
@@ -186,9 +200,12 @@ VESICA_INLINE constexpr bool circles_apart(const Circle<double>& disc, const Ell
   return circles_apart(d.x * d.x + d.y * d.y, about, usable);
 }
 
-/// Along the ellipse's axes Q is diagonal, p and q: it errs by 4u of itself, coordinates times |v| by 3u |v| |D|, so x0^2 q and
-/// x1^2 p by less than 10u (x0^2 + x1^2) (p + q). Errors of the rest are as in look_at_ellipses(). p and q are at least 2^-128,
-/// and where V p q <= 2^340, at most 2^596: what underflows loses less than 2^-478 beside V p q >= 2^-384.
+/// by_ellipses() for a disc and an ellipse, along whose axes Q is diagonal: p and q.
+///
+/// Proved: all errors are far below the 2^-40 that the code allows. p and q err by 4u of themselves, coordinates times
+/// |v| by 3u |v| |D|, so x0^2 q and x1^2 p by less than 10u (x0^2 + x1^2) (p + q). The rest is as for two ellipses.
+/// Underflow: p and q are at least 2^-128, and where V p q <= 2^340, at most 2^596. What underflows loses less than
+/// 2^-478, beside V p q >= 2^-384.
 VESICA_INLINE constexpr Verdict<bool> look_at_ellipses(const Circle<double>& disc, const Ellipse<double>& e,
                                                        const Centre<double>& d, double vv, bool usable) noexcept {
   const double aa = e.a * e.a, bb = e.b * e.b, rr = disc.r * disc.r;

@@ -7,8 +7,10 @@
 
 namespace vesica::filter {
 
-/// |D|^2 - R^2 for coordinates of D and a reach R with a relative error of u each. D^2: 2u, its square's rounding and
-/// the sum make 4u; R^2: 3u; the difference u of either. 5u each, 8 taken.
+/// |D|^2 - R^2 for coordinates of D and a reach R with a relative error of u each.
+///
+/// Proved: it is off by at most 5u (|D|^2 + R^2); 8u is taken. A square errs by 2u for its factor and u for its
+/// rounding, the sum of two by u more, the difference by u of either.
 template <class V>
 VESICA_INLINE constexpr Estimate<V> beyond_reach(const Centre<V>& d, V reach) noexcept {
   const V distance = d.x * d.x + d.y * d.y, reached = reach * reach;
@@ -77,9 +79,12 @@ VESICA_INLINE constexpr auto disc_aabb_certain_facts(const Circle<V>& disc, cons
 
 /// (distance from the disc's centre to the box)^2 - r^2, times U = u.u; d from the box's centre to the disc's.
 ///
-/// With k = (u.D, u x D), T = |k0| + |k1| + (hx + hy) U: |error k_i| <= 6u T (widest_gap), h U errs by 6u of itself, so
-/// x = max(|k0| - hx U, 0) and y err by at most e = 10u T each. Squares and their sum: 2e (x + y) + 2e^2 and 2u of
-/// x^2 + y^2 <= T (x + y); r^2 U: 6u; the difference u of either.
+/// Proved: it is off by at most 2e (x + y) + 2e^2 + 8u r^2 U, where e = 12u T and T = |k0| + |k1| + (hx + hy) U.
+///
+///   - k = (u.D, u x D) errs by 6u T (widest_gap()), h U by 6u of itself.
+///   - So x = max(|k0| - hx U, 0) and y err by at most 10u T each. e has 2u T to spare, which cover what follows.
+///   - Squares and their sum err by 2e (x + y) + 2e^2, and by 2u of x^2 + y^2 <= T (x + y).
+///   - r^2 U errs by 6u of itself, the difference by u of either.
 template <class V>
 VESICA_INLINE constexpr Estimate<V> disc_beyond_box(const Box<V>& b, const Centre<V>& d, V radius, V uu) noexcept {
   const V k0 = abs(b.ux * d.x + b.uy * d.y), k1 = abs(b.ux * d.y - b.uy * d.x);

@@ -33,23 +33,26 @@ VESICA_INLINE constexpr auto certainly_not_nested(const Nesting<V>& n) noexcept 
   return either(certainly_negative(n.top), n.beyond.value + n.slack < -n.beyond.error);
 }
 
-/// Of a pencil whose first ellipse has the lesser area, or an area equal but for rounding. What follows proves that the
-/// answers certainly_nested() and certainly_not_nested() are right despite all rounding.
+/// Of a pencil whose first ellipse has the lesser area, or an area equal but for rounding.
 ///
-/// The first lies in the second iff q(y) = p(-y) = d1 - c1 y + c2 y^2 - d2 y^3 reaches 0 at some y at which M = y S2 -
-/// S1 is positive semidefinite, that is at or beyond y+, the greater root of the convex det M = det1 - mu y + det2 y^2;
-/// clear of its outline if q > 0 somewhere beyond y+ (exact/ellipse_ellipse.hpp). At y+ q <= 0, so that takes a local
-/// maximum yM > y+ of q, or yM = y+ with q = 0. Then q has three positive roots, so c2 > 0.
+/// Proved: the answers certainly_nested() and certainly_not_nested() are right despite all rounding. So relation and
+/// containment need the exact stage near contact alone.
 ///
-/// y is yM for coefficients moved up: h2 = c2 + 128u total2 for c2, l1 = c1 - 128u total1 for c1; where q has no
-/// maximum, its inflection. Where h2 < 0 so is c2, "neither" is right, and y may be anything. And y > y+ iff w |w| >
-/// delta, with w = 2 det2 y - mu and delta = mu^2 - 4 det1 det2 >= 0; y < y+ iff w |w| < delta. With W = 2 det2 y + mu
-/// + turned, w errs by 14u W, w |w| so by 29u |w| W + (14u W)^2, delta by 24u mu (mu + turned) + (12u W)^2 and 27u
-/// mu^2.
+/// 1. What decides. The first lies in the second iff q(y) = p(-y) = d1 - c1 y + c2 y^2 - d2 y^3 reaches 0 at some y at
+/// which M = y S2 - S1 is positive semidefinite, that is at or beyond y+, the greater root of the convex det M = det1 -
+/// mu y + det2 y^2; clear of its outline if q > 0 somewhere beyond y+ (exact/ellipse_ellipse.hpp). At y+ q <= 0, so
+/// that takes a local maximum yM > y+ of q, or yM = y+ with q = 0. Then q has three positive roots, so c2 > 0.
 ///
-/// within: q(y) > 0 and y > y+ at one y prove it; errors are 14u of the coefficients and 6u of Horner's rule.
+/// 2. Where q is looked at. y is yM for coefficients moved up: h2 = c2 + 128u total2 for c2, l1 = c1 - 128u total1 for
+/// c1; where q has no maximum, its inflection. Where h2 < 0 so is c2, "neither" is right, and y may be anything.
 ///
-/// neither: areas that are equal but for rounding could be the other way round, |S2| >= (1 - 23u) |S1|. If then the
+/// 3. On which side of y+ that is. y > y+ iff w |w| > delta, with w = 2 det2 y - mu and delta = mu^2 - 4 det1 det2 >=
+/// 0; y < y+ iff w |w| < delta. With W = 2 det2 y + mu + turned, w errs by 14u W, w |w| so by 29u |w| W + (14u W)^2,
+/// delta by 24u mu (mu + turned) + (12u W)^2 and 27u mu^2.
+///
+/// 4. Within. q(y) > 0 and y > y+ at one y prove it; errors are 14u of the coefficients and 6u of Horner's rule.
+///
+/// 5. Neither. Areas that are equal but for rounding could be the other way round, |S2| >= (1 - 23u) |S1|. If then the
 /// second lay in the first, map the first to the unit disc: the second's half axes have a product of at least 1 - 12u
 /// and none exceeds 1, so it contains a disc of radius 1 - 12u about a point 12u away, and times 1 + 25u about its
 /// centre it would contain the first. So it is enough to prove that the first does not lie in the second so enlarged,

@@ -12,12 +12,17 @@ struct LeastSquare {
   V low, high;
 };
 
-/// From the corners p +- g +- h of one box to another with half sizes e0, e1; total is the sum of all magnitudes, below T.
+/// From the corners p +- g +- h of one box to another with half sizes e0, e1; total is T, the sum of all magnitudes.
 ///
-/// With T = |p0| + |p1| + (sums of half extents), a coordinate of p errs by at most 5u (|p0| + |p1|) + 2u (the rest)
-/// (widest_gap), one of g or h by 6u of its magnitude (c, s: 4u; size u; product u), and two sums add 2u T; e0 and e1 err by
-/// 6u and their difference by u T. So x and y err by at most 11u T, of which 14u are taken as e. Squares and their sum err by
-/// 2e (x + y) + 2e^2 and 2u (x^2 + y^2) <= 2u T (x + y), which the 3u to spare cover.
+/// Proved: a squared distance is off by at most 2e (x + y) + 2e^2, with e = 14u T, so that it lies between `low` and
+/// `high`.
+///
+///   - A coordinate of p errs by at most 5u (|p0| + |p1|) + 2u (the rest), as in widest_gap(); one of g or h by 6u of
+///     its magnitude (c, s: 4u; size u; product u). Two sums add 2u T.
+///   - e0 and e1 err by 6u of themselves, the difference by u T.
+///   - So x and y err by at most 11u T.
+///   - Squares and their sum err by 2e (x + y) + 2e^2, and by 2u (x^2 + y^2) <= 2u T (x + y), which the 3u to spare
+///     cover.
 template <class V>
 VESICA_INLINE constexpr LeastSquare<V> least_square(V p0, V p1, V g0, V g1, V h0, V h1, V e0, V e1, V total) noexcept {
   const V e = roundoffs<V>(14) * total;

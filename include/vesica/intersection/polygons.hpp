@@ -18,14 +18,22 @@ struct Vertex {
   double x, y;
 };
 
-/// At most 8: every edge of two quadrilaterals has at most one piece of the outline. Two more are room for what may
-/// repeat its neighbour.
+/// A shared region has at most 8 vertices, as many as two quadrilaterals have edges. So the room suffices.
+///
+/// The region is convex, and each of its edges lies on the line of an edge of a or of b. A line that bounds a convex
+/// region meets it in one segment at most, so each of the 8 lines has at most one edge of the region.
+///
+/// The functions below add no vertex twice. common_area() adds one where an edge of the region begins: its pieces of a
+/// have a length, and b's outline between two of them has corners only strictly between its ends (walk()). A region
+/// without area is a point or a segment, and common_corners() leaves out a corner that both shapes have.
 struct Vertices {
-  Vertex at[10];
+  static constexpr int most = 8;
+
+  Vertex at[most];
   int count = 0;
 
   void add(const Vertex& v) noexcept {
-    if (count < 10) at[count++] = v;
+    if (count < most) at[count++] = v;
   }
 };
 

@@ -6,7 +6,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vesica/shapes.hpp>
+
+#include "capi/face.hpp"
 
 namespace {
 
@@ -37,6 +40,44 @@ TEST(QueryArguments, NullIsAnErrorWhereItIsNeeded) {
   const vesica_shapes_f64 none = shapes(nullptr, 0);
   EXPECT_EQ(vesica_area_many_f64(&none, &none, nullptr), 0);
   EXPECT_EQ(vesica_nearest_many_f64(&none, &none, nullptr, nullptr, nullptr, nullptr, nullptr), 0);
+}
+
+/// With a count of 0 the other array's fields may be NULL, however many shapes it has.
+template <class T>
+void expect_nothing_is_read() {
+  using F = capi_tests::Face<T>;
+  const typename F::Shapes none{VESICA_CIRCLE, 0, 0, 0, {}}, some{VESICA_RECT, 0, 5, 6 * sizeof(T), {}};
+  for (const auto& [a, b] : {std::pair{&none, &some}, {&some, &none}}) {
+    EXPECT_EQ(F::overlap_matrix(a, b, nullptr, 5), 0);
+    EXPECT_EQ(F::relation_matrix(a, b, nullptr, 5), 0);
+    EXPECT_EQ(F::contains_matrix(a, b, nullptr, 5), 0);
+    EXPECT_EQ(F::area_matrix(a, b, nullptr, 5), 0);
+    EXPECT_EQ(F::iou_matrix(a, b, nullptr, 5), 0);
+    EXPECT_EQ(F::ratio_matrix(VESICA_RATIO_GENERALIZED, a, b, nullptr, 5), 0);
+    EXPECT_EQ(F::nearest_matrix(a, b, nullptr, 5), 0);
+    EXPECT_EQ(F::boundary_distance_matrix(a, b, nullptr, 5), 0);
+    EXPECT_EQ(F::depth_matrix(a, b, nullptr, 5), 0);
+    EXPECT_EQ(F::signed_distance_matrix(a, b, nullptr, 5), 0);
+    EXPECT_EQ(F::within_matrix(a, b, 1, nullptr, 5), 0);
+  }
+  typename F::Shapes one = some;
+  one.count = 1;
+  EXPECT_EQ(F::area_many(&one, &none, nullptr), 0);
+  EXPECT_EQ(F::within_many(&none, &one, 1, nullptr), 0);
+  EXPECT_EQ(F::cast_many(&one, &none, nullptr, nullptr, 0, 1, nullptr, nullptr, nullptr, nullptr, nullptr), 0);
+  EXPECT_EQ(F::overlap_select(&one, &none, nullptr, 0), 0);
+  // The shape that moves is looked at whatever the others are.
+  typename F::Impact impact;
+  EXPECT_EQ(F::cast_first(&one, &none, 1, 0, 1, &impact), VESICA_E_NULL);
+  EXPECT_EQ(F::cast_first(&one, &none, 1, 0, -1, &impact), VESICA_E_NULL);
+  const T circle[3] = {0, 0, 1};
+  one = {VESICA_CIRCLE, 0, 1, 0, {circle, circle + 1, circle + 2}};
+  EXPECT_EQ(F::cast_first(&one, &none, 1, 0, 1, &impact), 0);
+}
+
+TEST(QueryArguments, NothingToAnswerReadsNothing) {
+  expect_nothing_is_read<double>();
+  expect_nothing_is_read<float>();
 }
 
 TEST(QueryArguments, CountsKindsAndRows) {
