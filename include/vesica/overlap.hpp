@@ -12,8 +12,8 @@
 
 #include <vesica/check.hpp>
 #include <vesica/filter/error_free.hpp>
+#include <vesica/filter/reach.hpp>
 #include <vesica/filter/short_numbers.hpp>
-#include <vesica/filter/sides.hpp>
 #include <vesica/overlap/aabb_aabb.hpp>
 #include <vesica/overlap/aabb_ellipse.hpp>
 #include <vesica/overlap/aabb_rect.hpp>
@@ -54,8 +54,8 @@ VESICA_INLINE constexpr std::int32_t decide_by_filter(const A& a, const B& b) no
 /// Exact contact, where a look at the numbers shows that a short evaluation is exact.
 template <class A, class B>
 VESICA_INLINE constexpr std::int32_t decide_short_tie(const A& a, const B& b) noexcept {
-  if constexpr (filter::HasSides<A, B>) {
-    return answer_of(filter::by_sides<filter::NearUnit>(a, b));
+  if constexpr (filter::HasResidues<A, B>) {
+    return answer_of(filter::by_residues<filter::NearUnit>(a, b));
   } else if constexpr (filter::HasShortNumbers<A, B>) {
     return answer_of(filter::short_numbers(a, b));
   } else {
@@ -65,8 +65,8 @@ VESICA_INLINE constexpr std::int32_t decide_short_tie(const A& a, const B& b) no
 /// Other contacts, by evaluations that detect that no digit that matters was rounded away.
 template <class A, class B>
 VESICA_INLINE constexpr std::int32_t decide_long_tie(const A& a, const B& b) noexcept {
-  if constexpr (filter::HasSides<A, B>) {
-    const std::int32_t answer = answer_of(filter::by_sides<filter::FarUnit>(a, b));
+  if constexpr (filter::HasResidues<A, B, filter::FarUnit>) {
+    const std::int32_t answer = answer_of(filter::by_residues<filter::FarUnit>(a, b));
     if (answer >= 0) return answer;
   }
   if constexpr (filter::HasErrorFree<A, B>) {
@@ -95,7 +95,7 @@ VESICA_COLD constexpr std::int32_t decide_long(const A& a, const B& b) noexcept 
 /// For pairs in double that a filter left undecided. Invalid shapes get their error here, valid ones their exact
 /// answer.
 template <class A, class B>
-VESICA_COLD constexpr std::int32_t decide_undecided(const A& a, const B& b) noexcept {
+VESICA_CALLED constexpr std::int32_t decide_undecided(const A& a, const B& b) noexcept {
   if (!std::is_constant_evaluated()) {
     const std::int32_t answer = decide_short_tie(a, b);
     if (answer >= 0) return answer;

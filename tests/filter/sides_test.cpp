@@ -10,45 +10,24 @@
 #include <limits>
 #include <vesica/overlap.hpp>
 
-#include "oracle/oracle.hpp"
-#include "properties/random.hpp"
+#include "residues.hpp"
 
 namespace {
 
 using namespace vesica;
+using filter_test::ask;
+using filter_test::Counts;
+using filter_test::decided;
+using filter_test::neighbour;
 using properties::Random;
 
 constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
-
-struct Counts {
-  int asked = 0, near = 0, far = 0, wrong = 0, overlap = 0;
-};
-
-template <class A, class B>
-void ask(const A& a, const B& b, Counts& counts) {
-  constexpr int kind_a = static_cast<int>(ShapeTraits<A>::kind), kind_b = static_cast<int>(ShapeTraits<B>::kind);
-  if (check(a) != 0 || check(b) != 0) return;
-  const auto near = filter::by_sides<filter::NearUnit>(a, b), far = filter::by_sides<filter::FarUnit>(a, b);
-  const bool truth =
-      oracle::overlap(kind_a, reinterpret_cast<const double*>(&a), kind_b, reinterpret_cast<const double*>(&b));
-  ++counts.asked;
-  counts.overlap += truth;
-  for (const auto& [verdict, decided] : {std::pair{near, &counts.near}, std::pair{far, &counts.far}}) {
-    *decided += verdict.overlap || verdict.disjoint;
-    counts.wrong += truth ? verdict.disjoint : verdict.overlap;
-  }
-}
 
 /// A segment, and a point on or about it.
 struct Place {
   Segment<double> s;
   Point<double> p;
 };
-
-double neighbour(double x, Random& random) {
-  for (int places = random.integer(0, 2); places > 0; --places) x = std::nextafter(x, random.chance(0.5) ? inf : -inf);
-  return x;
-}
 
 /// The place in all pairs: by itself, as the end of another segment or its inside, and as the corner or edge of a box.
 void ask_all(const Place& at, double size, Random& random, Counts& counts) {
@@ -174,12 +153,6 @@ TEST(Sides, DecideOnlyWhatIsRightAtTheEndsOfTheRange) {
     EXPECT_EQ(counts.wrong, 0) << e;
     EXPECT_EQ(counts.far > 0, e >= -300 && e <= 302) << e;
   }
-}
-
-template <class A, class B>
-bool decided(const A& a, const B& b) {
-  const auto near = filter::by_sides<filter::NearUnit>(a, b), far = filter::by_sides<filter::FarUnit>(a, b);
-  return near.overlap || near.disjoint || far.overlap || far.disjoint;
 }
 
 TEST(Sides, LeaveInvalidShapes) {

@@ -19,6 +19,11 @@ struct Residue128 {
   VESICA_INLINE constexpr std::int64_t sign() const noexcept {
     return static_cast<std::int64_t>(high | std::uint64_t{low != 0});
   }
+  VESICA_INLINE constexpr Residue128 magnitude() const noexcept {
+    const std::uint64_t mask = std::uint64_t{0} - (high >> 63);
+    const std::uint64_t flipped_low = low ^ mask, negated_low = flipped_low - mask;
+    return {negated_low, (high ^ mask) + (negated_low < flipped_low)};
+  }
 };
 
 VESICA_INLINE constexpr Residue128 operator+(const Residue128& a, const Residue128& b) noexcept {
@@ -33,6 +38,27 @@ VESICA_INLINE constexpr Residue128 operator*(const Residue128& a, const Residue1
   return {product.low, product.high + a.low * b.high + a.high * b.low};
 }
 
+/// A natural number of 256 bits, the least significant limb first.
+struct Natural256 {
+  std::uint64_t limb[4];
+};
+
+/// Of natural numbers.
+VESICA_INLINE constexpr Natural256 product(const Residue128& a, const Residue128& b) noexcept {
+  using exact::detail::LimbPair;
+  using exact::detail::multiply_add;
+  const LimbPair low = multiply_add(a.low, b.low, 0, 0), across = multiply_add(a.low, b.high, low.high, 0);
+  const LimbPair other = multiply_add(a.high, b.low, across.low, 0);
+  const LimbPair high = multiply_add(a.high, b.high, across.high, other.high);
+  return {{low.low, other.low, high.low, high.high}};
+}
+VESICA_INLINE constexpr bool operator<=(const Natural256& a, const Natural256& b) noexcept {
+  for (int i = 3; i > 0; --i) {
+    if (a.limb[i] != b.limb[i]) return a.limb[i] < b.limb[i];
+  }
+  return a.limb[0] <= b.limb[0];
+}
+
 /// An integer of 64 bits, of either sign.
 struct Integer64 {
   std::int64_t n;
@@ -42,22 +68,30 @@ struct Integer64 {
   }
 };
 
+VESICA_INLINE constexpr Integer64 operator+(Integer64 a, Integer64 b) noexcept { return {a.n + b.n}; }
 VESICA_INLINE constexpr Integer64 operator-(Integer64 a, Integer64 b) noexcept { return {a.n - b.n}; }
 /// The product itself.
 VESICA_INLINE constexpr Residue128 operator*(Integer64 a, Integer64 b) noexcept {
+#if defined(__SIZEOF_INT128__)
+  __extension__ using Wide = __int128;
+  const Wide product = Wide{a.n} * b.n;
+  return {static_cast<std::uint64_t>(product), static_cast<std::uint64_t>(product >> 64)};
+#else
   const auto p = static_cast<std::uint64_t>(a.n), q = static_cast<std::uint64_t>(b.n);
   const exact::detail::LimbPair product = exact::detail::multiply_add(p, q, 0, 0);
   return {product.low,
           product.high - (static_cast<std::uint64_t>(a.n >> 63) & q) - (static_cast<std::uint64_t>(b.n >> 63) & p)};
+#endif
 }
 
-/// Numbers as multiples of a power of two, G, chosen such that the greatest is from 2^(digits - 1) G to 2^digits G.
+/// Numbers as multiples of a power of two, G, chosen such that their absolute values, summed and rounded, are from
+/// 2^(digits - 1) G to 2^digits G. So any of them differ by less than 2^(digits + 1) G.
 template <int digits>
 class Unit {
  public:
-  /// Whether all are finite, and the greatest is from 2^-300 to 2^300. Only then may numbers be made.
+  /// Whether all are finite, and their sum is from 2^-300 to 2^300. Only then may numbers be made.
   VESICA_INLINE constexpr bool is_ordinary() const noexcept {
-    return greatest_ >= 1023 - 300 && greatest_ <= 1023 + 300;
+    return exponent_ >= 1023 - 300 && exponent_ <= 1023 + 300;
   }
   /// Whether all numbers so far were multiples of G.
   VESICA_INLINE constexpr bool holds() const noexcept { return lost_ == 0; }
@@ -65,12 +99,12 @@ class Unit {
  protected:
   template <class... X>
   VESICA_INLINE constexpr explicit Unit(X... stored) noexcept
-      : greatest_(static_cast<int>(greatest((std::bit_cast<std::uint64_t>(stored) & magnitude_bits)...) >> 52)) {}
+      : exponent_(static_cast<int>(std::bit_cast<std::uint64_t>(sum(lane::abs(stored)...)) >> 52)) {}
 
   /// 2^e G.
-  VESICA_INLINE constexpr double scale(int e) const noexcept { return power(greatest_ - 1023 - digits + 1 + e); }
+  VESICA_INLINE constexpr double scale(int e) const noexcept { return power(exponent_ - 1023 - digits + 1 + e); }
   /// 2^-e / G.
-  VESICA_INLINE constexpr double inverse(int e) const noexcept { return power(1023 + digits - 1 - greatest_ - e); }
+  VESICA_INLINE constexpr double inverse(int e) const noexcept { return power(1023 + digits - 1 - exponent_ - e); }
 
   /// The whole number nearest to x / (2^e G) towards 0; takes it away from x. Neither is rounded, nor is a scaled number,
   /// unless it is too small to count: then all of x is left.
@@ -82,18 +116,17 @@ class Unit {
   VESICA_INLINE constexpr void lose(double x) noexcept { lost_ = lane::or_bits(lost_, x); }
 
  private:
-  static constexpr std::uint64_t magnitude_bits = 0x7fffffffffffffffu;
-
   VESICA_INLINE static constexpr double power(int e) noexcept {
     return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + e) << 52);
   }
-  VESICA_INLINE static constexpr std::uint64_t greatest(std::uint64_t first) noexcept { return first; }
-  template <class... E>
-  VESICA_INLINE static constexpr std::uint64_t greatest(std::uint64_t first, std::uint64_t second, E... rest) noexcept {
-    return greatest(first > second ? first : second, rest...);
+  /// By pairs: no sum waits for all others.
+  VESICA_INLINE static constexpr double sum(double first) noexcept { return first; }
+  template <class... X>
+  VESICA_INLINE static constexpr double sum(double first, double second, X... rest) noexcept {
+    return sum(rest..., first + second);
   }
 
-  int greatest_;  // the stored exponent of the greatest number
+  int exponent_;  // of the sum, as it is stored
   double lost_ = 0;
 };
 

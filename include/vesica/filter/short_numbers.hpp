@@ -6,7 +6,7 @@
 
 #include <vesica/filter/box_box.hpp>
 #include <vesica/filter/error_free.hpp>
-#include <vesica/filter/sides.hpp>
+#include <vesica/filter/reach.hpp>
 
 namespace vesica::filter {
 
@@ -123,8 +123,6 @@ requires is_straight<B> VESICA_INLINE constexpr Verdict<bool> short_numbers(cons
 
 /// Pairs for which this is quicker than error_free().
 template <class A, class B>
-concept HasShortNumbers = HasErrorFree<A, B> && !HasSides<A, B> &&
-                          ((is_straight<A> && is_straight<B>) || (is_disc<A> && is_straight<B> && !is_aabb<B>) ||
-                           (is_straight<A> && is_disc<B> && !is_point<A>));
+concept HasShortNumbers = HasErrorFree<A, B> && !HasResidues<A, B>;
 
 }  // namespace vesica::filter
