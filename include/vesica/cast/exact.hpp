@@ -93,17 +93,21 @@ int witness_sign(const ExactReach& a, const ExactReach& b, const Number<2>& w, c
 /// by one power of 2^64, axes being lengths too. False where their digits span more than the window.
 class Window {
  public:
+  /// x times a number whose bits are in [below, above).
   template <int Degree>
-  void hold(const Number<Degree>& x) noexcept {
+  void hold(const Number<Degree>& x, std::int64_t below = 0, std::int64_t above = 0) noexcept {
     if (x.sign == 0) return;
-    const std::int64_t top = exact::detail::top_bit(x), low = 64 * std::int64_t{x.low} + std::countr_zero(x.limb[0]);
+    const std::int64_t top = exact::detail::top_bit(x) + above;
+    const std::int64_t low = 64 * std::int64_t{x.low} + std::countr_zero(x.limb[0]) + below;
     top_ = top > top_ ? top : top_;
     low_ = low < low_ ? low : low_;
   }
+  std::int64_t top() const noexcept { return top_; }
+  std::int64_t low() const noexcept { return low_; }
   bool place() noexcept {
     if (top_ <= highest && low_ >= lowest) return true;
     // A shift by whole limbs is off by less than 64 bits.
-    if (top_ - low_ > highest - lowest - 64) return false;
+    if (top_ - low_ > widest) return false;
     const std::int64_t shift = lowest - low_ + 63;
     limbs_ = static_cast<std::int32_t>((shift - (shift & 63)) / 64);
     return true;
@@ -119,8 +123,9 @@ class Window {
     return length;
   }
 
+  static constexpr std::int64_t lowest = -1075, highest = 1026, widest = highest - lowest - 64;
+
  private:
-  static constexpr std::int64_t lowest = -1075, highest = 1026;
   std::int64_t top_ = INT64_MIN / 4, low_ = INT64_MAX / 4;
   std::int32_t limbs_ = 0;
 };
@@ -128,6 +133,8 @@ class Window {
 /// What contact is at a time: none, of outlines alone, or of insides. `beyond` where the place has more digits than
 /// exact numbers hold.
 enum class Contact { none, touch, inside, beyond };
+
+struct WideTime;
 
 /// A pair and its motion, v != 0, in exact numbers.
 class ExactPair {
@@ -188,15 +195,48 @@ class ExactPair {
     return contact == Contact::beyond ? error_range : contact == Contact::inside ? 1 : 0;
   }
 
+  /// Whether contact_at() certainly has storage for the place at each time from `least` to `most`, 0 < least <= most. With
+  /// the exponent of the time the highest and the lowest bit of a coordinate rise as convex and concave functions. So the
+  /// window spans at most what it does at either end.
+  bool holds_places(double least, double most) const noexcept {
+    const Extent low = extent(least), high = extent(most);
+    return (high.top <= Window::highest && low.low >= Window::lowest) ||
+           (low.top - low.low <= Window::widest && high.top - high.low <= Window::widest);
+  }
+
+  bool of_ellipses() const noexcept { return a_.round && b_.round; }
+
+  friend WideTime wide_time(const ExactPair& pair) noexcept;
+  friend double floor_of_ellipses(const ExactPair& pair) noexcept;
+
  private:
+  /// All bits of the place at times of this exponent, and of the axes, are in [low, top).
+  struct Extent {
+    std::int64_t top, low;
+  };
+  Extent extent(double t) const noexcept {
+    const std::int64_t exponent = arithmetic::exponent_of(t);
+    Window window;
+    for (const ExactBody* body : {&a_, &b_}) {
+      window.hold(body->box.ux);
+      window.hold(body->box.uy);
+    }
+    window.hold(dx_);
+    window.hold(dy_);
+    window.hold(vx_, exponent - 53, exponent);
+    window.hold(vy_, exponent - 53, exponent);
+    return {window.top() + 1, window.low()};
+  }
+
   static ExactBody placed(const ExactBody& body, const exact::Length& x, const exact::Length& y,
                           const Window& window) noexcept {
     return {{x, y, window.moved(body.box.ux), window.moved(body.box.uy), body.box.hx, body.box.hy}, body.round};
   }
   template <class A, class B>
   static Contact contact(const A& a, const B& b) noexcept {
-    if (!exact::overlap(a, b)) return Contact::none;
-    return depth::has_no_depth(a, b) ? Contact::touch : Contact::inside;
+    const depth::Overlap found = depth::overlap_and_depth(a, b);
+    if (found == depth::Overlap::none) return Contact::none;
+    return found == depth::Overlap::some_without_depth ? Contact::touch : Contact::inside;
   }
 
   ExactBody a_, b_;

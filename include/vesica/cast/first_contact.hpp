@@ -8,6 +8,7 @@
 
 #include <vesica/arithmetic/rounding.hpp>
 #include <vesica/cast/direction.hpp>
+#include <vesica/cast/ellipse_trials.hpp>
 #include <vesica/cast/exact.hpp>
 #include <vesica/cast/filter.hpp>
 #include <vesica/cast/place.hpp>
@@ -119,10 +120,32 @@ VESICA_COLD inline std::int32_t exact_contact_at(const Body& a, const Body& b, c
   return contact == Contact::beyond ? static_cast<std::int32_t>(error_range) : contact != Contact::none ? 1 : 0;
 }
 
+/// Whether no double that search_up() may try between a start and a time is beyond exact_contact_at(): it goes at most
+/// as far beyond the time as the start is from it.
+inline bool holds_trials(const ExactPair& pair, double start, double t) noexcept {
+  const std::uint64_t from = arithmetic::rank(start), to = arithmetic::rank(t);
+  const std::uint64_t least = from < to ? from : to, most = from < to ? to : from, way = most - least + 3;
+  const std::uint64_t bottom = arithmetic::rank(0.0) + 1, top = arithmetic::rank(std::numeric_limits<double>::max());
+  return pair.holds_places(arithmetic::at_rank<double>(least - bottom > way ? least - way : bottom),
+                           arithmetic::at_rank<double>(top - most > way ? most + way : top));
+}
+
+/// The time without trials of exact numbers, or few, where none of those that exact_floor() makes would have failed.
+inline bool known_floor(const ExactPair& pair, double start, double& out) noexcept {
+  if (pair.line_grazes()) return false;
+  const double t = pair.of_ellipses() ? floor_of_ellipses(pair) : wide_floor(wide_time(pair));
+  if (!(t > 0) || !holds_trials(pair, start, t)) return false;
+  out = t;
+  return true;
+}
+
 /// The time by trial of doubles, from an estimate. Returns error_range where it or the place then is beyond the numbers.
 VESICA_COLD inline std::int32_t exact_floor(const Body& a, const Body& b, const Motion& motion, double estimate,
                                             double& out) noexcept {
   const ExactPair pair(a, b, motion);
+  const bool usable = estimate > 0 && estimate < std::numeric_limits<double>::max();
+  const double start = usable ? arithmetic::at_rank<double>(arithmetic::rank(estimate) + 1) : 1.0;
+  if (known_floor(pair, start, out)) return 0;
   std::int32_t error = 0;
   const auto is_after = [&](double t) {
     const int before = pair.contact_before(t);
@@ -130,8 +153,6 @@ VESICA_COLD inline std::int32_t exact_floor(const Body& a, const Body& b, const 
     return before != 0;
   };
   double after;
-  const bool usable = estimate > 0 && estimate < std::numeric_limits<double>::max();
-  const double start = usable ? arithmetic::at_rank<double>(arithmetic::rank(estimate) + 1) : 1.0;
   if (!arithmetic::search_up(start, is_after, after) || error != 0) return error_range;
   out = arithmetic::at_rank<double>(arithmetic::rank(after) - 1) + 0.0;
   return 0;

@@ -30,12 +30,17 @@ inline bool sum_is_flat(const exact::Box& a, const exact::Box& b) noexcept {
 /// What is known of shapes: that they are disjoint, that they overlap, and then perhaps whether their depth is 0.
 enum class Overlap : std::int32_t { none, some, some_without_depth, some_with_depth };
 
-/// Both questions at once: they cost no more than the first.
-inline Overlap overlap_and_depth(const exact::Box& a, const exact::Ellipse& b) noexcept {
-  const bool flat = degenerate(b);
-  const int gap = flat ? contact(a, as_box(b)) : contact(a, b);
+/// Both questions at once: they cost no more than the first. contact() asks for the sum's relative inside, which with
+/// area is its inside.
+inline Overlap overlap_and_depth(const exact::Box& a, const exact::Box& b) noexcept {
+  const int gap = contact(a, b);
   if (gap > 0) return Overlap::none;
-  return gap == 0 || (flat && sum_is_flat(a, as_box(b))) ? Overlap::some_without_depth : Overlap::some_with_depth;
+  return gap == 0 || sum_is_flat(a, b) ? Overlap::some_without_depth : Overlap::some_with_depth;
+}
+inline Overlap overlap_and_depth(const exact::Box& a, const exact::Ellipse& b) noexcept {
+  if (degenerate(b)) return overlap_and_depth(a, as_box(b));
+  const int gap = contact(a, b);
+  return gap > 0 ? Overlap::none : gap == 0 ? Overlap::some_without_depth : Overlap::some_with_depth;
 }
 
 /// As exact::overlap and exact::relation decide it.

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The first contact of two ellipses whose exponents are unlike, by trial of doubles, most of them in a microsecond: the
+/// cubic of their contact (exact/contact_cubic.hpp) from the leading digits of numbers that do not depend on the time.
+/// Where these do not tell, the exact predicate does.
+#pragma once
+
+#include <vesica/arithmetic/rounding.hpp>
+#include <vesica/cast/wide.hpp>
+
+namespace vesica::detail::cast {
+
+/// What a trial tells: whether there is contact of insides before the time, and where known the discriminant of the cubic,
+/// which is positive before contact, and falls through 0 at it.
+struct Trial {
+  bool known = false, after = false, has_value = false;
+  arithmetic::Scaled value{0, 0};
+};
+
+/// An ellipse, and another's centre that passes: d + t v in its frame, each coordinate times the other half length.
+struct LeadingFrame {
+  using Few = exact::Leading<exact::few_limbs>;
+  Few at_x, at_y, by_x, by_y, squared_area;
+
+  LeadingFrame(const exact::Box& e, const Passage& p) noexcept
+      : at_x(e.hy * exact::dot(e.ux, e.uy, p.dx, p.dy)),
+        at_y(e.hx * exact::cross(e.ux, e.uy, p.dx, p.dy)),
+        by_x(e.hy * exact::dot(e.ux, e.uy, p.vx, p.vy)),
+        by_y(e.hx * exact::cross(e.ux, e.uy, p.vx, p.vy)),
+        squared_area(square(Few(e.hx * e.hy * exact::dot(e.ux, e.uy, e.ux, e.uy)))) {}
+
+  /// al or be of the cubic.
+  Few offset(const Few& t) const noexcept { return square(at_x + t * by_x) + square(at_y + t * by_y); }
+};
+
+/// The cubic at a time.
+class LeadingContact {
+  using Few = LeadingFrame::Few;
+
+ public:
+  LeadingContact(const exact::Box& e, const exact::Box& f, const Passage& p) noexcept
+      : first_(e, p), second_(f, p), mixed_(mixed(e, f)), product_(first_.squared_area * second_.squared_area) {}
+
+  /// As exact::overlap decides it: contact if both inner coefficients are not negative or the discriminant is not positive;
+  /// of insides unless it is 0.
+  Trial at(double time) const noexcept {
+    const Few t(exact::from_double(time)), &d1 = first_.squared_area, &d2 = second_.squared_area;
+    const Few c1 = d1 + mixed_ - first_.offset(t), c2 = d2 + mixed_ - second_.offset(t);
+    Trial trial;
+    if (!c1.sign_is_certain() || !c2.sign_is_certain()) return trial;
+    if (c1.sign >= 0 && c2.sign >= 0) return {true, true};
+    const Few a = square(c2) - times(3, d2 * c1), b = c1 * c2 - times(9, product_), c = square(c1) - times(3, d1 * c2);
+    const Few discriminant = times(4, a * c) - square(b);
+    if (!discriminant.sign_is_certain() || discriminant.sign == 0) return trial;
+    const double value = discriminant.sign * static_cast<double>(discriminant.limb[exact::few_limbs - 1]) * 0x1p-64;
+    return {true, discriminant.sign < 0, true, {value, 64 * (discriminant.low + exact::few_limbs)}};
+  }
+
+ private:
+  static Few mixed(const exact::Box& e, const exact::Box& f) noexcept {
+    const Few c(exact::dot(e.ux, e.uy, f.ux, f.uy)), s(exact::cross(e.ux, e.uy, f.ux, f.uy));
+    const Few a0 = square(Few(e.hx)), a1 = square(Few(e.hy)), b0 = square(Few(f.hx)), b1 = square(Few(f.hy));
+    return square(c) * (a0 * b1 + a1 * b0) + square(s) * (a0 * b0 + a1 * b1);
+  }
+
+  LeadingFrame first_, second_;
+  Few mixed_, product_;  // mu, and d1 d2
+};
+
+/// How far from x to 0, of values x > 0 > y.
+inline double share(const arithmetic::Scaled& x, const arithmetic::Scaled& y) noexcept {
+  const double ratio = arithmetic::scale(y.value / x.value, y.exponent - x.exponent);
+  return 1 / (1 - ratio);
+}
+
+/// The greatest double with no contact before it, for which ask(t) is answered by trials; negative where there is none.
+/// First the power of two is bisected, then the discriminant's zero is approached by secants (Illinois), and by halves
+/// where these do not halve the way.
+template <class Ask>
+double floor_by_trials(const Ask& ask) noexcept {
+  int no_exponent = -1075, yes_exponent = 1024;
+  Trial at_no, at_yes;
+  while (yes_exponent - no_exponent > 1) {
+    const int middle = (yes_exponent + no_exponent) / 2;
+    const Trial trial = ask(arithmetic::scale_far(1, middle));
+    (trial.after ? yes_exponent : no_exponent) = middle;
+    (trial.after ? at_yes : at_no) = trial;
+  }
+  if (yes_exponent == 1024) return -1;
+  std::uint64_t no = arithmetic::rank(no_exponent < -1074 ? 0.0 : arithmetic::scale_far(1, no_exponent)),
+                yes = arithmetic::rank(arithmetic::scale_far(1, yes_exponent)), halved = yes - no;
+  bool was_after = false;
+  for (int steps = 1; yes - no > 1; ++steps) {
+    const std::uint64_t way = yes - no;
+    std::uint64_t step = way / 2;
+    const bool must_halve = steps % 4 == 0 && way > halved / 16;
+    if (steps % 4 == 0) halved = way;
+    if (at_no.has_value && at_yes.has_value && !must_halve) {
+      step = static_cast<std::uint64_t>(static_cast<double>(way) * share(at_no.value, at_yes.value));
+      step = step < 1 ? 1 : step > way - 1 ? way - 1 : step;
+    }
+    const Trial trial = ask(arithmetic::at_rank<double>(no + step));
+    (trial.after ? at_yes : at_no) = trial;
+    (trial.after ? yes : no) = no + step;
+    if (steps > 1 && trial.after == was_after) (trial.after ? at_no : at_yes).value.value *= 0.5;
+    was_after = trial.after;
+  }
+  return arithmetic::at_rank<double>(no);
+}
+
+/// For a pair of ellipses whose line enters M after the start and does not graze it. Negative where the place then is
+/// beyond exact numbers.
+VESICA_COLD inline double floor_of_ellipses(const ExactPair& pair) noexcept {
+  const LeadingContact contact(pair.a_.box, pair.b_.box, {pair.dx_, pair.dy_, pair.vx_, pair.vy_});
+  // vv t_w = w X / H - q
+  const ExactReach &a = pair.reach_a_, &b = pair.reach_b_;
+  const Rough root_a = root(Rough(a.squared)), root_b = root(Rough(b.squared)), vv(pair.vv_);
+  const Rough along = Rough(a.m) / root_a + Rough(b.m) / root_b;
+  const Rough witness = Rough(pair.w_) * along / (root_a + root_b) - Rough(pair.q_);
+  bool beyond = false;
+  const auto ask = [&](double t) -> Trial {
+    const Rough left = witness - vv * Rough(exact::from_double(t));
+    if (left.sign_is_known() && left.sign() < 0) return {true, true};
+    if (left.sign_is_known()) {
+      const Trial trial = contact.at(t);
+      if (trial.known) return trial;
+    }
+    const int before = pair.contact_before(t);
+    beyond = beyond || before < 0;
+    return {true, before != 0};
+  };
+  const double t = floor_by_trials(ask);
+  return beyond ? -1 : t;
+}
+
+}  // namespace vesica::detail::cast

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The time of first contact where numbers are of unlike exponents: to about 100 bits, by numbers of any exponent with a
+/// bound on their error (crossings/rough.hpp), and from exact polynomials where terms cancel. Of two boxes, and of a box
+/// and a round shape; for two ellipses see ellipse_trials.hpp.
+///
+/// t0 is the greatest T(n) (bound.hpp), for a line that enters M after the start and does not graze.
+///
+///   - Two boxes: of the T(n) of the edges' normals, since M is bounded by their lines.
+///   - A box and an ellipse: g(s) (direction.hpp) is concave. At a box's kink its slope, but for the jump of 2p there, is
+///     `base`; the greatest g is at the kink if |base| <= p, behind it if base > p, before it if base < -p. At a kink n is
+///     normal to a face, and t0 = T(n). Between kinks it is a corner of the box that meets the ellipse. With D' the
+///     offset of that corner from the ellipse's centre, and c, k, X, Y the dot and cross products of the ellipse's axis u
+///     with v and with D', contact is at the lesser root of al t^2 - 2 B t + C, al = (b c)^2 + (a k)^2, B = -(b^2 c X + a^2
+///     k Y), C = (b X)^2 + (a Y)^2 - (a b u.u)^2. As c Y - k X = u.u (v x D'), the discriminant is (a b u.u)^2 (al - (v x
+///     D')^2). C > 0 before contact, so t0 = C / (B + its root), in which nothing cancels.
+#pragma once
+
+#include <vesica/arithmetic/rounding.hpp>
+#include <vesica/cast/exact.hpp>
+#include <vesica/crossings/rough.hpp>
+
+namespace vesica::detail::cast {
+
+using crossings::Rough;
+
+/// The root of a number whose error is below half of it.
+inline Rough root(const Rough& a) noexcept {
+  const bool odd = (a.exponent & 1) != 0;
+  const double unit = odd ? 2 : 1;
+  const crossings::Real value = a.value * unit, found = sqrt(value);
+  // sqrt(x) - sqrt(x - e) < e / sqrt(x) for e < x / 2.
+  const double x = std::sqrt(rounded(value));
+  return {found, 1.01 * (unit * a.error / x) + 0x1p-98 * x, (a.exponent - (odd ? 1 : 0)) / 2};
+}
+
+/// a / b for a b whose error is below a quarter of it.
+inline Rough operator/(const Rough& a, const Rough& b) noexcept {
+  const crossings::Real quotient = a.value / b.value;
+  const double y = std::fabs(rounded(b.value)), q = std::fabs(rounded(quotient));
+  return {quotient, 1.4 * ((a.error + q * b.error) / y) + 0x1p-97 * q, a.exponent - b.exponent};
+}
+
+/// A time, and whether it is t0 to its error.
+struct WideTime {
+  Rough time;
+  bool certain = false;
+};
+
+/// x - sqrt(y) for exact numbers, without cancellation; false unless it is positive.
+inline bool less_root(const Number<3>& x, const Number<6>& y, Rough& out) noexcept {
+  if (x.sign <= 0) return false;
+  const Number<6> rest = exact::square(x) - y;
+  if (rest.sign <= 0) return false;
+  out = y.sign == 0 ? Rough(x) : Rough(rest) / (Rough(x) + root(Rough(y)));
+  return true;
+}
+
+/// The axes of a box as seen along v: c = u.v, k = u x v.
+struct SeenBox {
+  const exact::Box& box;
+  Number<2> c, k;
+  SeenBox(const ExactBody& body, const Number<1>& vx, const Number<1>& vy) noexcept
+      : box(body.box), c(exact::dot(box.ux, box.uy, vx, vy)), k(exact::cross(box.ux, box.uy, vx, vy)) {}
+};
+
+/// The offset of centres and the velocity.
+struct Passage {
+  const Number<1>&dx, &dy, &vx, &vy;
+};
+
+/// T(n) for the two normals of a box, where that is positive.
+inline void latest_of_axes(const SeenBox& seen, const exact::Box& other, const Passage& p, WideTime& latest) noexcept {
+  const exact::Box& e = seen.box;
+  const auto uu = exact::dot(e.ux, e.uy, e.ux, e.uy);
+  const auto c = exact::abs(exact::dot(e.ux, e.uy, other.ux, other.uy));
+  const auto s = exact::abs(exact::cross(e.ux, e.uy, other.ux, other.uy));
+  const auto look = [&](const Number<2>& along_v, const Number<2>& along_d, const Number<3>& height) {
+    if (along_v.sign * along_d.sign >= 0) return;
+    const Number<3> gap = exact::abs(along_d) - height;
+    if (gap.sign <= 0) return;
+    const Rough time = Rough(gap) / Rough(exact::abs(along_v));
+    const bool later = !latest.certain || rounded((time - latest.time).value) > 0;
+    if (later) latest = {time, true};
+  };
+  look(seen.c, exact::dot(e.ux, e.uy, p.dx, p.dy), e.hx * uu + other.hx * c + other.hy * s);
+  look(seen.k, exact::cross(e.ux, e.uy, p.dx, p.dy), e.hy * uu + other.hx * s + other.hy * c);
+}
+
+/// An ellipse about the origin, and what passes it.
+struct SeenEllipse {
+  const exact::Box& e;
+  const ExactReach& reach;
+  const Passage& passage;
+  Number<2> c, k;
+
+  SeenEllipse(const ExactBody& body, const ExactReach& r, const Passage& p) noexcept
+      : e(body.box),
+        reach(r),
+        passage(p),
+        c(exact::dot(e.ux, e.uy, p.vx, p.vy)),
+        k(exact::cross(e.ux, e.uy, p.vx, p.vy)) {}
+
+  /// How far it reaches along n, squared, and perp(v).x times that reach, x being its point farthest along n.
+  struct Support {
+    Number<6> squared, beside;
+  };
+  Support support(const Number<1>& nx, const Number<1>& ny) const noexcept {
+    const Number<3> p = e.hx * exact::dot(e.ux, e.uy, nx, ny), q = e.hy * exact::cross(e.ux, e.uy, nx, ny);
+    // u.perp(v) = -(u x v), u x perp(v) = u.v.
+    return {exact::square(p) + exact::square(q), q * (e.hy * c) - p * (e.hx * k)};
+  }
+
+  /// When a corner at this offset meets it.
+  WideTime meets_corner(const Number<2>& x, const Number<2>& y) const noexcept {
+    const Number<3> w = passage.vx * y - passage.vy * x;
+    const Number<6> rest = reach.squared - exact::square(w);
+    const Number<4> along = e.hy * exact::dot(e.ux, e.uy, x, y), across = e.hx * exact::cross(e.ux, e.uy, x, y);
+    const Number<4> area = e.hx * e.hy * exact::dot(e.ux, e.uy, e.ux, e.uy);
+    const Number<7> b = (e.hy * c) * along + (e.hx * k) * across;
+    const Number<8> outside = exact::square(along) + exact::square(across) - exact::square(area);
+    if (rest.sign <= 0 || b.sign >= 0 || outside.sign <= 0) return {};
+    return {Rough(outside) / (Rough(area) * root(Rough(rest)) - Rough(b)), true};
+  }
+};
+
+/// Where the greatest g is as seen from a kink.
+enum class Beyond { before, here, behind };
+
+/// A kink: the normal there, of a face of half length `own` across v, n.v = `speed`; the jump of the other kink and on
+/// which side that is, 1 before; how far the box reaches along the normal.
+struct Kink {
+  const Number<1>&nx, &ny;
+  const Number<2>& speed;
+  const Number<3>&own, &other;
+  int other_is_before;
+  Number<3> height;
+};
+
+/// Where the greatest g is as seen from a kink; if it is there, the time of contact with the face.
+inline Beyond look_from(const Kink& kink, const SeenEllipse& round, const Number<2>& w, WideTime& out) noexcept {
+  Number<1> nx = kink.nx, ny = kink.ny;
+  nx.sign *= -kink.speed.sign;  // against v
+  ny.sign *= -kink.speed.sign;
+  const auto support = round.support(nx, ny);
+  Number<3> other = kink.other;
+  other.sign *= -kink.other_is_before;
+  // base - p and base + p. The straight terms may cancel.
+  const Rough beside = Rough(support.beside) / root(Rough(support.squared)), above = Rough(w + other - kink.own) - beside,
+              below = Rough(w + other + kink.own) - beside;
+  out.certain = out.certain && above.sign_is_known() && below.sign_is_known();
+  if (above.sign() > 0) return Beyond::behind;
+  if (below.sign() < 0) return Beyond::before;
+  Rough gap;
+  const Number<3> offset = exact::dot(nx, ny, round.passage.dx, round.passage.dy) - kink.height;
+  if (less_root(offset, support.squared, gap)) {
+    out.time = gap / Rough(exact::abs(kink.speed));
+  } else {
+    out.certain = false;
+  }
+  return Beyond::here;
+}
+
+/// Of a box and an ellipse.
+inline WideTime wide_time(const SeenBox& seen, const SeenEllipse& round, const Number<2>& w) noexcept {
+  const exact::Box& box = seen.box;
+  const Number<2>&c = seen.c, &k = seen.k;
+  const Passage& p = round.passage;
+  const Number<3> jump_x = box.hx * exact::abs(k), jump_y = box.hy * exact::abs(c);
+  const auto uu = exact::dot(box.ux, box.uy, box.ux, box.uy);
+  // The kink of hx is at s = -c / k, where n is perp(u) turned; that of hy at k / c, where it is u turned.
+  const int x_is_first = c.sign * k.sign;
+  WideTime out{{}, true};
+  int of_x = -c.sign, of_y = -k.sign;  // signs of u.n and u x n where the greatest g is
+  if (jump_x.sign != 0) {
+    Number<1> perp_x = box.uy;
+    perp_x.sign = -perp_x.sign;
+    const Beyond at = look_from({perp_x, box.ux, k, jump_x, jump_y, -x_is_first, box.hy * uu}, round, w, out);
+    if (at == Beyond::here) return out;
+    of_x = at == Beyond::behind ? -k.sign : k.sign;
+  }
+  if (jump_y.sign != 0) {
+    const Beyond at = look_from({box.ux, box.uy, c, jump_y, jump_x, x_is_first, box.hx * uu}, round, w, out);
+    if (at == Beyond::here) return out;
+    of_y = at == Beyond::behind ? c.sign : -c.sign;
+  }
+  Number<1> hx = box.hx, hy = box.hy;
+  hx.sign *= of_x;
+  hy.sign *= of_y;
+  const WideTime met =
+      round.meets_corner(p.dx - (hx * box.ux - hy * box.uy), p.dy - (hx * box.uy + hy * box.ux));
+  return {met.time, met.certain && out.certain};
+}
+
+/// Of a pair whose line enters M after the start and does not graze it; of two ellipses nothing is known.
+VESICA_COLD inline WideTime wide_time(const ExactPair& pair) noexcept {
+  const Passage p{pair.dx_, pair.dy_, pair.vx_, pair.vy_};
+  const ExactBody &a = pair.a_, &b = pair.b_;
+  if (a.round && b.round) return {};
+  if (a.round || b.round) {
+    const ExactBody &round = a.round ? a : b, &box = a.round ? b : a;
+    return wide_time(SeenBox(box, p.vx, p.vy), SeenEllipse(round, a.round ? pair.reach_a_ : pair.reach_b_, p), pair.w_);
+  }
+  WideTime latest;
+  latest_of_axes(SeenBox(a, p.vx, p.vy), b.box, p, latest);
+  latest_of_axes(SeenBox(b, p.vx, p.vy), a.box, p, latest);
+  return latest;
+}
+
+/// The greatest double that is at most t0, or negative where the time leaves that open. The errors of two times of boxes
+/// are within 2^-90 of either.
+inline double wide_floor(const WideTime& t) noexcept {
+  const auto& [value, error, exponent] = t.time;
+  if (!t.certain || exponent < -1000 || exponent > 1020 || !(rounded(value) > 0)) return -1;
+  if (!(std::fabs(value.low) > error + 0x1p-90 * value.high)) return -1;
+  const double nearest = arithmetic::scale(value.high, exponent);
+  return value.low < 0 ? arithmetic::at_rank<double>(arithmetic::rank(nearest) - 1) : nearest;
+}
+
+}  // namespace vesica::detail::cast
