@@ -163,6 +163,19 @@ TEST(NearestContact, APointAllButOnANeedle) {
   }
 }
 
+// The way from one shape to the other is 0 in the pair's unit; the distance must not be.
+TEST(NearestContact, ACircleOfTheLeastNumbers) {
+  for (const double gap : {0x1p-1072, 0x1p-1071, 0x1p-1060}) {
+    for (const Numbers& other : {Numbers{-1, -1, 0, 1}, Numbers{-1, 0, 0, 0}, Numbers{-1, 0, 1, 0, 1, 1}}) {
+      const int kind = other[4] == 1 ? VESICA_ELLIPSE : other[1] == -1 ? VESICA_AABB : VESICA_SEGMENT;
+      const Answer r = nearest_test::nearest(properties::Scalar::f64, {VESICA_CIRCLE, kind, {gap, 0, gap / 2}, other});
+      EXPECT_TRUE(r.code == 0 && r.distance > 0 && r.distance <= 0x1p-52) << kind;
+      EXPECT_NEAR(r.ax, 0, 0x1p-52);
+      EXPECT_NEAR(r.bx, 0, 0x1p-52);
+    }
+  }
+}
+
 // In batches' unit and in the pair's the search took another number of steps: the distance changed by 1e-9 of itself.
 TEST(NearestContact, ScaledByAPowerOfTwo) {
   const Pair pair{
