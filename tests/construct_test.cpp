@@ -212,6 +212,9 @@ TYPED_TEST(Construct, MatrixNotPositiveDefinite) {
   this->matrix(0, 0, 0, VESICA_E_ARGUMENT);
   this->matrix(1, 0, 0, VESICA_E_ARGUMENT);
   this->matrix(-1, 0, 1, VESICA_E_ARGUMENT);
+  this->matrix(1, 0, -1, VESICA_E_ARGUMENT);
+  this->matrix(0, 1, 1, VESICA_E_ARGUMENT);
+  this->matrix(1, 1, 0, VESICA_E_ARGUMENT);
   this->matrix(-2, 1, -2, VESICA_E_ARGUMENT);
   this->matrix(1, 2, 1, VESICA_E_ARGUMENT);
   this->matrix(1 + eps, 1, 1 - eps, VESICA_E_ARGUMENT);

@@ -40,6 +40,7 @@ constexpr const char* usage =
   --functions       print the functions that batches are asked of, and stop
   --fault NAME      put a deliberate fault in, to see it found
   --replay CASE     judge one case, as in 'overlap_f64 circle 0 0 1 | point 1 0'
+  --replay-all FILE judge the cases of a file, a line each; '#' begins a comment
 Exit status: 0 without an unknown fault, 1 with one, 2 for a wrong call.
 )";
 
@@ -48,7 +49,7 @@ struct Options {
   std::optional<std::uint64_t> seed, group;
   double seconds = 1e9;
   std::optional<Query> query;
-  std::string resume, known, replay, stop_at;
+  std::string resume, known, replay, replay_all, stop_at;
   bool environments = false, functions = false;
 };
 
@@ -232,19 +233,43 @@ class Hammer {
   bool unknown_ = false;
 };
 
-int replay(const Options& options) {
-  const auto c = parse(options.replay);
-  if (!c) {
-    std::fprintf(stderr, "vesica_hammer: not a case: %s\n", options.replay.c_str());
-    return 2;
-  }
-  const auto faults = judge(*c, {Effort::slow, options.environments});
-  if (c->query < Query::invalid) std::printf("%s = %s\n", notation(*c).c_str(), text(ask(*c)).c_str());
+Case case_of(const std::string& text) {
+  const auto c = parse(text);
+  if (!c) throw std::runtime_error("not a case: " + text);
+  return *c;
+}
+
+/// Returns whether there is one.
+bool print_faults(const Case& c, const Options& options) {
+  const auto faults = judge(c, {Effort::slow, options.environments});
   for (const Fault& fault : faults) {
     std::printf("FAULT %s: expected %s, got %s\n", fault.law.c_str(), fault.expected.c_str(), fault.got.c_str());
   }
-  if (faults.empty()) std::printf("no fault\n");
-  return faults.empty() ? 0 : 1;
+  return !faults.empty();
+}
+
+int replay(const Options& options) {
+  const Case c = case_of(options.replay);
+  if (c.query < Query::invalid) std::printf("%s = %s\n", notation(c).c_str(), text(ask(c)).c_str());
+  const bool wrong = print_faults(c, options);
+  if (!wrong) std::printf("no fault\n");
+  return wrong ? 1 : 0;
+}
+
+int replay_all(const Options& options) {
+  std::ifstream in(options.replay_all);
+  if (!in) throw std::runtime_error("cannot read " + options.replay_all);
+  int cases = 0, wrong = 0;
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    ++cases;
+    const Case c = case_of(line);
+    if (!print_faults(c, options)) continue;
+    ++wrong;
+    std::printf("  --replay '%s'\n", notation(c).c_str());
+  }
+  std::printf("%d cases, %d wrong\n", cases, wrong);
+  return wrong == 0 && cases > 0 ? 0 : 1;
 }
 
 /// What batches are asked of shows when they are.
@@ -295,6 +320,8 @@ std::optional<Options> read(int count, char** arguments) {
       o.stop_at = value;
     } else if (option == "--replay") {
       o.replay = value;
+    } else if (option == "--replay-all") {
+      o.replay_all = value;
     } else if (option == "--fault") {
       if (!use_deliberate_fault(value)) return std::nullopt;
     } else if (option != "--query") {
@@ -316,6 +343,7 @@ int main(int count, char** arguments) {
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(signal, crashed);
   try {
     if (options->functions) return print_functions();
+    if (!options->replay_all.empty()) return replay_all(*options);
     return options->replay.empty() ? Hammer(*options).run() : replay(*options);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "vesica_hammer: %s\n", error.what());

@@ -81,6 +81,12 @@ TEST(Damage, NumbersThatDisagree) {
     const std::int32_t count_and_leaves[] = {1024, 32};
     std::memcpy(bytes + 64 * std::int64_t{place} + 24, count_and_leaves, 8);
   }));
+  EXPECT_TRUE(refuses([](std::int64_t* header, unsigned char* bytes) {  // one block more, of which there is nothing
+    ASSERT_NE(header[blocks] % 8, 0) << "the directory would be longer";
+    const auto place = static_cast<std::uint32_t>(header[places] / 64);
+    std::memcpy(bytes + header[places] + 4 * header[blocks], &place, 4);
+    ++header[blocks];
+  }));
 }
 
 TEST(Damage, EveryLength) {

@@ -123,6 +123,29 @@ TEST_P(Laws, EveryWorkload) {
   EXPECT_GT(scales_, 50 * properties::repeat());
 }
 
+/// The coordinate along an AABB's face is the other point's, and the corner's where rounding has put that beyond the end
+/// of the face. So corners are put at the foot of what stands above the face, and beside it.
+TEST(NearestLaws, BesideTheEndOfAFace) {
+  properties::Random random(properties::seed() + 3);
+  int beyond = 0;
+  for (int i = 0; i < 4000 * properties::repeat(); ++i) {
+    const double thin = std::exp2(random.between(-50, 0)), low = random.between(-12, -8);
+    const Numbers ellipse{random.between(-4, 4), random.between(-4, 4), random.between(-1, 1), random.between(-1, 1), 1,
+                          thin};
+    const Answer foot = nearest_test::nearest(Scalar::f64, {VESICA_ELLIPSE, VESICA_AABB, ellipse, {-64, -64, 64, low}});
+    EXPECT_EQ(foot.ax, foot.bx);
+    const double end = foot.ax * (1 + random.integer(-2, 2) * 0x1p-52);
+    for (const Numbers& box : {Numbers{end, -64, 64, low}, Numbers{-64, -64, end, low}}) {
+      const Answer r = nearest_test::nearest(Scalar::f64, {VESICA_ELLIPSE, VESICA_AABB, ellipse, box});
+      EXPECT_TRUE(r.bx == std::fmin(std::fmax(r.ax, box[0]), box[2]) || r.bx == end) << i;
+      EXPECT_TRUE(box[0] <= r.bx && r.bx <= box[2] && r.by == low) << i;
+      EXPECT_NEAR(r.distance, foot.distance, 0x1p-45) << i;
+      beyond += r.ax < box[0] || r.ax > box[2];
+    }
+  }
+  EXPECT_GT(beyond, 20 * properties::repeat());
+}
+
 INSTANTIATE_TEST_SUITE_P(Nearest, Laws, testing::ValuesIn(properties::all_pairs_of_kinds()), properties::test_name);
 
 }  // namespace
