@@ -135,8 +135,9 @@ double draw_end(Random& random) {
 
 Case random_case(int kind_a, int kind_b, Random& random) {
   Draft a = draw_shape(kind_a, random), b = draw_shape(kind_b, random);
-  place(a, b, draw_place(random), random);
-  const Vec aim = a.c - b.c + Vec{1.0 * random.integer(-3, 3), 1.0 * random.integer(-3, 3)};
+  const double distance = power(random.below(6));
+  place(a, b, distance * draw_place(random), random);
+  const Vec aim = a.c - b.c + distance * Vec{1.0 * random.integer(-3, 3), 1.0 * random.integer(-3, 3)};
   const int mode = random.below(16);
   const Vec v = mode == 0 ? Vec{0, 0} : mode < 6 ? small_vector(random) : power(-random.below(4)) * aim;
   return {{kind_a, kind_b, a.numbers(), b.numbers()}, {v.x, v.y, draw_end(random)}, Class::random};
@@ -161,15 +162,17 @@ Case built_case(int kind_a, int kind_b, bool grazing, cast_test::Scalar scalar, 
     const bool is_flat = s->kind == VESICA_SEGMENT || s->kind == VESICA_RECT;
     if (is_flat && random.chance(0.3)) s->u = random.chance(0.5) ? n : perp(n);
   }
-  const Vec meeting = reach(a, n, length, random) + reach(b, n, length, random);
+  const Vec shared = reach(a, n, length, random) + reach(b, n, length, random);
   const Vec v = grazing ? random.sign() * perp(n) : random.chance(0.5) ? small_vector(random) : -1.0 * n;
   const double t = random.chance(grazing ? 0.05 : 0.2) ? 0 : random.integer(1, 32) * power(-random.below(5));
-  place(a, b, meeting - t * v, random);
-  const int exponent = random.chance(0.5) ? 0 : random.integer(-12, 12);
-  const double speed = power(exponent), end = end_about(t / speed, scalar, random);
+  place(a, b, shared - t * v, random);
+  const double speed = power(random.chance(0.5) ? 0 : random.integer(-12, 12)), meeting = t / speed;
   return {{kind_a, kind_b, a.numbers(), b.numbers()},
-          {speed * v.x, speed * v.y, end},
-          grazing ? Class::grazing : Class::at_a_time};
+          {speed * v.x, speed * v.y, end_about(meeting, scalar, random)},
+          grazing ? Class::grazing : Class::at_a_time,
+          meeting,
+          n.x,
+          n.y};
 }
 
 /// Changes a number by that much, or to a neighbour where it has not the digits.
@@ -196,7 +199,7 @@ void change_one(Case& c, cast_test::Scalar scalar, Random& random) {
   c.kind = Class::beside;
 }
 
-/// Both shapes and the velocity by one power of two, the velocity's end by another.
+/// Both shapes and the velocity by one power of two.
 void scale(Case& c, Random& random) {
   const double length = power(random.integer(-8, 8));
   for (int k = 0; k < 2; ++k) {

@@ -19,6 +19,9 @@ struct Case {
   cast_test::Pair pair;
   cast_test::Motion motion;
   Class kind;
+  /// Of those built, before a number is changed: there is contact at this time, and b lies on the positive side along
+  /// the normal, but for what they share.
+  double meeting = 0, nx = 0, ny = 0;
 };
 
 /// The shapes valid, all numbers of the scalar type, and without overflow or underflow.
