@@ -60,20 +60,23 @@ struct Draft {
   Numbers numbers() const {
     const Vec half = hx * u;
     switch (kind) {
-      case VESICA_POINT: return {c.x, c.y};
-      case VESICA_SEGMENT: return {c.x - half.x, c.y - half.y, c.x + half.x, c.y + half.y};
-      case VESICA_CIRCLE: return {c.x, c.y, hx};
-      case VESICA_AABB: return {c.x - hx, c.y - hy, c.x + hx, c.y + hy};
-      default: return {c.x, c.y, u.x, u.y, hx, hy};
+      case VESICA_POINT:
+        return {c.x, c.y};
+      case VESICA_SEGMENT:
+        return {c.x - half.x, c.y - half.y, c.x + half.x, c.y + half.y};
+      case VESICA_CIRCLE:
+        return {c.x, c.y, hx};
+      case VESICA_AABB:
+        return {c.x - hx, c.y - hy, c.x + hx, c.y + hy};
+      default:
+        return {c.x, c.y, u.x, u.y, hx, hy};
     }
   }
 };
 
 bool is_turned(int kind) { return kind == VESICA_SEGMENT || kind == VESICA_RECT || kind == VESICA_ELLIPSE; }
 
-double half_length(Random& random) {
-  return random.chance(0.12) ? 0 : random.integer(1, 8) * power(-random.below(3));
-}
+double half_length(Random& random) { return random.chance(0.12) ? 0 : random.integer(1, 8) * power(-random.below(3)); }
 
 /// Without a place yet.
 Draft draw_shape(int kind, Random& random) {

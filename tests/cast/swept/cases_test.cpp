@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The cases built to graze do: a little farther off there is no contact at any time, and a little nearer there is.
+#include "cast/swept/cases.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "cast/swept/cases.hpp"
 #include "cast/swept/contact.hpp"
 #include "properties/pairs_of_kinds.hpp"
 

@@ -121,7 +121,8 @@ std::unique_ptr<Contact> polygon_and_ellipse(const Scene& scene) {
   const Figure &e = a_is_round ? scene.a : scene.b, &polygon = a_is_round ? scene.b : scene.a;
   std::vector<Vector> corners;
   for (const Vector& x : polygon.corners) corners.push_back(to_disc(e, x - e.centre));
-  return std::make_unique<DiscAndPolygon>(corners, to_disc(e, a_is_round ? scene.velocity : -scene.velocity), radius(e));
+  return std::make_unique<DiscAndPolygon>(corners, to_disc(e, a_is_round ? scene.velocity : -scene.velocity),
+                                          radius(e));
 }
 
 std::unique_ptr<Contact> discs(const Scene& scene) {
