@@ -9,10 +9,11 @@
 namespace swept {
 
 enum class Class {
-  random,     ///< on a grid
-  at_a_time,  ///< first or last contact at a known time, often the end
-  grazing,    ///< the velocity is along both outlines where they meet
-  beside,     ///< the same, one number changed by 2^-3 to 2^-60
+  random,         ///< on a grid
+  at_a_time,      ///< first or last contact at a known time, often the end
+  beside_a_time,  ///< the same, one number changed by 2^-3 to 2^-60
+  grazing,        ///< the velocity is along both outlines where they meet
+  beside,         ///< the same, one number changed so
 };
 
 struct Case {

@@ -92,7 +92,7 @@ class Swept : public testing::TestWithParam<Kinds> {
 
   std::int64_t asked_ = 0, wrong_ = 0, still_ = 0, flat_ = 0, exactly_at_a_number_ = 0;
   std::array<std::int64_t, 3> answers_{}, beside_{};
-  std::array<std::int64_t, 4> classes_{};
+  std::array<std::int64_t, 5> classes_{};
 };
 
 TEST_P(Swept, AnswersAndTimes) {
@@ -115,6 +115,8 @@ TEST_P(Swept, AnswersAndTimes) {
   print(answers_[VESICA_CAST_START], "starts");
   print(classes_[static_cast<std::size_t>(Class::grazing)], "built grazing");
   print(classes_[static_cast<std::size_t>(Class::beside)], "beside");
+  print(classes_[static_cast<std::size_t>(Class::at_a_time)], "built for a time");
+  print(classes_[static_cast<std::size_t>(Class::beside_a_time)], "beside");
   print(still_, "at rest");
   print(flat_, "degenerate");
   print(exactly_at_a_number_, "ends at a contact");
