@@ -153,11 +153,12 @@ def read_results(path):
     return {int(line[0]): [line[1], line[2], float(line[3])] for line in lines}
 
 
-def judge(mutants, parts, reached, results, workers, budget=float("inf")):
-    """Appends a line a mutant to the file of results; those that have one are not judged again, but for the open ones. In
-    an order that makes those judged so far a fair sample."""
+def judge(mutants, parts, reached, results, workers, budget=float("inf"), again=False):
+    """Appends a line a mutant to the file of results; those that have one are not judged again, but for the open ones, or
+    all that are not killed. In an order that makes those judged so far a fair sample."""
     done = read_results(results)
-    left = [m for m in mutants if done.get(m["number"], ["open"])[0] == "open"]
+    words = ("open", "survived", "unreached") if again else ("open",)
+    left = [m for m in mutants if done.get(m["number"], ["open"])[0] in words]
     random.Random(1).shuffle(left)
     left.sort(key=lambda m: m["number"] in done)
     judging, lock, began = Judge(parts, reached), threading.Lock(), time.time()
@@ -168,6 +169,8 @@ def judge(mutants, parts, reached, results, workers, budget=float("inf")):
     with open(results, "a") as out, concurrent.futures.ThreadPoolExecutor(workers) as pool:
         def one(mutant):
             word, killer, seconds = judging.verdict(mutant["number"], folders[mutant["number"]], budget)
+            if word == "unreached" and mutant["number"] in done:
+                return  # by these tests; others have run it
             with lock:
                 out.write(f"{mutant['number']} {word} {killer} {seconds:.2f}\n")
                 out.flush()

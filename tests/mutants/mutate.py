@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""mutate.py ROOT [N] [--seed S] [--file PATH]... [--tests NAME...] [--workers W] [--budget SECONDS]: which faults do
-the tests find?
+"""mutate.py ROOT [N] [--seed S] [--file PATH]... [--tests NAME...] [--workers W] [--budget SECONDS] [--again | --report]:
+which faults do the tests find?
 
 N (default 300) small changes of the library's sources, drawn by the seed (default 1), each switched on at run time, so that
 one build has them all; then, for each, the parts of tests to which it makes a difference, those likely to find it first,
 until one fails. What is not found in the budget of processor seconds stays open, and is judged again where the same command
-has a larger one. Works under build/mutate and goes on where it was interrupted. Prints a table, and those that no test found.
-Exit status 1 where one of these is not listed in harmless.txt.
+has a larger one. Works under build/mutate and goes on where it was interrupted. Prints tables by kind and by folder, and
+those that no test found. Exit status 1 where one of these is not listed in harmless.txt.
 """
 
 import argparse
@@ -25,6 +25,7 @@ import sites
 
 HERE = pathlib.Path(__file__).parent
 OWN = ("include/", "src/", "capi/")
+WORDS = ("killed", "equivalent", "slower", "survived", "open", "unreached", "not run")
 
 
 def arguments():
@@ -36,6 +37,8 @@ def arguments():
     parser.add_argument("--tests", nargs="+", default=(HERE / "tests.txt").read_text().split(), metavar="NAME")
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--budget", type=float, default=float("inf"), metavar="SECONDS")
+    parser.add_argument("--again", action="store_true", help="judge what no test found once more, such as by new --tests")
+    parser.add_argument("--report", action="store_true", help="only print what was judged so far")
     return parser.parse_args()
 
 
@@ -190,9 +193,11 @@ def built(root, names, folder, state, chosen, tests):
 
 
 def harmless(path):
-    """{(file, marked line)}: proved to change no answer. Records of three lines: these two and the proof."""
+    """{(file, marked line): word}: proved to change no answer. Records of three lines: these two and the proof, which begins
+    with "Slower only" where the mutant is that."""
     lines = [line.strip() for line in path.read_text().split("\n") if line.strip() and not line.startswith("#")]
-    return set(zip(lines[0::3], lines[1::3]))
+    return {(file, line): "slower" if proof.startswith("Slower only") else "equivalent"
+            for file, line, proof in zip(lines[0::3], lines[1::3], lines[2::3], strict=True)}
 
 
 def marked(root, c):
@@ -203,30 +208,36 @@ def marked(root, c):
     return " ".join((text[begin:c["begin"]].decode() + change + text[c["end"]:end].decode()).split())
 
 
+def table(title, counts):
+    print(f"\n{title:36}" + "".join(f"{w:>11}" for w in WORDS))
+    for row in [*sorted(counts), None]:
+        total = sum(counts.values(), collections.Counter()) if row is None else counts[row]
+        print(f"{row or 'all':36}" + "".join(f"{total[w]:11}" for w in WORDS))
+
+
 def report(root, chosen, results, known):
-    """The table; the number of survivors that are not known."""
-    by_number = {c["number"]: c for c in chosen}
-    counts, killers, seconds = collections.defaultdict(collections.Counter), collections.Counter(), 0.0
-    for number, (word, part, used) in sorted(judge.read_results(results).items()):
-        c = by_number[number]
-        if word != "killed" and (c["file"], marked(root, c)) in known:
-            word = "harmless"
-        counts[c["kind"]][word] += 1
-        killers[part.split("/")[0]] += word == "killed"
+    """Two tables; the number of those that no test found and harmless.txt does not name."""
+    kinds, folders, killers = (collections.defaultdict(collections.Counter) for _ in range(3))
+    total, seconds, results = collections.Counter(), 0.0, judge.read_results(results)
+    for c in chosen:
+        word, part, used = results.get(c["number"], ("not run", "-", 0.0))
+        if word != "killed":
+            word = known.get((c["file"], marked(root, c)), word)
+        for counts in (kinds[c["kind"]], folders[os.path.dirname(c["file"])], total):
+            counts[word] += 1
+        killers[part.split("/")[0]][word] += 1
         seconds += used
-        if word not in ("killed", "harmless"):
-            print(f"{word} {number}: {c['file']}:{c['line']}\n  {marked(root, c)}")
-    words = ("killed", "harmless", "survived", "open", "unreached")
-    print(f"\n{'':12}" + "".join(f"{w:>11}" for w in words))
-    for kind in sorted(counts):
-        print(f"{kind:12}" + "".join(f"{counts[kind][w]:11}" for w in words))
-    total = {w: sum(counts[k][w] for k in counts) for w in words}
-    print(f"{'all':12}" + "".join(f"{total[w]:11}" for w in words))
-    print("\nkilled by: " + ", ".join(f"{test} {n}" for test, n in killers.most_common() if n))
-    judged = total["killed"] + total["survived"] + total["open"]
-    print(f"{total['killed']} of {judged} that may change an answer and are reached: {100 * total['killed'] / max(1, judged):.1f} %; "
+        if word in ("survived", "open", "unreached"):
+            print(f"{word} {c['number']}: {c['file']}:{c['line']}\n  {marked(root, c)}")
+    table("by kind", kinds)
+    table("by folder", folders)
+    order = sorted(killers, key=lambda test: -killers[test]["killed"])
+    print("\nkilled by: " + ", ".join(f"{test} {killers[test]['killed']}" for test in order if killers[test]["killed"]))
+    unknown = total["survived"] + total["open"] + total["unreached"]
+    judged = total["killed"] + unknown
+    print(f"{total['killed']} of {judged} that are not known to be harmless: {100 * total['killed'] / max(1, judged):.1f} %; "
           f"{seconds:.0f} s of processor time to judge")
-    return total["survived"] + total["open"]
+    return unknown
 
 
 def main():
@@ -237,16 +248,20 @@ def main():
     names = files_of(root)
     found = candidates(root, names, folder, options.file or [""])
     chosen = rewrite.sample(found, options.count, options.seed)
-    key = hashlib.sha256(json.dumps([chosen, options.tests]).encode()).hexdigest()[:16]
+    key = hashlib.sha256(json.dumps(chosen).encode()).hexdigest()[:16]
     print(f"{len(chosen)} of {len(found)} candidates, seed {options.seed}: build/mutate/{key}", flush=True)
     state = folder / key
     state.mkdir(exist_ok=True)
-    chosen = built(root, names, folder, state, chosen, options.tests)
-    (state / "mutants.json").write_text(json.dumps(chosen, indent=1))
-    parts = judge.parts_of(folder / "tree/build/test", options.tests)
-    reached = judge.reach(parts, chosen[-1]["number"], state / "reach.json", options.workers)
-    judge.judge(chosen, parts, reached, state / "results.txt", options.workers, options.budget)
-    raise SystemExit(1 if report(root, chosen, state / "results.txt", harmless(HERE / "harmless.txt")) else 0)
+    results = state / "results.txt"
+    if options.report:
+        chosen = json.loads((state / "mutants.json").read_text())
+    else:
+        chosen = built(root, names, folder, state, chosen, options.tests)
+        (state / "mutants.json").write_text(json.dumps(chosen, indent=1))
+        parts = judge.parts_of(folder / "tree/build/test", options.tests)
+        reached = judge.reach(parts, chosen[-1]["number"], state / "reach.json", options.workers)
+        judge.judge(chosen, parts, reached, results, options.workers, options.budget, options.again)
+    raise SystemExit(1 if report(root, chosen, results, harmless(HERE / "harmless.txt")) else 0)
 
 
 if __name__ == "__main__":
