@@ -71,13 +71,14 @@ VESICA_INLINE constexpr Quadratic<Number> operator-(const Quadratic<Number>& a, 
   return {a.value - b.value, a.magnitude + b.magnitude, a.in_units - b.in_units};
 }
 
-/// A number with the sign of D: a cross or dot product of two ways, the sum of two such, or one less a square.
+/// A number with the sign of D: a cross or dot product of two ways, which may have been computed as the sum of two such,
+/// or a dot product less a square.
 ///
 /// Proved: the sign is right though only 128 bits of D are kept. A residue modulo 2^128 has the sign of D as long as
 /// |D| < 2^127, in squares of the unit.
 ///
-///   - In near units ways and spans are below 2^63. Two products or squares are below 2^127 together, and a third one is
-///     only ever subtracted from squares, so |D| < 2^127: the residue's sign is taken.
+///   - In near units ways and spans are below 2^63. Products and squares are below 2^126, and a square is only taken
+///     from a sum of squares, so |D| < 2^127: the residue's sign is taken.
 ///   - In far units, G, they are below 2^87. As G >= 2^-400 no product underflows: terms err by 3u of themselves, their
 ///     sum or difference by u more, and a sum or difference of two such by u again, in all by less than 6u M with what
 ///     is of second order (u = 2^-53).
