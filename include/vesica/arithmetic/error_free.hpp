@@ -103,7 +103,7 @@ concept HasFused = requires(V x) {
 template <class V>
 VESICA_INLINE constexpr Pair<V> two_product_uncontracted(V a, V b) noexcept {
   if constexpr (HasFused<V>) {
-    const V high = fused_difference(a, b, V(-0.0));
+    V high = fused_difference(a, b, V(-0.0));
     return {high, fused_difference(a, b, high)};
   } else {
     return two_product<V>(factor(a), factor(b));
