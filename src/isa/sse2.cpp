@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kernels/flatten.hpp"
 #include "lanes/sse2.hpp"
 
 #include "kernels/block.hpp"
+#include "kernels/flatten.hpp"
 #include "kernels/query_table.hpp"
 
 namespace vesica {
