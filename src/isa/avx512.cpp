@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "lanes/avx512.hpp"
-
-#include "kernels/block.hpp"
+// clang-format off
 #include "kernels/flatten.hpp"
+#include "lanes/avx512.hpp"
+// clang-format on
+#include "kernels/block.hpp"
 #include "kernels/query_table.hpp"
 
 namespace vesica {
