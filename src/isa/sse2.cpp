@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+// clang-format off
 #include "kernels/flatten.hpp"
 #include "lanes/sse2.hpp"
-
+// clang-format on
 #include "kernels/block.hpp"
 #include "kernels/query_table.hpp"
 

@@ -9,6 +9,9 @@
 // that are left with other instruction sets.
 #pragma once
 
+#if defined(VESICA_INLINE)
+#error "flatten.hpp comes before all other headers of the library"
+#endif
 #if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
 #define VESICA_INLINE inline
 #define VESICA_KERNEL [[gnu::flatten]]

@@ -71,7 +71,7 @@ void copy_two_fields(Unaligned<T> from, std::ptrdiff_t stride, std::int32_t n, T
 /// odd number of fields the last two overlap the two before.
 template <class T>
 VESICA_KERNEL void records_to_columns(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
-                        std::int32_t column_length) noexcept {
+                                      std::int32_t column_length) noexcept {
   const std::int32_t whole = n - n % record_vector<T>;
   for (int k = 0; k < fields; k += 2) {
     const int field = k + 2 <= fields ? k : fields - 2;

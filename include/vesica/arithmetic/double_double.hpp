@@ -24,7 +24,7 @@ struct DoubleDouble {
 
   /// high + low, renormalised; for |high| >= |low|.
   VESICA_INLINE static DoubleDouble renormalised(V high, V low) noexcept {
-    const Pair<V> sum = fast_two_sum(high, low);
+    Pair<V> sum = fast_two_sum(high, low);
     return {sum.high, sum.low};
   }
 
@@ -70,12 +70,12 @@ using FastDoubleDouble = DoubleDouble<V, FastRules>;
 /// a + b and a * b, exactly.
 template <class V>
 VESICA_INLINE FastDoubleDouble<V> sum(V a, V b) noexcept {
-  const Pair<V> p = two_sum(a, b);
+  Pair<V> p = two_sum(a, b);
   return {p.high, p.low};
 }
 template <class V>
 VESICA_INLINE FastDoubleDouble<V> product(V a, V b) noexcept {
-  const Pair<V> p = FastRules::exact_product(a, b);
+  Pair<V> p = FastRules::exact_product(a, b);
   return {p.high, p.low};
 }
 

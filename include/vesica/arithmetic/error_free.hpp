@@ -5,6 +5,9 @@
 /// There are two products. Lanes, and scalars that must give the same bits as lanes, split their factors into halves, by
 /// multiplications and additions that every instruction set has. Scalars without lanes use a fused multiply-add, whose
 /// range is wider. Where only signs of exact values count, two_product_uncontracted() takes the quicker of the two.
+///
+/// Variables of the type V, or of several numbers, are not const here, nor in twofold.hpp and products.hpp: g++ 12 keeps
+/// const structures in memory, and lanes are structures: with AVX2 circle and ellipse took a third longer.
 #pragma once
 
 #include <cmath>
@@ -25,21 +28,21 @@ struct Pair {
 /// a + b, exact unless it overflows (D. E. Knuth's TwoSum).
 template <class V>
 VESICA_INLINE constexpr Pair<V> two_sum(V a, V b) noexcept {
-  const V high = a + b, part = high - a;
+  V high = a + b, part = high - a;
   return {high, (a - (high - part)) + (b - part)};
 }
 
 /// a - b, likewise: lanes need not change a sign.
 template <class V>
 VESICA_INLINE constexpr Pair<V> two_difference(V a, V b) noexcept {
-  const V high = a - b, part = high - a;
+  V high = a - b, part = high - a;
   return {high, (a - (high - part)) - (b + part)};
 }
 
 /// a + b, exact where a is 0 or has at least the exponent of b (T. J. Dekker's FastTwoSum).
 template <class V>
 VESICA_INLINE constexpr Pair<V> fast_two_sum(V a, V b) noexcept {
-  const V high = a + b;
+  V high = a + b;
   return {high, b - (high - a)};
 }
 
@@ -63,21 +66,21 @@ struct Factor {
 
 template <class V>
 VESICA_INLINE constexpr Factor<V> factor(V x) noexcept {
-  const V spread = rounded_product(V(0x1p27 + 1), x), upper = spread - (spread - x);
+  V spread = rounded_product(V(0x1p27 + 1), x), upper = spread - (spread - x);
   return {x, upper, x - upper};
 }
 
 /// a.high * b.high (T. J. Dekker), exact unless it underflows: then the loss is below 2^-1020.
 template <class V, class A, class B>
 VESICA_INLINE constexpr Pair<V> two_product(const A& a, const B& b) noexcept {
-  const V high = rounded_product<V>(a.high, b.high);
+  V high = rounded_product<V>(a.high, b.high);
   return {high, (((a.upper * b.upper - high) + a.upper * b.lower) + a.lower * b.upper) + a.lower * b.lower};
 }
 
 /// The same for a square.
 template <class V, class A>
 VESICA_INLINE constexpr Pair<V> two_square(const A& a) noexcept {
-  const V high = rounded_product<V>(a.high, a.high), middle = a.upper * a.lower;
+  V high = rounded_product<V>(a.high, a.high), middle = a.upper * a.lower;
   return {high, ((a.upper * a.upper - high) + (middle + middle)) + a.lower * a.lower};
 }
 
@@ -103,7 +106,7 @@ concept HasFused = requires(V x) {
 template <class V>
 VESICA_INLINE constexpr Pair<V> two_product_uncontracted(V a, V b) noexcept {
   if constexpr (HasFused<V>) {
-    const V high = fused_difference(a, b, V(-0.0));
+    V high = fused_difference(a, b, V(-0.0));
     return {high, fused_difference(a, b, high)};
   } else {
     return two_product<V>(factor(a), factor(b));

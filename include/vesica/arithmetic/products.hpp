@@ -25,12 +25,12 @@ VESICA_INLINE Twofold<double> operator*(const FusedFactor<double>& a, const Fuse
 }
 template <HasFused V>
 VESICA_INLINE Twofold<V> operator*(const FusedFactor<V>& a, const FusedFactor<V>& b) noexcept {
-  const V high = a.high * b.high;
+  V high = a.high * b.high;
   return {high, fused_difference(a.high, b.high, high)};
 }
 template <class V>
 VESICA_INLINE Twofold<V> operator*(const FusedFactor<V>& a, const FusedTwofoldFactor<V>& b) noexcept {
-  const Twofold<V> p = a * FusedFactor<V>{b.high};
+  Twofold<V> p = a * FusedFactor<V>{b.high};
   return {p.high, p.low + a.high * b.low};
 }
 template <class V>
@@ -39,7 +39,7 @@ VESICA_INLINE Twofold<V> operator*(const FusedTwofoldFactor<V>& a, const FusedFa
 }
 template <class V>
 VESICA_INLINE Twofold<V> operator*(const FusedTwofoldFactor<V>& a, const FusedTwofoldFactor<V>& b) noexcept {
-  const Twofold<V> p = FusedFactor<V>{a.high} * FusedFactor<V>{b.high};
+  Twofold<V> p = FusedFactor<V>{a.high} * FusedFactor<V>{b.high};
   return {p.high, p.low + ((a.high * b.low + a.low * b.high) + a.low * b.low)};
 }
 
@@ -49,7 +49,7 @@ VESICA_INLINE Twofold<V> square(const FusedFactor<V>& a) noexcept {
 }
 template <class V>
 VESICA_INLINE Twofold<V> square(const FusedTwofoldFactor<V>& a) noexcept {
-  const Twofold<V> p = FusedFactor<V>{a.high} * FusedFactor<V>{a.high};
+  Twofold<V> p = FusedFactor<V>{a.high} * FusedFactor<V>{a.high};
   const V cross = a.high * a.low;
   return {p.high, p.low + ((cross + cross) + a.low * a.low)};
 }
@@ -83,13 +83,13 @@ struct FusedProducts {
   /// As those of twofold.hpp.
   template <class V>
   VESICA_INLINE static Root<V> root(const Twofold<V>& x) noexcept {
-    const V high = sqrt(x.high), inverse = V(1.0) / high;
-    const Twofold<V> s = square(factor(high));
+    V high = sqrt(x.high), inverse = V(1.0) / high;
+    Twofold<V> s = square(factor(high));
     return {{high, ((x.high - s.high) + (x.low - s.low)) * (V(0.5) * inverse)}, inverse};
   }
   VESICA_INLINE static Twofold<double> inverse(const Twofold<double>& x) noexcept {
     const double high = 1.0 / x.high;
-    const Twofold<double> p = factor(high) * factor(x.high);
+    Twofold<double> p = factor(high) * factor(x.high);
     return {high, ((1.0 - p.high) - (p.low + high * x.low)) * high};
   }
   VESICA_INLINE static bool holds(double x) noexcept { return x == 0 || (abs(x) >= 0x1p-50 && abs(x) <= 0x1p50); }

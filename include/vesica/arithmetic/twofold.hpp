@@ -27,7 +27,7 @@ VESICA_INLINE V rounded(const Twofold<V>& x) noexcept {
 /// a + b exactly.
 template <class V>
 VESICA_INLINE Twofold<V> exact_sum(V a, V b) noexcept {
-  const Pair<V> sum = two_sum(a, b);
+  Pair<V> sum = two_sum(a, b);
   return {sum.high, sum.low};
 }
 template <class V>
@@ -49,18 +49,18 @@ struct TwofoldFactor {
 
 template <class V>
 VESICA_INLINE TwofoldFactor<V> factor(const Twofold<V>& x) noexcept {
-  const Factor<V> f = factor(x.high);
+  Factor<V> f = factor(x.high);
   return {f.high, f.upper, f.lower, x.low};
 }
 
 template <class V>
 VESICA_INLINE Twofold<V> operator*(const Factor<V>& a, const Factor<V>& b) noexcept {
-  const Pair<V> p = two_product<V>(a, b);
+  Pair<V> p = two_product<V>(a, b);
   return {p.high, p.low};
 }
 template <class V>
 VESICA_INLINE Twofold<V> operator*(const Factor<V>& a, const TwofoldFactor<V>& b) noexcept {
-  const Pair<V> p = two_product<V>(a, b);
+  Pair<V> p = two_product<V>(a, b);
   return {p.high, p.low + a.high * b.low};
 }
 template <class V>
@@ -69,19 +69,19 @@ VESICA_INLINE Twofold<V> operator*(const TwofoldFactor<V>& a, const Factor<V>& b
 }
 template <class V>
 VESICA_INLINE Twofold<V> operator*(const TwofoldFactor<V>& a, const TwofoldFactor<V>& b) noexcept {
-  const Pair<V> p = two_product<V>(a, b);
+  Pair<V> p = two_product<V>(a, b);
   return {p.high, p.low + ((a.high * b.low + a.low * b.high) + a.low * b.low)};
 }
 
 template <class V>
 VESICA_INLINE Twofold<V> square(const Factor<V>& a) noexcept {
-  const Pair<V> p = two_square<V>(a);
+  Pair<V> p = two_square<V>(a);
   return {p.high, p.low};
 }
 template <class V>
 VESICA_INLINE Twofold<V> square(const TwofoldFactor<V>& a) noexcept {
-  const Pair<V> p = two_square<V>(a);
-  const V cross = a.high * a.low;
+  Pair<V> p = two_square<V>(a);
+  V cross = a.high * a.low;
   return {p.high, p.low + ((cross + cross) + a.low * a.low)};
 }
 
@@ -91,7 +91,7 @@ VESICA_INLINE Twofold<V> operator-(const Twofold<V>& x) noexcept {
 }
 template <class V>
 VESICA_INLINE Twofold<V> operator+(const Twofold<V>& x, const Twofold<V>& y) noexcept {
-  const Twofold<V> sum = exact_sum(x.high, y.high);
+  Twofold<V> sum = exact_sum(x.high, y.high);
   return {sum.high, sum.low + (x.low + y.low)};
 }
 template <class V>
@@ -109,15 +109,15 @@ struct Root {
 /// sqrt(x) for x > 0: one Newton step from the rounded root.
 template <class V>
 VESICA_INLINE Root<V> root(const Twofold<V>& x) noexcept {
-  const V high = sqrt(x.high), inverse = V(1.0) / high;
-  const Twofold<V> s = square(factor(high));
+  V high = sqrt(x.high), inverse = V(1.0) / high;
+  Twofold<V> s = square(factor(high));
   return {{high, ((x.high - s.high) + (x.low - s.low)) * (V(0.5) * inverse)}, inverse};
 }
 
 /// 1 / x, from a rounded 1 / x.high.
 template <class V>
 VESICA_INLINE Twofold<V> inverse(const Twofold<V>& x, V high) noexcept {
-  const Twofold<V> p = factor(high) * factor(x.high);
+  Twofold<V> p = factor(high) * factor(x.high);
   return {high, ((V(1.0) - p.high) - (p.low + high * x.low)) * high};
 }
 template <class V>

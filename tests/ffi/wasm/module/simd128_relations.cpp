@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What src/isa/simd128_queries.cpp offers, for a module that is asked for relations alone.
 // clang-format off
+#include "kernels/flatten.hpp"
 #include "lanes/simd128.hpp"
 // clang-format on
 #include "kernels/query_loop.hpp"
