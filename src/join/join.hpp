@@ -25,8 +25,6 @@ struct Join {
   void* scratch;  // of join_scratch_bytes, aligned to 64
 };
 
-inline constexpr std::int64_t state_numbers = 4;
-
 std::int64_t join_scratch_bytes() noexcept;
 
 /// Pairs of the whole part.

@@ -44,14 +44,7 @@ Answer shape_area(int kind, const Numbers& numbers) {
 }
 
 /// Not so small anywhere that an area could underflow.
-bool moderate(const Pair& p) {
-  for (const Numbers* numbers : {&p.a, &p.b}) {
-    for (const double x : *numbers) {
-      if (x != 0 && (std::fabs(x) < 0x1p-200 || std::fabs(x) > 0x1p200)) return false;
-    }
-  }
-  return true;
-}
+bool moderate(const Pair& p) { return is_moderate(p, 0x1p200); }
 
 bool same(const Answer& a, const Answer& b) { return a.code == b.code && a.value == b.value; }
 

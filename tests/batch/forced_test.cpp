@@ -51,16 +51,6 @@ class Forced : public testing::TestWithParam<std::pair<int, int>> {
   }
 };
 
-template <class T>
-typename Face<T>::Shapes c_shapes(const Stored<T>& stored) {
-  const auto& view = stored.view();
-  typename Face<T>::Shapes shapes{view.kind, 0, view.count, view.stride, {}};
-  for (int k = 0; k < properties::field_count(view.kind); ++k) {
-    shapes.field[k] = reinterpret_cast<const T*>(view.field[k].bytes());
-  }
-  return shapes;
-}
-
 std::int64_t returned(const Expected& expected) { return expected.invalid ? VESICA_E_SHAPE : expected.overlaps; }
 
 template <class T>

@@ -11,6 +11,8 @@
 
 #include "batch.hpp"
 #include "batch/shapes.hpp"
+#include "capi/face.hpp"
+#include "properties/pair.hpp"
 
 namespace batch_tests {
 
@@ -111,5 +113,16 @@ class Stored {
   std::vector<std::byte> memory_;
   vesica::batch::Shapes<T> view_{};
 };
+
+/// The same as the C functions take it.
+template <class T>
+typename capi_tests::Face<T>::Shapes c_shapes(const Stored<T>& stored) {
+  const auto& view = stored.view();
+  typename capi_tests::Face<T>::Shapes shapes{view.kind, 0, view.count, view.stride, {}};
+  for (int k = 0; k < properties::field_count(view.kind); ++k) {
+    shapes.field[k] = reinterpret_cast<const T*>(view.field[k].bytes());
+  }
+  return shapes;
+}
 
 }  // namespace batch_tests

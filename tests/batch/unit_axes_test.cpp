@@ -23,7 +23,7 @@ std::vector<Case> quick_cases() {
   std::vector<Case> cases;
   for (const Case& c : all_cases()) {
     const bool boxed = c.kind_a == VESICA_RECT && (c.kind_b == VESICA_RECT || c.kind_b == VESICA_ELLIPSE);
-    const bool round = (c.kind_a == VESICA_CIRCLE || c.kind_a == VESICA_ELLIPSE) && c.kind_b == VESICA_ELLIPSE;
+    const bool round = properties::is_round(c.kind_a) && c.kind_b == VESICA_ELLIPSE;
     if (boxed || round) cases.push_back(c);
   }
   return cases;

@@ -32,7 +32,7 @@ double bend_of(int kind, const Numbers& n) {
 /// Whether a ray comes along no face of a straight shape, or nearly so: where the angle is below 2^-80 the header promises
 /// the face's corner.
 bool meets_faces(int kind, const Numbers& n, const Motion& m) {
-  if (kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE) return true;
+  if (properties::is_round(kind)) return true;
   const bool is_segment = kind == VESICA_SEGMENT, has_axis = kind == VESICA_RECT;
   const double ux = is_segment ? n[2] - n[0] : has_axis ? n[2] : 1, uy = is_segment ? n[3] - n[1] : has_axis ? n[3] : 0;
   const double length = std::hypot(ux, uy), speed = std::hypot(m.vx, m.vy);

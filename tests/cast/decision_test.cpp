@@ -23,7 +23,6 @@ bool meets(const Pair& p, const Motion& m, double time, int less = 0) {
 }
 
 /// Of two such with an area the oracle is slow.
-bool is_round(int kind) { return kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE; }
 bool has_round_outline(int kind, const Numbers& n) {
   return kind == VESICA_CIRCLE ? n[2] > 0 : kind == VESICA_ELLIPSE && n[4] > 0 && n[5] > 0;
 }
@@ -98,7 +97,7 @@ TEST_P(Decision, EveryWorkload) {
                       workload == properties::Workload::thin;
     properties::Stream stream(workload, k.a, k.b, k.scalar, properties::seed() + 11);
     properties::Random random(properties::seed() + 12);
-    const bool slow = is_round(k.a) && is_round(k.b);
+    const bool slow = properties::is_round(k.a) && properties::is_round(k.b);
     const int count = (wild ? 5 : 25) / (slow ? 5 : 1);
     for (int i = 0; i < count * properties::repeat(); ++i) {
       const Pair p = stream.next();

@@ -19,6 +19,7 @@
 namespace {
 
 using properties::has_area;
+using properties::is_curved;
 using properties::Numbers;
 using properties::Pair;
 using properties::Scalar;
@@ -36,10 +37,6 @@ std::string de9im(Scalar scalar, const Pair& p) {
 
 std::string transposed(const std::string& m) { return {m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]}; }
 bool fits(const std::string& m, const char* pattern) { return vesica_de9im_match(m.c_str(), pattern) == 1; }
-
-bool is_curved(int kind, const Numbers& n) {
-  return (kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE) && has_area(kind, n);
-}
 
 /// The relation by its definition, from the matrix.
 int relation_of(const std::string& m) {

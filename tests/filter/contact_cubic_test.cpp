@@ -113,10 +113,8 @@ class ContactCubicBound : public testing::Test {
   template <template <class> class A, class Measure>
   static void measure(const std::string& what, const inputs::Exponents& e, bool near_contact, int effort,
                       Measure ratio) {
-    constexpr int range = ScalarTraits<V>::range;
     properties::Random random(properties::seed());
-    inputs::Inputs<V> pairs(ShapeTraits<A<V>>::kind, Kind::ellipse,
-                            {range * e.axis_low, range * e.axis_high, range * e.size_low, range * e.size_high}, random);
+    inputs::Inputs<V> pairs(ShapeTraits<A<V>>::kind, Kind::ellipse, inputs::widened<V>(e), random);
     const auto of = [&](const Numbers<V>& n) {
       return contact(shape_at<A<V>>(n.data()), shape_at<Ellipse<V>>(n.data() + pairs.first_count()));
     };

@@ -12,58 +12,20 @@
 #include <vesica/filter/disc.hpp>
 #include <vesica/filter/point_ellipse.hpp>
 
-#include "filter/inputs.hpp"
-#include "filter/polynomials.hpp"
-#include "filter/search.hpp"
+#include "filter/bounds.hpp"
 
 namespace {
 
 using namespace vesica;
+using bounds::error_over_bound;
+using bounds::offset;
+using bounds::true_offset;
 using inputs::Exponents;
-using inputs::Numbers;
-using inputs::shape_at;
-
-constexpr int effort = 10000;
 
 template <class V>
-class ErrorBound : public testing::Test {
- protected:
-  /// Searches pairs of the two kinds; ratio(a, b) is negative outside of the guard. Exponents are float's, and 8 times
-  /// as wide for double, as guards are.
-  template <template <class> class A, template <class> class B, class Ratio>
-  static void measure(const std::string& what, const Exponents& e, Ratio ratio) {
-    constexpr int range = ScalarTraits<V>::range;
-    properties::Random random(properties::seed());
-    inputs::Inputs<V> pairs(ShapeTraits<A<V>>::kind, ShapeTraits<B<V>>::kind,
-                            {range * e.axis_low, range * e.axis_high, range * e.size_low, range * e.size_high}, random);
-    search::expect_within_bound(
-        what, pairs,
-        [&](const Numbers<V>& n) {
-          return ratio(shape_at<A<V>>(n.data()), shape_at<B<V>>(n.data() + pairs.first_count()));
-        },
-        effort);
-  }
-};
+class ErrorBound : public bounds::Bound<V, 10000> {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(ErrorBound, Scalars);
-
-/// Error over bound; 0 where the bound is NaN or infinite, which decides nothing.
-template <class V>
-double error_over_bound(const filter::Estimate<V>& estimate, const truth::Dyadic& exact) {
-  if (!std::isfinite(estimate.error)) return 0;
-  // Beyond any error: a value that overflowed under a finite bound.
-  if (!std::isfinite(estimate.value)) return std::numeric_limits<double>::infinity();
-  return truth::error_over_bound(truth::Dyadic(estimate.value) - exact, truth::Dyadic(estimate.error));
-}
-
-template <class A, class B>
-auto offset(const A& a, const B& b) {
-  return filter::offset(filter::place(a), filter::place(b));
-}
-template <class A, class B>
-truth::Vector true_offset(const A& a, const B& b) {
-  return truth::centre(b) - truth::centre(a);
-}
 
 constexpr auto separating_axes = [](const auto& a, const auto& b) {
   const auto axes = filter::separating_axes(filter::box(a), filter::box(b), offset(a, b));

@@ -32,6 +32,12 @@ inline constexpr std::string_view roles[vesica::kind_count] = {"pp", "pppp", "pp
 struct Exponents {
   int axis_low, axis_high, size_low, size_high;
 };
+/// Those of a guard stated for float: 8 times as wide for double, as guards are.
+template <class V>
+constexpr Exponents widened(const Exponents& e) {
+  constexpr int range = vesica::ScalarTraits<V>::range;
+  return {range * e.axis_low, range * e.axis_high, range * e.size_low, range * e.size_high};
+}
 
 template <class V>
 class Inputs {

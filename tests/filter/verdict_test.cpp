@@ -131,18 +131,15 @@ class Verdicts : public testing::TestWithParam<Tested<V>> {
 
   /// Ranges of exponents about every filter's guard.
   inputs::Inputs<V> pairs(int which) {
-    constexpr int range = ScalarTraits<V>::range;
     constexpr Exponents narrow{-3, 5, -6, 10}, middle{-10, 10, -30, 40}, wide{-25, 25, -90, 75};
     constexpr Exponents unit{-1, 0, -30, 40}, unit_ellipse{-1, 0, -9, 12};
     const Exponents& e = pair_.unit_axes ? (has_ellipse_ ? unit_ellipse : unit)
                          : which == 0    ? narrow
                          : which == 1    ? middle
                                          : wide;
-    const int axes = pair_.unit_axes ? 1 : range;
-    return {pair_.kind_a,
-            pair_.kind_b,
-            {axes * e.axis_low, axes * e.axis_high, range * e.size_low, range * e.size_high},
-            random_};
+    Exponents widened = inputs::widened<V>(e);
+    if (pair_.unit_axes) widened.axis_low = e.axis_low, widened.axis_high = e.axis_high;
+    return {pair_.kind_a, pair_.kind_b, widened, random_};
   }
 
   /// A pair, its axes of unit length but for a few places where the tested filter asks for that.

@@ -15,15 +15,7 @@ namespace {
 constexpr double promised = 64, most_aspect = 1e4;
 
 /// Not so small or large anywhere that an area could leave the range.
-bool moderate(Scalar scalar, const Pair& p) {
-  const double most = scalar == Scalar::f32 ? 0x1p25 : 0x1p200;
-  for (const Numbers* numbers : {&p.a, &p.b}) {
-    for (const double x : *numbers) {
-      if (x != 0 && (std::fabs(x) < 1 / most || std::fabs(x) > most)) return false;
-    }
-  }
-  return true;
-}
+bool moderate(Scalar scalar, const Pair& p) { return is_moderate(p, scalar == Scalar::f32 ? 0x1p25 : 0x1p200); }
 
 bool inside(std::int32_t relation) { return relation == VESICA_INSIDE || relation == VESICA_INSIDE_TOUCH; }
 bool contains(std::int32_t relation) { return relation >= VESICA_CONTAINS; }

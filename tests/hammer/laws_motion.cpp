@@ -48,8 +48,6 @@ bool meets(const Case& c, double time, int less = 0) {
   return oracle::meets(p.kind_a, p.a.data(), p.kind_b, p.b.data(), {c.motion.vx, c.motion.vy, time, less});
 }
 
-bool is_round(int kind) { return kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE; }
-
 /// Exponents within this of each other keep the oracle's integers short.
 bool for_oracle(const Case& c) {
   const Pair& p = c.pair;

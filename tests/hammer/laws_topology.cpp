@@ -15,10 +15,6 @@ namespace {
 
 constexpr double u = 0x1p-53;
 
-bool is_curved(int kind, const Numbers& n) {
-  return (kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE) && has_area(kind, n);
-}
-
 std::string matrix(const Answer& r) {
   std::string m(9, 'F');
   for (std::size_t i = 0; i < m.size(); ++i) {

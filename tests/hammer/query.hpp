@@ -15,6 +15,9 @@ namespace hammer {
 
 using cast_test::Motion;
 using properties::has_area;
+using properties::is_curved;
+using properties::is_moderate;
+using properties::is_round;
 using properties::Numbers;
 using properties::Pair;
 using properties::Scalar;
@@ -60,7 +63,6 @@ constexpr bool of_motion(Query query) { return query == Query::cast || query == 
 
 /// Are regions of these kinds found? Both straight, or one a point or a segment.
 constexpr bool has_intersection(int kind_a, int kind_b) {
-  constexpr auto is_round = [](int kind) { return kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE; };
   return kind_a <= VESICA_SEGMENT || kind_b <= VESICA_SEGMENT || (!is_round(kind_a) && !is_round(kind_b));
 }
 

@@ -41,7 +41,7 @@ Placed placed_at(int kind, const Numbers& n, const Turn& turn, double t, double 
   }
   const long double angle = static_cast<long double>(turn.angle) * static_cast<long double>(t);
   const double c = static_cast<double>(std::cos(angle)), s = static_cast<double>(std::sin(angle));
-  const bool round = kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE;
+  const bool round = properties::is_round(kind);
   return {round ? VESICA_ELLIPSE : VESICA_RECT,
           {std::fma(t, turn.vx, x), std::fma(t, turn.vy, y), c * ux - s * uy, s * ux + c * uy, hx * (1 + grown),
            hy * (1 + grown)}};

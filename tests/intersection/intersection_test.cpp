@@ -19,6 +19,7 @@
 
 namespace {
 
+using properties::is_round;
 using properties::Numbers;
 using properties::Pair;
 using properties::Scalar;
@@ -120,7 +121,6 @@ Answer ask(Scalar scalar, const Pair& p) {
   return r;
 }
 
-bool is_round(int kind) { return kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE; }
 bool is_thin(int kind) { return kind <= VESICA_SEGMENT; }
 bool is_answered(int a, int b) { return (!is_round(a) && !is_round(b)) || is_thin(a) || is_thin(b); }
 
@@ -312,13 +312,12 @@ TEST_P(Octagons, HaveTheirVertices) {
   EXPECT_GT(full, cases_ / 5);
   EXPECT_LT(full, cases_);
 }
-INSTANTIATE_TEST_SUITE_P(
-    Quadrilaterals, Octagons,
-    testing::Values(properties::Kinds{VESICA_AABB, VESICA_RECT, Scalar::f64},
-                    properties::Kinds{VESICA_AABB, VESICA_RECT, Scalar::f32},
-                    properties::Kinds{VESICA_RECT, VESICA_RECT, Scalar::f64},
-                    properties::Kinds{VESICA_RECT, VESICA_RECT, Scalar::f32}),
-    properties::test_name);
+INSTANTIATE_TEST_SUITE_P(Quadrilaterals, Octagons,
+                         testing::Values(properties::Kinds{VESICA_AABB, VESICA_RECT, Scalar::f64},
+                                         properties::Kinds{VESICA_AABB, VESICA_RECT, Scalar::f32},
+                                         properties::Kinds{VESICA_RECT, VESICA_RECT, Scalar::f64},
+                                         properties::Kinds{VESICA_RECT, VESICA_RECT, Scalar::f32}),
+                         properties::test_name);
 
 using Numbers16 = std::array<double, 16>;
 

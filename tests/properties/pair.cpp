@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "properties/pair.hpp"
 
-#include <vesica.h>
-
 #include <algorithm>
 #include <bit>
 #include <cfloat>
@@ -57,6 +55,11 @@ bool has_area(int kind, const Numbers& n) {
   if (kind == VESICA_CIRCLE) return n[2] > 0;
   if (kind == VESICA_AABB) return n[0] < n[2] && n[1] < n[3];
   return role(kind, 4) == Role::size && n[4] > 0 && n[5] > 0;
+}
+
+bool is_moderate(const Pair& pair, double most) {
+  const auto moderate = [most](double x) { return x == 0 || (std::fabs(x) >= 1 / most && std::fabs(x) <= most); };
+  return std::all_of(pair.a.begin(), pair.a.end(), moderate) && std::all_of(pair.b.begin(), pair.b.end(), moderate);
 }
 
 double nearest(Scalar scalar, double x) {

@@ -2,6 +2,8 @@
 /// Pairs of shapes as flat numbers, in either scalar type, and what tests do with single numbers of them.
 #pragma once
 
+#include <vesica.h>
+
 #include <array>
 #include <cstdint>
 #include <string>
@@ -35,6 +37,11 @@ const char* kind_name(int kind);
 bool valid(int kind, const Numbers& numbers);
 /// Has a valid shape an area?
 bool has_area(int kind, const Numbers& numbers);
+/// A circle or an ellipse; and one with an area.
+constexpr bool is_round(int kind) { return kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE; }
+inline bool is_curved(int kind, const Numbers& numbers) { return is_round(kind) && has_area(kind, numbers); }
+/// Is each number of both shapes 0, or from 1 / most to most in magnitude?
+bool is_moderate(const Pair& pair, double most);
 
 /// The scalar nearest to x; the largest finite one beyond the range.
 double nearest(Scalar scalar, double x);

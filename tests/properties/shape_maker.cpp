@@ -90,7 +90,7 @@ Numbers integer_shape(int kind, Random& random) {
 
 Vector random_point(int kind, const Numbers& numbers, Random& random, double reach) {
   double s = random.between(-reach, reach), t = random.between(-reach, reach);
-  const bool round = kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE;
+  const bool round = is_round(kind);
   while (round && s * s + t * t > reach * reach) {
     s = random.between(-reach, reach);
     t = random.between(-reach, reach);
@@ -105,7 +105,7 @@ Vector random_point(int kind, const Numbers& numbers, Random& random, double rea
 }
 
 Vector special_point(int kind, const Numbers& numbers, Random& random) {
-  const bool round = kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE;
+  const bool round = is_round(kind);
   double s = random.sign(), t = random.sign();
   if (round) (random.chance(0.5) ? s : t) = 0;
   if (round && random.chance(0.2)) s = t = 0;

@@ -107,14 +107,7 @@ Real taken_away(int which, const Pair& p, double iou) {
   return v == Real(0.0) ? distance : distance + v * v / (Real(1) - iou + v);
 }
 
-bool moderate(const Pair& p) {
-  for (const Numbers* numbers : {&p.a, &p.b}) {
-    for (const double x : *numbers) {
-      if (x != 0 && (std::fabs(x) < 0x1p-95 || std::fabs(x) > 0x1p95)) return false;
-    }
-  }
-  return true;
-}
+bool moderate(const Pair& p) { return is_moderate(p, 0x1p95); }
 
 class Ratios : public testing::Test {
  protected:

@@ -106,13 +106,9 @@ class Judge {
 
   /// Ranges of exponents about every filter's guard.
   inputs::Inputs<V> pairs(int which) {
-    constexpr int range = ScalarTraits<V>::range;
     constexpr Exponents narrow{-3, 5, -6, 10}, middle{-10, 10, -30, 40}, wide{-25, 25, -90, 75};
     const Exponents& e = which == 0 ? narrow : which == 1 ? middle : wide;
-    return {pair_.first,
-            pair_.second,
-            {range * e.axis_low, range * e.axis_high, range * e.size_low, range * e.size_high},
-            random};
+    return {pair_.first, pair_.second, inputs::widened<V>(e), random};
   }
 
   /// A pair of which one shape often contains the other: the second's sizes shrunk or grown.

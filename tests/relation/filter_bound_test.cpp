@@ -14,46 +14,30 @@
 #include <vesica/filter/nesting.hpp>
 #include <vesica/relation.hpp>
 
-#include "filter/inputs.hpp"
-#include "filter/polynomials.hpp"
-#include "filter/search.hpp"
+#include "filter/bounds.hpp"
 #include "oracle/oracle.hpp"
 
 namespace {
 
 using namespace vesica;
+using bounds::error_over_bound;
+using bounds::offset;
+using bounds::true_offset;
 using inputs::Exponents;
 using inputs::Numbers;
 using inputs::shape_at;
 using truth::Dyadic;
 
-constexpr int effort = 5000, sign_effort = 1200;
+constexpr int sign_effort = 1200;
 
 template <class V>
-class RelationBound : public testing::Test {
+class RelationBound : public bounds::Bound<V, 5000> {
  protected:
-  /// As in tests/filter: ratio(a, b) is negative outside of the guard.
-  template <template <class> class A, template <class> class B, class Ratio>
-  static void measure(const std::string& what, const Exponents& e, Ratio ratio) {
-    constexpr int range = ScalarTraits<V>::range;
-    properties::Random random(properties::seed());
-    inputs::Inputs<V> pairs(ShapeTraits<A<V>>::kind, ShapeTraits<B<V>>::kind,
-                            {range * e.axis_low, range * e.axis_high, range * e.size_low, range * e.size_high}, random);
-    search::expect_within_bound(
-        what, pairs,
-        [&](const Numbers<V>& n) {
-          return ratio(shape_at<A<V>>(n.data()), shape_at<B<V>>(n.data() + pairs.first_count()));
-        },
-        effort);
-  }
-
   /// Near where containment, or else overlap, changes.
   template <template <class> class A, class Ratio>
   static void measure_about_contact(const std::string& what, const Exponents& e, Ratio ratio) {
-    constexpr int range = ScalarTraits<V>::range;
     properties::Random random(properties::seed());
-    inputs::Inputs<V> pairs(ShapeTraits<A<V>>::kind, Kind::ellipse,
-                            {range * e.axis_low, range * e.axis_high, range * e.size_low, range * e.size_high}, random);
+    inputs::Inputs<V> pairs(ShapeTraits<A<V>>::kind, Kind::ellipse, inputs::widened<V>(e), random);
     const auto of = [&](const Numbers<V>& n) {
       return ratio(shape_at<A<V>>(n.data()), shape_at<Ellipse<V>>(n.data() + pairs.first_count()));
     };
@@ -85,23 +69,6 @@ class RelationBound : public testing::Test {
 };
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(RelationBound, Scalars);
-
-/// Error over bound; 0 where the bound is NaN or infinite, which decides nothing.
-template <class V>
-double error_over_bound(const filter::Estimate<V>& estimate, const Dyadic& exact) {
-  if (!std::isfinite(estimate.error)) return 0;
-  if (!std::isfinite(estimate.value)) return std::numeric_limits<double>::infinity();
-  return truth::error_over_bound(Dyadic(estimate.value) - exact, Dyadic(estimate.error));
-}
-
-template <class A, class B>
-auto offset(const A& a, const B& b) {
-  return filter::offset(filter::place(a), filter::place(b));
-}
-template <class A, class B>
-truth::Vector true_offset(const A& a, const B& b) {
-  return truth::centre(b) - truth::centre(a);
-}
 
 Dyadic min(const Dyadic& a, const Dyadic& b) { return a < b ? a : b; }
 

@@ -213,9 +213,7 @@ const char* name(Nesting nesting) {
 }
 
 bool exists(Nesting nesting, int kind_a, int kind_b) {
-  if (nesting != Nesting::osculating) return true;
-  const auto round = [](int kind) { return kind == VESICA_CIRCLE || kind == VESICA_ELLIPSE; };
-  return round(kind_a) && round(kind_b);
+  return nesting != Nesting::osculating || (is_round(kind_a) && is_round(kind_b));
 }
 
 NestingStream::NestingStream(Nesting nesting, int kind_a, int kind_b, Scalar scalar, std::uint64_t seed)

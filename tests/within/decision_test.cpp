@@ -20,9 +20,9 @@ using nearest_reference::Real;
 
 constexpr double u = 0x1p-53;
 
-bool has_area(const properties::Numbers& n) { return n[4] > 0 && n[5] > 0; }
 bool is_curved(const Pair& p) {
-  return (p.kind_a == VESICA_ELLIPSE && has_area(p.a)) || (p.kind_b == VESICA_ELLIPSE && has_area(p.b));
+  return (p.kind_a == VESICA_ELLIPSE && properties::has_area(p.kind_a, p.a)) ||
+         (p.kind_b == VESICA_ELLIPSE && properties::has_area(p.kind_b, p.b));
 }
 
 class Within : public testing::TestWithParam<properties::Kinds> {

@@ -24,16 +24,6 @@ auto bits(T x) {
   return std::bit_cast<std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>>(x);
 }
 
-template <class T>
-typename Face<T>::Shapes c_shapes(const Stored<T>& stored) {
-  const auto& view = stored.view();
-  typename Face<T>::Shapes shapes{view.kind, 0, view.count, view.stride, {}};
-  for (int k = 0; k < properties::field_count(view.kind); ++k) {
-    shapes.field[k] = reinterpret_cast<const T*>(view.field[k].bytes());
-  }
-  return shapes;
-}
-
 /// What a batch must write and return.
 template <class T>
 class Expected {
