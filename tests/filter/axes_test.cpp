@@ -177,7 +177,7 @@ TEST(Axes, LeaveInvalidShapes) {
   const Point<double> p{0.5, 0.5};
   const Segment<double> s{0, 0, 1, 1};
   const Aabb<double> box{0.5, 0.5, 1, 1};
-  const Rect<double> r{0, 0, 1, 0.5, 1, 2};
+  const Rect<double> r{0.25, 0, 1, 0.5, 1, 2};
   EXPECT_TRUE(decided(p, r) && decided(s, r) && decided(box, r) && decided(r, r));
   const auto each = [&](const Rect<double>& wrong) {
     return decided(p, wrong) || decided(s, wrong) || decided(box, wrong) || decided(r, wrong) || decided(wrong, r);
