@@ -47,7 +47,8 @@ void ask_all(const Place& at, Random& random, Counts& counts) {
 }
 
 Place moved(Place at, Random& random) {
-  for (double* const number : {&at.r.hx, &at.r.uy, &at.r.cy, &at.x, &at.wx, &at.hy}) *number = neighbour(*number, random);
+  for (double* const number : {&at.r.hx, &at.r.uy, &at.r.cy, &at.x, &at.wx, &at.hy})
+    *number = neighbour(*number, random);
   return at;
 }
 /// Places by e, sizes by f.
@@ -56,8 +57,13 @@ Place scaled(const Place& at, int e, int f) {
   const auto axis = [&](double x) { return std::ldexp(x, e - f); };
   const auto size = [&](double x) { return std::ldexp(x, f); };
   const Rect<double>& r = at.r;
-  return {{place(r.cx), place(r.cy), axis(r.ux), axis(r.uy), size(r.hx), size(r.hy)}, place(at.x), place(at.y),
-          axis(at.wx), axis(at.wy), size(at.hx), size(at.hy)};
+  return {{place(r.cx), place(r.cy), axis(r.ux), axis(r.uy), size(r.hx), size(r.hy)},
+          place(at.x),
+          place(at.y),
+          axis(at.wx),
+          axis(at.wy),
+          size(at.hx),
+          size(at.hy)};
 }
 
 /// Integers: axes and sizes of about so many digits, centres of twice as many.
@@ -75,8 +81,13 @@ Place anywhere(double thickness, double shift, Random& random) {
   const double angle = random.between(-4, 4), turn = random.between(-4, 4);
   const double ux = std::cos(angle), uy = std::sin(angle), hx = random.unit(), hy = thickness * random.unit();
   const double cx = random.between(-1, 1) + shift, cy = random.between(-1, 1) + shift, t = hy * random.between(-1, 1);
-  return {{cx, cy, ux, uy, hx, hy}, cx + hx * ux - t * uy,        cy + hx * uy + t * ux, std::cos(turn),
-          std::sin(turn),           thickness * random.unit() + 0x1p-60, random.unit()};
+  return {{cx, cy, ux, uy, hx, hy},
+          cx + hx * ux - t * uy,
+          cy + hx * uy + t * ux,
+          std::cos(turn),
+          std::sin(turn),
+          thickness * random.unit() + 0x1p-60,
+          random.unit()};
 }
 
 TEST(Axes, DecideIntegersOfAnyLength) {

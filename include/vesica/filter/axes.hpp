@@ -53,7 +53,8 @@ class AxisGaps {
   VESICA_INLINE constexpr bool held() const noexcept { return !lost_; }
 
  private:
-  VESICA_INLINE constexpr bool part(Integer64 nx, Integer64 ny, const SplitVector& own, const BoxInUnits& other) noexcept {
+  VESICA_INLINE constexpr bool part(Integer64 nx, Integer64 ny, const SplitVector& own,
+                                    const BoxInUnits& other) noexcept {
     const auto sign = [&](Integer64 x, Integer64 y) { return std::uint64_t{0} - ((nx * x + ny * y).high >> 63); };
     const SplitVector v = offset_.flipped(sign(offset_.x, offset_.y)) - own -
                           other.along.flipped(sign(other.ux, other.uy)) -
@@ -72,11 +73,13 @@ using AxisUnit = NearUnit;
 using SizeUnit = NearUnit;
 using PlaceUnit = UnitOf64<61>;
 
-VESICA_INLINE constexpr BoxInUnits in_units(const Rect<double>& r, PlaceUnit&, AxisUnit& axes, SizeUnit& sizes) noexcept {
+VESICA_INLINE constexpr BoxInUnits in_units(const Rect<double>& r, PlaceUnit&, AxisUnit& axes,
+                                            SizeUnit& sizes) noexcept {
   const Integer64 ux = axes.number(r.ux), uy = axes.number(r.uy), hx = sizes.number(r.hx), hy = sizes.number(r.hy);
   return {ux, uy, {{0}, {0}, hx * ux, hx * uy}, {{0}, {0}, hy * -uy, hy * ux}};
 }
-VESICA_INLINE constexpr BoxInUnits in_units(const Segment<double>& s, PlaceUnit& places, AxisUnit&, SizeUnit&) noexcept {
+VESICA_INLINE constexpr BoxInUnits in_units(const Segment<double>& s, PlaceUnit& places, AxisUnit&,
+                                            SizeUnit&) noexcept {
   const Integer64 x = places.number(s.x1) - places.number(s.x0), y = places.number(s.y1) - places.number(s.y0);
   return {x, y, {x, y, {0, 0}, {0, 0}}, {}};
 }
