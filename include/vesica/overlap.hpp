@@ -11,6 +11,7 @@
 #pragma once
 
 #include <vesica/check.hpp>
+#include <vesica/filter/axes.hpp>
 #include <vesica/filter/error_free.hpp>
 #include <vesica/filter/reach.hpp>
 #include <vesica/filter/short_numbers.hpp>
@@ -67,6 +68,10 @@ template <class A, class B>
 VESICA_INLINE constexpr std::int32_t decide_long_tie(const A& a, const B& b) noexcept {
   if constexpr (filter::HasResidues<A, B, filter::FarUnit>) {
     const std::int32_t answer = answer_of(filter::by_residues<filter::FarUnit>(a, b));
+    if (answer >= 0) return answer;
+  }
+  if constexpr (filter::HasAxes<A, B>) {
+    const std::int32_t answer = answer_of(filter::by_axes(a, b));
     if (answer >= 0) return answer;
   }
   if constexpr (filter::HasErrorFree<A, B>) {

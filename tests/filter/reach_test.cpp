@@ -34,8 +34,9 @@ void ask_all(const Place& at, Random& random, Counts& round, Counts& segments) {
   ask(c, Circle<double>{px, py, 0}, round);
   ask(c, Circle<double>{px + k * x, py + k * y, k * c.r}, round);
   ask(Circle<double>{px + k * x, py + k * y, k * c.r}, c, round);
-  ask(c, Aabb<double>{std::fmin(px, px + k * x), std::fmin(py, py + x * x), std::fmax(px, px + k * x),
-                      std::fmax(py, py + x * x)},
+  ask(c,
+      Aabb<double>{std::fmin(px, px + k * x), std::fmin(py, py + x * x), std::fmax(px, px + k * x),
+                   std::fmax(py, py + x * x)},
       round);
   ask(c, Aabb<double>{px - (x < 0 ? k : 0), py - (y < 0 ? k : 0), px + (x < 0 ? 0 : k), py + (y < 0 ? 0 : k)}, round);
   ask(c, Aabb<double>{c.cx - k, c.cy + c.r, c.cx + part, c.cy + 2 * c.r}, round);
@@ -95,7 +96,8 @@ TEST(Reach, DecidesIntegersOfAnyLength) {
 TEST(Reach, DecidesNumbersOfAllDigits) {
   Random random(properties::seed());
   Counts round, segments;
-  for (int i = 0; i < 4000 * properties::repeat(); ++i) ask_all(moved(anywhere(1, 0, random), random), random, round, segments);
+  for (int i = 0; i < 4000 * properties::repeat(); ++i)
+    ask_all(moved(anywhere(1, 0, random), random), random, round, segments);
   EXPECT_EQ(round.wrong + segments.wrong, 0);
   EXPECT_GT(round.near, round.asked * 9 / 10);
   EXPECT_GT(segments.near, segments.asked * 9 / 10);

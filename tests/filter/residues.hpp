@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What contacts in near and in far units decide, and how often they are wrong.
+/// What contacts in integers decide, in near and in far units or by axes, and how often they are wrong.
 #pragma once
 
 #include <cmath>
@@ -19,11 +19,12 @@ struct Counts {
 /// The second is no answer where the pair is not known in far units.
 template <class A, class B>
 std::pair<filter::Verdict<bool>, filter::Verdict<bool>> both_verdicts(const A& a, const B& b) {
-  const auto near = filter::by_residues<filter::NearUnit>(a, b);
-  if constexpr (filter::HasResidues<A, B, filter::FarUnit>) {
-    return {near, filter::by_residues<filter::FarUnit>(a, b)};
+  if constexpr (filter::HasAxes<A, B>) {
+    return {filter::by_axes(a, b), {false, false}};
+  } else if constexpr (filter::HasResidues<A, B, filter::FarUnit>) {
+    return {filter::by_residues<filter::NearUnit>(a, b), filter::by_residues<filter::FarUnit>(a, b)};
   } else {
-    return {near, {false, false}};
+    return {filter::by_residues<filter::NearUnit>(a, b), {false, false}};
   }
 }
 

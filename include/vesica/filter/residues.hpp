@@ -19,11 +19,13 @@ struct Residue128 {
   VESICA_INLINE constexpr std::int64_t sign() const noexcept {
     return static_cast<std::int64_t>(high | std::uint64_t{low != 0});
   }
-  VESICA_INLINE constexpr Residue128 magnitude() const noexcept {
-    const std::uint64_t mask = std::uint64_t{0} - (high >> 63);
-    const std::uint64_t flipped_low = low ^ mask, negated_low = flipped_low - mask;
-    return {negated_low, (high ^ mask) + (negated_low < flipped_low)};
+  /// Its opposite where the mask is of ones, itself where it is 0.
+  VESICA_INLINE constexpr Residue128 flipped(std::uint64_t mask) const noexcept {
+    const std::uint64_t inverted = low ^ mask, opposite = inverted - mask;
+    return {opposite, (high ^ mask) + (opposite < inverted)};
   }
+  /// The magnitude of the integer of least magnitude that has this residue.
+  VESICA_INLINE constexpr Residue128 magnitude() const noexcept { return flipped(std::uint64_t{0} - (high >> 63)); }
 };
 
 VESICA_INLINE constexpr Residue128 operator+(const Residue128& a, const Residue128& b) noexcept {
@@ -66,10 +68,20 @@ struct Integer64 {
   VESICA_INLINE constexpr Residue128 extended(int places) const noexcept {
     return {static_cast<std::uint64_t>(n) << places, static_cast<std::uint64_t>(n >> 32 >> (32 - places))};
   }
+  /// By less than 128 places.
+  VESICA_INLINE constexpr Residue128 shifted(int places) const noexcept {
+    const auto bits = static_cast<std::uint64_t>(n);
+    if (places >= 64) return {0, bits << (places - 64)};
+    return {bits << places, static_cast<std::uint64_t>(n >> 1 >> (63 - places))};
+  }
+  VESICA_INLINE constexpr Integer64 flipped(std::uint64_t mask) const noexcept {
+    return {static_cast<std::int64_t>((static_cast<std::uint64_t>(n) ^ mask) - mask)};
+  }
 };
 
 VESICA_INLINE constexpr Integer64 operator+(Integer64 a, Integer64 b) noexcept { return {a.n + b.n}; }
 VESICA_INLINE constexpr Integer64 operator-(Integer64 a, Integer64 b) noexcept { return {a.n - b.n}; }
+VESICA_INLINE constexpr Integer64 operator-(Integer64 a) noexcept { return {-a.n}; }
 /// The product itself.
 VESICA_INLINE constexpr Residue128 operator*(Integer64 a, Integer64 b) noexcept {
 #if defined(__SIZEOF_INT128__)
@@ -84,6 +96,33 @@ VESICA_INLINE constexpr Residue128 operator*(Integer64 a, Integer64 b) noexcept 
 #endif
 }
 
+/// An integer modulo 2^192, the least significant limb first.
+struct Residue192 {
+  std::uint64_t low, middle, high;
+
+  /// Is the integer of least magnitude that has this residue positive?
+  VESICA_INLINE constexpr bool is_positive() const noexcept {
+    return both(static_cast<std::int64_t>(high) >= 0, (low | middle | high) != 0);
+  }
+};
+
+VESICA_INLINE constexpr Residue192 operator+(const Residue192& a, const Residue192& b) noexcept {
+  const Residue128 low = Residue128{a.low, 0} + Residue128{b.low, 0};
+  const Residue128 high = Residue128{a.middle, a.high} + Residue128{b.middle, b.high} + Residue128{low.high, 0};
+  return {low.low, high.low, high.high};
+}
+/// The product of integers, of which b is the one of least magnitude that has its residue. The stored limbs are a + 2^64 and
+/// b + 2^128 where a and b are negative: what they add is taken away.
+VESICA_INLINE constexpr Residue192 operator*(Integer64 a, const Residue128& b) noexcept {
+  using exact::detail::LimbPair;
+  using exact::detail::multiply_add;
+  const auto n = static_cast<std::uint64_t>(a.n), of_a = static_cast<std::uint64_t>(a.n >> 63);
+  const LimbPair low = multiply_add(n, b.low, 0, 0), high = multiply_add(n, b.high, low.high, 0);
+  const Residue128 upper = Residue128{high.low, high.high - ((std::uint64_t{0} - (b.high >> 63)) & n)} -
+                           Residue128{b.low & of_a, b.high & of_a};
+  return {low.low, upper.low, upper.high};
+}
+
 /// Numbers as multiples of a power of two, G, chosen such that their absolute values, summed and rounded, are from
 /// 2^(digits - 1) G to 2^digits G. So any of them differ by less than 2^(digits + 1) G.
 template <int digits>
@@ -93,6 +132,8 @@ class Unit {
   VESICA_INLINE constexpr bool is_ordinary() const noexcept {
     return exponent_ >= 1023 - 300 && exponent_ <= 1023 + 300;
   }
+  /// log2 G.
+  VESICA_INLINE constexpr int exponent() const noexcept { return exponent_ - 1023 - digits + 1; }
   /// Whether all numbers so far were multiples of G.
   VESICA_INLINE constexpr bool holds() const noexcept { return lost_ == 0; }
 
@@ -130,19 +171,23 @@ class Unit {
   double lost_ = 0;
 };
 
-/// For numbers of a like magnitude, as most are: differences are integers of 64 bits.
-class NearUnit : public Unit<62> {
+/// For numbers of a like magnitude, as most are: each is an integer of 64 bits.
+template <int digits>
+class UnitOf64 : public Unit<digits> {
  public:
   using Number = Integer64;
   template <class... X>
-  VESICA_INLINE constexpr explicit NearUnit(X... stored) noexcept : Unit(stored...) {}
+  VESICA_INLINE constexpr explicit UnitOf64(X... stored) noexcept : Unit<digits>(stored...) {}
 
   VESICA_INLINE constexpr Integer64 number(double x) noexcept {
-    const std::int64_t whole = take(x, 0);
-    lose(x);
+    const std::int64_t whole = this->take(x, 0);
+    this->lose(x);
     return {whole};
   }
 };
+
+/// Differences have 64 bits too.
+using NearUnit = UnitOf64<62>;
 
 /// For others.
 class FarUnit : public Unit<86> {
