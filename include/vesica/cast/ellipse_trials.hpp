@@ -66,45 +66,84 @@ class LeadingContact {
   Few mixed_, product_;  // mu, and d1 d2
 };
 
-/// How far from x to 0, of values x > 0 > y.
-inline double share(const arithmetic::Scaled& x, const arithmetic::Scaled& y) noexcept {
-  const double ratio = arithmetic::scale(y.value / x.value, y.exponent - x.exponent);
-  return 1 / (1 - ratio);
+/// y / x for values x, y.
+inline double ratio(const arithmetic::Scaled& y, const arithmetic::Scaled& x) noexcept {
+  return arithmetic::scale(y.value / x.value, y.exponent - x.exponent);
 }
 
+/// The doubles between which contact begins, by their ranks.
+class Bracket {
+ public:
+  Bracket(double no, double yes, const Trial& at_no, const Trial& at_yes) noexcept
+      : no_(arithmetic::rank(no)), yes_(arithmetic::rank(yes)), at_no_(at_no), at_yes_(at_yes) {}
+
+  /// No double is between. Else next() is the rank of one.
+  bool is_closed() const noexcept { return yes_ - no_ <= 1; }
+  double floor() const noexcept { return arithmetic::at_rank<double>(no_); }
+  std::uint64_t next() noexcept {
+    const std::uint64_t way = yes_ - no_;
+    const double whole = static_cast<double>(way);
+    double share = 0.5 * whole;
+    // Every fourth trial halves the way, unless it is a sixteenth of what it was four trials ago.
+    const bool may_halve = ++trials_ % 4 == 0;
+    const bool quick = !may_halve || way <= before_ / 16;
+    if (may_halve) before_ = way;
+    if (quick && at_no_.has_value && at_yes_.has_value) {
+      share = whole / (1 - ratio(at_yes_.value, at_no_.value));
+    } else if (quick && at_no_.has_value && at_earlier_no_.has_value) {
+      // Where contact begins with a double zero no value is negative. Its root falls straight; a little farther than to 0,
+      // and then a little less far.
+      const double falling = std::sqrt(ratio(at_earlier_no_.value, at_no_.value));
+      const double to_zero = static_cast<double>(no_ - earlier_no_) / (falling - 1);
+      share = (was_after_ ? 0.98 : repeated_ ? 2 : 1.02) * to_zero;
+      if (was_after_ && repeated_) share = 0.5 * whole;
+    }
+    const double most = static_cast<double>(way - 1);
+    if (!(share <= most)) share = 0.5 * whole;
+    return no_ + (share < 1 ? 1 : static_cast<std::uint64_t>(share));
+  }
+  void narrow(std::uint64_t at, const Trial& trial) noexcept {
+    repeated_ = trials_ > 1 && trial.after == was_after_;
+    was_after_ = trial.after;
+    if (trial.after) {
+      yes_ = at;
+      at_yes_ = trial;
+      if (repeated_) at_no_.value.value *= 0.5;  // the Illinois rule: else one end might stay
+    } else {
+      earlier_no_ = no_;
+      at_earlier_no_ = at_no_;
+      no_ = at;
+      at_no_ = trial;
+      if (repeated_) at_yes_.value.value *= 0.5;
+    }
+  }
+
+ private:
+  std::uint64_t no_, yes_, earlier_no_ = 0, before_ = ~std::uint64_t{0};
+  Trial at_no_, at_yes_, at_earlier_no_;
+  int trials_ = 0;
+  bool was_after_ = false, repeated_ = false;
+};
+
 /// The greatest double with no contact before it, for which ask(t) is answered by trials; negative where there is none.
-/// First the power of two is bisected, then the discriminant's zero is approached by secants (Illinois), and by halves
-/// where these do not halve the way.
+/// First the power of two is bisected, then the zero of the discriminant is approached by secants.
 template <class Ask>
 double floor_by_trials(const Ask& ask) noexcept {
-  int no_exponent = -1075, yes_exponent = 1024;
+  int no = -1075, yes = 1024;
   Trial at_no, at_yes;
-  while (yes_exponent - no_exponent > 1) {
-    const int middle = (yes_exponent + no_exponent) / 2;
+  while (yes - no > 1) {
+    const int middle = (yes + no) / 2;
     const Trial trial = ask(arithmetic::scale_far(1, middle));
-    (trial.after ? yes_exponent : no_exponent) = middle;
+    (trial.after ? yes : no) = middle;
     (trial.after ? at_yes : at_no) = trial;
   }
-  if (yes_exponent == 1024) return -1;
-  std::uint64_t no = arithmetic::rank(no_exponent < -1074 ? 0.0 : arithmetic::scale_far(1, no_exponent)),
-                yes = arithmetic::rank(arithmetic::scale_far(1, yes_exponent)), halved = yes - no;
-  bool was_after = false;
-  for (int steps = 1; yes - no > 1; ++steps) {
-    const std::uint64_t way = yes - no;
-    std::uint64_t step = way / 2;
-    const bool must_halve = steps % 4 == 0 && way > halved / 16;
-    if (steps % 4 == 0) halved = way;
-    if (at_no.has_value && at_yes.has_value && !must_halve) {
-      step = static_cast<std::uint64_t>(static_cast<double>(way) * share(at_no.value, at_yes.value));
-      step = step < 1 ? 1 : step > way - 1 ? way - 1 : step;
-    }
-    const Trial trial = ask(arithmetic::at_rank<double>(no + step));
-    (trial.after ? at_yes : at_no) = trial;
-    (trial.after ? yes : no) = no + step;
-    if (steps > 1 && trial.after == was_after) (trial.after ? at_no : at_yes).value.value *= 0.5;
-    was_after = trial.after;
+  if (yes == 1024) return -1;
+  Bracket bracket(no < -1074 ? 0.0 : arithmetic::scale_far(1, no), arithmetic::scale_far(1, yes), at_no, at_yes);
+  while (!bracket.is_closed()) {
+    const std::uint64_t at = bracket.next();
+    bracket.narrow(at, ask(arithmetic::at_rank<double>(at)));
   }
-  return arithmetic::at_rank<double>(no);
+  return bracket.floor();
 }
 
 /// For a pair of ellipses whose line enters M after the start and does not graze it. Negative where the place then is
