@@ -143,6 +143,22 @@ TYPED_TEST(CastTest, OutOfRange) {
   EXPECT_EQ(cast(1, 2), 2);
 }
 
+/// A moving shape whose bounds are beyond the finite numbers hits what is there, and no more.
+TEST(CastOfAllThereIs, InfiniteBounds) {
+  const Indexed<double> many(Records<double>{VESICA_POINT, {1, 0, 0, 3, -5, 5}});
+  const double everything[6] = {0, 0, 1, 1, 0x1p1023, 0x1p1023};
+  vesica_shapes_f64 one;
+  vesica_shapes_from_records_f64(VESICA_RECT, 1, everything, 0, &one);
+  for (const auto& [vx, vy] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {-1.0, 2.0}, {0x1p1000, -0x1p1000}}) {
+    std::int64_t out[5], state[4] = {};
+    EXPECT_EQ(vesica_index_cast_f64(many.index.get(), many.sets.data(), 1, &one, vx, vy, INFINITY, nullptr, 0, nullptr),
+              3);
+    EXPECT_EQ(vesica_index_cast_f64(many.index.get(), many.sets.data(), 1, &one, vx, vy, 1, out, 5, state), 3);
+    vesica_impact_f64 impact;
+    EXPECT_EQ(vesica_index_cast_first_f64(many.index.get(), many.sets.data(), 1, &one, vx, vy, 1, &impact), 0);
+  }
+}
+
 TEST(CastArguments, Refused) {
   const Indexed<double> many(rects<double>("uniform", 50, 1));
   const double point[2] = {0, 1}, invalid[2] = {NAN, 1};
