@@ -157,7 +157,7 @@ TEST(SoftSuppression, NothingIsLeft) {
 TEST(SoftSuppression, OfDiscs) {
   const double discs[3][3] = {{0, 0, 1}, {1, 0, 1}, {9, 0, 1}}, scores[3] = {0.9, 0.6, 0.5};
   vesica_shapes_f64 shapes;
-  vesica_shapes_from_records_f64(VESICA_CIRCLE, 3, discs, 0, &shapes);
+  vesica_shapes_from_records_f64(VESICA_CIRCLE, 3, discs, sizeof discs[0], &shapes);
   double iou, scratch[64], decayed[3];
   ASSERT_EQ(vesica_iou_f64(VESICA_CIRCLE, discs[0], VESICA_CIRCLE, discs[1], &iou), 0);
   ASSERT_LE(vesica_suppress_soft_scratch(3), std::int64_t{sizeof scratch});
