@@ -39,7 +39,7 @@ struct Query {
   bool is_length = false;
   /// A batch counts the pairs whose first number is at most 0; otherwise those whose first number is positive.
   bool counts_zero = false;
-  /// Null if there are no kernels: the scalar function answers all.
+  /// Null if there are no batches, or if these run another query.
   QueryKernels QueryTable::*kernels = nullptr;
   Known known = Known::nothing;
   /// Set if a kernel or `derive` needs the shapes' areas.

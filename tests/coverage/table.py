@@ -19,8 +19,8 @@ import sys
 
 
 def read_lcov(path, root):
-    """{file: {line: count}}, files relative to the root. Without lines that nothing runs: the preprocessor's, and those of
-    functions that only the compiler may call."""
+    """{file: {line: count}}, files relative to the root. Without lines that nothing runs: the preprocessor's, those of
+    functions that only the compiler may call, and of blocks that it alone enters."""
     files, lines = {}, {}
     for record in open(path):
         key, _, value = record.strip().partition(":")
@@ -44,7 +44,9 @@ def never_run(text):
             end = indent + "}"
         if end is not None or line.startswith("#"):
             numbers.add(number)
-        if end is not None and (line == end or (line.startswith(end[:-1]) and line.endswith("}") and "{" in line)):
+        if end is None and re.match(r"\s*if \(std::is_constant_evaluated\(\).*\{", line):
+            end = indent + "}"
+        if end is not None and (line.startswith(end) or (line.startswith(end[:-1]) and line.endswith("}") and "{" in line)):
             end = None
     return numbers
 

@@ -118,9 +118,9 @@ TYPED_TEST(CastTest, AcrossManyBlocks) {
     std::sort(got.begin(), got.end());
     EXPECT_EQ(got, expected.all) << i;
     typename Face<T>::Impact impact;
-    EXPECT_EQ(Face<T>::index_cast_first(many.index.get(), many.sets.data(), many.sets.count(), &shape, vx, vy, end,
-                                        &impact),
-              expected.first);
+    EXPECT_EQ(
+        Face<T>::index_cast_first(many.index.get(), many.sets.data(), many.sets.count(), &shape, vx, vy, end, &impact),
+        expected.first);
   }
   EXPECT_GT(longest, 50U);
 }

@@ -46,8 +46,8 @@ TYPED_TEST(OddSets, WithoutABlock) {
     EXPECT_EQ(vesica_index_check(index, none.index.size), 0);
     EXPECT_EQ(F::index_select(index, none.sets.data(), none.sets.count(), &one, nullptr, 0, nullptr), 0);
     EXPECT_EQ(F::index_select(index, none.sets.data(), none.sets.count(), &one, out, 4, state), 0);
-    EXPECT_EQ(F::index_nearest(index, none.sets.data(), none.sets.count(), &one, 2,
-                               std::numeric_limits<T>::infinity(), out, distance),
+    EXPECT_EQ(F::index_nearest(index, none.sets.data(), none.sets.count(), &one, 2, std::numeric_limits<T>::infinity(),
+                               out, distance),
               0);
     EXPECT_EQ(F::index_cast(index, none.sets.data(), none.sets.count(), &one, 1, 1, 9, nullptr, 0, nullptr), 0);
     EXPECT_EQ(F::index_cast_first(index, none.sets.data(), none.sets.count(), &one, 1, 1, 9, &impact),
@@ -114,6 +114,24 @@ TEST(OddSets, AFewOfEachOfManyBlocks) {
   std::sort(all.begin(), all.end());
   ASSERT_EQ(static_cast<int>(all.size()), side);
   for (int k = 0; k < side; ++k) EXPECT_EQ(all[static_cast<std::size_t>(k)], std::int64_t{300} * side + k);
+}
+
+/// A window over a hundred blocks in a row, with two items or three of each.
+TEST(OddSets, AWindowAlongARow) {
+  Records<double> points{VESICA_POINT, {}};
+  properties::Random random(3);
+  for (int i = 0; i < 100000; ++i) {
+    for (const double most : {1000.0, 1.0}) points.numbers.push_back(most * random.unit());
+  }
+  const Indexed<double> row(points);
+  const double window[4] = {0, 0.5, 1000, 0.5025};
+  std::int64_t expected = 0;
+  for (std::size_t i = 1; i < points.numbers.size(); i += 2) {
+    expected += points.numbers[i] >= window[1] && points.numbers[i] <= window[3];
+  }
+  const auto one = one_shape<double>(VESICA_AABB, window);
+  EXPECT_EQ(vesica_index_select_f64(row.index.get(), row.sets.data(), 1, &one, nullptr, 0, nullptr), expected);
+  EXPECT_EQ(vesica_index_select_f64(row.index.get(), nullptr, 0, &one, nullptr, 0, nullptr), expected);
 }
 
 /// More parts of a build than there are slices or cells: some have nothing to do.
