@@ -64,7 +64,7 @@ int32_t suppress(const CShapesOf<T>* shapes, const T* scores, const Choice<T>& c
   if (anything && (scores == nullptr || scratch == nullptr || keep == nullptr)) return VESICA_E_NULL;
   const int32_t error = check_array(*shapes);
   if (error != 0) return error;
-  if (shapes->kind < VESICA_CIRCLE || shapes->kind > VESICA_ELLIPSE) return VESICA_E_KIND;
+  if (shapes->kind < VESICA_CIRCLE) return VESICA_E_KIND;
   if (anything && has_null(*shapes)) return VESICA_E_NULL;
   const int64_t needed = vesica_nms_scratch(shapes->count);
   if (!choice.is_sound() || needed < 0) return VESICA_E_ARGUMENT;

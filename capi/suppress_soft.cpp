@@ -45,7 +45,7 @@ int32_t suppress_soft(const CShapesOf<T>* shapes, const T* scores, const int32_t
   if (anything && !has_all) return VESICA_E_NULL;
   const int32_t error = check_array(*shapes);
   if (error != 0) return error;
-  if (shapes->kind < VESICA_CIRCLE || shapes->kind > VESICA_ELLIPSE) return VESICA_E_KIND;
+  if (shapes->kind < VESICA_CIRCLE) return VESICA_E_KIND;
   if (anything && has_null(*shapes)) return VESICA_E_NULL;
   const int64_t needed = vesica_suppress_soft_scratch(shapes->count);
   const bool sound = vesica::queries::is_symmetric(ratio) && is_decay(decay, static_cast<double>(parameter));

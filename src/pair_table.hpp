@@ -28,13 +28,13 @@ enum class Reversal {
   unknown,    // it does not: the query answers each pair in both orders
 };
 
-/// Numbers of a result of (b, a), as those of (a, b).
+/// Numbers of a result of (b, a), as those of (a, b): of points, or of a direction.
 template <class T>
 void reverse(Reversal reversal, T* numbers) noexcept {
   if (reversal == Reversal::points) {
     std::swap(numbers[1], numbers[3]);
     std::swap(numbers[2], numbers[4]);
-  } else if (reversal == Reversal::direction) {
+  } else {
     numbers[1] = 0 - numbers[1];  // no -0
     numbers[2] = 0 - numbers[2];
   }

@@ -85,7 +85,7 @@ class Engine {
   }
 
   QueryKernel kernel_of(const Query& query, std::int32_t first, std::int32_t second) const noexcept {
-    return query.kernels == nullptr ? nullptr : (kernels_.queries->*query.kernels)[first][second];
+    return (kernels_.queries->*query.kernels)[first][second];
   }
 
   /// Returns whether that answered all pairs.

@@ -39,7 +39,7 @@ struct Query {
   bool is_length = false;
   /// A batch counts the pairs whose first number is at most 0; otherwise those whose first number is positive.
   bool counts_zero = false;
-  /// Null if there are no kernels: the scalar function answers all.
+  /// Null if there are no batches, or if these run another query.
   QueryKernels QueryTable::*kernels = nullptr;
   Known known = Known::nothing;
   /// Set if a kernel or `derive` needs the shapes' areas.
@@ -54,10 +54,6 @@ struct Query {
   constexpr int columns() const noexcept { return numbers == 0 ? 1 : numbers; }
   /// The query that batches run.
   const Query& asked() const noexcept { return asked_instead == nullptr ? *this : *asked_instead; }
-  /// Whether the query knows these kinds; both are kinds.
-  bool answers(std::int32_t kind_a, std::int32_t kind_b) const noexcept {
-    return asked().doubles.of[kind_a][kind_b] != unknown_pair;
-  }
   const PairTable& pairs(double) const noexcept { return doubles; }
   const PairTable& pairs(float) const noexcept { return floats; }
 };

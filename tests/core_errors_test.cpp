@@ -50,6 +50,23 @@ TEST(CoreErrors, EachShapeIsLookedAt) {
   EXPECT_EQ(out, 7);
 }
 
+/// Equal numbers do not make an invalid shape one that is equal to itself.
+TEST(CoreErrors, TheSameInvalidShapeTwice) {
+  double out = 7;
+  constexpr Rect<double> invalid_rect{0, 0, 0, 0, 1, 1};
+  EXPECT_EQ(area_or_error(invalid, invalid, out), error_shape);
+  EXPECT_EQ(area_or_error(invalid_oval, invalid_oval, out), error_shape);
+  EXPECT_EQ(area_or_error(invalid_rect, invalid_rect, out), error_shape);
+  EXPECT_EQ(iou_or_error(invalid_oval, invalid_oval, out), error_shape);
+  EXPECT_EQ(out, 7);
+}
+
+TEST(CoreErrors, OutlinesInEitherOrder) {
+  const auto first = boundary_distance(unit, oval), second = boundary_distance(oval, unit);
+  EXPECT_EQ(first.distance, 6);
+  EXPECT_TRUE(second.distance == 6 && second.ax == first.bx && second.ay == first.by && second.bx == first.ax);
+}
+
 TEST(CoreErrors, EachArgumentIsLookedAt) {
   for (const double distance : {-1.0, nan}) {
     EXPECT_EQ(within_or_error(unit, oval, distance), error_argument);

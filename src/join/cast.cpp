@@ -100,6 +100,7 @@ SweptBox::Sides<GridRow> item_sides(const Frame& frame, const Leaf& leaf) noexce
 SweptBox::Sides<const double*> child_sides(const Node& node) noexcept {
   return {node.min_x, node.min_y, node.max_x, node.max_y};
 }
+/// Whether there is such a node, or on the lowest level such a block.
 bool is_there(const Node& node, int child) noexcept { return node.min_x[child] <= node.max_x[child]; }
 
 /// Numbers in the order of their times.
@@ -163,7 +164,7 @@ class First {
     order.take(time, node_children, [](int i) { return static_cast<std::uint32_t>(i); });
     const std::int64_t first = number * node_children;
     const auto prefetch_child = [&](int i) {
-      if (level == 0 && i < order.count && first + order.value[i] < view_.blocks()) {
+      if (level == 0 && i < order.count) {
         prefetch_bytes(&view_.block(first + order.value[i]), sizeof(Block) + sizeof(std::uint16_t) * 4 * block_leaves);
       }
     };
@@ -173,7 +174,7 @@ class First {
       const std::int64_t child = first + order.value[i];
       if (level > 0) {
         visit(level - 1, child);
-      } else if (child < view_.blocks()) {
+      } else {
         visit_block(view_.block(child));
       }
     }
@@ -270,7 +271,7 @@ class All {
       if (!(time[i] < never) || !is_there(node, i) || (child + 1) * blocks <= from_) continue;
       if (level > 0) {
         visit(level - 1, child);
-      } else if (child < view_.blocks()) {
+      } else {
         visit_block(child);
       }
     }

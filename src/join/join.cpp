@@ -155,7 +155,7 @@ class Runner {
   /// The next pair of blocks whose boxes meet, and the beginning of its candidates.
   bool next_pair() noexcept {
     while (listed_ == listed_end_) {
-      if (whole_list_ || block_a_ >= last_) {
+      if (whole_list_) {
         if (block_a_ + 1 >= last_) return false;
         ++block_a_;
         next_b_ = 0;

@@ -268,14 +268,14 @@ class Suppressor {
       return;
     }
     std::int64_t block[block_list];
-    std::int32_t n = block_list;
-    for (std::int64_t from = 0; n == block_list; from = block[n - 1] + 1) {
-      n = asked_.kernels.meeting_blocks(view, extent.box, from, block_list, block);
+    for (std::int64_t from = 0;;) {
+      const std::int32_t n = asked_.kernels.meeting_blocks(view, extent.box, from, block_list, block);
       for (std::int32_t i = 0; i < n; ++i) {
         const Block& b = view.block(block[i]);
         visit(place, asked_.kernels.in_window(b, to_columns(b.frame, extent.box), place));
       }
-      if (n == 0) break;
+      if (n < block_list) break;
+      from = block[n - 1] + 1;
     }
   }
 

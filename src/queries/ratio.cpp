@@ -86,7 +86,7 @@ std::int32_t ratio_of_pair(Ratio which, std::int32_t kind_a, const double* a, st
   if (query.derive == nullptr) return query.doubles.of[kind_a][kind_b](a, b, &out);
   double asked = 0;
   const std::int32_t error = query.asked_instead->doubles.of[kind_a][kind_b](a, b, &asked);
-  if (error == error_shape || error == error_kind) return error;
+  if (error == error_shape) return error;
   if (error != 0) asked = std::numeric_limits<double>::quiet_NaN();
   return query.derive(asked, {kind_a, a, area_as_of_iou(kind_a, a)}, {kind_b, b, area_as_of_iou(kind_b, b)}, out);
 }

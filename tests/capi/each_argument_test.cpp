@@ -51,7 +51,8 @@ TYPED_TEST(EachArgument, OfBoxes) {
   EXPECT_EQ(out[0], 7);
   EXPECT_EQ(F::boxes_from_shapes(&none, VESICA_ANGLE_RADIANS, nullptr), 0);
   EXPECT_EQ(F::corners_of_shapes(&none, nullptr), 0);
-  EXPECT_EQ(F::corners_of_shapes(&two, out), 2);
+  EXPECT_EQ(F::corners_of_shapes(&two, out), 0);
+  EXPECT_TRUE(out[0] == -1 && out[1] == -1 && out[8] == 4 && out[9] == 4);
 }
 
 TYPED_TEST(EachArgument, OfWithin) {
@@ -91,6 +92,31 @@ TYPED_TEST(EachArgument, OfCasts) {
   EXPECT_EQ(cast(two, two, v, v, step, 1), 2);
 }
 
+/// Contacts later than the greatest number, in arrays long enough for lanes.
+TYPED_TEST(EachArgument, OfCastsOutOfRange) {
+  using F = Face<TypeParam>;
+  using T = TypeParam;
+  const T far = std::numeric_limits<T>::max() / 16, slow = T(0x1p-20);
+  for (const std::int32_t kind : {VESICA_CIRCLE, VESICA_RECT}) {
+    std::vector<T> first, second;
+    for (int i = 0; i < 40; ++i) {
+      first.insert(first.end(), {0, 0, 1, 0, 1, 1});
+      second.insert(second.end(), {far, 0, 1, 0, 1, 1});
+    }
+    typename F::Shapes a, b;
+    ASSERT_EQ(F::from_records(kind, 40, first.data(), 6 * sizeof(T), &a), 0);
+    ASSERT_EQ(F::from_records(kind, 40, second.data(), 6 * sizeof(T), &b), 0);
+    T t[40];
+    const T vx = -slow, vy = 0, endless = std::numeric_limits<T>::infinity();
+    EXPECT_EQ(F::cast_many(&a, &b, &vx, &vy, 0, endless, t, nullptr, nullptr, nullptr, nullptr), VESICA_E_RANGE);
+    for (const T found : t) EXPECT_NE(found, found);
+    typename F::Impact impact;
+    EXPECT_EQ(F::cast(kind, first.data(), kind, second.data(), vx, vy, endless, &impact), VESICA_E_RANGE);
+    b.count = 1;
+    EXPECT_EQ(F::cast_first(&a, &b, vx, vy, endless, &impact), VESICA_E_RANGE);
+  }
+}
+
 TYPED_TEST(EachArgument, OfSuppression) {
   using F = Face<TypeParam>;
   const auto two = this->shapes_of(VESICA_RECT, 2), points = this->shapes_of(VESICA_POINT, 2), bad = this->unsound(two),
@@ -104,8 +130,8 @@ TYPED_TEST(EachArgument, OfSuppression) {
   const auto bytes = static_cast<std::int64_t>(8 * scratch.size());
   const auto soft = [&](const auto* shapes, const TypeParam* s, void* room, std::int64_t* to, TypeParam* d,
                         std::int64_t* count) {
-    return F::suppress_soft(shapes, s, nullptr, VESICA_RATIO_OVER_UNION, VESICA_DECAY_LINEAR, TypeParam{0.5}, 0, 9, room,
-                            bytes - 8, to, d, count);
+    return F::suppress_soft(shapes, s, nullptr, VESICA_RATIO_OVER_UNION, VESICA_DECAY_LINEAR, TypeParam{0.5}, 0, 9,
+                            room, bytes - 8, to, d, count);
   };
   EXPECT_EQ(soft(&two, scores, scratch.data(), keep, decayed, nullptr), VESICA_E_NULL);
   EXPECT_EQ(soft(&two, nullptr, scratch.data(), keep, decayed, &kept), VESICA_E_NULL);

@@ -5,6 +5,8 @@ A line counts as reached, a branch as taken, and a condition as shown to decide 
 its template does (LCOV; branches and conditions by their columns, DETAILS). Clang 19 keeps no record of a decision that
 chooses between objects of a class by ?:. So of a decision with && alone, or with || alone, the branches tell as well: there
 a condition decides alone where it has ended the evaluation, and all have once been evaluated to the other end.
+A condition that is constant in each instance llvm-cov has among the branches of the file, and of no instance of the
+function: that is no branch and no condition here.
 An exception is for its line and for the branches and conditions that leave from it.
 """
 
@@ -17,8 +19,8 @@ import sys
 
 
 def read_lcov(path, root):
-    """{file: {line: count}}, files relative to the root. Without lines that nothing runs: the preprocessor's, and those of
-    functions that only the compiler may call."""
+    """{file: {line: count}}, files relative to the root. Without lines that nothing runs: the preprocessor's, those of
+    functions that only the compiler may call, and of blocks that it alone enters."""
     files, lines = {}, {}
     for record in open(path):
         key, _, value = record.strip().partition(":")
@@ -42,7 +44,9 @@ def never_run(text):
             end = indent + "}"
         if end is not None or line.startswith("#"):
             numbers.add(number)
-        if end is not None and (line == end or (line.startswith(end[:-1]) and line.endswith("}") and "{" in line)):
+        if end is None and re.match(r"\s*if \(std::is_constant_evaluated\(\).*\{", line):
+            end = indent + "}"
+        if end is not None and (line.startswith(end) or (line.startswith(end[:-1]) and line.endswith("}") and "{" in line)):
             end = None
     return numbers
 
@@ -60,20 +64,40 @@ def read_details(path, root):
             for way, count in ((True, when_true), (False, when_false)):
                 taken[line, column, way] = taken.get((line, column, way), 0) + count
     texts = {name: (pathlib.Path(root) / name).read_text().splitlines() for name in conditions}
+    constant = take_constants(data["functions"], branches, root)
     for function in data["functions"]:
         path = pathlib.Path(function["filenames"][0])
         name = str(path.relative_to(root)) if path.is_relative_to(root) else ""
         if name not in conditions:
             continue
+        known = [(place, None) for place in constant[name]]
         for *begin_and_end, _, _, recorded in function["mcdc_records"]:
             begin, end = tuple(begin_and_end[:2]), tuple(begin_and_end[2:])
-            within = sorted(b for b in function["branches"] if b[6] == 0 and begin <= tuple(b[:2]) and tuple(b[2:4]) <= end)
-            # Fewer where the compiler knows one, more where an operand has branches of its own.
-            counts = [b[4:6] for b in within] if len(within) == len(recorded) else [(0, 0)] * len(recorded)
-            told = by_branches(text_between(texts[name], begin, end), counts)
-            for number, shown in enumerate(map(operator.or_, recorded, told)):
-                conditions[name][begin, number] = conditions[name].get((begin, number), False) or shown
+            within = sorted([(tuple(b[:2]), b[4:6]) for b in function["branches"]
+                             if b[6] == 0 and begin <= tuple(b[:2]) and tuple(b[2:4]) <= end]
+                            + [(place, count) for place, count in known if begin <= place < end])
+            if len(within) != len(recorded):  # an operand has branches of its own
+                within = [(begin, (0, 0))] * len(recorded)
+            counts = [count for _, count in within if count]
+            told = iter(by_branches(text_between(texts[name], begin, end), counts))
+            for number, (shown, (_, count)) in enumerate(zip(recorded, within)):
+                if count:
+                    shown = next(told) or shown
+                    conditions[name][begin, number] = conditions[name].get((begin, number), False) or shown
     return branches, conditions
+
+
+def take_constants(functions, branches, root):
+    """Removes the branches of what is constant, and returns their places: {file: {(line, column)}}."""
+    counted = collections.defaultdict(set)
+    for function in functions:
+        for branch in function["branches"]:
+            counted[function["filenames"][branch[6]]].add(tuple(branch[:2]))
+    constant = {}
+    for name, taken in branches.items():
+        constant[name] = {way[:2] for way in taken} - counted[str(pathlib.Path(root) / name)]
+        branches[name] = {way: count for way, count in taken.items() if way[:2] not in constant[name]}
+    return constant
 
 
 def text_between(lines, begin, end):

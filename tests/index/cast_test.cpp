@@ -91,6 +91,74 @@ TYPED_TEST(CastTest, AllAndFirst) {
   EXPECT_GT(ties, 10);
 }
 
+/// Ways across most of an index of several levels, page by page: whatever block a page ends in.
+TYPED_TEST(CastTest, AcrossManyBlocks) {
+  using T = TypeParam;
+  const Indexed<T> many(mixed<T>("uniform", 20000, 1, 113));
+  const std::vector<Item<T>> items = items_of(many.laid);
+  const Laid<T> others = mixed<T>("uniform", 20000, 2);
+  const std::vector<Item<T>> ones = items_of(others);
+  const std::int64_t count = vesica_index_count(many.index.get());
+  std::size_t longest = 0;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Item<T>& one = ones[(2 * i + 1) * ones.size() / 16];
+    typename Face<T>::Shapes shape;
+    Face<T>::from_records(one.kind, 1, one.numbers, 0, &shape);
+    const T vx = T(i % 3) - 1, vy = T(i % 4) / 2 - T(0.75), end = 100;
+    const Hits<T> expected = all_hits<T>(items, count, one, vx, vy, end);
+    longest = std::max(longest, expected.all.size());
+    std::vector<std::int64_t> got;
+    std::int64_t out[5], state[4] = {};
+    while (state[0] != -1) {
+      const std::int64_t n = Face<T>::index_cast(many.index.get(), many.sets.data(), many.sets.count(), &shape, vx, vy,
+                                                 end, out, 5, state);
+      ASSERT_GE(n, 0);
+      got.insert(got.end(), out, out + n);
+    }
+    std::sort(got.begin(), got.end());
+    EXPECT_EQ(got, expected.all) << i;
+    typename Face<T>::Impact impact;
+    EXPECT_EQ(
+        Face<T>::index_cast_first(many.index.get(), many.sets.data(), many.sets.count(), &shape, vx, vy, end, &impact),
+        expected.first);
+  }
+  EXPECT_GT(longest, 50U);
+}
+
+/// Contact later than the greatest number.
+TYPED_TEST(CastTest, OutOfRange) {
+  using T = TypeParam;
+  constexpr T largest = std::numeric_limits<T>::max();
+  const Indexed<T> many(Records<T>{VESICA_POINT, {largest / 2, 0, largest / 4, 0}});
+  const T point[2] = {0, 0};
+  typename Face<T>::Shapes one;
+  Face<T>::from_records(VESICA_POINT, 1, point, 0, &one);
+  std::int64_t out[2] = {7, 7}, state[4] = {};
+  const auto cast = [&](T vx, std::int64_t capacity) {
+    return Face<T>::index_cast(many.index.get(), many.sets.data(), 1, &one, vx, 0, std::numeric_limits<T>::infinity(),
+                               out, capacity, state);
+  };
+  EXPECT_EQ(cast(T(0.125), 2), VESICA_E_RANGE);
+  EXPECT_EQ(cast(T(0.125), 0), VESICA_E_RANGE);
+  EXPECT_EQ(cast(1, 2), 2);
+}
+
+/// A moving shape whose bounds are beyond the finite numbers hits what is there, and no more.
+TEST(CastOfAllThereIs, InfiniteBounds) {
+  const Indexed<double> many(Records<double>{VESICA_POINT, {1, 0, 0, 3, -5, 5}});
+  const double everything[6] = {0, 0, 1, 1, 0x1p1023, 0x1p1023};
+  vesica_shapes_f64 one;
+  vesica_shapes_from_records_f64(VESICA_RECT, 1, everything, 0, &one);
+  for (const auto& [vx, vy] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {-1.0, 2.0}, {0x1p1000, -0x1p1000}}) {
+    std::int64_t out[5], state[4] = {};
+    EXPECT_EQ(vesica_index_cast_f64(many.index.get(), many.sets.data(), 1, &one, vx, vy, INFINITY, nullptr, 0, nullptr),
+              3);
+    EXPECT_EQ(vesica_index_cast_f64(many.index.get(), many.sets.data(), 1, &one, vx, vy, 1, out, 5, state), 3);
+    vesica_impact_f64 impact;
+    EXPECT_EQ(vesica_index_cast_first_f64(many.index.get(), many.sets.data(), 1, &one, vx, vy, 1, &impact), 0);
+  }
+}
+
 TEST(CastArguments, Refused) {
   const Indexed<double> many(rects<double>("uniform", 50, 1));
   const double point[2] = {0, 1}, invalid[2] = {NAN, 1};

@@ -25,7 +25,8 @@ void expect_selected(const Indexed<double>& indexed, const double (&window)[4]) 
   }
   vesica_shapes_f64 one;
   Face<double>::from_records(VESICA_AABB, 1, window, 0, &one);
-  EXPECT_EQ(Face<double>::index_select(indexed.index.get(), indexed.sets.data(), 1, &one, nullptr, 0, nullptr), expected)
+  EXPECT_EQ(Face<double>::index_select(indexed.index.get(), indexed.sets.data(), 1, &one, nullptr, 0, nullptr),
+            expected)
       << window[0] << ' ' << window[1] << ' ' << window[2] << ' ' << window[3];
 }
 

@@ -112,26 +112,25 @@ TEST(NearestContact, CommonPointsOfNeedles) {
 // The common point of needles that meet in plain arithmetic is not in both; one of their crossings is. And the search
 // for the normal of two needles far less than the other that ends by its limit of steps.
 TEST(NearestContact, CommonPointsThatAreNotFoundAtOnce) {
-  const Pair pairs[] = {
-      {VESICA_CIRCLE,
-       VESICA_ELLIPSE,
-       {0x1.28dd3bef6cda2p+1, -0x1.f9c872accdc11p+0, 0x1.57b656ea63b18p-11},
-       {0x1.7dae3938acf3cp+1, -0x1.3a0d51c4c29b8p+0, -0x1.538446a73324ep-1, -0x1.7f3d46ce5877p-1, 1,
-        0x1.6bc3a7247c62p-46}},
-      {VESICA_CIRCLE,
-       VESICA_ELLIPSE,
-       {0x1.ffffe9ebfce36p-1, 0x1.8d9dc4aed45adp-2, 0x1.8d9dc4aed45adp-2},
-       {0, 0, 1, 0, 1, 0x1.7c36441f0ebfcp-47}},
-      {VESICA_ELLIPSE,
-       VESICA_ELLIPSE,
-       {0x1.9deefa078c656p-1, 0x1.2c994e1a02b91p-1, 0x1.7fb2d950cc70cp-1, -0x1.f447085c5ffc2p-1, 0x1.53cb7f47515c5p-29,
-        0x1.16dde2ab993f1p-64},
-       {0, 0, 0x1.9e48d95996753p-1, 0x1.2cda453210698p-1, 1, 0x1.79214ae30f96ap-15}},
-      {VESICA_ELLIPSE,
-       VESICA_ELLIPSE,
-       {-0x1.f4eb689081defp-1, -0x1.a368453eee201p-3, -0x1.3ebab6460101cp-2, 0x1.f24f3b5e00c3ep-1,
-        0x1.b4d509100b26bp-32, 0x1.800c0798d1487p-38},
-       {0, 0, -0x1.f523a06cca17fp-1, -0x1.a39748e81ecdbp-3, 1, 0x1.d63423d81e6b7p-19}}};
+  const Pair pairs[] = {{VESICA_CIRCLE,
+                         VESICA_ELLIPSE,
+                         {0x1.28dd3bef6cda2p+1, -0x1.f9c872accdc11p+0, 0x1.57b656ea63b18p-11},
+                         {0x1.7dae3938acf3cp+1, -0x1.3a0d51c4c29b8p+0, -0x1.538446a73324ep-1, -0x1.7f3d46ce5877p-1, 1,
+                          0x1.6bc3a7247c62p-46}},
+                        {VESICA_CIRCLE,
+                         VESICA_ELLIPSE,
+                         {0x1.ffffe9ebfce36p-1, 0x1.8d9dc4aed45adp-2, 0x1.8d9dc4aed45adp-2},
+                         {0, 0, 1, 0, 1, 0x1.7c36441f0ebfcp-47}},
+                        {VESICA_ELLIPSE,
+                         VESICA_ELLIPSE,
+                         {0x1.9deefa078c656p-1, 0x1.2c994e1a02b91p-1, 0x1.7fb2d950cc70cp-1, -0x1.f447085c5ffc2p-1,
+                          0x1.53cb7f47515c5p-29, 0x1.16dde2ab993f1p-64},
+                         {0, 0, 0x1.9e48d95996753p-1, 0x1.2cda453210698p-1, 1, 0x1.79214ae30f96ap-15}},
+                        {VESICA_ELLIPSE,
+                         VESICA_ELLIPSE,
+                         {-0x1.f4eb689081defp-1, -0x1.a368453eee201p-3, -0x1.3ebab6460101cp-2, 0x1.f24f3b5e00c3ep-1,
+                          0x1.b4d509100b26bp-32, 0x1.800c0798d1487p-38},
+                         {0, 0, -0x1.f523a06cca17fp-1, -0x1.a39748e81ecdbp-3, 1, 0x1.d63423d81e6b7p-19}}};
   for (const Pair& pair : pairs) {
     EXPECT_LE(common_point_outside(pair), 8) << properties::describe(pair);
     EXPECT_EQ(nearest_test::nearest(properties::Scalar::f64, properties::swapped(pair)),
@@ -142,15 +141,15 @@ TEST(NearestContact, CommonPointsThatAreNotFoundAtOnce) {
 // A point all but on the side of a needle: the outline bends less than the distance along the direction found is off, so
 // that a further step has no length, or three of them do not end the way.
 TEST(NearestContact, APointAllButOnANeedle) {
-  const Pair pairs[] = {{VESICA_POINT,
-                         VESICA_ELLIPSE,
-                         {0x1.df95632e0a32p-1, 0x1.0739dfae93a6cp+0},
-                         {0, 0x1.5b2a6beebadap-1, 0x1.df95632e0a321p-1, 0x1.6692a6dcd8e72p-2, 1, 0x1.15b0c58f5c188p-46}},
-                        {VESICA_POINT,
-                         VESICA_ELLIPSE,
-                         {0x1.9ea56cbe0da07p+2, 0x1.a9211c21fa06ap-1},
-                         {0x1.c24fc05f2c466p+2, 0, -0x1.1d529d08f505ep-1, 0x1.a9211c21fa226p-1, 1,
-                          0x1.47fcce4df5d1p-40}}};
+  const Pair pairs[] = {
+      {VESICA_POINT,
+       VESICA_ELLIPSE,
+       {0x1.df95632e0a32p-1, 0x1.0739dfae93a6cp+0},
+       {0, 0x1.5b2a6beebadap-1, 0x1.df95632e0a321p-1, 0x1.6692a6dcd8e72p-2, 1, 0x1.15b0c58f5c188p-46}},
+      {VESICA_POINT,
+       VESICA_ELLIPSE,
+       {0x1.9ea56cbe0da07p+2, 0x1.a9211c21fa06ap-1},
+       {0x1.c24fc05f2c466p+2, 0, -0x1.1d529d08f505ep-1, 0x1.a9211c21fa226p-1, 1, 0x1.47fcce4df5d1p-40}}};
   for (const Pair& pair : pairs) {
     nearest_reference::set_precision(pair);
     const auto a = nearest_reference::shape(pair.kind_a, pair.a), b = nearest_reference::shape(pair.kind_b, pair.b);

@@ -130,8 +130,8 @@ TEST(NearestLaws, BesideTheEndOfAFace) {
   int beyond = 0;
   for (int i = 0; i < 4000 * properties::repeat(); ++i) {
     const double thin = std::exp2(random.between(-50, 0)), low = random.between(-12, -8);
-    const Numbers ellipse{random.between(-4, 4), random.between(-4, 4), random.between(-1, 1), random.between(-1, 1), 1,
-                          thin};
+    const Numbers ellipse{
+        random.between(-4, 4), random.between(-4, 4), random.between(-1, 1), random.between(-1, 1), 1, thin};
     const Answer foot = nearest_test::nearest(Scalar::f64, {VESICA_ELLIPSE, VESICA_AABB, ellipse, {-64, -64, 64, low}});
     EXPECT_EQ(foot.ax, foot.bx);
     const double end = foot.ax * (1 + random.integer(-2, 2) * 0x1p-52);

@@ -294,6 +294,25 @@ TEST(Nms, OfAChain) {
   }
 }
 
+/// Discs that do not meet, and one over all of them, which is in hundreds of blocks' reach: the best, it is left alone; the
+/// worst, it alone goes.
+TEST(Nms, OneOverAll) {
+  constexpr int side = 220;
+  std::vector<vesica_circle_f64> discs;
+  std::vector<double> scores;
+  for (int i = 0; i < side * side; ++i) {
+    discs.push_back({static_cast<double>(i % side), static_cast<double>(i / side), 0.25});
+    scores.push_back(1 + i % 7);
+  }
+  discs.push_back({side / 2.0, side / 2.0, side});
+  scores.push_back(0);
+  const Result worst = run(vesica_nms_f64, shapes_of(VESICA_CIRCLE, discs), scores, 0.0);
+  ASSERT_EQ(worst.kept.size(), static_cast<std::size_t>(side * side));
+  EXPECT_EQ(std::count(worst.kept.begin(), worst.kept.end(), side * side), 0);
+  scores.back() = 9;
+  EXPECT_EQ(run(vesica_nms_f64, shapes_of(VESICA_CIRCLE, discs), scores, 0.0).kept, (Indices{side * side}));
+}
+
 TEST(Nms, OfManyFloats) {
   Random random(properties::seed());
   std::vector<vesica_rect_f32> rects;

@@ -143,6 +143,33 @@ TEST(SoftSuppression, KnownAnswers) {
   EXPECT_NEAR(r.scores[2], 0.6 * std::exp(-third * third / 0.5), 1e-15);
 }
 
+/// With the smallest parameters nothing is left of a score.
+TEST(SoftSuppression, NothingIsLeft) {
+  const Scene s{{{0, 0, 1, 0, 1, 1}, {0, 0, 1, 0, 1, 1}, {9, 0, 1, 0, 1, 1}}, {0.9, 0.6, 0.5}, {1, 1, 1}};
+  for (const double parameter : {0x1p-100, 0x1p-20, 0.001 / 1.001}) {
+    const Kept r = suppress(s, {VESICA_RATIO_OVER_UNION, VESICA_DECAY_GAUSSIAN, parameter, 0, 9, false});
+    EXPECT_EQ(r.items, (std::vector<std::int64_t>{0, 2, 1}));
+    EXPECT_EQ(r.scores, (std::vector<double>{0.9, 0.5, 0}));
+  }
+}
+
+/// Shapes of fewer numbers: discs, of which a rectangle's columns are never read.
+TEST(SoftSuppression, OfDiscs) {
+  const double discs[3][3] = {{0, 0, 1}, {1, 0, 1}, {9, 0, 1}}, scores[3] = {0.9, 0.6, 0.5};
+  vesica_shapes_f64 shapes;
+  vesica_shapes_from_records_f64(VESICA_CIRCLE, 3, discs, sizeof discs[0], &shapes);
+  double iou, scratch[64], decayed[3];
+  ASSERT_EQ(vesica_iou_f64(VESICA_CIRCLE, discs[0], VESICA_CIRCLE, discs[1], &iou), 0);
+  ASSERT_LE(vesica_suppress_soft_scratch(3), std::int64_t{sizeof scratch});
+  std::int64_t keep[3], kept;
+  ASSERT_EQ(vesica_suppress_soft_f64(&shapes, scores, nullptr, VESICA_RATIO_OVER_UNION, VESICA_DECAY_LINEAR, 0, 0, 9,
+                                     scratch, sizeof scratch, keep, decayed, &kept),
+            0);
+  ASSERT_EQ(kept, 3);
+  EXPECT_TRUE(keep[0] == 0 && keep[1] == 2 && keep[2] == 1);
+  EXPECT_TRUE(decayed[0] == 0.9 && decayed[1] == 0.5 && decayed[2] == 0.6 * (1 - iou));
+}
+
 TEST(SoftSuppression, WhatIsInvalidIsLeftOut) {
   Scene s{{{0, 0, 1, 0, 1, 1}, {0, 0, 0, 0, 1, 1}, {0, 0, 1, 0, 1, 1}, {5, 5, 1, 0, 1, 1}}, {0.9, 0.8, nan, 0.3}, {}};
   const Kept r = suppress(s, {VESICA_RATIO_OVER_UNION, VESICA_DECAY_LINEAR, 0.5, 0, 9, false});

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts of the header at the ends of what they are defined for, which no pair of shapes is known to reach.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vesica/area/circular_segment.hpp>
+#include <vesica/area/ellipse_ellipse.hpp>
+#include <vesica/arithmetic/scaled.hpp>
+#include <vesica/crossings/points.hpp>
+#include <vesica/square_root.hpp>
+
+#include "properties/random.hpp"
+
+namespace {
+
+using namespace vesica::detail;
+
+/// What the compiler evaluates has the same bits when the program runs.
+TEST(CoreParts, SquareRoot) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  properties::Random random(properties::seed());
+  for (int i = 0; i < 20000 * properties::repeat(); ++i) {
+    const double x = std::bit_cast<double>(random.bits() >> 1);
+    if (!(x <= infinity)) continue;
+    ASSERT_EQ(square_root(x), std::sqrt(x)) << x;
+    const auto narrow = static_cast<float>(std::ldexp(random.unit(), random.integer(-150, 120)));
+    ASSERT_EQ(square_root(narrow), std::sqrt(narrow)) << narrow;
+  }
+  for (const double x : {0.0, 0x1p-1074, 0x1p-1022, 1.0, 2.0, 0x1.fffffffffffffp+1023, infinity}) {
+    EXPECT_EQ(square_root(x), std::sqrt(x)) << x;
+  }
+  EXPECT_TRUE(std::isnan(square_root(-1.0)) && std::isnan(square_root(std::numeric_limits<double>::quiet_NaN())));
+  EXPECT_TRUE(std::signbit(square_root(-0.0)));
+}
+
+TEST(CoreParts, AngleOfArea) {
+  EXPECT_EQ(area::angle(0, -1), area::pi_high);
+  EXPECT_EQ(area::angle(0, 1), 0);
+  EXPECT_EQ(area::angle(0, 0), 0);
+  properties::Random random(properties::seed());
+  for (int i = 0; i < 2000 * properties::repeat(); ++i) {
+    const double turn = random.between(0, area::pi_high), length = std::exp2(random.between(-30, 30));
+    const double x = length * std::cos(turn), y = length * std::sin(turn);
+    EXPECT_NEAR(area::angle(y, x), std::atan2(y, x), 0x1p-51);
+  }
+}
+
+/// Where the upper half of the disc stops to be concave: nowhere as soon as the other's height reaches its flatness.
+TEST(CoreParts, ReachOfConcave) {
+  for (const double ratio : {0.0, 0.25, 0.5, 0.75, 0x1.fffp-1}) {
+    area::Against<double> f{};
+    f.p = 1, f.over_p = 1, f.q = ratio;
+    const double flatness = (1 - ratio) * (1 + ratio);
+    double last = 2;
+    for (const double share : {0x1p-60, 0.001, 0.5, 0.999, 1 - 0x1p-30, 1 - 0x1p-53}) {
+      f.y = share * flatness;
+      const double reach = area::reach_of_concave(f);
+      EXPECT_TRUE(reach >= 0 && reach < last) << ratio << ' ' << share;
+      EXPECT_NEAR(reach * reach, 1 - std::cbrt(share * share), 1e-3) << ratio << ' ' << share;
+      last = reach;
+    }
+    f.y = flatness;
+    EXPECT_EQ(area::reach_of_concave(f), 0);
+  }
+}
+
+/// A sum of numbers far apart, and of nothing.
+TEST(CoreParts, SumOfScaled) {
+  using arithmetic::Scaled;
+  const auto expect = [](const Scaled& a, const Scaled& b, double value, int exponent) {
+    const Scaled s = crossings::sum(a, b);
+    EXPECT_EQ(std::ldexp(s.value, s.exponent - exponent), value);
+  };
+  expect({0.5, 3}, {0.5, 1}, 0.625, 3);
+  expect({0.5, 1}, {0.5, 3}, 0.625, 3);
+  expect({0.5, 3}, {0, 0}, 0.5, 3);
+  expect({0, 0}, {0.5, 3}, 0.5, 3);
+  expect({0, 0}, {0, 0}, 0, 0);
+  expect({0.5, 900}, {0.5, -900}, 0.5, 900);
+}
+
+/// At half a quantum the even one of two subnormal numbers, unless what is left tells.
+TEST(CoreParts, SubnormalTies) {
+  constexpr double quantum = 0x1p-1074;
+  for (int k = 0; k < 8; ++k) {
+    for (const double sign : {1.0, -1.0}) {
+      const double tie = sign * (k + 0.5), even = sign * (k % 2 == 0 ? k : k + 1);
+      EXPECT_EQ(arithmetic::scale_rounded(tie, 0, -1074), even * quantum) << tie;
+      EXPECT_EQ(arithmetic::scale_rounded(tie, sign * 0x1p-60, -1074), sign * (k + 1) * quantum) << tie;
+      if (k > 0) EXPECT_EQ(arithmetic::scale_rounded(tie, -sign * 0x1p-60, -1074), sign * k * quantum) << tie;
+    }
+  }
+}
+
+}  // namespace
