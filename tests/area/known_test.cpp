@@ -69,6 +69,21 @@ TEST(KnownAreas, OfABoxCutByAFarLargerOutline) {
   }
 }
 
+// Of an ellipse a half, and what lies beyond half its longer radius, whose share of the disc is 1/3 - sqrt(3) / (4 pi).
+TEST(KnownAreas, OfAnEllipseCutByAFarLargerOutline) {
+  for (const double r : {0x1p58, 0x1p60, 0x1p600}) {
+    const Kinded circle{VESICA_CIRCLE, {-5 * r, 0, 5 * r}}, oval{VESICA_ELLIPSE, {-5 * r, 0, 1, 0, 5 * r, 4 * r}};
+    for (const Kinded& round : {circle, oval}) {
+      EXPECT_DOUBLE_EQ(area(round, {VESICA_ELLIPSE, {0, 0, 1, 0, 1.5, 0.75}}), 1.125 * pi / 2);
+      EXPECT_DOUBLE_EQ(area(round, {VESICA_ELLIPSE, {0, 0, 3, 4, 1.5, 0.75}}), 25 * 1.125 * pi / 2);
+      EXPECT_DOUBLE_EQ(area({VESICA_ELLIPSE, {0, 0, 0, 1, 40, 3}}, round), 120 * pi / 2);
+      EXPECT_DOUBLE_EQ(area({VESICA_CIRCLE, {0, 0, 1.75}}, round), 3.0625 * pi / 2);
+      EXPECT_DOUBLE_EQ(area(round, {VESICA_ELLIPSE, {0.75, 0, 1, 0, 1.5, 0.75}}),
+                       1.125 * (pi / 3 - std::sqrt(3.0) / 4));
+    }
+  }
+}
+
 // Were a last place off: rounded to 53 bits first and to fewer then.
 TEST(KnownAreas, SubnormalOnesAreRoundedOnce) {
   const Kinded rect{VESICA_RECT, {0, 0, 1, 0x1.e4715p-4, 0x1p-513, 0x1.f4p-512}};

@@ -8,9 +8,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <limits>
 #include <random>
 #include <vector>
+#include <vesica/intersection.hpp>
 
 #include "nearest/reference.hpp"
 #include "oracle/oracle.hpp"
@@ -381,6 +383,40 @@ TEST(IntersectionKnown, Literals) {
   r = shared_region(VESICA_SEGMENT, {0, 0, 4, 4}, VESICA_SEGMENT, {0, 4, 4, 0});
   EXPECT_EQ(r.count, 1);
   EXPECT_EQ(r.at, (Numbers16{2, 2}));
+}
+
+// A box within another, its sizes above and below 1, or one of them 0: all its corners.
+TEST(IntersectionKnown, CornersOfSmallBoxes) {
+  for (const double k : {0x1p-900, 0x1p-2, 1.0, 0x1p3}) {
+    SCOPED_TRACE(k);
+    const Numbers all{-9 * k, -9 * k, 9 * k, 9 * k};
+    Answer r = shared_region(VESICA_AABB, all, VESICA_RECT, {k, 0, 1, 0, 2 * k, k});
+    EXPECT_EQ(r.count, 4);
+    EXPECT_EQ(r.at, (Numbers16{-k, -k, 3 * k, -k, 3 * k, k, -k, k}));
+    r = shared_region(VESICA_RECT, {k, 0, 1, 0, 2 * k, 0}, VESICA_AABB, all);
+    EXPECT_EQ(r.count, 2);
+    EXPECT_EQ(r.at, (Numbers16{-k, 0, 3 * k, 0}));
+    r = shared_region(VESICA_RECT, {k, 0, 1, 0, 0, 2 * k}, VESICA_AABB, all);
+    EXPECT_EQ(r.count, 2);
+    EXPECT_EQ(r.at, (Numbers16{k, -2 * k, k, 2 * k}));
+  }
+}
+
+// The header's plain form, which has no code for an answer.
+TEST(IntersectionKnown, OfTheHeader) {
+  const vesica::Aabb<double> all{-9, -9, 9, 9}, apart{10, 10, 11, 11}, invalid{1, 0, 0, 1};
+  const vesica::Rect<double> rect{1, 0, 1, 0, 2, 1};
+  const auto numbers = [](const auto& region) {
+    Numbers16 out{};
+    std::copy(std::begin(region.at), std::end(region.at), out.begin());
+    return out;
+  };
+  EXPECT_EQ(numbers(vesica::intersection(all, rect)), (Numbers16{-1, -1, 3, -1, 3, 1, -1, 1}));
+  EXPECT_EQ(numbers(vesica::intersection(rect, all)), (Numbers16{-1, -1, 3, -1, 3, 1, -1, 1}));
+  EXPECT_EQ(numbers(vesica::intersection(vesica::Aabb<float>{0, 0, 4, 4}, vesica::Aabb<float>{1, 2, 9, 9})),
+            (Numbers16{1, 2, 4, 2, 4, 4, 1, 4}));
+  EXPECT_EQ(numbers(vesica::intersection(all, apart)), Numbers16{});
+  EXPECT_EQ(numbers(vesica::intersection(all, invalid)), Numbers16{});
 }
 
 TEST(IntersectionKnown, Errors) {

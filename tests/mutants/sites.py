@@ -100,6 +100,9 @@ class Finder:
                        self.text[c.extent.start.offset - 1:c.extent.start.offset] != b"["]
         elif kind == K.CASE_STMT:
             entered = children[1:]
+        elif kind == K.IF_STMT and self.of(cursor).startswith(b"if constexpr"):
+            entered = [c for c in children if not c.kind.is_expression()]
+            self.gather(cursor, children)
         elif kind == K.MEMBER_REF_EXPR:
             entered = [c for c in children if c.extent.start.offset == cursor.extent.start.offset]
         else:
@@ -116,7 +119,8 @@ class Finder:
             return True
         if cursor.kind in FUNCTIONS:
             return b"consteval" in self.text[start:cursor.location.offset]
-        if cursor.kind in (K.VAR_DECL, K.FIELD_DECL):
+        # What specialises a template of variables has no kind of its own.
+        if cursor.kind in (K.VAR_DECL, K.FIELD_DECL, K.UNEXPOSED_DECL):
             return b"constexpr" in self.text[start:cursor.location.offset]
         return False
 
@@ -127,7 +131,16 @@ class Finder:
             return False
         if self.text[begin - 1:begin] == b"<" or self.text[end:end + 1] == b">":
             return False  # an argument of a template
-        return not any(a < end and begin < b for a, b in self.macros)
+        return not self.is_operand_of_decltype(begin) and not any(a < end and begin < b for a, b in self.macros)
+
+    def is_operand_of_decltype(self, begin):
+        at = self.text.rfind(b"decltype(", 0, begin)
+        depth = 0
+        for c in self.text[at + len(b"decltype"):begin] if at >= 0 else b"":
+            depth += (c == ord("(")) - (c == ord(")"))
+            if depth == 0:
+                return False
+        return at >= 0
 
     # ---- what a node offers
 

@@ -70,6 +70,35 @@ TEST(KnownWithin, FartherThanTheGreatestNumber) {
   EXPECT_EQ(within(Scalar::f64, near, most / 2 * (1 - 0x1p-48)), 0);
 }
 
+// Along one axis alone: were a coordinate lost in the smaller unit, the shapes would be within the greatest number.
+TEST(KnownWithin, FartherThanTheGreatestNumberAlongEitherAxis) {
+  constexpr double most = std::numeric_limits<double>::max(), far = 0.7 * most;
+  for (const auto [x, y] : {std::array{far, 0.0}, {0.0, far}}) {
+    const Pair pairs[] = {{VESICA_POINT, VESICA_ELLIPSE, {x, y}, {-x, -y, 1, 0, 1, 2}},
+                          {VESICA_SEGMENT, VESICA_ELLIPSE, {x, y, x + y / 8, y + x / 8}, {-x, -y, 1, 0, 1, 2}},
+                          {VESICA_SEGMENT, VESICA_ELLIPSE, {x + y / 8, y + x / 8, x, y}, {-x, -y, 1, 0, 1, 2}},
+                          {VESICA_CIRCLE, VESICA_ELLIPSE, {x, y, 1}, {-x, -y, 1, 0, 1, 2}},
+                          {VESICA_AABB, VESICA_ELLIPSE, {x, y, x + far / 8, y + far / 8}, {-x, -y, 1, 0, 1, 2}},
+                          {VESICA_AABB, VESICA_ELLIPSE, {-x - far / 8, -y - far / 8, -x, -y}, {x, y, 1, 0, 1, 2}},
+                          {VESICA_RECT, VESICA_ELLIPSE, {x, y, 3, 4, 1, 2}, {-x, -y, 1, 0, 1, 2}},
+                          {VESICA_ELLIPSE, VESICA_ELLIPSE, {x, y, 3, 4, 1, 2}, {-x, -y, 1, 0, 1, 2}}};
+    for (const Pair& p : pairs) {
+      EXPECT_EQ(within(Scalar::f64, p, most), VESICA_WITHIN_NO) << properties::describe(p);
+      EXPECT_EQ(within(Scalar::f64, swapped(p), most), VESICA_WITHIN_NO) << properties::describe(p);
+    }
+  }
+  // Sizes count there too: 1.4 of the greatest number less a radius of 0.5, or half sizes of 0.5.
+  const Pair wide[] = {{VESICA_CIRCLE, VESICA_ELLIPSE, {far, 0, most / 2}, {-far, 0, 1, 0, 1, 2}},
+                       {VESICA_AABB, VESICA_ELLIPSE, {far - most / 2, 0, far, 1}, {-far, 0, 1, 0, 1, 2}},
+                       {VESICA_RECT, VESICA_ELLIPSE, {far, 0, 1, 0, most / 2, 2}, {-far, 0, 1, 0, 1, 2}},
+                       {VESICA_RECT, VESICA_ELLIPSE, {far, 0, most / 2, 0, 1, 2}, {-far, 0, 1, 0, 1, 2}},
+                       {VESICA_ELLIPSE, VESICA_ELLIPSE, {far, 0, 0, 1, 2, most / 2}, {-far, 0, 1, 0, 1, 2}}};
+  for (const Pair& p : wide) {
+    EXPECT_EQ(within(Scalar::f64, p, 0.95 * most), VESICA_WITHIN_YES) << properties::describe(p);
+    EXPECT_EQ(within(Scalar::f64, p, 0.85 * most), VESICA_WITHIN_NO) << properties::describe(p);
+  }
+}
+
 TEST(KnownWithin, ContactsAtEveryScale) {
   for (const Known& c : known) {
     for (const int exponent : {-1060, -700, -100, 0, 100, 700, 1015}) {

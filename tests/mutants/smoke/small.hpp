@@ -11,6 +11,15 @@ constexpr int sides = 2 + 2;
 inline std::array<int, 2> corners{};
 static_assert(sides > 3);
 #define SMALL_HALF(x) ((x) / 2)
+template <class T>
+inline constexpr bool is_wide = false;
+template <>
+inline constexpr bool is_wide<double> = true;
+template <class T>
+constexpr decltype(T() + 1) wide() {
+  if constexpr (is_wide<T> && sizeof(T) > 4) return T();
+}
+static_assert(wide<double>() < 1);
 
 enum class Verdict { apart, touching, crossing };
 
