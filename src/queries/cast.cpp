@@ -75,8 +75,9 @@ template <class A, class B>
 #endif
   return detail::cast::quick_cast<detail::cast::UsualProducts>(a, b, {vx, vy, end}, out);
 }
-#define VESICA_QUICK_CAST(A, B) \
-  template detail::cast::Quick quick_cast(const A<double>&, const B<double>&, double, double, double, Impact<double>&) noexcept;
+#define VESICA_QUICK_CAST(A, B)                                                                       \
+  template detail::cast::Quick quick_cast(const A<double>&, const B<double>&, double, double, double, \
+                                          Impact<double>&) noexcept;
 VESICA_QUICK_CAST(Segment, Point)
 VESICA_QUICK_CAST(Circle, Point)
 VESICA_QUICK_CAST(Aabb, Point)
