@@ -80,15 +80,19 @@ template <template <class> class A, template <class> class B, class T>
 std::int32_t cast_or_error(const A<T>& a, const B<T>& b, T vx, T vy, T t_end, Impact<T>& out) noexcept {
   const detail::cast::Motion motion{static_cast<double>(vx), static_cast<double>(vy), static_cast<double>(t_end)};
   if constexpr (detail::cast::HasQuick<A<double>, B<double>>) {
-    Impact<double> found;
-    const detail::cast::Quick quick = detail::cast::quick_cast<detail::cast::UsualProducts>(
-        detail::cast::in_double(a), detail::cast::in_double(b), motion, found);
-    if (quick == detail::cast::Quick::missed) {
+    using detail::cast::Quick;
+    Impact<double> in_double;
+    Impact<double>* found = &in_double;
+    if constexpr (std::is_same_v<T, double>) found = &out;
+    const Quick quick = detail::cast::quick_cast<detail::cast::UsualProducts>(
+        detail::cast::in_double(a), detail::cast::in_double(b), motion, *found);
+    if (quick == Quick::missed) {
       out = detail::cast::no_impact<T>();
       return cast_miss;
     }
-    if (quick == detail::cast::Quick::hit) {
-      if (!detail::cast::rounded_to(found, out)) return error_range;
+    if (quick == Quick::hit) {
+      // A quick hit is finite, in double.
+      if (!std::is_same_v<T, double> && !detail::cast::rounded_to(*found, out)) return error_range;
       return cast_hit;
     }
   }

@@ -70,32 +70,6 @@ VESICA_INLINE QuickTime disc_time(const Vector& d, const Motion& v, const Twofol
   return stepped(first, at, arithmetic::rounded(f), way, 0x1p-98 * r.high * sizes, 0x1p-50 * r.high * speed);
 }
 
-/// A disc, which a point meets.
-struct QuickDisc {
-  double r;
-
-  bool is_usual() const noexcept { return is_plain_size(r); }
-  double radius() const noexcept { return r; }
-  double shortest() const noexcept { return r; }
-
-  template <class Products>
-  struct Asked {
-    double r;
-    QuickTime time;
-    Twofold<double> reach;
-
-    double best(const Motion& v, double w, double gap) const noexcept {
-      return maximum_of_one(disc_curve(r, v), w, gap);
-    }
-    Offset in_frame(const Vector& n) const noexcept { return {n.x.high, n.y.high}; }
-    Offset foremost(const Vector& n) const noexcept { return foremost_of(r, r, n.x.high, n.y.high); }
-  };
-  template <class Products>
-  VESICA_INLINE Asked<Products> ask(const Vector& d, const Motion& v) const noexcept {
-    return {r, disc_time<Products>(d, v, {r, 0}), disc_reach<Products>(r, v)};
-  }
-};
-
 /// Two discs.
 struct QuickDiscs {
   double a, b;
@@ -134,28 +108,11 @@ struct QuickEllipse {
     return both(both(both(is_plain_size(a), is_plain_size(b)), max(a, b) <= V(64.0) * min(a, b)),
                 both(both(uu >= V(0.25), uu <= V(4.0)), both(is_plain(ux), is_plain(uy))));
   }
-  double radius() const noexcept { return 2 * (a > b ? a * a / b : b * b / a); }
+  double radius() const noexcept {
+    const double longer = lane::max(a, b);
+    return 2 * (longer * longer / lane::min(a, b));
+  }
   double shortest() const noexcept { return lane::min(a, b); }
-
-  template <class Products>
-  struct Asked {
-    const QuickEllipse& e;
-    QuickTime time;
-    Twofold<double> reach;
-
-    double best(const Motion& v, double w, double gap) const noexcept {
-      return maximum_of_one(e.curve(velocity(v)), w, gap);
-    }
-    Offset in_frame(const Vector& n) const noexcept {
-      const auto u = plain_factor<Products>(e.ux, e.uy);
-      const auto along = Products::factor(n);
-      return {arithmetic::rounded(dot(u, along)), arithmetic::rounded(cross(u, along))};
-    }
-    Offset foremost(const Vector& n) const noexcept {
-      const Offset of_n = in_frame(n);
-      return e.out_of_frame(foremost_of(e.a, e.b, of_n.x, of_n.y));
-    }
-  };
 
   VESICA_INLINE OffsetOf<V> out_of_frame(const OffsetOf<V>& at) const noexcept {
     return at.x * OffsetOf<V>{ux, uy} + at.y * OffsetOf<V>{-uy, ux};
@@ -171,31 +128,6 @@ struct QuickEllipse {
     const V c = ux * v.x + uy * v.y, k = ux * v.y - uy * v.x, al = (a * k) * (a * k) + (b * c) * (b * c);
     const V area = a * b * (ux * ux + uy * uy) * (v.x * v.x + v.y * v.y);
     return {((b - a) * (b + a)) * (c * k) / al, al, area * area / al, sqrt(al)};
-  }
-
-  /// |(b X, a Y)| = a b u.u with X = u.(D + v t), Y = u x (D + v t), which are off by 2^-100 of the sum of their terms.
-  template <class Products>
-  VESICA_INLINE Asked<Products> ask(const Vector& d, const Motion& v) const noexcept {
-    const auto fa = Products::factor(a), fb = Products::factor(b);
-    const auto u = plain_factor<Products>(ux, uy), along = plain_factor<Products>(v.vx, v.vy);
-    const auto to = Products::factor(d);
-    const Twofold<double> c = dot(u, along), k = cross(u, along);
-    const Twofold<double> bx = fb * Products::factor(dot(u, to)), ay = fa * Products::factor(cross(u, to));
-    const Twofold<double> bc = fb * Products::factor(c), ak = fa * Products::factor(k);
-    const Twofold<double> r = fa * Products::factor(fb * Products::factor(dot(u, u)));
-    const Offset way{b * c.high, a * k.high};
-    const double first = rough_time({bx.high, ay.high}, way, r.high);
-    const auto t = Products::factor(first);
-    const Vector at{bx + t * Products::factor(bc), ay + t * Products::factor(ak)};
-    const Twofold<double> f =
-        (square(Products::factor(at.x)) + square(Products::factor(at.y))) - square(Products::factor(r));
-    const double axis = (a + b) * (abs(ux) + abs(uy)), speed = axis * (abs(v.vx) + abs(v.vy));
-    const double sizes = r.high + axis * (abs(d.x.high) + abs(d.y.high)) + speed * first;
-    QuickTime time =
-        stepped(first, at, arithmetic::rounded(f), way, 0x1p-96 * r.high * sizes, 0x1p-48 * r.high * speed);
-    time.gx *= b;
-    time.gy *= a;
-    return {*this, time, reach_of<Products>(fa * Products::factor(k), fb * Products::factor(c))};
   }
 };
 
@@ -359,7 +291,7 @@ VESICA_INLINE Quick quick_hit(const Circle<double>& a, const Circle<double>& b, 
                               Impact<double>& out) noexcept {
   return round_hit<Products>(QuickDiscs{a.r, b.r}, exact_offset(b.cx, b.cy, a.cx, a.cy), v, a.cx, a.cy, out);
 }
-/// In the frame of QuickEllipse::ask().
+/// |(b X, a Y)| = a b u.u with X = u.(D + v t), Y = u x (D + v t), which are off by 2^-100 of the sum of their terms.
 template <class Products>
 VESICA_INLINE Quick quick_hit(const Ellipse<double>& ellipse, const Point<double>& point, const Motion& v,
                               Impact<double>& out) noexcept {
