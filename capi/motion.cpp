@@ -32,11 +32,6 @@ Motion motion_of(T vx, T vy, T end) noexcept {
   return {static_cast<double>(vx), static_cast<double>(vy), static_cast<double>(end)};
 }
 
-template <template <class> class Shape, class T>
-VESICA_INLINE Shape<double> in_double(const Shape<T>& s) noexcept {
-  return vesica::detail::cast::shape<Shape>(vesica::detail::cast::body(s));
-}
-
 template <class T>
 Body body_of(int32_t kind, const T* numbers) noexcept {
   Body body{static_cast<vesica::Kind>(kind), {}};
@@ -44,24 +39,27 @@ Body body_of(int32_t kind, const T* numbers) noexcept {
   return body;
 }
 
-/// Of shapes whose kinds are known when this is compiled. The C structs are the core's shapes byte for byte.
+/// Of shapes whose kinds are known when this is compiled. The C structs are the core's shapes byte for byte, and of
+/// doubles its result is written where it shall be.
 template <class A, class B, class T, class Out>
 VESICA_INLINE int32_t cast_shapes(const void* a, const void* b, const Motion& motion, Out* out) noexcept {
-  if (!vesica::detail::cast::is_sound(motion)) return VESICA_E_ARGUMENT;
-  Impact<double> found;
-  const int32_t code = vesica::queries::cast_shapes(in_double(*static_cast<const A*>(a)),
-                                                    in_double(*static_cast<const B*>(b)), motion, found);
-  if (code < 0) return code;
-  if (code == VESICA_CAST_MISS) {
-    write(vesica::detail::cast::no_impact<T>(), out);
-  } else if constexpr (std::is_same_v<T, double>) {
-    write(found, out);
+  using vesica::detail::cast::in_double;
+  const A& first = *static_cast<const A*>(a);
+  const B& second = *static_cast<const B*>(b);
+  if constexpr (std::is_same_v<T, double>) {
+    auto& found = *static_cast<Impact<double>*>(static_cast<void*>(out));
+    const int32_t code = vesica::queries::cast_shapes(first, second, motion, found);
+    if (code == VESICA_CAST_MISS) write(vesica::detail::cast::no_impact<double>(), out);
+    return code;
   } else {
-    Impact<T> rounded;
-    if (!vesica::detail::cast::rounded_to(found, rounded)) return VESICA_E_RANGE;
+    Impact<double> found;
+    const int32_t code = vesica::queries::cast_shapes(in_double(first), in_double(second), motion, found);
+    if (code < 0) return code;
+    Impact<T> rounded = vesica::detail::cast::no_impact<T>();
+    if (code != VESICA_CAST_MISS && !vesica::detail::cast::rounded_to(found, rounded)) return VESICA_E_RANGE;
     write(rounded, out);
+    return code;
   }
-  return code;
 }
 
 template <class T, class Out>

@@ -48,30 +48,17 @@ bool rounded_to(const Impact<double>& i, Impact<T>& out) noexcept {
   return true;
 }
 
-}  // namespace detail::cast
-
-/// The checked form: cast_miss, cast_hit or cast_start (see CastAnswer), error_argument for a velocity that is not
-/// finite or a t_end that is NaN or negative, error_shape when either shape is invalid, or error_range: see
-/// vesica_motion.h. Writes the contact; after a miss t is infinite and the rest NaN. On error `out` is untouched. Any
-/// kinds, in either order.
+/// cast_or_error() without the quick way.
 template <template <class> class A, template <class> class B, class T>
-std::int32_t cast_or_error(const A<T>& a, const B<T>& b, T vx, T vy, T t_end, Impact<T>& out) noexcept {
-  const detail::cast::Motion motion{static_cast<double>(vx), static_cast<double>(vy), static_cast<double>(t_end)};
-  if (!detail::cast::is_sound(motion)) return error_argument;
+std::int32_t cast_any(const A<T>& a, const B<T>& b, const Motion& motion, Impact<T>& out) noexcept {
+  if (!is_sound(motion)) return error_argument;
   Impact<double> found;
-  const detail::cast::Body first = detail::cast::body(a), second = detail::cast::body(b);
-  std::int32_t answer = detail::cast::cast_pair(
-      detail::cast::shape<A>(first), detail::cast::shape<B>(second), motion,
-      [&](const auto& p, const auto& q) {
-        return detail::cast::quick_hit<detail::cast::UsualProducts>(p, q, motion, found);
-      },
-      [&] {
-        const auto known = detail::cast::filter(detail::cast::sketch(first), detail::cast::sketch(second), motion);
-        return detail::cast::cast_bodies(
-            first, second, motion, known, [&] { return overlap_or_error(a, b); }, detail::cast::fused_meeting, found);
-      });
-  if (answer == cast_miss) out = detail::cast::no_impact<T>();
-  if (answer == cast_hit && !detail::cast::rounded_to(found, out)) answer = error_range;
+  const Body first = body(a), second = body(b);
+  const Filtered known = filter(sketch(first), sketch(second), motion);
+  const std::int32_t answer = cast_bodies(
+      first, second, motion, known, [&] { return overlap_or_error(a, b); }, fused_meeting, found);
+  if (answer == cast_miss) out = no_impact<T>();
+  if (answer == cast_hit && !rounded_to(found, out)) return error_range;
   if (answer == cast_start) {
     ClosestPoints<T> common;
     Penetration<T> penetration;
@@ -81,6 +68,35 @@ std::int32_t cast_or_error(const A<T>& a, const B<T>& b, T vx, T vy, T t_end, Im
     out = {0, common.ax, common.ay, penetration.x, penetration.y};
   }
   return answer;
+}
+
+}  // namespace detail::cast
+
+/// The checked form: cast_miss, cast_hit or cast_start (see CastAnswer), error_argument for a velocity that is not
+/// finite or a t_end that is NaN or negative, error_shape when either shape is invalid, or error_range: see
+/// vesica_motion.h. Writes the contact; after a miss t is infinite and the rest NaN. On error `out` is untouched. Any
+/// kinds, in either order.
+template <template <class> class A, template <class> class B, class T>
+std::int32_t cast_or_error(const A<T>& a, const B<T>& b, T vx, T vy, T t_end, Impact<T>& out) noexcept {
+  const detail::cast::Motion motion{static_cast<double>(vx), static_cast<double>(vy), static_cast<double>(t_end)};
+  if constexpr (detail::cast::HasQuick<A<double>, B<double>>) {
+    using detail::cast::Quick;
+    Impact<double> in_double;
+    Impact<double>* found = &in_double;
+    if constexpr (std::is_same_v<T, double>) found = &out;
+    const Quick quick = detail::cast::quick_cast<detail::cast::UsualProducts>(
+        detail::cast::in_double(a), detail::cast::in_double(b), motion, *found);
+    if (quick == Quick::missed) {
+      out = detail::cast::no_impact<T>();
+      return cast_miss;
+    }
+    if (quick == Quick::hit) {
+      // A quick hit is finite, in double.
+      if (!std::is_same_v<T, double> && !detail::cast::rounded_to(*found, out)) return error_range;
+      return cast_hit;
+    }
+  }
+  return detail::cast::cast_any(a, b, motion, out);
 }
 
 /// The first contact. For valid shapes and motions: t is infinite after a miss, and all numbers are NaN where

@@ -3,7 +3,7 @@
 // parameter for the motion.
 #pragma once
 
-#include <vesica/cast/quick_hit.hpp>
+#include <vesica/cast.hpp>
 #include <vesica/impact_time/scene.hpp>
 
 #include "batch.hpp"
@@ -28,26 +28,27 @@ std::int32_t cast_open(const Body& a, const Body& b, const Motion& motion, Impac
 std::int32_t cast_rest(const Body& a, const Body& b, const Motion& motion, const detail::cast::Filtered& known,
                        Impact<double>& out) noexcept;
 
-/// detail::cast::quick_hit by the quicker products.
+/// detail::cast::quick_cast by the quicker products.
 template <class A, class B>
-detail::cast::Quick quick_hit(const A& a, const B& b, const Motion& motion, Impact<double>& out) noexcept;
+detail::cast::Quick quick_cast(const A& a, const B& b, double vx, double vy, double end, Impact<double>& out) noexcept;
 
-/// The answer about two shapes. Their first filter is compiled where it is called, and nothing else. For a motion that is
-/// sound.
+/// The answer about two shapes, or error_argument. Without a quick way their first filter is compiled where it is called,
+/// and nothing else.
 template <template <class> class A, template <class> class B>
 VESICA_INLINE std::int32_t cast_shapes(const A<double>& a, const B<double>& b, const Motion& motion,
                                        Impact<double>& out) noexcept {
-  return detail::cast::cast_pair(
-      a, b, motion, [&](const auto& p, const auto& q) { return quick_hit(p, q, motion, out); },
-      [&] {
-        if constexpr (detail::cast::HasQuick<A<double>, B<double>>) {
-          return cast_open(detail::cast::body(a), detail::cast::body(b), motion, out);
-        } else {
-          const auto known = detail::cast::filter(detail::cast::sketch(a), detail::cast::sketch(b), motion);
-          if (known.verdict == detail::cast::Verdict::missed) return static_cast<std::int32_t>(cast_miss);
-          return cast_rest(detail::cast::body(a), detail::cast::body(b), motion, known, out);
-        }
-      });
+  using namespace detail::cast;
+  if constexpr (HasQuick<A<double>, B<double>>) {
+    const Quick quick = queries::quick_cast(a, b, motion.vx, motion.vy, motion.end, out);
+    if (quick != Quick::open) return quick == Quick::hit ? cast_hit : cast_miss;
+    if (!is_sound(motion)) return error_argument;
+    return cast_open(body(a), body(b), motion, out);
+  } else {
+    if (!is_sound(motion)) return error_argument;
+    const Filtered known = detail::cast::filter(sketch(a), sketch(b), motion);
+    if (known.verdict == Verdict::missed) return cast_miss;
+    return cast_rest(body(a), body(b), motion, known, out);
+  }
 }
 
 /// Of bodies that turn; otherwise likewise. The gap is rounded up.

@@ -41,6 +41,16 @@ VESICA_INLINE Shape<double> shape(const Body& body) noexcept {
   }
 }
 
+/// The shape with its numbers in double, itself where they are.
+template <template <class> class Shape, class T>
+VESICA_INLINE decltype(auto) in_double(const Shape<T>& s) noexcept {
+  if constexpr (std::is_same_v<T, double>) {
+    return (s);
+  } else {
+    return shape<Shape>(body(s));
+  }
+}
+
 /// action(shape) for the shape that the body is.
 template <class Action>
 VESICA_INLINE auto with_shape(const Body& body, const Action& action) noexcept {

@@ -21,27 +21,30 @@ inline constexpr double quick_tiny = 0x1p-400;
 VESICA_INLINE bool in_quick_range(double square) noexcept { return lane::both(square >= 0x1p-80, square <= 0x1p80); }
 /// Of a motion, by v.v. Places at an earlier end may have more digits than exact numbers hold, which is not told here.
 VESICA_INLINE bool is_quick(const Motion& v, double vv) noexcept {
-  return lane::both(in_quick_range(vv), v.end >= 0x1p-300);
+  return vv >= 0x1p-80 && vv <= 0x1p80 && v.end >= 0x1p-300;
 }
 
-/// What is certain of a line, of the start and of the end, each a number of which the sign counts and its error.
-struct Signed {
-  double value, error;
+/// By numbers that are above 0 only where a miss, or contact at any time, is certain, and one, asked last, that is where the
+/// end comes before it. What is usable is foreseen; which of the two it is cannot be, so that one branch decides it.
+template <class Early>
+VESICA_INLINE Quick decided(bool usable, double miss, double hit, const Early& early) noexcept {
+  if (!usable) return Quick::open;
+  if (miss > 0) return Quick::missed;
+  if (!(hit > 0)) return Quick::open;
+  return early() > 0 ? Quick::missed : Quick::hit;
+}
 
-  bool above() const noexcept { return value > error; }
-  bool below() const noexcept { return value < -error; }
-};
-
-/// line: positive where it meets the sum; apart: positive where they are, at the start; forward: positive where b moves
-/// away from a centre, or of a round shape along its gradient; early: positive where the end comes before contact.
-VESICA_INLINE Quick decided(bool usable, const Signed& line, const Signed& apart, const Signed& forward,
-                            const Signed& early) noexcept {
-  // One of these holds of most misses, and which cannot be foreseen.
-  const bool missed =
-      lane::either(lane::either(line.below(), early.above()), lane::both(apart.above(), forward.above()));
-  if (lane::both(usable, missed)) return Quick::missed;
-  const bool hit = lane::both(lane::both(usable, line.above()), lane::both(apart.above(), forward.below()));
-  return hit ? Quick::hit : Quick::open;
+/// Whether a point P that moves by W t stays outside |X| = R until the end, as a number above 0: at the end it still is
+/// outside, and on its way inward. f(t) = |P + W t|^2 - R^2 is convex, so that it was farther outside before. No root is
+/// taken, and no time. Given f(0), q = P.W, W.W, `sizes` the sum of the terms of |P| and R, `speed` that of |W|; f(0) is
+/// off by 12u sizes^2, q by 11u sizes speed, W.W by 10u speed^2. So with `far` = sizes + end speed, f(end) is off by 12u
+/// far^2, its own operations included 20u, and q + end W.W by 14u far speed. Where the end is infinite this is not above 0.
+VESICA_INLINE double ends_outside(double f, double q, double ww, double sizes, double speed, double end) noexcept {
+  constexpr double u = 0x1p-53;
+  const double at_end = q + end * ww, far = sizes + end * speed;
+  const double outside = (f + end * (q + at_end)) - (32 * u * (far * far) + quick_tiny);
+  // Of two of which the first is NaN the second is the lesser.
+  return lane::min(outside, -at_end - (16 * u * (far * speed) + quick_tiny));
 }
 
 /// Of a disc of radius r about the origin, and a point at (dx, dy), with w = v x D and q = D.v.
@@ -53,12 +56,15 @@ VESICA_INLINE Quick decided(bool usable, const Signed& line, const Signed& apart
 ///   - D.D - r^2 is off by 4u (D.D + r^2).
 VESICA_INLINE Quick filter_disc(double dx, double dy, double r, const Motion& v) noexcept {
   constexpr double u = 0x1p-53;
-  const double vv = v.vx * v.vx + v.vy * v.vy, dd = dx * dx + dy * dy, rr = r * r;
-  const double w = v.vx * dy - v.vy * dx, x = v.vx * dx, y = v.vy * dy, q = x + y, reach = sqrt(rr * vv);
-  const double sizes = dd + rr, terms = abs(x) + abs(y), whole = v.end * vv;
-  return decided(lane::both(lane::both(is_quick(v, vv), r >= 0), sizes <= most_usable * most_usable),
-                 {rr * vv - w * w, 16 * u * (vv * sizes) + quick_tiny}, {dd - rr, 8 * u * sizes + quick_tiny},
-                 {q, 8 * u * terms + quick_tiny}, {-q - reach - whole, 8 * u * (terms + reach + whole) + quick_tiny});
+  const double vv = v.vx * v.vx + v.vy * v.vy, dd = dx * dx + dy * dy, rr = r * r, sizes = dd + rr;
+  const bool usable = is_quick(v, vv) && r >= 0 && sizes <= most_usable * most_usable;
+  const double w = v.vx * dy - v.vy * dx, x = v.vx * dx, y = v.vy * dy, q = x + y, f = dd - rr;
+  const double inside = rr * vv - w * w, line_error = 16 * u * (vv * sizes) + quick_tiny;
+  const double speed = abs(v.vx) + abs(v.vy), far = abs(dx) + abs(dy);
+  const double apart = f - (8 * u * sizes + quick_tiny), q_error = 8 * u * (far * speed) + quick_tiny;
+  return decided(usable, lane::max(lane::min(apart, q - q_error), -inside - line_error),
+                 lane::min(lane::min(apart, -q - q_error), inside - line_error),
+                 [&] { return ends_outside(f, q, vv, far + r, speed, v.end); });
 }
 
 VESICA_INLINE Quick quick_filter(const Circle<double>& a, const Point<double>& b, const Motion& v) noexcept {
@@ -68,63 +74,86 @@ VESICA_INLINE Quick quick_filter(const Circle<double>& a, const Circle<double>& 
   return filter_disc(b.cx - a.cx, b.cy - a.cy, lane::select(lane::both(a.r >= 0, b.r >= 0), a.r + b.r, -1.0), v);
 }
 
-/// Of an ellipse and a point, in the ellipse's frame, times |u|. The ellipse is f = (b X)^2 + (a Y)^2 - (a b u.u)^2 <=
-/// 0 with X = u.D and Y = u x D, and half the slope of f along v is b^2 X c + a^2 Y k, with c = u.v and k = u x v. The
-/// line meets it where w^2 <= al = (a k)^2 + (b c)^2.
-///
-/// Proved: the errors that the code takes, 16u of sums of magnitudes, are above the true ones. X and Y are off by 4u A
-/// D, c and k by 3u A V, where A, D and V are sums of components. So al is off by 10u ((a + b) A V)^2.
+/// In the ellipse's frame, times |u|: X = u.D, Y = u x D are off by 4u A D, c = u.v and k = u x v by 3u A V, where A, D
+/// and V are sums of components. It is f = (b X)^2 + (a Y)^2 - (a b u.u)^2 <= 0, and half its slope along v is
+/// b^2 X c + a^2 Y k. The line meets it where w^2 <= al = (a k)^2 + (b c)^2, which is off by 10u ((a + b) A V)^2. a b u.u is
+/// at most (a + b) A max(a, b) A.
 VESICA_INLINE Quick quick_filter(const Ellipse<double>& e, const Point<double>& p, const Motion& v) noexcept {
   constexpr double u = 0x1p-53;
   const double dx = p.x - e.cx, dy = p.y - e.cy, vv = v.vx * v.vx + v.vy * v.vy, uu = e.ux * e.ux + e.uy * e.uy;
+  const double far = abs(dx) + abs(dy), sum = e.a + e.b;
+  const bool usable = is_quick(v, vv) && in_quick_range(uu) && e.a >= 0 && e.b >= 0 && sum + far <= most_usable;
   const double x = e.b * (e.ux * dx + e.uy * dy), y = e.a * (e.ux * dy - e.uy * dx);
   const double c = e.b * (e.ux * v.vx + e.uy * v.vy), k = e.a * (e.ux * v.vy - e.uy * v.vx);
   const double w = v.vx * dy - v.vy * dx, al = k * k + c * c, area = e.a * e.b * uu, q = x * c + y * k;
-  const double axis = (e.a + e.b) * (abs(e.ux) + abs(e.uy)), speed = abs(v.vx) + abs(v.vy), far = abs(dx) + abs(dy);
+  const double axis = sum * (abs(e.ux) + abs(e.uy)), speed = abs(v.vx) + abs(v.vy);
   const double across = axis * speed, away = axis * far, width = speed * far;
-  const double line_error = 16 * u * (across * across + width * width) + quick_tiny, whole = v.end * al;
-  const double whole_error = v.end * line_error, forward_error = 16 * u * (across * away) + quick_tiny;
-  const double reach = area * sqrt(al + line_error);
-  const bool usable = lane::both(lane::both(is_quick(v, vv), in_quick_range(uu)),
-                                 lane::both(lane::both(e.a >= 0, e.b >= 0), e.a + e.b + far <= most_usable));
-  return decided(usable, {al - w * w, line_error},
-                 {x * x + y * y - area * area, 16 * u * (away * away + area * area) + quick_tiny}, {q, forward_error},
-                 {-q - reach - whole, forward_error + 8 * u * (reach + whole) + whole_error});
+  const double line_error = 16 * u * (across * across + width * width) + quick_tiny, inside = al - w * w;
+  const double f = (x * x + y * y) - area * area, q_error = 16 * u * (across * away) + quick_tiny;
+  const double apart = f - (16 * u * (away * away + area * area) + quick_tiny);
+  return decided(usable, lane::max(lane::min(apart, q - q_error), -inside - line_error),
+                 lane::min(lane::min(apart, -q - q_error), inside - line_error),
+                 [&] { return ends_outside(f, q, al, away + area, across, v.end); });
 }
 
-/// Of a box, whose sizes may be 0, and a point. Contact comes when the ray has entered both slabs, at the later of two
-/// times, which the caller compares. Here is told only whether the ray meets the box, and lies before it along v.
-///
-/// Proved: the error that the code takes is above the true ones. c and k are off by 3u A V, or 5u where they are of
-/// differences (A and V as above), and the reach by twice that times hx + hy.
-template <class Box>
-VESICA_INLINE Quick filter_box(const Box& box, const Point<double>& p, const Motion& v) noexcept {
+/// Of a box, whose sizes may be 0, in its own frame, times |u|: it is |X| <= hx u.u, |Y| <= hy u.u, and its reach across v
+/// hx |k| + hy |c|. The way of the ray, a segment, misses it iff one of three lines divides them: the ray's own, or one
+/// along a side, beyond which the ray starts, and from there moves away, or never comes to the side. A ray that starts
+/// before a side, and whose line passes through the inside, comes to it later; whether before the end, the time tells. With
+/// A, D, V as above and H = hx + hy, offsets of the centre are off by 2u D + u H A, X and Y by 5u A (D + H A), c and k by 5u
+/// A V where they are of differences, and the reach by twice that times H. So the signs of c and k are not always known: who
+/// says that the ray moves away must know.
+struct BoxFrame {
+  double c, k, x, y;  // v and D
+  double hx, hy, uu, axis;
+};
+VESICA_INLINE Quick filter_box(const BoxFrame& f, double dx, double dy, const Motion& v, bool sized) noexcept {
   constexpr double u = 0x1p-53;
+  const double vv = v.vx * v.vx + v.vy * v.vy, speed = abs(v.vx) + abs(v.vy), far = abs(dx) + abs(dy);
+  const double sum = f.hx + f.hy, whole = sum * f.axis + far;
+  const bool usable = is_quick(v, vv) && sized && sum + far <= most_usable;
+  const double along_x = abs(f.c), along_y = abs(f.k), turning = 16 * u * (f.axis * speed);
+  const double w = v.vx * dy - v.vy * dx, inside = (f.hx * along_y + f.hy * along_x) - abs(w);
+  const double line_error = 16 * u * (speed * whole) + quick_tiny, error = 16 * u * (f.axis * whole) + quick_tiny;
+  // As the ray comes: turned so that it moves forward.
+  const double x = lane::flip_sign(f.x, f.c), y = lane::flip_sign(f.y, f.k), wide = f.hx * f.uu, high = f.hy * f.uu;
+  const double away =
+      lane::max(lane::min((x - wide) - error, along_x - turning), lane::min((y - high) - error, along_y - turning));
+  const double before_x = (-x - wide) - error, before_y = (-y - high) - error;
+  const auto early = [&] {
+    // What an infinite end is multiplied by is above 0.
+    return lane::max(before_x - v.end * (along_x + turning), before_y - v.end * (along_y + turning));
+  };
+  return decided(usable, lane::max(away, -inside - line_error),
+                 lane::min(lane::max(before_x, before_y), inside - line_error), early);
+}
+template <class Box>
+VESICA_INLINE Quick quick_filter_of_box(const Box& box, const Point<double>& p, const Motion& v) noexcept {
   constexpr form::AsStored<double> number;
   const auto f = form::of(box);
   const form::Corners<double> from = form::corners(f.place);
-  const double ux = number(f.ux), uy = number(f.uy), hx = number(f.hx), hy = number(f.hy);
-  const double vv = v.vx * v.vx + v.vy * v.vy, speed = abs(v.vx) + abs(v.vy), axis = abs(ux) + abs(uy);
+  const double ux = number(f.ux), uy = number(f.uy), hx = number(f.hx), hy = number(f.hy), axis = abs(ux) + abs(uy);
   const double dx = offset(p.x, p.x, from.x0, from.x1), dy = offset(p.y, p.y, from.y0, from.y1);
-  const double c = ux * v.vx + uy * v.vy, k = ux * v.vy - uy * v.vx;
-  const double w = v.vx * dy - v.vy * dx, q = v.vx * dx + v.vy * dy;
-  const double along = hx * abs(c) + hy * abs(k), across = hx * abs(k) + hy * abs(c), whole = v.end * vv;
-  const double size = (hx + hy) * (axis * speed), far = abs(dx) + abs(dy);
-  const double error = 16 * u * (size + far * speed) + quick_tiny;
-  const bool sized = lane::both(hx >= 0, hy >= 0);
-  const bool usable =
-      lane::both(lane::both(is_quick(v, vv), sized), lane::both(in_usable_range(axis), hx + hy + far <= most_usable));
-  return decided(usable, {across - abs(w), error}, {0, -1}, {q - along, error},
-                 {-q - along - whole, error + 8 * u * whole});
+  const BoxFrame frame{ux * v.vx + uy * v.vy,
+                       ux * v.vy - uy * v.vx,
+                       ux * dx + uy * dy,
+                       ux * dy - uy * dx,
+                       hx,
+                       hy,
+                       ux * ux + uy * uy,
+                       axis};
+  return filter_box(frame, dx, dy, v, hx >= 0 && hy >= 0 && in_usable_range(axis));
 }
-VESICA_INLINE Quick quick_filter(const Aabb<double>& a, const Point<double>& b, const Motion& v) noexcept {
-  return filter_box(a, b, v);
+VESICA_INLINE Quick quick_filter(const Aabb<double>& a, const Point<double>& p, const Motion& v) noexcept {
+  const double hx = 0.5 * (a.max_x - a.min_x), hy = 0.5 * (a.max_y - a.min_y);
+  const double dx = offset(p.x, p.x, a.min_x, a.max_x), dy = offset(p.y, p.y, a.min_y, a.max_y);
+  return filter_box({v.vx, v.vy, dx, dy, hx, hy, 1, 1}, dx, dy, v, hx >= 0 && hy >= 0);
 }
 VESICA_INLINE Quick quick_filter(const Rect<double>& a, const Point<double>& b, const Motion& v) noexcept {
-  return filter_box(a, b, v);
+  return quick_filter_of_box(a, b, v);
 }
 VESICA_INLINE Quick quick_filter(const Segment<double>& a, const Point<double>& b, const Motion& v) noexcept {
-  return filter_box(a, b, v);
+  return quick_filter_of_box(a, b, v);
 }
 
 /// Of two ellipses, by the filter for all kinds.

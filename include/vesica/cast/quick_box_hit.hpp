@@ -4,124 +4,139 @@
 /// n being the normal of the face that is met.
 #pragma once
 
+#include <vesica/arithmetic/side_by_side.hpp>
 #include <vesica/cast/quick_numbers.hpp>
 
 namespace vesica::detail::cast {
 
-/// Where a ray meets the face at height `height` along n, which is against v, after the time t: `half` is half of the
-/// face.
-struct QuickFace {
-  Offset normal, middle, half;
-};
-VESICA_INLINE Impact<double> impact_on(const QuickFace& face, const form::Corners<double>& place, const Vector& d,
-                                       const Motion& v, double t) noexcept {
-  const Offset offset{d.x.high + t * v.vx, d.y.high + t * v.vy};
-  const Offset at = touching_point({face.middle, face.half}, {{0, 0}, {0, 0}}, offset);
-  return {t, support_minimum::located_coordinate(place.x0, place.x1, at.x) + 0.0,
-          support_minimum::located_coordinate(place.y0, place.y1, at.y) + 0.0, face.normal.x + 0.0,
-          face.normal.y + 0.0};
-}
-
-/// The point's coordinate, the box's on the side from which the ray comes, and the time at which they agree.
+/// Where the ray passes a side: the time at which it is there, rounded down, in the end. `way` is exact, and so is its
+/// quotient's remainder, which is 0 where the time is a double.
 struct QuickSide {
   Twofold<double> way;
-  double t;
+  double v, t, rest;
 };
 VESICA_INLINE QuickSide quick_side(double from, double low, double high, double v) noexcept {
-  const Twofold<double> way = nearest::exact_difference(lane::select(v > 0, low, high), from);
-  return {way, way.high / v};
+  // Along a side: between that and the one opposite all the time.
+  if (v == 0) return {{-1, 0}, 1, 0, 0};
+  return {nearest::exact_difference(v > 0 ? low : high, from), v, 0, 0};
+}
+template <class Products>
+VESICA_INLINE void set_rest(QuickSide& side) noexcept {
+  const Twofold<double> product = Products::factor(side.t) * Products::factor(side.v);
+  side.rest = ((side.way.high - product.high) - product.low) + side.way.low;
 }
 
-/// Of an AABB: the times are quotients of exact numbers, of which that is met is the later one. Its remainder is exact,
-/// so that a time which is a double shows.
+/// Of an AABB: the times of both sides are quotients of exact numbers, and the later one is that of the contact. The floor
+/// of the later is the later floor, so that nothing need be selected before.
 template <class Products>
 VESICA_INLINE Quick quick_hit(const Aabb<double>& a, const Point<double>& b, const Motion& v,
                               Impact<double>& out) noexcept {
-  const QuickSide x = quick_side(b.x, a.min_x, a.max_x, v.vx), y = quick_side(b.y, a.min_y, a.max_y, v.vy);
+  using arithmetic::Two;
+  QuickSide x = quick_side(b.x, a.min_x, a.max_x, v.vx), y = quick_side(b.y, a.min_y, a.max_y, v.vy);
   const double width = a.max_x - a.min_x, height = a.max_y - a.min_y;
-  // A ray along a side is between those sides all the time.
-  const double tx = lane::select(v.vx == 0, -1.0, x.t), ty = lane::select(v.vy == 0, -1.0, y.t);
-  const bool on_x = tx > ty;
-  const double first = lane::max(tx, ty), speed = lane::select(on_x, v.vx, v.vy);
-  const Twofold<double> way{lane::select(on_x, x.way.high, y.way.high), lane::select(on_x, x.way.low, y.way.low)};
+  const Two time = Two{x.way.high, y.way.high} / Two{x.v, y.v}, over = Two{1, 1} / Two{x.v, y.v};
+  x.t = time.x;
+  y.t = time.y;
   const form::Corners<double> from = form::corners(form::of(a).place);
   const Vector d = exact_offset(b, from);
-  const bool plain = lane::both(is_plain(d, v), lane::both(is_plain_size(width), is_plain_size(height)));
-  const bool sure = lane::both(first > 0x1p-40, abs(tx - ty) > 0x1p-48 * (abs(tx) + abs(ty)));
-  if (!lane::both(lane::both(plain, sure), lane::both(is_plain(speed), first <= 0x1p60))) return Quick::open;
-  const Twofold<double> product = Products::factor(first) * Products::factor(speed);
-  const double rest = ((way.high - product.high) - product.low) + way.low, step = rest / speed;
-  double t = first;
-  const Quick quick =
-      rest == 0 ? first <= v.end ? Quick::hit : Quick::missed : floor_of({first, step}, 0x1p-50 * abs(step), v.end, t);
-  if (quick != Quick::hit) return quick;
-  const double side = lane::select(speed > 0, -1.0, 1.0);
-  const QuickFace face{{lane::select(on_x, side, 0.0), lane::select(on_x, 0.0, side)},
-                       {lane::select(on_x, side * (width * 0.5), 0.0), lane::select(on_x, 0.0, side * (height * 0.5))},
-                       {lane::select(on_x, 0.0, width * 0.5), lane::select(on_x, height * 0.5, 0.0)}};
-  out = impact_on(face, from, d, v, t);
+  const double first = lane::max(x.t, y.t);
+  const bool sure = first > 0x1p-40 && first <= 0x1p60 && abs(x.t - y.t) > 0x1p-48 * (abs(x.t) + abs(y.t));
+  if (!(sure && is_plain(d, v) && is_plain_size(width) && is_plain_size(height))) return Quick::open;
+  set_rest<Products>(x);
+  set_rest<Products>(y);
+  const Floor<double> fx = floor_of_quotient(x.t, x.rest * over.x), fy = floor_of_quotient(y.t, y.rest * over.y);
+  const double t = lane::max(fx.t, fy.t);
+  const bool on_x = x.t > y.t;
+  if (!(on_x ? fx.certain : fy.certain)) return Quick::open;
+  if (t > v.end) return Quick::missed;
+  if (t == v.end && (on_x ? x.rest : y.rest) != 0) return Quick::open;
+  const double half_x = width * 0.5, half_y = height * 0.5;
+  const double at_x = d.x.high + t * v.vx, at_y = d.y.high + t * v.vy;
+  const Two share = Two{at_x * half_x, at_y * half_y} / Two{half_x * half_x, half_y * half_y};
+  const double side_x = lane::flip_sign(-1.0, v.vx), side_y = lane::flip_sign(-1.0, v.vy);
+  const auto within = [](double s) { return lane::min(lane::max(s, -1.0), 1.0); };
+  out = {
+      t,
+      support_minimum::located_coordinate(from.x0, from.x1, lane::select(on_x, side_x, within(share.x)) * half_x) + 0.0,
+      support_minimum::located_coordinate(from.y0, from.y1, lane::select(on_x, within(share.y), side_y) * half_y) + 0.0,
+      lane::select(on_x, side_x, 0.0), lane::select(on_x, 0.0, side_y)};
   return Quick::hit;
 }
 
-/// Of a box about its centre with the axes u and perp(u), which are the normals n of two slabs, |x.n| <= h u.u. Contact
-/// comes when the ray has entered both.
-///
-/// Which slab it enters later is certain: in double times are off by at most 16u of the sum of their terms over |n.v|,
-/// where n.v is known to be above its own rounding, and the code takes twice that. The later time alone is computed in
-/// twofolds. A slab along the ray holds it all the time, as the filter has told.
-template <class Products>
+/// As touching_point() has it, where a ray that is at an offset from the centre meets a face.
+VESICA_INLINE Offset point_of_face(const Offset& middle, const Offset& half, const Offset& offset) noexcept {
+  const double length = half.x * half.x + half.y * half.y;
+  const double share = ((offset.x + 0.0 - middle.x) * half.x + (offset.y + 0.0 - middle.y) * half.y) / length;
+  const double at = lane::min(lane::max(share, -1.0), 1.0);
+  return {middle.x + at * half.x, middle.y + at * half.y};
+}
+
+/// Of a box about its centre with the axes u and perp(u): the ray enters both slabs, |x.n| <= h u.u, at times that double
+/// tells, but for 32u of the sum of terms over |n.v|, where n.v is known to be above its own rounding. The later is told
+/// in twofolds. A slab along the ray holds it all the time, as the filter has told. `rounded`: whether the axis is, so
+/// that it has lower parts.
+template <class Products, bool rounded>
 VESICA_INLINE Quick box_hit(const Vector& u, double hx, double hy, const form::Corners<double>& place, const Vector& d,
                             const Motion& v, Impact<double>& out) noexcept {
+  using arithmetic::Two;
   const double ux = u.x.high, uy = u.y.high, uu = ux * ux + uy * uy, speed = abs(v.vx) + abs(v.vy);
   const double c = ux * v.vx + uy * v.vy, k = ux * v.vy - uy * v.vx;
   const double x = ux * d.x.high + uy * d.y.high, y = ux * d.y.high - uy * d.x.high;
   const bool along_x = lane::both(lane::either(ux == 0, v.vx == 0), lane::either(uy == 0, v.vy == 0));
   const bool along_y = lane::both(lane::either(ux == 0, v.vy == 0), lane::either(uy == 0, v.vx == 0));
-  const double tx = lane::select(along_x, -1.0, (-x - lane::flip_sign(hx * uu, c)) / c);
-  const double ty = lane::select(along_y, -1.0, (-y - lane::flip_sign(hy * uu, k)) / k);
+  const Two over = Two{1, 1} / Two{c, k};
+  double tx = (-x - lane::flip_sign(hx * uu, c)) * over.x, ty = (-y - lane::flip_sign(hy * uu, k)) * over.y;
   const double axis = abs(ux) + abs(uy), size = axis * (abs(d.x.high) + abs(d.y.high)) + (hx + hy) * (axis * axis);
-  const auto error = [&](double t, double approach) {
-    return 0x1p-48 * (size + axis * (speed * abs(t))) / abs(approach);
-  };
-  const double x_error = lane::select(along_x, 0.0, error(tx, c)), y_error = lane::select(along_y, 0.0, error(ty, k));
+  double x_error = (size + axis * (speed * abs(tx))) * abs(over.x),
+         y_error = (size + axis * (speed * abs(ty))) * abs(over.y);
+  if (along_x) tx = -1, x_error = 0;
+  if (along_y) ty = -1, y_error = 0;
   const double least = 0x1p-40 * (axis * speed);
-  const bool crosses = lane::both(lane::either(along_x, abs(c) > least), lane::either(along_y, abs(k) > least));
+  const bool crosses = (along_x || abs(c) > least) && (along_y || abs(k) > least);
   const bool on_x = tx > ty;
   const double half = lane::select(on_x, hy, hx), h = lane::select(on_x, hx, hy);
   const bool plain =
-      lane::both(lane::both(is_plain(d, v), is_plain_size(axis)),
-                 lane::both(lane::both(is_plain(ux), is_plain(uy)), lane::both(is_plain(h), is_plain_size(half))));
-  if (!lane::both(lane::both(plain, crosses), abs(tx - ty) > x_error + y_error)) return Quick::open;
-  const double turn = lane::select(lane::select(on_x, c, k) > 0, -1.0, 1.0);
+      is_plain(d, v) && is_plain_size(axis) && is_plain(ux) && is_plain(uy) && is_plain(h) && is_plain_size(half);
+  if (!(plain && crosses && abs(tx - ty) > 0x1p-48 * (x_error + y_error))) return Quick::open;
+  const double turn = lane::flip_sign(-1.0, lane::select(on_x, c, k));
   const auto across = [&](double along, double beside) { return turn * lane::select(on_x, along, beside); };
-  const Vector n{{across(ux, -uy), across(u.x.low, -u.y.low)}, {across(uy, ux), across(u.y.low, u.x.low)}};
-  const auto nf = Products::factor(n);
+  const double nx = across(ux, -uy), ny = across(uy, ux);
+  const auto nf = [&] {
+    if constexpr (rounded) {
+      return Products::factor(Vector{{nx, across(u.x.low, -u.y.low)}, {ny, across(u.y.low, u.x.low)}});
+    } else {
+      return plain_factor<Products>(nx, ny);
+    }
+  }();
   const Twofold<double> reach = Products::factor(h) * Products::factor(arithmetic::renormalised(dot(nf, nf)));
   const Twofold<double> room = arithmetic::renormalised(dot(nf, Products::factor(d)) - reach);
-  const Twofold<double> approach = arithmetic::renormalised(-dot(nf, Products::factor(Vector{{v.vx, 0}, {v.vy, 0}})));
-  const double first = room.high / approach.high;
-  const Twofold<double> rest = room - Products::factor(first) * Products::factor(approach);
-  const double step = arithmetic::rounded(rest) / approach.high;
-  const double off = 0x1p-96 * (size + axis * (speed * abs(first))) / approach.high + 0x1p-100 * abs(first);
+  const Twofold<double> approach = arithmetic::renormalised(-dot(nf, plain_factor<Products>(v.vx, v.vy)));
+  const double length = sqrt(nx * nx + ny * ny);
+  const Two time = Two{room.high, 1} / Two{approach.high, approach.high}, unit = Two{nx, ny} / Two{length, length};
+  const Twofold<double> rest = room - Products::factor(time.x) * Products::factor(approach);
+  const double step = arithmetic::rounded(rest) * time.y;
+  const double off = 0x1p-96 * (size + axis * (speed * abs(time.x))) * time.y + 0x1p-100 * abs(time.x);
   double t;
-  const Quick quick = floor_of({first, step}, off, v.end, t);
+  const Quick quick = floor_of({time.x, step}, off, v.end, t);
   if (quick != Quick::hit) return quick;
-  const double nx = n.x.high, ny = n.y.high, length = sqrt(nx * nx + ny * ny);
-  out = impact_on({{nx / length, ny / length}, {h * nx, h * ny}, {half * -ny, half * nx}}, place, d, v, t);
+  const Offset at =
+      point_of_face({h * nx, h * ny}, {half * -ny, half * nx}, {d.x.high + t * v.vx, d.y.high + t * v.vy});
+  out = {t, support_minimum::located_coordinate(place.x0, place.x1, at.x) + 0.0,
+         support_minimum::located_coordinate(place.y0, place.y1, at.y) + 0.0, unit.x + 0.0, unit.y + 0.0};
   return Quick::hit;
 }
 
 template <class Products>
 VESICA_INLINE Quick quick_hit(const Rect<double>& a, const Point<double>& b, const Motion& v,
                               Impact<double>& out) noexcept {
-  return box_hit<Products>(Vector{{a.ux, 0}, {a.uy, 0}}, a.hx, a.hy, form::corners(form::of(a).place),
-                           exact_offset(b.x, b.y, a.cx, a.cy), v, out);
+  return box_hit<Products, false>(Vector{{a.ux, 0}, {a.uy, 0}}, a.hx, a.hy, form::corners(form::of(a).place),
+                                  exact_offset(b.x, b.y, a.cx, a.cy), v, out);
 }
 template <class Products>
 VESICA_INLINE Quick quick_hit(const Segment<double>& a, const Point<double>& b, const Motion& v,
                               Impact<double>& out) noexcept {
   const form::Corners<double> place = form::corners(form::of(a).place);
-  return box_hit<Products>(exact_offset(a.x1, a.y1, a.x0, a.y0), 0.5, 0, place, exact_offset(b, place), v, out);
+  return box_hit<Products, true>(exact_offset(a.x1, a.y1, a.x0, a.y0), 0.5, 0, place, exact_offset(b, place), v, out);
 }
 
 }  // namespace vesica::detail::cast

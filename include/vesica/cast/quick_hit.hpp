@@ -14,18 +14,12 @@ using UsualProducts = FusedProducts;
 using UsualProducts = SplitProducts;
 #endif
 
-/// The answer about two shapes whose kinds are known: by hit(a, b), a quick_hit() for a motion that is sound, or by
-/// rest() where that leaves it open.
-template <class A, class B, class Hit, class Rest>
-VESICA_INLINE std::int32_t cast_pair(const A& a, const B& b, const Motion& motion, const Hit& hit,
-                                     const Rest& rest) noexcept {
-  if constexpr (HasQuick<A, B>) {
-    Quick quick = quick_filter(a, b, motion);
-    if (quick == Quick::missed) return cast_miss;
-    if (quick == Quick::hit) quick = hit(a, b);
-    if (quick != Quick::open) return quick == Quick::hit ? cast_hit : cast_miss;
-  }
-  return rest();
+/// The filter and the hit as one function, so that what both compute is computed once. What is not open is decided, of
+/// valid shapes and a sound motion; nothing need be checked before. Writes hits alone.
+template <class Products, class A, class B>
+VESICA_INLINE Quick quick_cast(const A& a, const B& b, const Motion& motion, Impact<double>& out) noexcept {
+  const Quick quick = quick_filter(a, b, motion);
+  return quick == Quick::hit ? quick_hit<Products>(a, b, motion, out) : quick;
 }
 
 }  // namespace vesica::detail::cast

@@ -32,6 +32,12 @@ VESICA_INLINE Floor<V> floor_of(const Twofold<V>& time, V error) noexcept {
     return {select(x.low < V(0.0), x.high * V(1 - 0x1p-53), x.high), certain};
   }
 }
+/// Of a quotient of exact numbers, `first` being rounded and `step` what is left, off by less than 2^-50 of itself. A step
+/// of 0 is exact.
+VESICA_INLINE Floor<double> floor_of_quotient(double first, double step) noexcept {
+  const Floor<double> floor = floor_of(Twofold<double>{first, step}, 0x1p-49 * abs(step));
+  return {step == 0 ? first : floor.t, step == 0 || floor.certain};
+}
 /// The same, which is before the end.
 VESICA_INLINE Quick floor_of(const Twofold<double>& time, double error, double end, double& t) noexcept {
   const auto [floor, certain] = floor_of(time, error);
@@ -63,8 +69,15 @@ VESICA_INLINE MaskOf<V> is_plain(const arithmetic::Vector<V>& d, const OffsetOf<
   return both(both(both(is_plain(d.x.high), is_plain(d.y.high)), both(is_plain(v.x), is_plain(v.y))),
               both(far >= V(0x1p-40), far <= V(0x1p40)));
 }
+/// The same of scalars, by four numbers that are foreseen to be plain. By bits, for 0 comes out as the greatest.
+VESICA_INLINE bool is_plain(const Vector& d, const Motion& v) noexcept {
+  const auto size = [](double x) { return (std::bit_cast<std::uint64_t>(x) << 1) - 1; };
+  const auto lesser = [](std::uint64_t x, std::uint64_t y) { return x < y ? x : y; };
+  const double far = abs(d.x.high) + abs(d.y.high), speed = abs(v.vx) + abs(v.vy);
+  const std::uint64_t least = lesser(lesser(size(d.x.high), size(d.y.high)), lesser(size(v.vx), size(v.vy)));
+  return far >= 0x1p-40 && far <= 0x1p40 && speed <= most_moderate && least >= size(least_moderate);
+}
 VESICA_INLINE Offset velocity(const Motion& v) noexcept { return {v.vx, v.vy}; }
-VESICA_INLINE bool is_plain(const Vector& d, const Motion& v) noexcept { return is_plain(d, velocity(v)); }
 template <class V>
 VESICA_INLINE MaskOf<V> is_plain_size(V x) noexcept {
   return both(x >= V(0x1p-40), x <= V(0x1p40));

@@ -6,6 +6,7 @@
 /// What lanes use too has a type V of numbers, double or lanes of it.
 #pragma once
 
+#include <vesica/arithmetic/side_by_side.hpp>
 #include <vesica/cast/quick_numbers.hpp>
 
 namespace vesica::detail::cast {
@@ -69,32 +70,6 @@ VESICA_INLINE QuickTime disc_time(const Vector& d, const Motion& v, const Twofol
   return stepped(first, at, arithmetic::rounded(f), way, 0x1p-98 * r.high * sizes, 0x1p-50 * r.high * speed);
 }
 
-/// A disc, which a point meets.
-struct QuickDisc {
-  double r;
-
-  bool is_usual() const noexcept { return is_plain_size(r); }
-  double radius() const noexcept { return r; }
-  double shortest() const noexcept { return r; }
-
-  template <class Products>
-  struct Asked {
-    double r;
-    QuickTime time;
-    Twofold<double> reach;
-
-    double best(const Motion& v, double w, double gap) const noexcept {
-      return maximum_of_one(disc_curve(r, v), w, gap);
-    }
-    Offset in_frame(const Vector& n) const noexcept { return {n.x.high, n.y.high}; }
-    Offset foremost(const Vector& n) const noexcept { return foremost_of(r, r, n.x.high, n.y.high); }
-  };
-  template <class Products>
-  VESICA_INLINE Asked<Products> ask(const Vector& d, const Motion& v) const noexcept {
-    return {r, disc_time<Products>(d, v, {r, 0}), disc_reach<Products>(r, v)};
-  }
-};
-
 /// Two discs.
 struct QuickDiscs {
   double a, b;
@@ -133,28 +108,11 @@ struct QuickEllipse {
     return both(both(both(is_plain_size(a), is_plain_size(b)), max(a, b) <= V(64.0) * min(a, b)),
                 both(both(uu >= V(0.25), uu <= V(4.0)), both(is_plain(ux), is_plain(uy))));
   }
-  double radius() const noexcept { return 2 * (a > b ? a * a / b : b * b / a); }
+  double radius() const noexcept {
+    const double longer = lane::max(a, b);
+    return 2 * (longer * longer / lane::min(a, b));
+  }
   double shortest() const noexcept { return lane::min(a, b); }
-
-  template <class Products>
-  struct Asked {
-    const QuickEllipse& e;
-    QuickTime time;
-    Twofold<double> reach;
-
-    double best(const Motion& v, double w, double gap) const noexcept {
-      return maximum_of_one(e.curve(velocity(v)), w, gap);
-    }
-    Offset in_frame(const Vector& n) const noexcept {
-      const auto u = plain_factor<Products>(e.ux, e.uy);
-      const auto along = Products::factor(n);
-      return {arithmetic::rounded(dot(u, along)), arithmetic::rounded(cross(u, along))};
-    }
-    Offset foremost(const Vector& n) const noexcept {
-      const Offset of_n = in_frame(n);
-      return e.out_of_frame(foremost_of(e.a, e.b, of_n.x, of_n.y));
-    }
-  };
 
   VESICA_INLINE OffsetOf<V> out_of_frame(const OffsetOf<V>& at) const noexcept {
     return at.x * OffsetOf<V>{ux, uy} + at.y * OffsetOf<V>{-uy, ux};
@@ -170,31 +128,6 @@ struct QuickEllipse {
     const V c = ux * v.x + uy * v.y, k = ux * v.y - uy * v.x, al = (a * k) * (a * k) + (b * c) * (b * c);
     const V area = a * b * (ux * ux + uy * uy) * (v.x * v.x + v.y * v.y);
     return {((b - a) * (b + a)) * (c * k) / al, al, area * area / al, sqrt(al)};
-  }
-
-  /// |(b X, a Y)| = a b u.u with X = u.(D + v t), Y = u x (D + v t), which are off by 2^-100 of the sum of their terms.
-  template <class Products>
-  VESICA_INLINE Asked<Products> ask(const Vector& d, const Motion& v) const noexcept {
-    const auto fa = Products::factor(a), fb = Products::factor(b);
-    const auto u = plain_factor<Products>(ux, uy), along = plain_factor<Products>(v.vx, v.vy);
-    const auto to = Products::factor(d);
-    const Twofold<double> c = dot(u, along), k = cross(u, along);
-    const Twofold<double> bx = fb * Products::factor(dot(u, to)), ay = fa * Products::factor(cross(u, to));
-    const Twofold<double> bc = fb * Products::factor(c), ak = fa * Products::factor(k);
-    const Twofold<double> r = fa * Products::factor(fb * Products::factor(dot(u, u)));
-    const Offset way{b * c.high, a * k.high};
-    const double first = rough_time({bx.high, ay.high}, way, r.high);
-    const auto t = Products::factor(first);
-    const Vector at{bx + t * Products::factor(bc), ay + t * Products::factor(ak)};
-    const Twofold<double> f =
-        (square(Products::factor(at.x)) + square(Products::factor(at.y))) - square(Products::factor(r));
-    const double axis = (a + b) * (abs(ux) + abs(uy)), speed = axis * (abs(v.vx) + abs(v.vy));
-    const double sizes = r.high + axis * (abs(d.x.high) + abs(d.y.high)) + speed * first;
-    QuickTime time =
-        stepped(first, at, arithmetic::rounded(f), way, 0x1p-96 * r.high * sizes, 0x1p-48 * r.high * speed);
-    time.gx *= b;
-    time.gy *= a;
-    return {*this, time, reach_of<Products>(fa * Products::factor(k), fb * Products::factor(c))};
   }
 };
 
@@ -214,9 +147,8 @@ struct QuickEllipse {
 VESICA_INLINE bool ends_at(const Vector& n, const Offset& in_frame, const QuickTime& time, double radius, double vv,
                            double t) noexcept {
   const double x = abs(n.x.high), y = abs(n.y.high), longer = x + y, p = in_frame.x, q = in_frame.y;
-  const bool same = abs(time.gx * q - time.gy * p) <= 0x1p-45 * ((abs(time.gx) + abs(time.gy)) * (abs(p) + abs(q)));
-  return lane::both(lane::both(same, radius * longer <= 0x1p12 * (vv * t)),
-                    lane::both(x > 0x1p-24 * y, y > 0x1p-24 * x));
+  return abs(time.gx * q - time.gy * p) <= 0x1p-45 * ((abs(time.gx) + abs(time.gy)) * (abs(p) + abs(q))) &&
+         radius * longer <= 0x1p12 * (vv * t) && x > 0x1p-24 * y && y > 0x1p-24 * x;
 }
 
 /// direction() of direction.hpp.
@@ -254,21 +186,161 @@ VESICA_INLINE Quick round_hit(const Sum& sum, const Vector& d, const Motion& v, 
   return Quick::hit;
 }
 
+/// What a point and one round shape ask: how the square of the reach across v, whose upper part is al, and w are known, al
+/// - w^2 in double, `line`, and the bound of its error; s and a b u.u v.v of direction.hpp.
+struct OneRound {
+  Twofold<double> squared, w;
+  double line, line_error, s, area;
+};
+
+/// The search of direction.hpp, which for one round shape is a formula, and the time at which the point arrives, from
+/// q = P.way, way.way and `scale`, by which half the slope of f there is more than the root of `line`: a rough one, half
+/// of one over that slope, and what that is off by of itself. All roots and quotients are taken side by side. Those of
+/// the search have the operands of reach_of(), gap_of() and maximum_of_one(), of which al, rounded, is the upper part of
+/// `squared`, so that the bits are theirs.
+struct RoundSearch {
+  double s, gap, reach, first, over, off;
+};
+template <class Products>
+VESICA_INLINE RoundSearch search_of(const OneRound& e, double q, double ww, double scale) noexcept {
+  using arithmetic::Two;
+  const double al = e.squared.high, side = abs(e.w.high);
+  const Two root = sqrt(Two{al, e.line});
+  const double slope = scale * root.y;
+  const Two one = Two{1.0, e.area * e.area} / Two{root.x, al}, time = Two{-q - slope, 0.5} / Two{ww, slope};
+  const Twofold<double> back = square(Products::factor(root.x));
+  const double low = ((al - back.high) + (e.squared.low - back.low)) * (0.5 * one.x);
+  const double upper = root.x + low;
+  const Twofold<double> reach{upper, low - (upper - root.x)};
+  // gap_of(), of what is renormalised.
+  const double gap = lane::max(arithmetic::rounded(reach - flipped(e.w, e.w.high)), 0x1p-106 * upper);
+  const double part = scale * time.y;
+  const Two second = sqrt(Two{one.y, gap * (root.x + side)});
+  const Two last = Two{second.x, side} / Two{root.x, second.y};
+  return {e.s + lane::flip_sign(last.x * last.y, e.w.high),
+          gap,
+          reach.high,
+          time.x,
+          time.y,
+          8 * e.line_error * (part * part)};
+}
+
+/// One step of Newton's method from `first`, for f = |P + t way|^2 - R^2, of which f_error bounds the error. `over` is off
+/// by what the search told; the slope at the root differs from that at `first` by way.way times the step. Each counts
+/// once for the slope, and the second half more for the bend of f, where steps are as short as those that
+/// floor_of() takes. Of a sum of squares that nearly is the square of R the upper parts cancel exactly; what they do not
+/// cancel is rounded to 2^-53 of f.
+template <class Products, class Way, class Radius>
+VESICA_INLINE QuickTime stepped_once(const Vector& p, const Way& wx, const Way& wy, const Radius& r, const Offset& way,
+                                     const RoundSearch& found, double ww, double f_error) noexcept {
+  const auto t = Products::factor(found.first);
+  const Twofold<double> x = p.x + t * wx, y = p.y + t * wy;
+  const Twofold<double> xx = square(Products::factor(x.high)), yy = square(Products::factor(y.high)), rr = square(r);
+  const Twofold<double> sum = arithmetic::exact_sum(xx.high, yy.high);
+  const double rest = x.low * ((x.high + x.high) + x.low) + y.low * ((y.high + y.high) + y.low);
+  const double f = (sum.high - rr.high) + (((sum.low + (xx.low + yy.low)) - rr.low) + rest);
+  const double step = f * found.over, size = abs(step);
+  const double error = found.over * (2 * f_error + 8 * ww * (size * size)) + size * (found.off + 0x1p-48);
+  return {{found.first, step}, error, x.high + step * way.x, y.high + step * way.y};
+}
+
+/// Where the round shape's outline is, (p, q) being n in its frame, and n itself made a unit.
+struct RoundPoint {
+  Offset at;
+  double nx, ny;
+};
+VESICA_INLINE RoundPoint round_point(double a, double b, const Offset& in_frame, const Vector& n) noexcept {
+  using arithmetic::Two;
+  const double p = a * in_frame.x, q = b * in_frame.y, x = n.x.high, y = n.y.high;
+  const Two root = sqrt(Two{p * p + q * q, x * x + y * y});
+  const Two at = Two{p, q} / Two{root.x, root.x}, unit = Two{x, y} / Two{root.y, root.y};
+  return {{a * at.x, b * at.y}, unit.x, unit.y};
+}
+
+/// Whether the contact is told for certain.
+VESICA_INLINE bool is_certain(const RoundSearch& found, const Vector& n, const Offset& in_frame, const QuickTime& time,
+                              const Vector& d, const Motion& v, double radius, double shortest, double t) noexcept {
+  const double vv = v.vx * v.vx + v.vy * v.vy, speed = abs(v.vx) + abs(v.vy);
+  const double lengths = abs(d.x.high) + abs(d.y.high) + speed * t;
+  return found.gap >= 0x1p-8 * found.reach && lengths <= 0x1p16 * shortest && ends_at(n, in_frame, time, radius, vv, t);
+}
+
 template <class Products>
 VESICA_INLINE Quick quick_hit(const Circle<double>& a, const Point<double>& b, const Motion& v,
                               Impact<double>& out) noexcept {
-  return round_hit<Products>(QuickDisc{a.r}, exact_offset(b.x, b.y, a.cx, a.cy), v, a.cx, a.cy, out);
+  const Vector d = exact_offset(b.x, b.y, a.cx, a.cy);
+  const double r = a.r;
+  if (!(is_plain(d, v) && is_plain_size(r))) return Quick::open;
+  const double dx = d.x.high, dy = d.y.high, vv = v.vx * v.vx + v.vy * v.vy, dd = dx * dx + dy * dy;
+  const double cross_of_highs = v.vx * dy - v.vy * dx;
+  const auto fr = Products::factor(r);
+  const auto fv = plain_factor<Products>(v.vx, v.vy);
+  const OneRound asked{square(Products::factor(fr * fv.y)) + square(Products::factor(fr * fv.x)),
+                       arithmetic::renormalised(cross(fv, Products::factor(d))),
+                       (r * r) * vv - cross_of_highs * cross_of_highs,
+                       0x1p-49 * (vv * (dd + r * r)),
+                       0,
+                       r * r * vv};
+  const RoundSearch found = search_of<Products>(asked, v.vx * dx + v.vy * dy, vv, 1);
+  const double sizes = r + (abs(dx) + abs(dy)) + (abs(v.vx) + abs(v.vy)) * found.first;
+  const QuickTime time = stepped_once<Products>(d, fv.x, fv.y, fr, velocity(v), found, vv, 0x1p-98 * r * sizes);
+  double t;
+  const Quick quick = floor_of(time.value, time.error, v.end, t);
+  if (quick != Quick::hit) return quick;
+  const Vector n = normal_of<Products>(found.s, velocity(v));
+  const Offset in_frame{n.x.high, n.y.high};
+  if (!is_certain(found, n, in_frame, time, d, v, r, r, t)) return Quick::open;
+  const RoundPoint point = round_point(r, r, in_frame, n);
+  out = {t, (a.cx + point.at.x) + 0.0, (a.cy + point.at.y) + 0.0, point.nx + 0.0, point.ny + 0.0};
+  return Quick::hit;
 }
 template <class Products>
 VESICA_INLINE Quick quick_hit(const Circle<double>& a, const Circle<double>& b, const Motion& v,
                               Impact<double>& out) noexcept {
   return round_hit<Products>(QuickDiscs{a.r, b.r}, exact_offset(b.cx, b.cy, a.cx, a.cy), v, a.cx, a.cy, out);
 }
+/// |(b X, a Y)| = a b u.u with X = u.(D + v t), Y = u x (D + v t), which are off by 2^-100 of the sum of their terms.
 template <class Products>
-VESICA_INLINE Quick quick_hit(const Ellipse<double>& a, const Point<double>& b, const Motion& v,
+VESICA_INLINE Quick quick_hit(const Ellipse<double>& ellipse, const Point<double>& point, const Motion& v,
                               Impact<double>& out) noexcept {
-  return round_hit<Products>(QuickEllipse<double>{a.ux, a.uy, a.a, a.b}, exact_offset(b.x, b.y, a.cx, a.cy), v, a.cx,
-                             a.cy, out);
+  const QuickEllipse<double> e{ellipse.ux, ellipse.uy, ellipse.a, ellipse.b};
+  const Vector d = exact_offset(point.x, point.y, ellipse.cx, ellipse.cy);
+  if (!(is_plain(d, v) && e.is_usual())) return Quick::open;
+  const double a = e.a, b = e.b, dx = d.x.high, dy = d.y.high, vv = v.vx * v.vx + v.vy * v.vy;
+  const auto fa = Products::factor(a), fb = Products::factor(b);
+  const auto u = plain_factor<Products>(e.ux, e.uy), fv = plain_factor<Products>(v.vx, v.vy);
+  const auto to = Products::factor(d);
+  const Twofold<double> c = dot(u, fv), k = cross(u, fv);
+  const Vector p{fb * Products::factor(dot(u, to)), fa * Products::factor(cross(u, to))};
+  const Vector way{fb * Products::factor(c), fa * Products::factor(k)};
+  const Twofold<double> squared = square(Products::factor(way.y)) + square(Products::factor(way.x));
+  const Twofold<double> r = fa * Products::factor(fb * Products::factor(dot(u, u)));
+  const double w = v.vx * dy - v.vy * dx, axis = (a + b) * (abs(e.ux) + abs(e.uy)), speed = abs(v.vx) + abs(v.vy);
+  const double across = axis * speed, far = abs(dx) + abs(dy), width = speed * far, al = squared.high;
+  const OneRound asked{squared,
+                       arithmetic::renormalised(cross(fv, to)),
+                       al - w * w,
+                       0x1p-49 * (across * across + width * width),
+                       ((b - a) * (b + a)) * (c.high * k.high) / al,
+                       a * b * (e.ux * e.ux + e.uy * e.uy) * vv};
+  const double q = p.x.high * way.x.high + p.y.high * way.y.high;
+  const RoundSearch found = search_of<Products>(asked, q, al, r.high);
+  const double sizes = r.high + axis * far + across * found.first;
+  QuickTime time = stepped_once<Products>(p, Products::factor(way.x), Products::factor(way.y), Products::factor(r),
+                                          {way.x.high, way.y.high}, found, al, 0x1p-96 * r.high * sizes);
+  time.gx *= b;
+  time.gy *= a;
+  double t;
+  const Quick quick = floor_of(time.value, time.error, v.end, t);
+  if (quick != Quick::hit) return quick;
+  const Vector n = normal_of<Products>(found.s, velocity(v));
+  const auto along = Products::factor(n);
+  const Offset in_frame{arithmetic::rounded(dot(u, along)), arithmetic::rounded(cross(u, along))};
+  if (!is_certain(found, n, in_frame, time, d, v, e.radius(), e.shortest(), t)) return Quick::open;
+  const RoundPoint at = round_point(a, b, in_frame, n);
+  const Offset from_centre = e.out_of_frame(at.at);
+  out = {t, (ellipse.cx + from_centre.x) + 0.0, (ellipse.cy + from_centre.y) + 0.0, at.nx + 0.0, at.ny + 0.0};
+  return Quick::hit;
 }
 
 /// Of two ellipses there is no root to go to. T(n) at the n found is a lower bound of the time, and what the slope
