@@ -68,12 +68,9 @@ VESICA_INLINE Quick quick_filter(const Circle<double>& a, const Circle<double>& 
   return filter_disc(b.cx - a.cx, b.cy - a.cy, lane::select(lane::both(a.r >= 0, b.r >= 0), a.r + b.r, -1.0), v);
 }
 
-/// Of an ellipse and a point, in the ellipse's frame, times |u|. The ellipse is f = (b X)^2 + (a Y)^2 - (a b u.u)^2 <=
-/// 0 with X = u.D and Y = u x D, and half the slope of f along v is b^2 X c + a^2 Y k, with c = u.v and k = u x v. The
-/// line meets it where w^2 <= al = (a k)^2 + (b c)^2.
-///
-/// Proved: the errors that the code takes, 16u of sums of magnitudes, are above the true ones. X and Y are off by 4u A
-/// D, c and k by 3u A V, where A, D and V are sums of components. So al is off by 10u ((a + b) A V)^2.
+/// In the ellipse's frame, times |u|: X = u.D, Y = u x D are off by 4u A D, c = u.v and k = u x v by 3u A V, where A, D
+/// and V are sums of components. It is f = (b X)^2 + (a Y)^2 - (a b u.u)^2 <= 0, and half its slope along v is
+/// b^2 X c + a^2 Y k. The line meets it where w^2 <= al = (a k)^2 + (b c)^2, which is off by 10u ((a + b) A V)^2.
 VESICA_INLINE Quick quick_filter(const Ellipse<double>& e, const Point<double>& p, const Motion& v) noexcept {
   constexpr double u = 0x1p-53;
   const double dx = p.x - e.cx, dy = p.y - e.cy, vv = v.vx * v.vx + v.vy * v.vy, uu = e.ux * e.ux + e.uy * e.uy;
@@ -92,11 +89,9 @@ VESICA_INLINE Quick quick_filter(const Ellipse<double>& e, const Point<double>& 
                  {-q - reach - whole, forward_error + 8 * u * (reach + whole) + whole_error});
 }
 
-/// Of a box, whose sizes may be 0, and a point. Contact comes when the ray has entered both slabs, at the later of two
-/// times, which the caller compares. Here is told only whether the ray meets the box, and lies before it along v.
-///
-/// Proved: the error that the code takes is above the true ones. c and k are off by 3u A V, or 5u where they are of
-/// differences (A and V as above), and the reach by twice that times hx + hy.
+/// Of a box, whose sizes may be 0. c and k are off by 3u A V, or 5u where they are of differences, and the reach by twice
+/// that times hx + hy. Contact comes when the ray has entered both slabs, at the later of two times, which the caller
+/// compares; here is told only whether it lies before the box along v.
 template <class Box>
 VESICA_INLINE Quick filter_box(const Box& box, const Point<double>& p, const Motion& v) noexcept {
   constexpr double u = 0x1p-53;

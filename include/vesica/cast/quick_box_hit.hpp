@@ -32,8 +32,8 @@ VESICA_INLINE QuickSide quick_side(double from, double low, double high, double 
   return {way, way.high / v};
 }
 
-/// Of an AABB: the times are quotients of exact numbers, of which that is met is the later one. Its remainder is exact,
-/// so that a time which is a double shows.
+/// Of an AABB: the times are quotients of exact numbers, of which that is met is the later one. Its remainder is exact, so
+/// that a time which is a double shows.
 template <class Products>
 VESICA_INLINE Quick quick_hit(const Aabb<double>& a, const Point<double>& b, const Motion& v,
                               Impact<double>& out) noexcept {
@@ -63,12 +63,9 @@ VESICA_INLINE Quick quick_hit(const Aabb<double>& a, const Point<double>& b, con
   return Quick::hit;
 }
 
-/// Of a box about its centre with the axes u and perp(u), which are the normals n of two slabs, |x.n| <= h u.u. Contact
-/// comes when the ray has entered both.
-///
-/// Which slab it enters later is certain: in double times are off by at most 16u of the sum of their terms over |n.v|,
-/// where n.v is known to be above its own rounding, and the code takes twice that. The later time alone is computed in
-/// twofolds. A slab along the ray holds it all the time, as the filter has told.
+/// Of a box about its centre with the axes u and perp(u): the ray enters both slabs, |x.n| <= h u.u, at times that double
+/// tells, but for 16u of the sum of terms over |n.v|, where n.v is known to be above its own rounding. The later is told
+/// in twofolds. A slab along the ray holds it all the time, as the filter has told.
 template <class Products>
 VESICA_INLINE Quick box_hit(const Vector& u, double hx, double hy, const form::Corners<double>& place, const Vector& d,
                             const Motion& v, Impact<double>& out) noexcept {

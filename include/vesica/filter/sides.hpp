@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Contact of points, segments and AABBs with segments, by the sides of a segment's line that points are on: exact for
-/// stored numbers of any length, unless their exponents are far apart. For what the filters leave open, one pair at a
-/// time.
+/// stored numbers of any length, unless their exponents are far apart. For what the filters leave open, one pair at a time.
 #pragma once
 
 #include <vesica/filter/comparison.hpp>
@@ -54,15 +53,12 @@ VESICA_INLINE constexpr Cross<Number> operator-(const Cross<Number>& a, const Cr
 
 /// A number with the sign of a cross product D of two differences, which may have been computed as the sum of two such.
 ///
-/// Proved: the sign is right though only 128 bits of D are kept. A residue modulo 2^128 has the sign of D as long as
-/// |D| < 2^127, in squares of the unit.
+/// In near units differences are below 2^63, so that |D| < 2^127, and its residue has its sign.
 ///
-///   - In near units differences are below 2^63, so |D| < 2^127: the residue's sign is taken.
-///   - In far units, G, differences are below 2^87. As G >= 2^-400 no product underflows: terms err by 3u of
-///     themselves, their difference by u more, and a sum of two by u again, in all by less than 6u M (u = 2^-53).
-///   - So a rounded value beyond 8u M has the sign of D, and is taken.
-///   - Elsewhere |D| <= 14u M. M has four terms at most, together below 2^176 G^2. So |D| < 2^127 G^2: the residue's
-///     sign is taken.
+/// In far units, G, differences are below 2^87. As G >= 2^-400 no product underflows: terms err by 3u of themselves, their
+/// difference by u more, and a sum of two by u again, in all by less than 6u M, with room for what is of second order
+/// (u = 2^-53). So beyond 8u M the rounded value has the sign of D. Elsewhere |D| <= 14u M, where M has four terms at most, below
+/// 2^176 G^2 together: |D| < 2^127 G^2, and its residue has its sign.
 template <class Number>
 VESICA_INLINE constexpr std::int64_t sign(const Cross<Number>& d) noexcept {
   if constexpr (std::is_same_v<Number, Integer64>) return d.in_units.sign();
@@ -93,8 +89,8 @@ VESICA_INLINE constexpr Verdict<bool> by_sides(const Point<double>& p, const Seg
   return compared(unit.holds(), both(on_line, in_bounds));
 }
 
-/// Neither segment is on one side of the other's line, and both are at one place along either coordinate. The latter
-/// tells of segments on one line, and of those of no length, for which every point is on the line.
+/// Neither segment is on one side of the other's line, and both are at one place along either coordinate. The latter tells
+/// of segments on one line, and of those of no length, for which every point is on the line.
 template <class Unit>
 VESICA_INLINE constexpr Verdict<bool> by_sides(const Segment<double>& s, const Segment<double>& t) noexcept {
   using Number = typename Unit::Number;
@@ -108,8 +104,7 @@ VESICA_INLINE constexpr Verdict<bool> by_sides(const Segment<double>& s, const S
   return compared(unit.holds(), and_not(in_bounds, apart));
 }
 
-/// The separating axes are the coordinates and the segment's normal, along which two opposite corners of the box are
-/// extreme.
+/// The separating axes are the coordinates and the segment's normal, along which two opposite corners of the box are extreme.
 template <class Unit>
 VESICA_INLINE constexpr Verdict<bool> by_sides(const Segment<double>& s, const Aabb<double>& box) noexcept {
   using Number = typename Unit::Number;
