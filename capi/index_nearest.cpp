@@ -20,14 +20,22 @@ void measure(int32_t kind_a, const void* const* a, int32_t kind_b, const void* c
                                   columns_of<T>(kind_b, b, n), n, columns);
 }
 
-/// The index and its sets, and what both functions are asked.
+/// Sets of shapes as a caller passes them.
 template <class T>
-int32_t check_nearest(const void* from, const CShapesOf<T>* sets, int32_t set_count, int64_t k, T within,
-                      const void* out, const void* distance, index::Sets& view) noexcept {
+struct CSets {
+  const CShapesOf<T>* sets;
+  int32_t count;
+};
+
+/// The index and its sets, those that are asked about, and what both functions are asked.
+template <class T>
+int32_t check_nearest(const void* from, const CSets<T>& sets, const CSets<T>& asked, int64_t k, T within,
+                      const void* out, const void* distance, index::Sets& view, index::Sets& asked_view) noexcept {
   int32_t error = check_index(from);
   if (error != 0) return error;
   if (k > 0 && (out == nullptr || distance == nullptr)) return VESICA_E_NULL;
-  if ((error = view_sets<T>(sets, set_count, view)) != 0) return error;
+  error = first_error(view_sets<T>(asked.sets, asked.count, asked_view), view_sets<T>(sets.sets, sets.count, view));
+  if (error != 0) return error;
   return k >= 0 && within >= 0 && view.items == index::View(from).items() ? 0 : VESICA_E_ARGUMENT;
 }
 
@@ -37,8 +45,7 @@ int64_t nearest(const void* from, const CShapesOf<T>* sets, int32_t set_count, c
   VESICA_DEFAULT_ENVIRONMENT(nearest<T>, from, sets, set_count, one, k, within, out, distance);
   if (one == nullptr) return VESICA_E_NULL;
   index::Sets items, single;
-  int32_t error = check_nearest<T>(from, sets, set_count, k, within, out, distance, items);
-  if (error == 0) error = view_sets<T>(one, 1, single);
+  const int32_t error = check_nearest<T>(from, {sets, set_count}, {one, 1}, k, within, out, distance, items, single);
   if (error != 0) return error;
   if (single.items != 1) return VESICA_E_ARGUMENT;
   const index::Nearest query{index_kernels(), from, items, measure<T>, k, static_cast<double>(within)};
@@ -54,8 +61,8 @@ int64_t join_nearest(const CShapesOf<T>* sets_a, int32_t set_count_a, const void
   VESICA_DEFAULT_ENVIRONMENT(join_nearest<T>, sets_a, set_count_a, index_b, sets_b, set_count_b, k, within, part, parts,
                              out, distance);
   index::Sets a, b;
-  int32_t error = check_nearest<T>(index_b, sets_b, set_count_b, k, within, out, distance, b);
-  if (error == 0) error = view_sets<T>(sets_a, set_count_a, a);
+  const int32_t error =
+      check_nearest<T>(index_b, {sets_b, set_count_b}, {sets_a, set_count_a}, k, within, out, distance, b, a);
   if (error != 0) return error;
   if (k < 1 || parts < 1 || part < 0 || part >= parts || k > INT64_MAX / 8 / (a.items + 1)) return VESICA_E_ARGUMENT;
   const index::Nearest query{index_kernels(), index_b, b, measure<T>, k, static_cast<double>(within)};

@@ -30,8 +30,7 @@ int64_t join_within(const void* index_a, const CShapesOf<T>* sets_a, int32_t set
   if (error == 0) error = check_index(index_b);
   if (error != 0) return error;
   index::Sets a, b;
-  error = check_side<T>(index_a, sets_a, set_count_a, a);
-  if (error == 0) error = check_side<T>(index_b, sets_b, set_count_b, b);
+  error = first_error(check_side<T>(index_a, sets_a, set_count_a, a), check_side<T>(index_b, sets_b, set_count_b, b));
   if (error != 0) return error;
   if (!(distance >= 0) || parts < 1 || part < 0 || part >= parts || capacity < 0) return VESICA_E_ARGUMENT;
   const index::JoinWithin join{

@@ -269,7 +269,19 @@ TYPED_TEST(ErrorOrder, OfAnIndex) {
                               state),
                 null && no_output && wrong ? first_of(chosen & ~null_pointer) : first_of(chosen))
           << chosen;
+      T distance;
+      std::int64_t* const item_or_null = null && no_output ? nullptr : &item;
+      EXPECT_EQ(F::index_nearest(built, sets, 1, one.array(), 1, T(wrong ? -1 : 1), item_or_null, &distance),
+                first_of(chosen))
+          << chosen;
+      EXPECT_EQ(F::join_nearest(one.array(), 1, built, sets, 1, 1, T(wrong ? -1 : 1), 0, 1, item_or_null, &distance),
+                first_of(chosen))
+          << chosen;
       if (has(invalid_shape)) continue;  // of the other side
+      EXPECT_EQ(
+          F::join_within(built, sets, 1, built, one.array(), 1, T(wrong ? -1 : 1), 0, 1, item_or_null, &item, 1, state),
+          first_of(chosen))
+          << chosen;
       EXPECT_EQ(F::join(wrong ? 99 : VESICA_JOIN_OVERLAP, built, sets, 1, built, one.array(), 1, 0, 1,
                         null && no_output ? nullptr : scratch, sizeof scratch, &item, &item, 1, state),
                 first_of(chosen))
