@@ -71,8 +71,7 @@ VESICA_INLINE constexpr std::int32_t decide_long_tie(const A& a, const B& b) noe
     if (answer >= 0) return answer;
   }
   if constexpr (filter::HasAxes<A, B>) {
-    const std::int32_t answer = answer_of(filter::by_axes(a, b));
-    if (answer >= 0) return answer;
+    if (filter::has_long_axis(b)) return -1;
   }
   if constexpr (filter::HasErrorFree<A, B>) {
     return answer_of(filter::error_free(a, b));
@@ -80,21 +79,40 @@ VESICA_INLINE constexpr std::int32_t decide_long_tie(const A& a, const B& b) noe
     return -1;
   }
 }
+/// Contacts of rectangles whose numbers are longer still.
+template <class A, class B>
+VESICA_INLINE constexpr std::int32_t decide_longest_tie(const A& a, const B& b) noexcept {
+  if constexpr (filter::HasAxes<A, B>) {
+    return answer_of(filter::by_axes(a, b));
+  } else {
+    return -1;
+  }
+}
 template <class A, class B>
 VESICA_INLINE constexpr std::int32_t decide_without_errors(const A& a, const B& b) noexcept {
-  const std::int32_t answer = decide_short_tie(a, b);
-  return answer >= 0 ? answer : decide_long_tie(a, b);
+  std::int32_t answer = decide_short_tie(a, b);
+  if (answer < 0) answer = decide_long_tie(a, b);
+  return answer >= 0 ? answer : decide_longest_tie(a, b);
 }
 
-/// A function of its own: the registers that it saves would cost short ties time.
+/// A function of its own, as the next one: the registers that it saves would cost shorter ties time.
+template <class A, class B>
+VESICA_COLD constexpr std::int32_t decide_exactly(const A& a, const B& b) noexcept {
+  if (!std::is_constant_evaluated()) {
+    const std::int32_t answer = decide_longest_tie(a, b);
+    if (answer >= 0) return answer;
+  }
+  if (check(a) != 0 || check(b) != 0) return error_shape;
+  return detail::overlap::exact(a, b) ? 1 : 0;
+}
+
 template <class A, class B>
 VESICA_COLD constexpr std::int32_t decide_long(const A& a, const B& b) noexcept {
   if (!std::is_constant_evaluated()) {
     const std::int32_t answer = decide_long_tie(a, b);
     if (answer >= 0) return answer;
   }
-  if (check(a) != 0 || check(b) != 0) return error_shape;
-  return detail::overlap::exact(a, b) ? 1 : 0;
+  return decide_exactly(a, b);
 }
 
 /// For pairs in double that a filter left undecided. Invalid shapes get their error here, valid ones their exact

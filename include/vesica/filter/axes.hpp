@@ -137,6 +137,12 @@ VESICA_INLINE constexpr Verdict<bool> by_axes(const Rect<double>& a, const Rect<
                  SizeUnit(a.hx, a.hy, b.hx, b.hy));
 }
 
+/// Where this is so, error_free() cannot hold: the square of a number of 29 digits or more has at least 57.
+VESICA_INLINE constexpr bool has_long_axis(const Rect<double>& r) noexcept {
+  const auto bits = std::bit_cast<std::uint64_t>(r.ux) | std::bit_cast<std::uint64_t>(r.uy);
+  return (bits & 0x1ffffff) != 0;
+}
+
 /// Pairs that by_axes() knows.
 template <class A, class B>
 concept HasAxes = requires(const A& a, const B& b) {
