@@ -123,7 +123,8 @@ VESICA_COLD inline std::int32_t exact_contact_at(const Body& a, const Body& b, c
 /// Whether no double that search_up() tries between a start and a time is beyond exact_contact_at(). It goes at most as
 /// far beyond the time as the start is from it; and after the witness no place is asked for.
 inline bool holds_trials(const ExactPair& pair, double start, double t) noexcept {
-  const std::uint64_t from = arithmetic::rank(start), to = arithmetic::rank(t), way = (from < to ? to - from : from - to) + 3;
+  const std::uint64_t from = arithmetic::rank(start), to = arithmetic::rank(t),
+                      way = (from < to ? to - from : from - to) + 3;
   const std::uint64_t bottom = arithmetic::rank(0.0) + 1, top = arithmetic::rank(std::numeric_limits<double>::max());
   const std::uint64_t least = from < to ? from : to - bottom > way ? to - way : bottom;
   const std::uint64_t most = from > to ? from : top - to > way ? to + way : top;

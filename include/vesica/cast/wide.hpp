@@ -126,8 +126,8 @@ inline Beyond look_from(const Kink& kink, const SeenEllipse& round, const Number
   Number<3> other = kink.other;
   other.sign *= -kink.other_is_before;
   // base - p and base + p. The straight terms may cancel.
-  const Rough beside = Rough(support.beside) / root(Rough(support.squared)), above = Rough(w + other - kink.own) - beside,
-              below = Rough(w + other + kink.own) - beside;
+  const Rough beside = Rough(support.beside) / root(Rough(support.squared)),
+              above = Rough(w + other - kink.own) - beside, below = Rough(w + other + kink.own) - beside;
   out.certain = out.certain && above.sign_is_known() && below.sign_is_known();
   if (above.sign() > 0) return Beyond::behind;
   if (below.sign() < 0) return Beyond::before;
@@ -167,8 +167,7 @@ inline WideTime wide_time(const SeenBox& seen, const SeenEllipse& round, const N
   Number<1> hx = box.hx, hy = box.hy;
   hx.sign *= of_x;
   hy.sign *= of_y;
-  const WideTime met =
-      round.meets_corner(p.dx - (hx * box.ux - hy * box.uy), p.dy - (hx * box.uy + hy * box.ux));
+  const WideTime met = round.meets_corner(p.dx - (hx * box.ux - hy * box.uy), p.dy - (hx * box.uy + hy * box.ux));
   return {met.time, met.certain && out.certain};
 }
 
@@ -202,7 +201,8 @@ inline double wide_floor(const ExactPair& pair) noexcept {
   if (!found.certain || exponent < -1000 || !(rounded(value) > 0)) return -1;
   if (exponent > 1026) return std::numeric_limits<double>::infinity();
   if (exponent > 1020) return -1;
-  const double nearest = arithmetic::scale(value.high, exponent), before = arithmetic::at_rank<double>(arithmetic::rank(nearest) - 1);
+  const double nearest = arithmetic::scale(value.high, exponent),
+               before = arithmetic::at_rank<double>(arithmetic::rank(nearest) - 1);
   if (std::fabs(value.low) > error + 0x1p-90 * value.high) return value.low < 0 ? before : nearest;
   const int reached = pair.contact_before(nearest);
   if (reached < 0) return -1;
