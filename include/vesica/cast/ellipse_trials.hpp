@@ -66,6 +66,29 @@ class LeadingContact {
   Few mixed_, product_;  // mu, and d1 d2
 };
 
+/// The sign of t_w - t, as witness_sign() finds it.
+class LeadingWitness {
+  using Few = LeadingFrame::Few;
+
+ public:
+  LeadingWitness(const ExactReach& a, const ExactReach& b, const Number<2>& w, const Number<2>& q,
+                 const Number<2>& vv) noexcept
+      : squared_a_(a.squared), squared_b_(b.squared), along_a_(w * a.m), along_b_(w * b.m), q_(q), vv_(vv) {}
+
+  /// 0 where these digits do not tell.
+  int after(double time) const noexcept {
+    const Few q = q_ + Few(exact::from_double(time)) * vv_;
+    const Few a = along_a_ - q * squared_a_, b = along_b_ - q * squared_b_;
+    if (!a.sign_is_certain() || !b.sign_is_certain()) return 0;
+    if (a.sign * b.sign >= 0) return a.sign != 0 ? a.sign : b.sign;
+    const Few difference = square(a) * squared_b_ - square(b) * squared_a_;
+    return difference.sign_is_certain() ? a.sign * difference.sign : 0;
+  }
+
+ private:
+  Few squared_a_, squared_b_, along_a_, along_b_, q_, vv_;
+};
+
 /// y / x for values x, y.
 inline double ratio(const arithmetic::Scaled& y, const arithmetic::Scaled& x) noexcept {
   return arithmetic::scale(y.value / x.value, y.exponent - x.exponent);
@@ -156,14 +179,15 @@ double floor_by_trials(double start, const Ask& ask) noexcept {
 /// beyond exact numbers.
 VESICA_COLD inline double floor_of_ellipses(const ExactPair& pair, double start) noexcept {
   const LeadingContact contact(pair.a_.box, pair.b_.box, {pair.dx_, pair.dy_, pair.vx_, pair.vy_});
-  const Rough meeting = pair.rough_witness(), vv(pair.vv_);
+  const LeadingWitness witness(pair.reach_a_, pair.reach_b_, pair.w_, pair.q_, pair.vv_);
   bool beyond = false;
   const auto ask = [&](double t) -> Trial {
-    const Rough left = meeting - vv * Rough(exact::from_double(t));
-    if (left.sign_is_known() && left.sign() < 0) return {true, true};
     const Trial trial = contact.at(t);
+    if (trial.known && trial.after) return trial;
     // Without contact it is before the witness or after.
-    if (trial.known && (trial.after || left.sign_is_known())) return trial;
+    const int witness_after = witness.after(t);
+    if (witness_after < 0) return {true, true};
+    if (trial.known && witness_after > 0) return trial;
     const int before = pair.contact_before(t);
     beyond = beyond || before < 0;
     return {true, before != 0};
