@@ -110,21 +110,36 @@ Shape<double> times(double k, const Shape<double>& s) noexcept {
   return {k * cx, k * cy, of_axis * ux, of_axis * uy, of_sizes * first, of_sizes * second};
 }
 
-/// Valid disjoint shapes, one of them an ellipse with an area, and a distance above 0. The distance of nearest() is
+/// Whether a shape's numbers times a power of two, or some of them, lost no digit: none underflowed.
+template <class Shape>
+bool kept_digits(const Shape& stored, const Shape& scaled) noexcept {
+  return with_numbers(stored, [&](auto... x) {
+    return with_numbers(scaled, [&](auto... y) {
+      return ((x == 0 || y == x || std::fabs(y) >= std::numeric_limits<double>::min()) && ...);
+    });
+  });
+}
+
+/// Valid disjoint shapes, of kinds in order, one of them an ellipse with an area, and a distance above 0. The distance of nearest() is
 /// right to 4u of the scale, and to half the least number; 4.5u leave room for the roundings here.
 template <class A, class B>
 VESICA_COLD Within by_distance(A a, B b, double distance) noexcept {
   // Lengths are below 2^2050. In a unit of 2^600, or of its square or cube, none is beyond the range of double, and
   // what underflows there is nothing beside them.
+  std::int32_t overlapping = 0;
   for (int unit = 0; unit < 4; ++unit) {
     ClosestPoints<double> found;
-    if (nearest_or_error(a, b, found) == 0) {
+    if (nearest::nearest_in_order(a, b, overlapping, found) == 0) {
       const double error = 9 * 0x1p-54 * scale(a, b) + std::numeric_limits<double>::denorm_min();
       if (all_finite(error)) return compared(found.distance, distance, error);
     }
     constexpr double k = 0x1p-600;
-    a = times(k, a);
-    b = times(k, b);
+    const A of_a = times(k, a);
+    const B of_b = times(k, b);
+    // Shapes whose digits are all there still are disjoint.
+    if (!kept_digits(a, of_a) || !kept_digits(b, of_b)) overlapping = nearest::not_asked;
+    a = of_a;
+    b = of_b;
     distance *= k;
   }
   return Within::nearly;

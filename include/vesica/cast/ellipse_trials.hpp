@@ -66,6 +66,29 @@ class LeadingContact {
   Few mixed_, product_;  // mu, and d1 d2
 };
 
+/// The sign of t_w - t, as witness_sign() finds it.
+class LeadingWitness {
+  using Few = LeadingFrame::Few;
+
+ public:
+  LeadingWitness(const ExactReach& a, const ExactReach& b, const Number<2>& w, const Number<2>& q,
+                 const Number<2>& vv) noexcept
+      : squared_a_(a.squared), squared_b_(b.squared), along_a_(w * a.m), along_b_(w * b.m), q_(q), vv_(vv) {}
+
+  /// 0 where these digits do not tell.
+  int after(double time) const noexcept {
+    const Few q = q_ + Few(exact::from_double(time)) * vv_;
+    const Few a = along_a_ - q * squared_a_, b = along_b_ - q * squared_b_;
+    if (!a.sign_is_certain() || !b.sign_is_certain()) return 0;
+    if (a.sign * b.sign >= 0) return a.sign != 0 ? a.sign : b.sign;
+    const Few difference = square(a) * squared_b_ - square(b) * squared_a_;
+    return difference.sign_is_certain() ? a.sign * difference.sign : 0;
+  }
+
+ private:
+  Few squared_a_, squared_b_, along_a_, along_b_, q_, vv_;
+};
+
 /// y / x for values x, y.
 inline double ratio(const arithmetic::Scaled& y, const arithmetic::Scaled& x) noexcept {
   return arithmetic::scale(y.value / x.value, y.exponent - x.exponent);
@@ -125,10 +148,13 @@ class Bracket {
   bool was_after_ = false, repeated_ = false;
 };
 
-/// The greatest double with no contact before it, for which ask(t) is answered by trials; negative where there is none.
-/// First the power of two is bisected, then the zero of the discriminant is approached by secants.
+/// The greatest double with no contact before it, for which ask(t) is answered by trials; infinite where there is no
+/// contact before the largest, negative where it is about that.
+/// Often it is the one before `start`. Else first the power of two is bisected, then the zero of the discriminant is approached by secants.
 template <class Ask>
-double floor_by_trials(const Ask& ask) noexcept {
+double floor_by_trials(double start, const Ask& ask) noexcept {
+  const double before = arithmetic::at_rank<double>(arithmetic::rank(start) - 1);
+  if (before > 0 && ask(start).after && !ask(before).after) return before;
   int no = -1075, yes = 1024;
   Trial at_no, at_yes;
   while (yes - no > 1) {
@@ -137,7 +163,10 @@ double floor_by_trials(const Ask& ask) noexcept {
     (trial.after ? yes : no) = middle;
     (trial.after ? at_yes : at_no) = trial;
   }
-  if (yes == 1024) return -1;
+  if (yes == 1024) {
+    constexpr double largest = std::numeric_limits<double>::max(), infinity = std::numeric_limits<double>::infinity();
+    return ask(largest).after ? -1 : infinity;
+  }
   Bracket bracket(no < -1074 ? 0.0 : arithmetic::scale_far(1, no), arithmetic::scale_far(1, yes), at_no, at_yes);
   while (!bracket.is_closed()) {
     const std::uint64_t at = bracket.next();
@@ -148,26 +177,22 @@ double floor_by_trials(const Ask& ask) noexcept {
 
 /// For a pair of ellipses whose line enters M after the start and does not graze it. Negative where the place then is
 /// beyond exact numbers.
-VESICA_COLD inline double floor_of_ellipses(const ExactPair& pair) noexcept {
+VESICA_COLD inline double floor_of_ellipses(const ExactPair& pair, double start) noexcept {
   const LeadingContact contact(pair.a_.box, pair.b_.box, {pair.dx_, pair.dy_, pair.vx_, pair.vy_});
-  // vv t_w = w X / H - q
-  const ExactReach &a = pair.reach_a_, &b = pair.reach_b_;
-  const Rough root_a = root(Rough(a.squared)), root_b = root(Rough(b.squared)), vv(pair.vv_);
-  const Rough along = Rough(a.m) / root_a + Rough(b.m) / root_b;
-  const Rough witness = Rough(pair.w_) * along / (root_a + root_b) - Rough(pair.q_);
+  const LeadingWitness witness(pair.reach_a_, pair.reach_b_, pair.w_, pair.q_, pair.vv_);
   bool beyond = false;
   const auto ask = [&](double t) -> Trial {
-    const Rough left = witness - vv * Rough(exact::from_double(t));
-    if (left.sign_is_known() && left.sign() < 0) return {true, true};
-    if (left.sign_is_known()) {
-      const Trial trial = contact.at(t);
-      if (trial.known) return trial;
-    }
+    const Trial trial = contact.at(t);
+    if (trial.known && trial.after) return trial;
+    // Without contact it is before the witness or after.
+    const int witness_after = witness.after(t);
+    if (witness_after < 0) return {true, true};
+    if (trial.known && witness_after > 0) return trial;
     const int before = pair.contact_before(t);
     beyond = beyond || before < 0;
     return {true, before != 0};
   };
-  const double t = floor_by_trials(ask);
+  const double t = floor_by_trials(start, ask);
   return beyond ? -1 : t;
 }
 

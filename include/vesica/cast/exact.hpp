@@ -11,10 +11,12 @@
 #pragma once
 
 #include <vesica/cast/body.hpp>
+#include <vesica/crossings/rough.hpp>
 #include <vesica/depth/exact_zero.hpp>
 
 namespace vesica::detail::cast {
 
+using crossings::Rough;
 using exact::Number;
 
 /// A shape in its exact form; a round one has an area.
@@ -62,7 +64,8 @@ inline int line_gap(const ExactReach& a, const ExactReach& b, const Number<2>& w
   if (!a.round && !b.round) return exact::compare(exact::abs(w), a.h + b.h);
   if (a.round && b.round) {
     const auto rest = exact::square(w) - a.squared - b.squared;
-    return rest.sign < 0 ? -1 : exact::compare(exact::square(rest), exact::integer(4) * (a.squared * b.squared));
+    if (rest.sign < 0) return -1;
+    return -exact::compare_product_with_square(exact::integer(4) * a.squared, b.squared, rest);
   }
   const auto rest = exact::abs(w) - (a.round ? b.h : a.h);
   return rest.sign < 0 ? -1 : exact::compare(exact::square(rest), a.round ? a.squared : b.squared);
@@ -72,7 +75,10 @@ inline int line_gap(const ExactReach& a, const ExactReach& b, const Number<2>& w
 template <int A, int B, int X>
 int sum_of_roots(const Number<A>& a, const Number<X>& x, const Number<B>& b, const Number<X>& y) noexcept {
   if (a.sign * b.sign >= 0) return a.sign != 0 ? a.sign : b.sign;
-  return a.sign * exact::compare(exact::square(a) * x, exact::square(b) * y);
+  const auto difference = [](const auto& p, const auto& q, const auto& r, const auto& s) {
+    return square(p) * q - square(r) * s;
+  };
+  return a.sign * exact::sign_of(difference, a, x, b, y);
 }
 
 /// Sign of w X - q H, which is that of t_w - e where q = D.v + e v.v. Degree 6, 18 or 24.
@@ -159,8 +165,23 @@ class ExactPair {
   /// On which side of the line through the first centre along v the second lies: the sign of w.
   int side() const noexcept { return w_.sign; }
 
+  /// vv t_w, for a pair of which one shape is round.
+  Rough rough_witness() const noexcept {
+    Rough across, along;
+    for (const ExactReach* reach : {&reach_a_, &reach_b_}) {
+      const Rough h = reach->round ? root(Rough(reach->squared)) : Rough(reach->h);
+      across = across + h;
+      along = along + (reach->round ? Rough(reach->m) / h : Rough(reach->along));
+    }
+    return Rough(w_) * along / across - Rough(q_);
+  }
+
   /// Sign of t_w - t for a line that meets M.
   int witness_after(double t) const noexcept {
+    if (exact::is_long(reach_a_.squared) || exact::is_long(reach_b_.squared)) {
+      const Rough left = rough_witness() - Rough(vv_) * Rough(exact::from_double(t));
+      if (left.sign_is_known()) return left.sign();
+    }
     if (t == 0) return witness_sign(reach_a_, reach_b_, w_, q_);
     return witness_sign(reach_a_, reach_b_, w_, q_ + exact::from_double(t) * vv_);
   }
@@ -207,7 +228,8 @@ class ExactPair {
   bool of_ellipses() const noexcept { return a_.round && b_.round; }
 
   friend WideTime wide_time(const ExactPair& pair) noexcept;
-  friend double floor_of_ellipses(const ExactPair& pair) noexcept;
+  friend double latest_witness(const ExactPair& pair) noexcept;
+  friend double floor_of_ellipses(const ExactPair& pair, double start) noexcept;
 
  private:
   /// All bits of the place at times of this exponent, and of the axes, are in [low, top).

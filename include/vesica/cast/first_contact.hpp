@@ -120,21 +120,24 @@ VESICA_COLD inline std::int32_t exact_contact_at(const Body& a, const Body& b, c
   return contact == Contact::beyond ? static_cast<std::int32_t>(error_range) : contact != Contact::none ? 1 : 0;
 }
 
-/// Whether no double that search_up() may try between a start and a time is beyond exact_contact_at(): it goes at most
-/// as far beyond the time as the start is from it.
+/// Whether no double that search_up() tries between a start and a time is beyond exact_contact_at(). It goes at most as
+/// far beyond the time as the start is from it; and after the witness no place is asked for.
 inline bool holds_trials(const ExactPair& pair, double start, double t) noexcept {
-  const std::uint64_t from = arithmetic::rank(start), to = arithmetic::rank(t);
-  const std::uint64_t least = from < to ? from : to, most = from < to ? to : from, way = most - least + 3;
+  const std::uint64_t from = arithmetic::rank(start), to = arithmetic::rank(t),
+                      way = (from < to ? to - from : from - to) + 3;
   const std::uint64_t bottom = arithmetic::rank(0.0) + 1, top = arithmetic::rank(std::numeric_limits<double>::max());
-  return pair.holds_places(arithmetic::at_rank<double>(least - bottom > way ? least - way : bottom),
-                           arithmetic::at_rank<double>(top - most > way ? most + way : top));
+  const std::uint64_t least = from < to ? from : to - bottom > way ? to - way : bottom;
+  const std::uint64_t most = from > to ? from : top - to > way ? to + way : top;
+  const double last = lane::min(arithmetic::at_rank<double>(most), latest_witness(pair));
+  return pair.holds_places(arithmetic::at_rank<double>(least), lane::max(last, t));
 }
 
-/// The time without trials of exact numbers, or few, where none of those that exact_floor() makes would have failed.
+/// Whether the time, or that it is beyond all doubles and so infinite, is known without trials of exact numbers, or by few,
+/// and none of those that exact_floor() makes would have failed.
 inline bool known_floor(const ExactPair& pair, double start, double& out) noexcept {
   if (pair.line_grazes()) return false;
-  const double t = pair.of_ellipses() ? floor_of_ellipses(pair) : wide_floor(wide_time(pair));
-  if (!(t > 0) || !holds_trials(pair, start, t)) return false;
+  const double t = pair.of_ellipses() ? floor_of_ellipses(pair, start) : wide_floor(pair);
+  if (!(t > 0) || (t <= std::numeric_limits<double>::max() && !holds_trials(pair, start, t))) return false;
   out = t;
   return true;
 }
@@ -145,9 +148,14 @@ VESICA_COLD inline std::int32_t exact_floor(const Body& a, const Body& b, const 
   const ExactPair pair(a, b, motion);
   const bool usable = estimate > 0 && estimate < std::numeric_limits<double>::max();
   const double start = usable ? arithmetic::at_rank<double>(arithmetic::rank(estimate) + 1) : 1.0;
-  if (known_floor(pair, start, out)) return 0;
+  if (double t; known_floor(pair, start, t)) {
+    if (t > std::numeric_limits<double>::max()) return error_range;
+    out = t;
+    return 0;
+  }
   std::int32_t error = 0;
   const auto is_after = [&](double t) {
+    if (error != 0) return true;
     const int before = pair.contact_before(t);
     if (before < 0) error = before;
     return before != 0;

@@ -21,25 +21,6 @@
 
 namespace vesica::detail::cast {
 
-using crossings::Rough;
-
-/// The root of a number whose error is below half of it.
-inline Rough root(const Rough& a) noexcept {
-  const bool odd = (a.exponent & 1) != 0;
-  const double unit = odd ? 2 : 1;
-  const crossings::Real value = a.value * unit, found = sqrt(value);
-  // sqrt(x) - sqrt(x - e) < e / sqrt(x) for e < x / 2.
-  const double x = std::sqrt(rounded(value));
-  return {found, 1.01 * (unit * a.error / x) + 0x1p-98 * x, (a.exponent - (odd ? 1 : 0)) / 2};
-}
-
-/// a / b for a b whose error is below a quarter of it.
-inline Rough operator/(const Rough& a, const Rough& b) noexcept {
-  const crossings::Real quotient = a.value / b.value;
-  const double y = std::fabs(rounded(b.value)), q = std::fabs(rounded(quotient));
-  return {quotient, 1.4 * ((a.error + q * b.error) / y) + 0x1p-97 * q, a.exponent - b.exponent};
-}
-
 /// A time, and whether it is t0 to its error.
 struct WideTime {
   Rough time;
@@ -145,8 +126,8 @@ inline Beyond look_from(const Kink& kink, const SeenEllipse& round, const Number
   Number<3> other = kink.other;
   other.sign *= -kink.other_is_before;
   // base - p and base + p. The straight terms may cancel.
-  const Rough beside = Rough(support.beside) / root(Rough(support.squared)), above = Rough(w + other - kink.own) - beside,
-              below = Rough(w + other + kink.own) - beside;
+  const Rough beside = Rough(support.beside) / root(Rough(support.squared)),
+              above = Rough(w + other - kink.own) - beside, below = Rough(w + other + kink.own) - beside;
   out.certain = out.certain && above.sign_is_known() && below.sign_is_known();
   if (above.sign() > 0) return Beyond::behind;
   if (below.sign() < 0) return Beyond::before;
@@ -186,8 +167,7 @@ inline WideTime wide_time(const SeenBox& seen, const SeenEllipse& round, const N
   Number<1> hx = box.hx, hy = box.hy;
   hx.sign *= of_x;
   hy.sign *= of_y;
-  const WideTime met =
-      round.meets_corner(p.dx - (hx * box.ux - hy * box.uy), p.dy - (hx * box.uy + hy * box.ux));
+  const WideTime met = round.meets_corner(p.dx - (hx * box.ux - hy * box.uy), p.dy - (hx * box.uy + hy * box.ux));
   return {met.time, met.certain && out.certain};
 }
 
@@ -206,14 +186,30 @@ VESICA_COLD inline WideTime wide_time(const ExactPair& pair) noexcept {
   return latest;
 }
 
-/// The greatest double that is at most t0, or negative where the time leaves that open. The errors of two times of boxes
-/// are within 2^-90 of either.
-inline double wide_floor(const WideTime& t) noexcept {
-  const auto& [value, error, exponent] = t.time;
-  if (!t.certain || exponent < -1000 || exponent > 1020 || !(rounded(value) > 0)) return -1;
-  if (!(std::fabs(value.low) > error + 0x1p-90 * value.high)) return -1;
-  const double nearest = arithmetic::scale(value.high, exponent);
-  return value.low < 0 ? arithmetic::at_rank<double>(arithmetic::rank(nearest) - 1) : nearest;
+/// At least t_w, and less than twice that and its error.
+inline double latest_witness(const ExactPair& pair) noexcept {
+  const Rough t = pair.rough_witness() / Rough(pair.vv_);
+  return arithmetic::scale_far(1.5 * (std::fabs(rounded(t.value)) + t.error), t.exponent);
+}
+
+/// The greatest double that is at most t0, or negative where that is not known without trials of exact numbers, or where
+/// one of these is beyond them: only numbers beside a double are tried. The errors of two times of boxes are within 2^-90
+/// of either.
+inline double wide_floor(const ExactPair& pair) noexcept {
+  const WideTime found = wide_time(pair);
+  const auto& [value, error, exponent] = found.time;
+  if (!found.certain || exponent < -1000 || !(rounded(value) > 0)) return -1;
+  if (exponent > 1026) return std::numeric_limits<double>::infinity();
+  if (exponent > 1020) return -1;
+  const double nearest = arithmetic::scale(value.high, exponent),
+               before = arithmetic::at_rank<double>(arithmetic::rank(nearest) - 1);
+  if (std::fabs(value.low) > error + 0x1p-90 * value.high) return value.low < 0 ? before : nearest;
+  const int reached = pair.contact_before(nearest);
+  if (reached < 0) return -1;
+  const double other = reached != 0 ? before : arithmetic::at_rank<double>(arithmetic::rank(nearest) + 1);
+  const int reached_other = pair.contact_before(other);
+  if (reached_other < 0 || reached_other == reached) return -1;
+  return reached != 0 ? before : nearest;
 }
 
 }  // namespace vesica::detail::cast

@@ -60,6 +60,22 @@ inline Rough operator+(const Rough& a, const Rough& b) noexcept {
 }
 inline Rough operator-(const Rough& a, const Rough& b) noexcept { return a + -b; }
 inline Rough square(const Rough& a) noexcept { return a * a; }
+/// The root of a number whose error is below half of it.
+inline Rough root(const Rough& a) noexcept {
+  const bool odd = (a.exponent & 1) != 0;
+  const double unit = odd ? 2 : 1;
+  const Real value = a.value * unit, found = sqrt(value);
+  // sqrt(x) - sqrt(x - e) < e / sqrt(x) for e < x / 2.
+  const double x = std::sqrt(rounded(value));
+  return {found, 1.01 * (unit * a.error / x) + 0x1p-98 * x, (a.exponent - (odd ? 1 : 0)) / 2};
+}
+
+/// a / b for a b whose error is below a quarter of it.
+inline Rough operator/(const Rough& a, const Rough& b) noexcept {
+  const Real quotient = a.value / b.value;
+  const double y = std::fabs(rounded(b.value)), q = std::fabs(rounded(quotient));
+  return {quotient, 1.4 * ((a.error + q * b.error) / y) + 0x1p-97 * q, a.exponent - b.exponent};
+}
 inline Rough times(double factor, const Rough& a) noexcept { return a * Rough(Real(factor), 0, 0); }
 
 /// The sign of a polynomial in exact numbers, from the rough one or else from these.

@@ -92,8 +92,10 @@ VESICA_COLD inline NineIntersections of_segment_and_box(const exact::Box& box_a,
 inline int place_in(const exact::Ellipse& e, const crossings::Position& x, const crossings::Position& y) noexcept {
   const auto dx = x - e.cx, dy = y - e.cy;
   const auto along = e.b * exact::dot(e.ux, e.uy, dx, dy), across = e.a * exact::cross(e.ux, e.uy, dx, dy);
-  return exact::compare(exact::square(e.a * e.b * exact::dot(e.ux, e.uy, e.ux, e.uy)),
-                        exact::square(along) + exact::square(across));
+  const auto room = [](const auto& radius, const auto& p, const auto& q) {
+    return exact::square(radius) - (exact::square(p) + exact::square(q));
+  };
+  return exact::sign_of(room, e.a * e.b * exact::dot(e.ux, e.uy, e.ux, e.uy), along, across);
 }
 
 VESICA_COLD inline NineIntersections of_segment_and_ellipse(const exact::Box& box_a, const exact::Ellipse& b,

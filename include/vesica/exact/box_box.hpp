@@ -16,16 +16,45 @@ constexpr int gap(const Number<P>& p, const Number<R>& r) noexcept {
   return sign == 0 && p.sign == 0 ? -1 : sign;
 }
 
-/// The greater gap along the two axes of `a` (u and perp u), in units of |u|^2.
-constexpr int widest_gap_along_axes_of(const Box& a, const Box& b, const Length& dx, const Length& dy) noexcept {
-  const auto uu = dot(a.ux, a.uy, a.ux, a.uy);
-  const auto c = abs(dot(a.ux, a.uy, b.ux, b.uy));
-  const auto s = abs(cross(a.ux, a.uy, b.ux, b.uy));
-  const int along = gap(dot(a.ux, a.uy, dx, dy), a.hx * uu + b.hx * c + b.hy * s);
-  if (along > 0) return 1;
-  const int across = gap(cross(a.ux, a.uy, dx, dy), a.hy * uu + b.hx * s + b.hy * c);
-  return along > across ? along : across;
-}
+/// What two boxes are along and across each other's axes: c and s of one axis by the other, and of the offset of centres
+/// in the frame of either, in units of its axis. Every question about them takes these.
+struct SeenBoxes {
+  const Box &a, &b;
+  Length dx, dy;
+  Number<2> c, s;
+
+  constexpr SeenBoxes(const Box& first, const Box& second) noexcept
+      : a(first),
+        b(second),
+        dx(b.cx - a.cx),
+        dy(b.cy - a.cy),
+        c(abs(dot(a.ux, a.uy, b.ux, b.uy))),
+        s(abs(cross(a.ux, a.uy, b.ux, b.uy))) {}
+};
+
+/// In the frame of one of them.
+struct FrameOfBox {
+  Number<2> x, y;
+  Number<3> hx, hy, other_x, other_y;  ///< half lengths of the box, and how far the other reaches
+
+  constexpr FrameOfBox(const SeenBoxes& seen, const Box& box, const Box& other) noexcept
+      : x(dot(box.ux, box.uy, seen.dx, seen.dy)),
+        y(cross(box.ux, box.uy, seen.dx, seen.dy)),
+        other_x(other.hx * seen.c + other.hy * seen.s),
+        other_y(other.hx * seen.s + other.hy * seen.c) {
+    const auto uu = dot(box.ux, box.uy, box.ux, box.uy);
+    hx = box.hx * uu;
+    hy = box.hy * uu;
+  }
+
+  /// The greater gap along the two axes.
+  constexpr int widest_gap() const noexcept {
+    const int along = gap(x, hx + other_x);
+    if (along > 0) return 1;
+    const int across = gap(y, hy + other_y);
+    return along > across ? along : across;
+  }
+};
 
 /// How far an interval of half length `extent` stays within one of half length `size`, p between their midpoints:
 /// 1 clear of its ends, 0 up to an end, -1 not within. A single point has no ends to reach.
@@ -35,16 +64,24 @@ constexpr int clearance(const Number<P>& p, const Number<E>& extent, const Numbe
   return sign == 0 && size.sign == 0 ? 1 : sign;
 }
 
+/// How far the other box stays within that of the frame.
+constexpr int clearance(const FrameOfBox& frame) noexcept {
+  const int along = clearance(frame.x, frame.other_x, frame.hx);
+  if (along < 0) return -1;
+  const int across = clearance(frame.y, frame.other_y, frame.hy);
+  return along < across ? along : across;
+}
+
 }  // namespace detail
 
 /// -1 when the relative insides of two boxes meet, 0 when only their outlines do, 1 when the boxes are disjoint. The
 /// Minkowski sum of two boxes, flat ones included, is bounded by lines across the four axes, so no other direction need
 /// be tried; the insides meet iff the offset of centres is in the relative inside of that sum.
 constexpr int contact(const Box& a, const Box& b) noexcept {
-  const Length dx = b.cx - a.cx, dy = b.cy - a.cy;
-  const int first = detail::widest_gap_along_axes_of(a, b, dx, dy);
+  const detail::SeenBoxes seen(a, b);
+  const int first = detail::FrameOfBox(seen, a, b).widest_gap();
   if (first > 0) return 1;
-  const int second = detail::widest_gap_along_axes_of(b, a, dx, dy);
+  const int second = detail::FrameOfBox(seen, b, a).widest_gap();
   return first > second ? first : second;
 }
 
@@ -53,14 +90,7 @@ constexpr bool overlap(const Box& a, const Box& b) noexcept { return contact(a, 
 
 /// How far box a stays within box b: 1 clear of b's outline, 0 up to it, -1 not within. b is bounded by its own axes.
 constexpr int clearance(const Box& a, const Box& b) noexcept {
-  const Length dx = b.cx - a.cx, dy = b.cy - a.cy;
-  const auto ww = dot(b.ux, b.uy, b.ux, b.uy);
-  const auto c = abs(dot(b.ux, b.uy, a.ux, a.uy));
-  const auto s = abs(cross(b.ux, b.uy, a.ux, a.uy));
-  const int along = detail::clearance(dot(b.ux, b.uy, dx, dy), a.hx * c + a.hy * s, b.hx * ww);
-  if (along < 0) return -1;
-  const int across = detail::clearance(cross(b.ux, b.uy, dx, dy), a.hx * s + a.hy * c, b.hy * ww);
-  return along < across ? along : across;
+  return detail::clearance(detail::FrameOfBox(detail::SeenBoxes(a, b), b, a));
 }
 
 }  // namespace vesica::exact

@@ -21,6 +21,14 @@ namespace detail {
 
 constexpr bool is_point(const Box& box) noexcept { return box.hx.sign == 0 && box.hy.sign == 0; }
 
+/// From contact(a, b) <= 0 and how far each stays within the other.
+constexpr Relation relation_of(int touching, int in_b, int in_a) noexcept {
+  if (in_b >= 0 && in_a >= 0) return Relation::equal;
+  if (in_b >= 0) return in_b > 0 ? Relation::inside : Relation::inside_touch;
+  if (in_a >= 0) return in_a > 0 ? Relation::contains : Relation::contains_touch;
+  return touching < 0 ? Relation::cross : Relation::touch;
+}
+
 /// Neither round form may be degenerate. In the order of the definition: containment goes before contact, since a point
 /// on an outline touches but is inside.
 template <class Other>
@@ -32,16 +40,23 @@ constexpr Relation box_relation(const Box& a, const Other& b) noexcept {
   }
   const int touching = contact(a, b);
   if (touching > 0) return Relation::disjoint;
-  const int in_b = clearance(a, b), in_a = clearance(b, a);
-  if (in_b >= 0 && in_a >= 0) return Relation::equal;
-  if (in_b >= 0) return in_b > 0 ? Relation::inside : Relation::inside_touch;
-  if (in_a >= 0) return in_a > 0 ? Relation::contains : Relation::contains_touch;
-  return touching < 0 ? Relation::cross : Relation::touch;
+  return relation_of(touching, clearance(a, b), clearance(b, a));
 }
 
 }  // namespace detail
 
-constexpr Relation relate(const Box& a, const Box& b) noexcept { return detail::box_relation(a, b); }
+/// As detail::box_relation(); what each question takes is worked out once.
+constexpr Relation relate(const Box& a, const Box& b) noexcept {
+  if (detail::is_point(a)) return detail::box_relation(a, b);
+  const detail::SeenBoxes seen(a, b);
+  const detail::FrameOfBox of_a(seen, a, b);
+  const int first = of_a.widest_gap();
+  if (first > 0) return Relation::disjoint;
+  const detail::FrameOfBox of_b(seen, b, a);
+  const int second = of_b.widest_gap();
+  if (second > 0) return Relation::disjoint;
+  return detail::relation_of(first > second ? first : second, detail::clearance(of_b), detail::clearance(of_a));
+}
 
 template <class Round>
 constexpr Relation relate(const Box& a, const Round& b) noexcept {

@@ -6,42 +6,37 @@
 
 namespace vesica::exact {
 
-/// A corner of a box or an end of a segment.
-struct Corner {
-  Number<2> x, y;
-};
+namespace detail {
 
-/// C + along hx u + across hy perp(u), where each of `along` and `across` is 1 or -1.
-inline Corner corner(const Box& box, int along, int across) noexcept {
-  auto hx = box.hx, hy = box.hy;
-  hx.sign *= along;
-  hy.sign *= across;
-  return {box.cx + (hx * box.ux - hy * box.uy), box.cy + (hx * box.uy + hy * box.ux)};
-}
-
-/// Whether a point is at most `reach` from a box. Degree 6.
-inline bool within(const Corner& p, const Box& box, const Length& reach) noexcept {
-  const auto dx = p.x - box.cx, dy = p.y - box.cy;
-  const auto uu = dot(box.ux, box.uy, box.ux, box.uy);
-  auto x = abs(dot(box.ux, box.uy, dx, dy)) - box.hx * uu, y = abs(cross(box.ux, box.uy, dx, dy)) - box.hy * uu;
-  if (x.sign < 0) x = {};
-  if (y.sign < 0) y = {};
-  return compare(square(x) + square(y), square(reach) * uu) <= 0;
-}
-
-/// Whether any corner of a is at most `reach` from b. A box without a size has fewer corners.
-inline bool corner_within(const Box& a, const Box& b, const Length& reach) noexcept {
+/// Whether any corner of a is at most `reach` from b; (dx, dy) leads from b's centre to a's. In b's frame, in units of |u|,
+/// the corners are p +- g +- h. A box without a size has fewer. Degree 6.
+inline bool corner_within(const Box& a, const Box& b, const Length& dx, const Length& dy,
+                          const Length& reach) noexcept {
+  const auto uu = dot(b.ux, b.uy, b.ux, b.uy), c = dot(b.ux, b.uy, a.ux, a.uy), s = cross(b.ux, b.uy, a.ux, a.uy);
+  const auto p0 = dot(b.ux, b.uy, dx, dy), p1 = cross(b.ux, b.uy, dx, dy);
+  const auto g0 = a.hx * c, g1 = a.hx * s, h0 = a.hy * s, h1 = a.hy * c, ex = b.hx * uu, ey = b.hy * uu;
+  const auto beyond = [](const auto& x, const auto& y, const auto& r, const auto& unit) {
+    return square(x) + square(y) - square(r) * unit;
+  };
   for (int along = a.hx.sign == 0 ? 1 : -1; along <= 1; along += 2) {
     for (int across = a.hy.sign == 0 ? 1 : -1; across <= 1; across += 2) {
-      if (within(corner(a, along, across), b, reach)) return true;
+      const auto k0 = along > 0 ? p0 + g0 : p0 - g0, k1 = along > 0 ? p1 + g1 : p1 - g1;
+      auto x = abs(across > 0 ? k0 - h0 : k0 + h0) - ex, y = abs(across > 0 ? k1 + h1 : k1 - h1) - ey;
+      if (x.sign < 0) x = {};
+      if (y.sign < 0) y = {};
+      if (sign_of(beyond, x, y, reach, uu) <= 0) return true;
     }
   }
   return false;
 }
 
+}  // namespace detail
+
 /// Whether two boxes are at most `reach` >= 0 apart.
 inline bool within(const Box& a, const Box& b, const Length& reach) noexcept {
-  return corner_within(a, b, reach) || corner_within(b, a, reach) || overlap(a, b);
+  const Length dx = a.cx - b.cx, dy = a.cy - b.cy;
+  return detail::corner_within(a, b, dx, dy, reach) ||
+         detail::corner_within(b, a, integer(-1) * dx, integer(-1) * dy, reach) || overlap(a, b);
 }
 
 }  // namespace vesica::exact

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Times of first contact at unlike exponents, found by formulas and by trials of leading digits, against the exact
+/// predicate: there is contact before the next double, and none before the time.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vesica/cast.hpp>
+
+#include "cast/motions.hpp"
+#include "properties/generators.hpp"
+#include "properties/pairs_of_kinds.hpp"
+
+namespace {
+
+namespace core = vesica::detail::cast;
+using core::Body;
+using core::ExactPair;
+using vesica::Kind;
+
+Body body(int kind, const cast_test::Numbers& numbers) {
+  Body b{static_cast<Kind>(kind), {}};
+  for (std::size_t i = 0; i < 6; ++i) b.number[i] = numbers[i];
+  return b;
+}
+
+double next(double t) { return std::nextafter(t, std::numeric_limits<double>::infinity()); }
+
+/// Whether the pair has a time that is known without the search of exact_floor(); checks it.
+bool check(const Body& a, const Body& b, const core::Motion& m) {
+  const ExactPair pair(a, b, m);
+  if (pair.contact_at(0) != core::Contact::none) return false;
+  const core::LineMeeting line = core::exact_line(a, b, m);
+  double t = 0;
+  if (!line.meets || line.graze.grazes || !core::known_floor(pair, 1, t)) return false;
+  if (t > std::numeric_limits<double>::max()) {
+    EXPECT_EQ(pair.contact_before(std::numeric_limits<double>::max()), 0);
+    return true;
+  }
+  EXPECT_EQ(pair.contact_before(t), 0) << std::hexfloat << t;
+  EXPECT_EQ(pair.contact_before(next(t)), 1) << std::hexfloat << t;
+  return true;
+}
+
+TEST(CastAtUnlikeExponents, TimesAreThoseOfTheExactPredicate) {
+  std::printf("VESICA_SEED=%llu\n", static_cast<unsigned long long>(properties::seed()));
+  properties::Random random(properties::seed() + 31);
+  int known = 0;
+  for (const properties::Kinds& k : properties::all_pairs_of_kinds()) {
+    if (k.scalar != properties::Scalar::f64) continue;
+    for (const properties::Workload workload : properties::all_workloads) {
+      for (int i = 0; i < 100 * properties::repeat(); ++i) {
+        const properties::Pair p = properties::draw(workload, k.a, k.b, k.scalar, random);
+        const cast_test::Motion m = cast_test::draw_motion(p, k.scalar, random);
+        if (!(std::fabs(m.vx) + std::fabs(m.vy) > 0)) continue;
+        SCOPED_TRACE(cast_test::describe(p, m));
+        known += check(body(p.kind_a, p.a), body(p.kind_b, p.b), {m.vx, m.vy, m.end}) ? 1 : 0;
+        if (HasFailure()) return;
+      }
+    }
+  }
+  if (properties::draws_all()) {
+    EXPECT_GT(known, 1000);
+  }
+}
+
+struct Known {
+  Body a, b;
+  core::Motion motion;
+  double time;
+};
+
+TEST(CastAtUnlikeExponents, KnownTimes) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const Known all[] = {
+      // Ellipses whose discriminant has a double zero.
+      {{Kind::ellipse, {0, 0, 0x1p-2, -0x1.e1a5be0f0a346p+299, 0x1.e9ea8bec3399ep+290, 0x1.33014ea6fa77p-292}},
+       {Kind::ellipse,
+        {0x1.7778b777626f4p+289, -0x1.0455bcac6b459p+291, 0x1.5b54cdc7f2babp-2, -0x1.e1a5be0f0a345p-1,
+         0x1.e9ea8bec3399ep+290, 0x1.33014ea6fa77p-292}},
+       {-0x1.7778b777626f4p+288, 0x1p+324, infinity},
+       0x1.d66917a1f178ep-3},
+      // A corner meets the ellipse.
+      {{Kind::rect,
+        {-0x1.8f514724ba494p-754, 0x1.3fba14d1a47f2p-412, -0x1.6a09e667f3bcdp-1, 0x1.6a09e667f3bcdp-1,
+         0x1.5624fc733e426p-756, 0x1.6162f6f12ca09p-757}},
+       {Kind::ellipse,
+        {-0x1.1cb4349a908ccp-753, -0x1.54e837c71c3c7p-753, -0x1.d51de7c1d39b1p-1, -0x1.faca800d4d774p-756,
+         0x1.5624fc733e426p-756, 0x1.9f55d8cc219aep-2}},
+       {0x1.542e4420cda08p-299, 0x1p+386, infinity},
+       0x1.e6df74057a3c4p-511},
+      {{Kind::segment, {-0x1.02949fd0084aep-795, 0x1.340cc29a1d4d8p+869, -0x1.4a7b8753fc888p-1001, 0x1p+333, 0, 0}},
+       {Kind::circle, {-0x1.69f4d31ac1765p+331, -0x1.932f24be5e478p+329, 0x1.47ef8af26e129p+331, 0, 0, 0}},
+       {0x1.798997b136899p+330, 0x1.254b964993b16p+332, infinity},
+       0x1.62a52f062ae82p+0},
+  };
+  for (const Known& k : all) {
+    const ExactPair pair(k.a, k.b, k.motion);
+    double t = 0;
+    ASSERT_TRUE(core::known_floor(pair, 1, t));
+    EXPECT_EQ(t, k.time);
+    EXPECT_EQ(pair.contact_before(t), 0);
+    EXPECT_EQ(pair.contact_before(next(t)), 1);
+  }
+}
+
+}  // namespace
