@@ -29,9 +29,9 @@ bool has_fused() noexcept { return kernels().width_f64 >= 4; }
   return detail::cast::find_meeting<detail::cast::FusedProducts>(scene, out);
 }
 template <class A, class B>
-[[gnu::target("fma"), gnu::flatten]] detail::cast::Quick quick_cast_fused(const A& a, const B& b, double vx, double vy,
-                                                                          double end, Impact<double>& out) noexcept {
-  return detail::cast::quick_cast<detail::cast::FusedProducts>(a, b, {vx, vy, end}, out);
+[[gnu::target("fma"), gnu::flatten]] detail::cast::Quick quick_hit_fused(const A& a, const B& b, double vx, double vy,
+                                                                         double end, Impact<double>& out) noexcept {
+  return detail::cast::quick_hit<detail::cast::FusedProducts>(a, b, {vx, vy, end}, out);
 }
 detail::cast::FindMeeting fused_meeting() noexcept { return has_fused() ? find_meeting_fused : nullptr; }
 #else
@@ -68,24 +68,24 @@ namespace queries {
 }
 
 template <class A, class B>
-[[gnu::noinline]] detail::cast::Quick quick_cast(const A& a, const B& b, double vx, double vy, double end,
-                                                 Impact<double>& out) noexcept {
+[[gnu::noinline]] detail::cast::Quick quick_hit(const A& a, const B& b, double vx, double vy, double end,
+                                                Impact<double>& out) noexcept {
 #if VESICA_CHOOSES_FUSED
-  if (has_fused()) return quick_cast_fused(a, b, vx, vy, end, out);
+  if (has_fused()) return quick_hit_fused(a, b, vx, vy, end, out);
 #endif
-  return detail::cast::quick_cast<detail::cast::UsualProducts>(a, b, {vx, vy, end}, out);
+  return detail::cast::quick_hit<detail::cast::UsualProducts>(a, b, {vx, vy, end}, out);
 }
-#define VESICA_QUICK_CAST(A, B)                                                                       \
-  template detail::cast::Quick quick_cast(const A<double>&, const B<double>&, double, double, double, \
-                                          Impact<double>&) noexcept;
-VESICA_QUICK_CAST(Segment, Point)
-VESICA_QUICK_CAST(Circle, Point)
-VESICA_QUICK_CAST(Aabb, Point)
-VESICA_QUICK_CAST(Rect, Point)
-VESICA_QUICK_CAST(Ellipse, Point)
-VESICA_QUICK_CAST(Circle, Circle)
-VESICA_QUICK_CAST(Ellipse, Ellipse)
-#undef VESICA_QUICK_CAST
+#define VESICA_QUICK_HIT(A, B)                                                                       \
+  template detail::cast::Quick quick_hit(const A<double>&, const B<double>&, double, double, double, \
+                                         Impact<double>&) noexcept;
+VESICA_QUICK_HIT(Segment, Point)
+VESICA_QUICK_HIT(Circle, Point)
+VESICA_QUICK_HIT(Aabb, Point)
+VESICA_QUICK_HIT(Rect, Point)
+VESICA_QUICK_HIT(Ellipse, Point)
+VESICA_QUICK_HIT(Circle, Circle)
+VESICA_QUICK_HIT(Ellipse, Ellipse)
+#undef VESICA_QUICK_HIT
 
 [[gnu::noinline]] std::int32_t cast(const Body& a, const Body& b, const Motion& motion, Impact<double>& out) noexcept {
   const auto at_point = [&](const auto& shape) {

@@ -28,18 +28,20 @@ std::int32_t cast_open(const Body& a, const Body& b, const Motion& motion, Impac
 std::int32_t cast_rest(const Body& a, const Body& b, const Motion& motion, const detail::cast::Filtered& known,
                        Impact<double>& out) noexcept;
 
-/// detail::cast::quick_cast by the quicker products.
+/// detail::cast::quick_hit by the quicker products. Not inlined where the filter is: what it needs of registers would cost
+/// the misses as much as they take.
 template <class A, class B>
-detail::cast::Quick quick_cast(const A& a, const B& b, double vx, double vy, double end, Impact<double>& out) noexcept;
+detail::cast::Quick quick_hit(const A& a, const B& b, double vx, double vy, double end, Impact<double>& out) noexcept;
 
-/// The answer about two shapes, or error_argument. Without a quick way their first filter is compiled where it is called,
-/// and nothing else.
+/// The answer about two shapes, or error_argument. Their first filter is compiled where it is called, and nothing else.
 template <template <class> class A, template <class> class B>
 VESICA_INLINE std::int32_t cast_shapes(const A<double>& a, const B<double>& b, const Motion& motion,
                                        Impact<double>& out) noexcept {
   using namespace detail::cast;
   if constexpr (HasQuick<A<double>, B<double>>) {
-    const Quick quick = queries::quick_cast(a, b, motion.vx, motion.vy, motion.end, out);
+    Quick quick = quick_filter(a, b, motion);
+    if (quick == Quick::missed) return cast_miss;
+    if (quick == Quick::hit) quick = queries::quick_hit(a, b, motion.vx, motion.vy, motion.end, out);
     if (quick != Quick::open) return quick == Quick::hit ? cast_hit : cast_miss;
     if (!is_sound(motion)) return error_argument;
     return cast_open(body(a), body(b), motion, out);

@@ -160,6 +160,10 @@ struct Quickly {
     for (const double end : {std::nextafter(found.t, 0.0), found.t, std::nextafter(found.t, infinity)}) {
       ask(p, {m.vx, m.vy, end});
     }
+    // The end comes that little before the contact, or after it.
+    const double beside = std::ldexp(random.sign(), -random.integer(1, 52));
+    ask(p, {m.vx, m.vy, found.t * (1 - beside)});
+    ask(p, {m.vx, m.vy, found.t * (1 + beside)});
     for (const Moving& near : about_grazing({p, m}, Scalar::f64, random, 2)) ask(near.pair, near.motion);
   }
 

@@ -102,7 +102,7 @@ VESICA_INLINE Quick quick_filter(const Ellipse<double>& e, const Point<double>& 
 /// before a side, and whose line passes through the inside, comes to it later; whether before the end, the time tells. With
 /// A, D, V as above and H = hx + hy, offsets of the centre are off by 2u D + u H A, X and Y by 5u A (D + H A), c and k by 5u
 /// A V where they are of differences, and the reach by twice that times H. So the signs of c and k are not always known: who
-/// says that the ray moves away must know.
+/// says that the ray moves away must know, and of hits quick_hit() leaves open those where c or k is that small.
 struct BoxFrame {
   double c, k, x, y;  // v and D
   double hx, hy, uu, axis;

@@ -38,7 +38,7 @@ VESICA_INLINE Floor<double> floor_of_quotient(double first, double step) noexcep
   const Floor<double> floor = floor_of(Twofold<double>{first, step}, 0x1p-49 * abs(step));
   return {step == 0 ? first : floor.t, step == 0 || floor.certain};
 }
-/// The same, which is before the end.
+/// As floor_of() above, of a time that must come before the end.
 VESICA_INLINE Quick floor_of(const Twofold<double>& time, double error, double end, double& t) noexcept {
   const auto [floor, certain] = floor_of(time, error);
   if (!certain) return Quick::open;
