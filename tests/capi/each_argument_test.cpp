@@ -117,6 +117,26 @@ TYPED_TEST(EachArgument, OfCastsOutOfRange) {
   }
 }
 
+/// Needles that cross beyond the greatest number, which is 2 in their units, as in core_errors_test.cpp.
+TYPED_TEST(EachArgument, OfCastsThatStartOutOfRange) {
+  using F = Face<TypeParam>;
+  using T = TypeParam;
+  const T one = std::numeric_limits<T>::max() / 4 + std::numeric_limits<T>::max() / 4;
+  const T level[6] = {one + one / 2, 0, 1, 0, one / 4 * 3, 1};
+  const T falling[6] = {one + one / 16 * 10, one / 2, 1, -1, one / 4 * 3, 1};
+  ASSERT_EQ(F::overlap(VESICA_RECT, level, VESICA_RECT, falling), 1);
+  typename F::Points points;
+  typename F::Impact impact{7, 7, 7, 7, 7};
+  EXPECT_EQ(F::nearest(VESICA_RECT, level, VESICA_RECT, falling, &points), VESICA_E_RANGE);
+  EXPECT_EQ(F::cast(VESICA_RECT, level, VESICA_RECT, falling, 1, 0, 1, &impact), VESICA_E_RANGE);
+  const typename F::Turn still{0, 0, 0};
+  T gap = 7;
+  EXPECT_EQ(
+      F::impact_time(VESICA_RECT, level, &still, VESICA_RECT, falling, &still, T(0x1p-10), &impact, &gap),
+      VESICA_E_RANGE);
+  EXPECT_TRUE(impact.t == 7 && gap == 7);
+}
+
 TYPED_TEST(EachArgument, OfSuppression) {
   using F = Face<TypeParam>;
   const auto two = this->shapes_of(VESICA_RECT, 2), points = this->shapes_of(VESICA_POINT, 2), bad = this->unsound(two),
