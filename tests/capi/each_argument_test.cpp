@@ -113,7 +113,7 @@ TYPED_TEST(EachArgument, OfCastsOutOfRange) {
     typename F::Impact impact;
     EXPECT_EQ(F::cast(kind, first.data(), kind, second.data(), vx, vy, endless, &impact), VESICA_E_RANGE);
     b.count = 1;
-    EXPECT_EQ(F::cast_first(&a, &b, vx, vy, endless, &impact), VESICA_E_RANGE);
+    EXPECT_EQ(F::cast_first(&b, &a, vx, vy, endless, &impact), VESICA_E_RANGE);
   }
 }
 
@@ -131,9 +131,8 @@ TYPED_TEST(EachArgument, OfCastsThatStartOutOfRange) {
   EXPECT_EQ(F::cast(VESICA_RECT, level, VESICA_RECT, falling, 1, 0, 1, &impact), VESICA_E_RANGE);
   const typename F::Turn still{0, 0, 0};
   T gap = 7;
-  EXPECT_EQ(
-      F::impact_time(VESICA_RECT, level, &still, VESICA_RECT, falling, &still, T(0x1p-10), &impact, &gap),
-      VESICA_E_RANGE);
+  EXPECT_EQ(F::impact_time(VESICA_RECT, level, &still, VESICA_RECT, falling, &still, T(0x1p-10), &impact, &gap),
+            VESICA_E_RANGE);
   EXPECT_TRUE(impact.t == 7 && gap == 7);
 }
 
