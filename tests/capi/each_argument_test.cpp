@@ -16,12 +16,11 @@ using namespace capi_tests;
 template <class T>
 class EachArgument : public testing::Test {
  protected:
-  using F = Face<T>;
-  using Shapes = typename F::Shapes;
+  using Shapes = typename Face<T>::Shapes;
 
   static Shapes shapes_of(std::int32_t kind, std::int64_t count) {
     Shapes shapes;
-    EXPECT_EQ(F::from_records(kind, count, numbers, 6 * sizeof(T), &shapes), 0);
+    EXPECT_EQ(Face<T>::from_records(kind, count, numbers, 6 * sizeof(T), &shapes), 0);
     return shapes;
   }
   static Shapes with_a_null(Shapes shapes) {
@@ -35,7 +34,7 @@ class EachArgument : public testing::Test {
 
   static constexpr T numbers[12] = {0, 0, 1, 0, 1, 1, 5, 5, 1, 0, 1, 1};
   static constexpr T nan = std::numeric_limits<T>::quiet_NaN();
-  static constexpr std::int64_t far = std::int64_t{1} << 31;  // more than an index or a suppression takes
+  static constexpr std::int64_t too_many = std::int64_t{1} << 31;  // more than an index or a suppression takes
 };
 
 using Scalars = testing::Types<double, float>;
@@ -141,7 +140,7 @@ TYPED_TEST(EachArgument, OfSuppression) {
   const auto two = this->shapes_of(VESICA_RECT, 2), points = this->shapes_of(VESICA_POINT, 2), bad = this->unsound(two),
              holed = this->with_a_null(two), none = this->shapes_of(VESICA_RECT, 0);
   auto many = two;
-  many.count = this->far;
+  many.count = this->too_many;
   const TypeParam scores[2] = {1, 1};
   std::int64_t keep[2], kept = 7;
   TypeParam decayed[2];
