@@ -115,6 +115,20 @@ TEST(CoreErrors, BeyondTheFiniteNumbers) {
   EXPECT_EQ(gap, 7);
 }
 
+// In units of 2^1023 two needles, along y = 0 to x = 2.25 and from (0.85, 1.25) to (2.35, -0.25), that cross at x = 2.1.
+TEST(CoreErrors, ACrossingBeyondTheFiniteNumbers) {
+  constexpr double unit_length = 0x1p1023;
+  const Rect<double> level{1.5 * unit_length, 0, 1, 0, 0.75 * unit_length, 1};
+  const Rect<double> falling{1.6 * unit_length, 0.5 * unit_length, 1, -1, 0.75 * unit_length, 1};
+  ASSERT_TRUE(overlap(level, falling));
+  ClosestPoints<double> points;
+  Impact<double> impact{7, 7, 7, 7, 7};
+  EXPECT_EQ(nearest_or_error(level, falling, points), error_range);
+  EXPECT_EQ(cast_or_error(level, falling, 1.0, 0.0, 1.0, impact), error_range);
+  EXPECT_EQ(cast_or_error(falling, level, 1.0, 0.0, 1.0, impact), error_range);
+  EXPECT_EQ(impact.t, 7);
+}
+
 // In units of 2^127 the circle is about (2, 0) of radius 1. The point, at (1.5 + t, 1.9375 - 1.25 t), meets it where
 // 2.5625 t^2 - 5.84375 t + 3.00390625 = 0, at x = 2.28: a double, but no float.
 TEST(CoreErrors, AContactBeyondTheFiniteFloats) {

@@ -75,7 +75,7 @@ CrossingPoints<double> between(const A& a, const B& b) noexcept {
 }
 
 /// One place where outlines meet: the first by its coordinates, which does not depend on the order of the shapes.
-/// Returns false if there is none.
+/// Returns false if there is none, and writes nothing then.
 template <class A, class B>
 VESICA_COLD bool one_place(const A& a, const B& b, double& x, double& y) noexcept {
   const CrossingPoints<double> met = between(a, b);

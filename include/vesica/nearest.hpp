@@ -64,9 +64,8 @@ VESICA_COLD ClosestPoints<double> common_points(const A& a, const B& b) noexcept
   } else {
     // Neither shape contains the other then, so outlines meet.
     const Common c = common_point(p);
-    if (is_certain(c, p) || !crossings::one_place(a, b, common.x, common.y)) {
-      common = c.of_a ? located(a, p.a, c.contact, p.exponent) : located(b, p.b, c.contact, p.exponent);
-    }
+    common = c.of_a ? located(a, p.a, c.contact, p.exponent) : located(b, p.b, c.contact, p.exponent);
+    if (!is_certain(c, p)) crossings::one_place(a, b, common.x, common.y);
   }
   // The sign of a zero must not depend on the order of the shapes.
   const double x = common.x + 0.0, y = common.y + 0.0;

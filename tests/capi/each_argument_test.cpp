@@ -16,12 +16,11 @@ using namespace capi_tests;
 template <class T>
 class EachArgument : public testing::Test {
  protected:
-  using F = Face<T>;
-  using Shapes = typename F::Shapes;
+  using Shapes = typename Face<T>::Shapes;
 
   static Shapes shapes_of(std::int32_t kind, std::int64_t count) {
     Shapes shapes;
-    EXPECT_EQ(F::from_records(kind, count, numbers, 6 * sizeof(T), &shapes), 0);
+    EXPECT_EQ(Face<T>::from_records(kind, count, numbers, 6 * sizeof(T), &shapes), 0);
     return shapes;
   }
   static Shapes with_a_null(Shapes shapes) {
@@ -35,7 +34,7 @@ class EachArgument : public testing::Test {
 
   static constexpr T numbers[12] = {0, 0, 1, 0, 1, 1, 5, 5, 1, 0, 1, 1};
   static constexpr T nan = std::numeric_limits<T>::quiet_NaN();
-  static constexpr std::int64_t far = std::int64_t{1} << 31;  // more than an index or a suppression takes
+  static constexpr std::int64_t too_many = std::int64_t{1} << 31;  // more than an index or a suppression takes
 };
 
 using Scalars = testing::Types<double, float>;
@@ -113,8 +112,27 @@ TYPED_TEST(EachArgument, OfCastsOutOfRange) {
     typename F::Impact impact;
     EXPECT_EQ(F::cast(kind, first.data(), kind, second.data(), vx, vy, endless, &impact), VESICA_E_RANGE);
     b.count = 1;
-    EXPECT_EQ(F::cast_first(&a, &b, vx, vy, endless, &impact), VESICA_E_RANGE);
+    EXPECT_EQ(F::cast_first(&b, &a, vx, vy, endless, &impact), VESICA_E_RANGE);
   }
+}
+
+/// Needles that cross beyond the greatest number, which is 2 in their units, as in core_errors_test.cpp.
+TYPED_TEST(EachArgument, OfCastsThatStartOutOfRange) {
+  using F = Face<TypeParam>;
+  using T = TypeParam;
+  const T one = std::numeric_limits<T>::max() / 4 + std::numeric_limits<T>::max() / 4;
+  const T level[6] = {one + one / 2, 0, 1, 0, one / 4 * 3, 1};
+  const T falling[6] = {one + one / 16 * 10, one / 2, 1, -1, one / 4 * 3, 1};
+  ASSERT_EQ(F::overlap(VESICA_RECT, level, VESICA_RECT, falling), 1);
+  typename F::Points points;
+  typename F::Impact impact{7, 7, 7, 7, 7};
+  EXPECT_EQ(F::nearest(VESICA_RECT, level, VESICA_RECT, falling, &points), VESICA_E_RANGE);
+  EXPECT_EQ(F::cast(VESICA_RECT, level, VESICA_RECT, falling, 1, 0, 1, &impact), VESICA_E_RANGE);
+  const typename F::Turn still{0, 0, 0};
+  T gap = 7;
+  EXPECT_EQ(F::impact_time(VESICA_RECT, level, &still, VESICA_RECT, falling, &still, T(0x1p-10), &impact, &gap),
+            VESICA_E_RANGE);
+  EXPECT_TRUE(impact.t == 7 && gap == 7);
 }
 
 TYPED_TEST(EachArgument, OfSuppression) {
@@ -122,7 +140,7 @@ TYPED_TEST(EachArgument, OfSuppression) {
   const auto two = this->shapes_of(VESICA_RECT, 2), points = this->shapes_of(VESICA_POINT, 2), bad = this->unsound(two),
              holed = this->with_a_null(two), none = this->shapes_of(VESICA_RECT, 0);
   auto many = two;
-  many.count = this->far;
+  many.count = this->too_many;
   const TypeParam scores[2] = {1, 1};
   std::int64_t keep[2], kept = 7;
   TypeParam decayed[2];

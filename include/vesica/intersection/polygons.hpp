@@ -159,8 +159,8 @@ inline Vertices clipped(const Pair& p) noexcept {
   } else {
     v.add(p.vertex(0, c.in));
   }
-  const bool all = (start_in && !end_in && p.is_at(0, c.out)) || (!start_in && end_in && p.is_at(1, c.in)) ||
-                   (!start_in && !end_in && point);
+  const bool one_in = start_in != end_in;
+  const bool all = one_in ? (start_in ? p.is_at(0, c.out) : p.is_at(1, c.in)) : !start_in && point;
   if (all && end_in) v.at[0] = p.corner_a[1];
   if (all) return v;
   if (end_in) {
