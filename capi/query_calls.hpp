@@ -26,6 +26,7 @@ int64_t many(const Query& query, const CShapesOf<T>* a, const CShapesOf<T>* b, O
   for (int k = 0; k < query.columns(); ++k) some = columns[k] != nullptr ? columns[k] : some;
   const int32_t error = check_call(a, b, some, anything(a, b));
   if (error != 0) return error;
+  if (!query.answers(a->kind, b->kind)) return VESICA_E_KIND;
   const int64_t n = pairs_in_step(*a, *b);
   if (n < 0) return n;
   return result(vesica::batch::query_many(query, vesica::kernels(), view<T>(*a), view<T>(*b), n, columns));
@@ -37,6 +38,7 @@ int64_t matrix(const Query& query, const CShapesOf<T>* a, const CShapesOf<T>* b,
   VESICA_DEFAULT_ENVIRONMENT((matrix<T, Out>), query, a, b, out, row_stride);
   const int32_t error = check_call(a, b, out, anything(a, b));
   if (error != 0) return error;
+  if (!query.answers(a->kind, b->kind)) return VESICA_E_KIND;
   if (!rows_apart(a->count, b->count, row_stride, sizeof(Out))) return VESICA_E_ARGUMENT;
   if (!anything(a, b)) return 0;
   return result(vesica::batch::query_matrix(query, vesica::kernels(), view<T>(*a), view<T>(*b), out, row_stride));
