@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The floating-point environment a call is made in. A host may have set flush-to-zero, denormals-are-zero, a directed
-// rounding or trapping exceptions for its whole process; each of these would change answers. So every function reads the
-// control register, and if it is not the default, sets the default for its own duration.
+// rounding or trapping exceptions for its whole process; each of these would change answers. So every function reads
+// the control register, and if it is not the default, sets the default for its own duration.
 #pragma once
 
 #include <cstdint>

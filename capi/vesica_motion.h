@@ -52,17 +52,17 @@ typedef struct {
  * Does b touch a while it moves, when first, and where?
  *
  * The normal is that of the face or the round outline that is met; if a corner meets a corner, that of an edge there;
- * if b only slides along a, it is perpendicular to the velocity. For a face that is met at an angle below 2^-80 it may be
- * that of the face beside it, and the point their corner. If two faces meet, the point is the middle of what they
+ * if b only slides along a, it is perpendicular to the velocity. For a face that is met at an angle below 2^-80 it may
+ * be that of the face beside it, and the point their corner. If two faces meet, the point is the middle of what they
  * share. Shapes that overlap at the start have t = 0, the direction of vesica_depth_f64 and the point of
  * vesica_nearest_f64. So shapes that only touch at the start are moving apart if the normal does not point against the
  * velocity. Exchanging the shapes and reversing the velocity changes neither the answer nor the time; it reverses the
  * normal, up to rounding.
  * Returns: VESICA_CAST_MISS, VESICA_CAST_HIT or VESICA_CAST_START.
  * Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along the
- * outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the greatest radius of curvature of a:
- * of an ellipse its long half length squared over the short one, far more than its size if it is thin. The normal has
- * length 1 to 4 u.
+ * outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the greatest radius of curvature of
+ * a: of an ellipse its long half length squared over the short one, far more than its size if it is thin. The normal
+ * has length 1 to 4 u.
  * Cost: 30 to 50 ns for a miss, 0.2 to 0.6 us for a hit; less for rays (b a point), two circles and two ellipses, see
  * the typed functions; 0.7 to 20 us for contact that only exact arithmetic can decide. At wildly unlike exponents most
  * take 20 to 70 us; the dearest that searches found took 1 ms (AMD EPYC, Zen 4).

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Casts of arrays, a block at a time: a kernel tells most misses, another most first contacts, and the rest are asked as
-// single pairs.
+// Casts of arrays, a block at a time: a kernel tells most misses, another most first contacts, and the rest are asked
+// as single pairs.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -30,11 +30,12 @@ bool is_valid(const Body& body) noexcept {
   return detail::cast::with_shape(body, [](const auto& s) { return check(s) == 0; });
 }
 
-/// After a block of which the kernels know less than a sixteenth, so many are asked as single pairs: the filter takes 3%
-/// of the time of a contact that it does not spare.
+/// After a block of which the kernels know less than a sixteenth, so many are asked as single pairs: the filter takes
+/// 3% of the time of a contact that it does not spare.
 inline constexpr std::int32_t blocks_without = 7;
 
-/// Numbers of listed elements side by side, in whole vectors that repeat the first; of an operand that repeats, as many.
+/// Numbers of listed elements side by side, in whole vectors that repeat the first; of an operand that repeats, as
+/// many.
 class Gathered {
  public:
   [[gnu::noinline]] void set(std::int32_t columns, const double* const* from, bool repeated, const std::int32_t* list,

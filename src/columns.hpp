@@ -13,8 +13,8 @@ namespace vesica::batch {
 template <class T>
 inline constexpr std::int32_t block_size = 4096 / sizeof(T);
 
-/// Elements a block of pairs holds where an operand is copied: both copies and their sources stay in that cache. Columns
-/// that begin 4 KiB apart would be in each other's way there.
+/// Elements a block of pairs holds where an operand is copied: both copies and their sources stay in that cache.
+/// Columns that begin 4 KiB apart would be in each other's way there.
 template <class T>
 inline constexpr std::int32_t copied_block_size = 1024 / sizeof(T);
 

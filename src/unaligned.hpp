@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers where a caller has them, at any address. A pointer of type T* promises the compiler an aligned address, even as
-// an argument of memcpy, so such numbers are reached by bytes.
+// Numbers where a caller has them, at any address. A pointer of type T* promises the compiler an aligned address, even
+// as an argument of memcpy, so such numbers are reached by bytes.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The header where an answer is an error, or just not one: arguments and shapes that are invalid, one at a time, numbers
-// beyond the finite ones, and what the plain forms give then.
+// The header where an answer is an error, or just not one: arguments and shapes that are invalid, one at a time,
+// numbers beyond the finite ones, and what the plain forms give then.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -115,7 +115,8 @@ TEST(CoreErrors, BeyondTheFiniteNumbers) {
   EXPECT_EQ(gap, 7);
 }
 
-// In units of 2^1023 two needles, along y = 0 to x = 2.25 and from (0.85, 1.25) to (2.35, -0.25), that cross at x = 2.1.
+// In units of 2^1023 two needles, along y = 0 to x = 2.25 and from (0.85, 1.25) to (2.35, -0.25), that cross at x =
+// 2.1.
 TEST(CoreErrors, ACrossingBeyondTheFiniteNumbers) {
   constexpr double unit_length = 0x1p1023;
   const Rect<double> level{1.5 * unit_length, 0, 1, 0, 0.75 * unit_length, 1};

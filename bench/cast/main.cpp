@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Casts through the shared library, by kind and typed, and inlined from the header, beside textbook rays that are
-/// inlined and check nothing, and beside Box2D; then a ray through an index of a million shapes. Each contestant meets pairs that it has not seen, in the same
-/// buffers, and who goes first takes turns.
+/// inlined and check nothing, and beside Box2D; then a ray through an index of a million shapes. Each contestant meets
+/// pairs that it has not seen, in the same buffers, and who goes first takes turns.
 #include <vesica.h>
 
 #include <array>

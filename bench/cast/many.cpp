@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// vesica_cast_many beside a loop of single calls by kind, on arrays of records. Both meet pairs that they have not seen,
-/// in the same buffers, and who goes first takes turns.
+/// vesica_cast_many beside a loop of single calls by kind, on arrays of records. Both meet pairs that they have not
+/// seen, in the same buffers, and who goes first takes turns.
 #include <vesica.h>
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The batches of vesica/cuda.cuh for kinds that are known only when the program runs. Compiled apart from its callers, since
-/// its kernels take minutes.
+/// The batches of vesica/cuda.cuh for kinds that are known only when the program runs. Compiled apart from its callers,
+/// since its kernels take minutes.
 #pragma once
 
 #include <cstdint>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Overlap of arrays in a device's memory: pairs a second of every two kinds, in float and double, in step and one shape
-/// against many, beside the rate at which the device copies memory. The arrays are greater than its caches.
+/// Overlap of arrays in a device's memory: pairs a second of every two kinds, in float and double, in step and one
+/// shape against many, beside the rate at which the device copies memory. The arrays are greater than its caches.
 ///
 /// usage: vesica_bench_cuda [--pairs N] [PART]...     rows whose names hold every PART, N pairs each (2^24)
 ///
-/// Exit status: 0; 1 where an answer differs from the library's or the device reports an error; 2 for wrong arguments; 3
-/// where there is no device.
+/// Exit status: 0; 1 where an answer differs from the library's or the device reports an error; 2 for wrong arguments;
+/// 3 where there is no device.
 #include <vesica.h>
 
 #include <cstdint>

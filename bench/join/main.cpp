@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Index and join of rectangles: phases in ns a shape of both sides, and peers' time over the library's in the same run.
+/// Index and join of rectangles: phases in ns a shape of both sides, and peers' time over the library's in the same
+/// run.
 ///
 ///     vesica_bench_join [n] [repeats] [row]...
 ///

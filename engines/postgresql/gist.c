@@ -77,8 +77,8 @@ static bool at_rim(const BOX* box) {
 }
 
 // A number that no shape under the key is nearer than, as vs_distance computes it: that may be 4 u scale below the true
-// distance, u = 2^-53, and the scale is at most what both boxes span, across and up together. 2^-48 of this covers it and
-// the roundings here. At the rim of the floats the span is unknown.
+// distance, u = 2^-53, and the scale is at most what both boxes span, across and up together. 2^-48 of this covers it
+// and the roundings here. At the rim of the floats the span is unknown.
 PG_FUNCTION_INFO_V1(vshape_gist_distance);
 Datum vshape_gist_distance(PG_FUNCTION_ARGS) {
   const GISTENTRY* entry = (const GISTENTRY*)PG_GETARG_POINTER(0);

@@ -61,8 +61,8 @@ VESICA_INLINE arithmetic::Estimate estimate(const Ellipse<double>&, const arithm
   return x.high == 0 || y.high == 0 ? estimate_sum(x, y) : estimate_root(x, y);
 }
 
-/// A number that exact::rounded() gave; the largest one instead of one beyond. None is below the least: they are sums of a
-/// double and what is not negative.
+/// A number that exact::rounded() gave; the largest one instead of one beyond. None is below the least: they are sums
+/// of a double and what is not negative.
 constexpr double to_finite(const arithmetic::Scaled& s) noexcept {
   return s.exponent <= 1024 ? arithmetic::scale(s.value, s.exponent) : std::numeric_limits<double>::max();
 }

@@ -6,10 +6,10 @@
 /// type with no contact before it: the true time, rounded down.
 ///
 /// Accuracy, u = 2^-53, scale the largest coordinate of the offset of centres or half length: the point is within 8u
-/// scale of a's outline, before the rounding of its coordinates. Along the outline the error may be
-/// (8u scale + 4u R) / |n.v| for unit n and v, R being a's greatest radius of curvature; rays reach 0.93 of that. The
-/// normal is a unit vector to 4u. If a corner meets a corner it is that of one of the edges there; if b only slides along
-/// a it is perpendicular to v. Shapes that overlap at the start have the direction of depth() as normal and the point of
+/// scale of a's outline, before the rounding of its coordinates. Along the outline the error may be (8u scale + 4u R) /
+/// |n.v| for unit n and v, R being a's greatest radius of curvature; rays reach 0.93 of that. The normal is a unit
+/// vector to 4u. If a corner meets a corner it is that of one of the edges there; if b only slides along a it is
+/// perpendicular to v. Shapes that overlap at the start have the direction of depth() as normal and the point of
 /// nearest(): if their depth is 0 and n.v >= 0, they are moving apart.
 ///
 /// Laws, each tested, of answers and times to the bit: cast(b, a, -v) has the same time and, up to rounding, the

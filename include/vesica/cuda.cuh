@@ -52,8 +52,8 @@ Shapes<T> part(Shapes<T> shapes, std::int64_t first, std::int64_t count) noexcep
 /// Pairs of one batch, at most. Larger arrays need several batches.
 inline constexpr std::int64_t most_pairs = 0xfffffffe;
 
-/// Device memory that a batch of `pairs` pairs needs: 8 bytes a pair, and 16. When a batch is done, its first 32 bits are
-/// the number of pairs with an invalid shape; their answer is 0.
+/// Device memory that a batch of `pairs` pairs needs: 8 bytes a pair, and 16. When a batch is done, its first 32 bits
+/// are the number of pairs with an invalid shape; their answer is 0.
 constexpr std::size_t work_bytes(std::int64_t pairs) noexcept { return 16 + 8 * static_cast<std::size_t>(pairs); }
 
 struct Work {
@@ -222,8 +222,8 @@ cudaError_t launch(void (*kernel)(Parameters...), unsigned blocks, unsigned thre
   return cudaLaunchKernelEx(&config, kernel, arguments...);
 }
 
-/// Threads of each kernel. The first one's blocks depend on the batch, the others' not: how many pairs they find is known
-/// to the device alone.
+/// Threads of each kernel. The first one's blocks depend on the batch, the others' not: how many pairs they find is
+/// known to the device alone.
 inline constexpr unsigned block = 256, most_blocks = 16384, blocks_in_double = 512, exact_block = 32,
                           exact_blocks = 128;
 
@@ -286,8 +286,8 @@ cudaError_t overlap_one(const A<T>& a, const Shapes<T>& b, std::uint8_t* out, co
   return detail::run(pairs, detail::Bytes{out, 0}, work, stream);
 }
 
-/// out[i * row_size + j]: whether a[i] overlaps b[j]. row_size is at least b's count; with part(), a tile goes to its place
-/// in a greater matrix.
+/// out[i * row_size + j]: whether a[i] overlaps b[j]. row_size is at least b's count; with part(), a tile goes to its
+/// place in a greater matrix.
 template <template <class> class A, template <class> class B, class T>
 cudaError_t overlap_matrix(const Shapes<T>& a, const Shapes<T>& b, std::uint8_t* out, std::int64_t row_size,
                            const Work& work, cudaStream_t stream = nullptr) noexcept {

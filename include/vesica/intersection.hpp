@@ -121,8 +121,9 @@ std::int32_t store(const Vertices& v, SharedRegion<T>& out) noexcept {
 
 }  // namespace detail::intersection
 
-/// The checked form: the number of vertices, 0 to 8 (Vertices says why), with the vertices in `out`; error_shape, or error_range where one
-/// is beyond the finite numbers, and then `out` is untouched. Floats are the double vertices, rounded.
+/// The checked form: the number of vertices, 0 to 8 (Vertices says why), with the vertices in `out`; error_shape, or
+/// error_range where one is beyond the finite numbers, and then `out` is untouched. Floats are the double vertices,
+/// rounded.
 template <template <class> class A, template <class> class B, class T>
 requires(detail::intersection::answers<A<T>, B<T>>) std::int32_t
     intersection_or_error(const A<T>& first, const B<T>& second, SharedRegion<T>& out)

@@ -120,8 +120,8 @@ bool kept_digits(const Shape& stored, const Shape& scaled) noexcept {
   });
 }
 
-/// Valid disjoint shapes, of kinds in order, one of them an ellipse with an area, and a distance above 0. The distance of nearest() is
-/// right to 4u of the scale, and to half the least number; 4.5u leave room for the roundings here.
+/// Valid disjoint shapes, of kinds in order, one of them an ellipse with an area, and a distance above 0. The distance
+/// of nearest() is right to 4u of the scale, and to half the least number; 4.5u leave room for the roundings here.
 template <class A, class B>
 VESICA_COLD Within by_distance(A a, B b, double distance) noexcept {
   // Lengths are below 2^2050. In a unit of 2^600, or of its square or cube, none is beyond the range of double, and

@@ -330,8 +330,8 @@ class Builder {
   }
   void note_run(const Run& run) noexcept { at<Run>(layout_.runs, state().runs++) = run; }
 
-  /// Whether the index surely has room for these cells, and for one frame for each run if nothing finds a place in them.
-  /// 12.25 bytes an item, 520 a block and 48 in the directory at most.
+  /// Whether the index surely has room for these cells, and for one frame for each run if nothing finds a place in
+  /// them. 12.25 bytes an item, 520 a block and 48 in the directory at most.
   bool has_room(std::int64_t cells) const noexcept {
     const State& s = state();
     const std::int64_t rest = s.items - s.placed - s.left_out, blocks = cells + rest / 512 + s.runs + 3;

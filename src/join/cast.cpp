@@ -110,8 +110,8 @@ struct ByTime {
   std::uint32_t value[Most];
   int count = 0;
 
-  /// The numbers i < n whose time is before `never`, each as value_of(i). Which these are cannot be foreseen, so there is
-  /// no branch on it.
+  /// The numbers i < n whose time is before `never`, each as value_of(i). Which these are cannot be foreseen, so there
+  /// is no branch on it.
   template <class Value>
   void take(const double* times, int n, const Value& value_of) noexcept {
     int met[Most];

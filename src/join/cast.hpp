@@ -9,8 +9,8 @@
 namespace vesica::index {
 
 /// Callbacks about items. ask() returns whether the moving shape hits an item by the time `end` (1, 0, or an error),
-/// and writes the time of the hit, rounded down. prefetch() fetches the numbers of an item that ask() may be called for;
-/// keep() says that the item of the last ask() is the first hit so far.
+/// and writes the time of the hit, rounded down. prefetch() fetches the numbers of an item that ask() may be called
+/// for; keep() says that the item of the last ask() is the first hit so far.
 struct Targets {
   void* context;
   std::int32_t (*ask)(void* context, std::uint32_t item, double end, double& t);

@@ -22,8 +22,8 @@ struct Nearest {
   double within;   // at most so far
 };
 
-/// Writes the nearest items to a valid item of other sets, whose bounds are `box`, nearest first; returns how many. With
-/// k = 0 nothing is written, and all within the distance are counted.
+/// Writes the nearest items to a valid item of other sets, whose bounds are `box`, nearest first; returns how many.
+/// With k = 0 nothing is written, and all within the distance are counted.
 template <class T>
 std::int64_t find_nearest(const Nearest& query, const Sets& of, std::uint32_t item, const double (&box)[4],
                           std::int64_t* out, T* distance) noexcept;

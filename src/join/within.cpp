@@ -63,8 +63,8 @@ class Walk {
         room_(join.distance * (1 + 0x1p-50) + (magnitude(join.index_a) + magnitude(join.index_b)) * 0x1p-47 +
               0x1p-1060) {}
 
-  /// Calls found(place, block of B, item of A, item of B) for each pair from place `begin`, block `from` on, in order, as
-  /// long as it returns true.
+  /// Calls found(place, block of B, item of A, item of B) for each pair from place `begin`, block `from` on, in order,
+  /// as long as it returns true.
   template <class Found>
   void pairs(std::int64_t begin, std::int64_t end, std::int64_t from, const Found& found) noexcept {
     std::int64_t first = 0;  // place of the block's first item

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the kernels of first contacts share: how they read a pair and write what was found. Points and normals are made of
-// the operations of the scalar functions in their order, so that bits are the same. The time is the one double that is
-// right, whichever way it is found.
+// What the kernels of first contacts share: how they read a pair and write what was found. Points and normals are made
+// of the operations of the scalar functions in their order, so that bits are the same. The time is the one double that
+// is right, whichever way it is found.
 #pragma once
 
 #include <limits>

@@ -58,8 +58,8 @@ struct CastBytes {
 /// n: a multiple of the vector's width.
 using CastFilter = void (*)(const CastColumns& columns, std::int32_t n, const CastBytes& out) noexcept;
 
-/// The first contacts of pairs that the filter says to meet. results[0][i] is the time, the rest the point and the normal
-/// as a single call has them; infinite if it is after the end, NaN where the scalar function must be asked.
+/// The first contacts of pairs that the filter says to meet. results[0][i] is the time, the rest the point and the
+/// normal as a single call has them; infinite if it is after the end, NaN where the scalar function must be asked.
 using CastKernel = void (*)(const CastColumns& columns, std::int32_t n, double* const* results) noexcept;
 
 struct CastTable {

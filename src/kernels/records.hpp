@@ -25,8 +25,8 @@ inline constexpr int group = 16 / sizeof(T);
 template <class T>
 inline constexpr int record_vector = std::clamp<int>(sizeof(Floats), 16, 32) / sizeof(T);
 
-/// Two adjacent numbers of each of length / 2 records. Every group has those of the first half of as many records, so that
-/// two such vectors, the second beginning half a group later, have those of `length` records.
+/// Two adjacent numbers of each of length / 2 records. Every group has those of the first half of as many records, so
+/// that two such vectors, the second beginning half a group later, have those of `length` records.
 template <class T, int length>
 VESICA_INLINE NumberVector<T, length> load_pairs(Unaligned<T> from, std::ptrdiff_t stride) noexcept {
   if constexpr (length == 2) {
@@ -67,8 +67,8 @@ void copy_two_fields(Unaligned<T> from, std::ptrdiff_t stride, std::int32_t n, T
   }
 }
 
-/// Copies n records, `stride` bytes apart, of at least two adjacent numbers to columns, `column_length` numbers apart. Of an
-/// odd number of fields the last two overlap the two before.
+/// Copies n records, `stride` bytes apart, of at least two adjacent numbers to columns, `column_length` numbers apart.
+/// Of an odd number of fields the last two overlap the two before.
 template <class T>
 VESICA_KERNEL void records_to_columns(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
                                       std::int32_t column_length) noexcept {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two vectors as one, for code whose time is the latency of divisions and roots in a row. Each operation is done on both
-// vectors, so the processor always has two independent chains to work on.
+// Two vectors as one, for code whose time is the latency of divisions and roots in a row. Each operation is done on
+// both vectors, so the processor always has two independent chains to work on.
 #pragma once
 
 namespace vesica {

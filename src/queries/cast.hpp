@@ -28,8 +28,8 @@ std::int32_t cast_open(const Body& a, const Body& b, const Motion& motion, Impac
 std::int32_t cast_rest(const Body& a, const Body& b, const Motion& motion, const detail::cast::Filtered& known,
                        Impact<double>& out) noexcept;
 
-/// detail::cast::quick_hit by the quicker products. Not inlined where the filter is: what it needs of registers would cost
-/// the misses as much as they take.
+/// detail::cast::quick_hit by the quicker products. Not inlined where the filter is: what it needs of registers would
+/// cost the misses as much as they take.
 template <class A, class B>
 detail::cast::Quick quick_hit(const A& a, const B& b, double vx, double vy, double end, Impact<double>& out) noexcept;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many pairs the kernels of casts answer. One that leaves too many to the scalar function is still right, only slow. No
-// kernel fuses but in exact products, and the pairs are drawn without a rounding that could differ: all instruction sets
-// that have these kernels leave the same number.
+// How many pairs the kernels of casts answer. One that leaves too many to the scalar function is still right, only
+// slow. No kernel fuses but in exact products, and the pairs are drawn without a rounding that could differ: all
+// instruction sets that have these kernels leave the same number.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -54,8 +54,8 @@ struct Pairs {
   }
 };
 
-/// Of all pairs those that certainly miss and those that certainly meet; of these what the kernel of contacts settles, or
-/// -1 where there is none.
+/// Of all pairs those that certainly miss and those that certainly meet; of these what the kernel of contacts settles,
+/// or -1 where there is none.
 struct Tally {
   int missed = 0, meets = 0, settled = -1;
 };

@@ -173,8 +173,8 @@ std::vector<Numbers<T>> shapes_of(const Ordinary& data, int kind, int n, propert
   return shapes;
 }
 
-/// Of float a thousandth at most, of double none. But a rectangle and an ellipse a thousandth of its size have a bound that
-/// is too wide for float: such blocks are left to the other kernels.
+/// Of float a thousandth at most, of double none. But a rectangle and an ellipse a thousandth of its size have a bound
+/// that is too wide for float: such blocks are left to the other kernels.
 TEST_P(Checked, LeavesLittleUndecided) {
   in_its_scalar([this]<class T>(T) {
     const Case& c = GetParam();

@@ -17,8 +17,8 @@ class GuardedMemory {
   GuardedMemory(const GuardedMemory&) = delete;
   GuardedMemory& operator=(const GuardedMemory&) = delete;
 
-  /// `size` bytes, at most the capacity, right behind the one guard page or right in front of the other. Their content is
-  /// whatever the last use left.
+  /// `size` bytes, at most the capacity, right behind the one guard page or right in front of the other. Their content
+  /// is whatever the last use left.
   std::byte* place(std::size_t size, Edge edge);
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lattices of touching shapes, on every instruction set. The scalar function decides ties by the same evaluation without
-// errors as the kernels do, so both are held against the exact stage.
+// Lattices of touching shapes, on every instruction set. The scalar function decides ties by the same evaluation
+// without errors as the kernels do, so both are held against the exact stage.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many pairs a kernel leaves undecided. One that leaves too many is still right, only slow: a bound that is too wide or
-// a guard that is too narrow shows here and in no answer. One that leaves fewer than it did has a bound that is narrower
-// than its proof, or a better proof, which is a reason to write other numbers here.
+// How many pairs a kernel leaves undecided. One that leaves too many is still right, only slow: a bound that is too
+// wide or a guard that is too narrow shows here and in no answer. One that leaves fewer than it did has a bound that is
+// narrower than its proof, or a better proof, which is a reason to write other numbers here.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -19,9 +19,9 @@ using namespace batch_tests;
 using properties::Workload;
 
 constexpr int count = 4096;
-/// Instruction sets differ by 8 at most, for some fuse operations. The numbers below are of g++. Clang draws the operands
-/// of some products in another order, and so other pairs: it differs by 270 at most. A bound eight times as wide differs
-/// by 3 of the 11 powers of two drawn, or 1,100.
+/// Instruction sets differ by 8 at most, for some fuse operations. The numbers below are of g++. Clang draws the
+/// operands of some products in another order, and so other pairs: it differs by 270 at most. A bound eight times as
+/// wide differs by 3 of the 11 powers of two drawn, or 1,100.
 #ifdef __clang__
 constexpr int tolerance = 320;
 #else

@@ -83,8 +83,8 @@ void run(int outer, int inner, int pairs_a_style, int limit) {
 /// A quarter of the limit, which no search may ever meet.
 constexpr int expected_evaluations = vesica::detail::support_minimum::evaluation_limit / 4;
 
-/// An ellipse and its copy within it, about one centre: F is 1 - within times a support function, and least along the lesser
-/// half length. A tolerance below 0 calls no value least, so that arcs are refined until a limit ends it.
+/// An ellipse and its copy within it, about one centre: F is 1 - within times a support function, and least along the
+/// lesser half length. A tolerance below 0 calls no value least, so that arcs are refined until a limit ends it.
 vesica::detail::support_minimum::Minimum of_copy(double within) {
   using namespace vesica::detail::support_minimum;
   const CentredShape outer{{1, 0}, 1, 0.25, true}, inner{{1, 0}, within, within * 0.25, true};

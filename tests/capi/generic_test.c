@@ -78,8 +78,8 @@ static void test_float(void) {
   EXPECT(vesica_overlap(&apart, &ellipse), 0);
 }
 
-/* Each query of a kind, as first and as second shape, is the function called with kinds and numbers: the same answer and
-   the same bytes. */
+/* Each query of a kind, as first and as second shape, is the function called with kinds and numbers: the same answer
+   and the same bytes. */
 #define EXPECT_ANSWER(query, scalar, T, a, KIND_A, b, KIND_B) \
   EXPECT(query(a, b), query##_##scalar(KIND_A, (const T*)(a), KIND_B, (const T*)(b)))
 #define EXPECT_RESULT(query, scalar, T, Result, a, KIND_A, b, KIND_B)                                       \

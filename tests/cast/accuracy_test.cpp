@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The point of contact lies on a's outline, and that of a ray at the ray's own place at the time: in units of the header's
-/// bounds.
+/// The point of contact lies on a's outline, and that of a ray at the ray's own place at the time: in units of the
+/// header's bounds.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,8 +29,8 @@ double bend_of(int kind, const Numbers& n) {
   return std::hypot(n[2], n[3]) * longer * (longer / shorter);
 }
 
-/// Whether a ray comes along no face of a straight shape, or nearly so: where the angle is below 2^-80 the header promises
-/// the face's corner.
+/// Whether a ray comes along no face of a straight shape, or nearly so: where the angle is below 2^-80 the header
+/// promises the face's corner.
 bool meets_faces(int kind, const Numbers& n, const Motion& m) {
   if (properties::is_round(kind)) return true;
   const bool is_segment = kind == VESICA_SEGMENT, has_axis = kind == VESICA_RECT;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The header compiled by whom sums and products may be fused: for processors with fused multiply-adds g++ does so unless
-/// it is told otherwise. The time is the greatest double before contact all the same. Expected times are from rational
-/// arithmetic: there is no contact before them, and some before the next double.
+/// The header compiled by whom sums and products may be fused: for processors with fused multiply-adds g++ does so
+/// unless it is told otherwise. The time is the greatest double before contact all the same. Expected times are from
+/// rational arithmetic: there is no contact before them, and some before the next double.
 #include <gtest/gtest.h>
 
 #include <limits>

@@ -68,8 +68,8 @@ TEST(Known, ThePointThatATipMeets) {
   }
 }
 
-// Half lengths of 2^-577 along an axis of 2^177: no product of the two lengths may be taken alone. Contact comes between
-// t and the next double, by rational arithmetic.
+// Half lengths of 2^-577 along an axis of 2^177: no product of the two lengths may be taken alone. Contact comes
+// between t and the next double, by rational arithmetic.
 TEST(Known, AnEllipseOfTinyNumbersOnALongAxis) {
   const Pair p{VESICA_ELLIPSE,
                VESICA_POINT,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Casts of arrays have the bits of single calls where kernels are most likely to differ: about contact to the last place
-/// and about the end, at every length, among wrong elements, with operands that repeat, at the edge of a page.
+/// Casts of arrays have the bits of single calls where kernels are most likely to differ: about contact to the last
+/// place and about the end, at every length, among wrong elements, with operands that repeat, at the edge of a page.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many casts the filter and the quick ways leave open. One that leaves more is still right, only slower: a bound too
-// wide, or a guard too narrow, shows here and in no answer. One that leaves fewer has a bound narrower than its proof, or a
-// better proof, which is a reason to write other numbers here. The motions are the same everywhere, and nothing is fused.
+// How many casts the filter and the quick ways leave open. One that leaves more is still right, only slower: a bound
+// too wide, or a guard too narrow, shows here and in no answer. One that leaves fewer has a bound narrower than its
+// proof, or a better proof, which is a reason to write other numbers here. The motions are the same everywhere, and
+// nothing is fused.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -39,7 +40,8 @@ double tiny(Random& random) {
   return sign * std::ldexp(size, -random.below(54));
 }
 
-/// The shapes touch at time 1, to which the second moves from -v: along the tangent, or towards the first to an end about
+/// The shapes touch at time 1, to which the second moves from -v: along the tangent, or towards the first to an end
+/// about
 /// 1. What is left of exactness is 1 to 2^-53, every power of two as likely.
 Moving meeting(int kind_a, int kind_b, bool grazes, Random& random) {
   auto [pair, x, y] = properties::touching(kind_a, kind_b, random);
@@ -69,8 +71,9 @@ Moving of_any_magnitude(Moving m, Random& random) {
   return {m.pair, {m.motion.vx * k, m.motion.vy * k, std::ldexp(m.motion.end, of_lengths - of_motion)}};
 }
 
-/// Undecided, and not certain to be apart at the start, by the filter of all kinds; open by the quick filter, and by the
-/// quick way after it; where there is none, 0. Of grazing motions, of those towards a contact, and of each at any magnitude.
+/// Undecided, and not certain to be apart at the start, by the filter of all kinds; open by the quick filter, and by
+/// the quick way after it; where there is none, 0. Of grazing motions, of those towards a contact, and of each at any
+/// magnitude.
 using Left = std::array<int, 16>;
 
 template <class A, class B>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The predicates in constant expressions, where a compiler refuses undefined behaviour. Every pair of kinds, touching and
-// a last place apart; invalid shapes; exponents at the ends of the range.
+// The predicates in constant expressions, where a compiler refuses undefined behaviour. Every pair of kinds, touching
+// and a last place apart; invalid shapes; exponents at the ends of the range.
 #include <limits>
 #include <vesica/bounds.hpp>
 #include <vesica/construct.hpp>

@@ -207,9 +207,9 @@ TEST(CrossingsHard, NearlyOsculatingEllipses) {
   tally.report("nearly osculating ellipses");
 }
 
-/// An ellipse and its circle of curvature at (0, q), which touch to the fourth order, moved along the tangent by 2^-20 to
-/// 2^-420: the true places are as near to each other as the cube root of that. Bisection then has many intervals pending
-/// whose coefficients are all rounding.
+/// An ellipse and its circle of curvature at (0, q), which touch to the fourth order, moved along the tangent by 2^-20
+/// to 2^-420: the true places are as near to each other as the cube root of that. Bisection then has many intervals
+/// pending whose coefficients are all rounding.
 TEST(CrossingsHard, OsculatingEllipsesMovedByFarLessThanRoundings) {
   Random random(seed());
   Tally tally;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every kernel of vesica/cuda.cuh for compile.py: batches in step of every pair of kinds, the other forms for one pair; a
-// kernel as a user writes one; and one whose instructions are known.
+// Every kernel of vesica/cuda.cuh for compile.py: batches in step of every pair of kinds, the other forms for one pair;
+// a kernel as a user writes one; and one whose instructions are known.
 #include <vesica/cuda.cuh>
 #include <vesica/vesica.hpp>
 

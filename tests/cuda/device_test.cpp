@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Batches over a device's memory give the library's answers: every workload, near ties, the corpus and the hosts' vectors in
-// step; matrices, counts and one against many for one pair of kinds. nvcc makes of this the test that wants a device
-// (programs.sh); through host/cuda_runtime.h it is one that wants none.
+// Batches over a device's memory give the library's answers: every workload, near ties, the corpus and the hosts'
+// vectors in step; matrices, counts and one against many for one pair of kinds. nvcc makes of this the test that wants
+// a device (programs.sh); through host/cuda_runtime.h it is one that wants none.
 #include <gtest/gtest.h>
 
 #include <algorithm>

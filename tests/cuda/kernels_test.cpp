@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The kernels of vesica/cuda.cuh, compiled as plain C++ through host/cuda_runtime.h, give the library's answers: for the
-// hosts' vectors, the corpus, every workload and near ties, in every form of a batch and in two orders of threads.
+// The kernels of vesica/cuda.cuh, compiled as plain C++ through host/cuda_runtime.h, give the library's answers: for
+// the hosts' vectors, the corpus, every workload and near ties, in every form of a batch and in two orders of threads.
 #include <gtest/gtest.h>
 #include <vesica.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Nine-intersection matrices: against the oracle for straight shapes, over every workload and over all pairs of a small
-/// grid; known answers; what follows from the relation, of round shapes too.
+/// Nine-intersection matrices: against the oracle for straight shapes, over every workload and over all pairs of a
+/// small grid; known answers; what follows from the relation, of round shapes too.
 #include "oracle/de9im.hpp"
 
 #include <gtest/gtest.h>
@@ -104,8 +104,8 @@ class De9im : public testing::TestWithParam<properties::Kinds> {
       EXPECT_EQ(m.substr(3, 3), ends) << m;
       EXPECT_EQ(m.substr(6), "212");
       EXPECT_EQ(m[2], ends[2] == '0' ? '1' : 'F') << m;
-      // A chord leaves through the outline exactly where an end is outside; a tangent touches it in its own inside unless
-      // an end is there.
+      // A chord leaves through the outline exactly where an end is outside; a tangent touches it in its own inside
+      // unless an end is there.
       const bool meets = oracle::overlap(p.kind_a, p.a.data(), p.kind_b, p.b.data());
       if (m[0] == '1') {
         EXPECT_EQ(m[1], ends[2] == '0' ? '0' : 'F') << m;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The numbers of an array need no alignment, in any function that takes arrays. What is wrong where the answers are right
-// by luck is for the undefined behaviour sanitizer to see; that of Clang 19 looks at the arguments of memcpy too.
+// The numbers of an array need no alignment, in any function that takes arrays. What is wrong where the answers are
+// right by luck is for the undefined behaviour sanitizer to see; that of Clang 19 looks at the arguments of memcpy too.
 #include <gtest/gtest.h>
 
 #include "environment/calls.hpp"

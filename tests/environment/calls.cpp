@@ -299,7 +299,8 @@ Bytes ask_index(const Inputs& inputs) {
   return bytes;
 }
 
-/// Pairs of two indexes, by each query and within distances, and the nearest items of the second one to each of the first.
+/// Pairs of two indexes, by each query and within distances, and the nearest items of the second one to each of the
+/// first.
 template <class T, class Shapes, auto build, auto join, auto within, auto nearest>
 Bytes ask_join(const Inputs& inputs) {
   const Operands<T, Shapes> operands(inputs);

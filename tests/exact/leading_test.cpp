@@ -215,8 +215,8 @@ struct OfEight {
 
 Number<8> eighth_power(double x) { return square(square(square(exact::from_double(x)))); }
 
-// Any of the numbers may be the one that is long, or none. It is 7 less than a sum of powers of two, and the others are 1:
-// so what leads cancels, and the first digits to tell are those of the sum.
+// Any of the numbers may be the one that is long, or none. It is 7 less than a sum of powers of two, and the others are
+// 1: so what leads cancels, and the first digits to tell are those of the sum.
 TEST(Leading, EachNumberMayBeTheLongOne) {
   const Number<8> one = eighth_power(1), seven = one + one + one + one + one + one + one;
   const Number<8> far = eighth_power(0x1p-125), farther = eighth_power(0x1p-250), very_far = eighth_power(0x1p-500),

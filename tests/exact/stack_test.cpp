@@ -138,7 +138,8 @@ std::int32_t crossings(std::int32_t kind_a, const double* a, std::int32_t kind_b
   return code == VESICA_E_RANGE ? 0 : code;
 }
 
-/// Shapes moved apart and towards each other again: so contact at the start is contact on the way, at a time of about 1.
+/// Shapes moved apart and towards each other again: so contact at the start is contact on the way, at a time of about
+/// 1.
 std::int32_t cast(std::int32_t kind_a, const double* a, std::int32_t kind_b, const double* b) {
   double apart[6];
   std::copy_n(b, 6, apart);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact of rectangles by separating axes in integers: what it decides is what the oracle decides, at contacts, at their
-// neighbours and anywhere else; it decides numbers of any length where exponents are alike; and no invalid shape passes.
+// Contact of rectangles by separating axes in integers: what it decides is what the oracle decides, at contacts, at
+// their neighbours and anywhere else; it decides numbers of any length where exponents are alike; and no invalid shape
+// passes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,8 +26,8 @@ struct Place {
   double x, y, wx, wy, hx, hy;
 };
 
-/// The point in all pairs: by itself, as a corner of another rectangle or of a box, on either side, and as the end and the
-/// inside of segments.
+/// The point in all pairs: by itself, as a corner of another rectangle or of a box, on either side, and as the end and
+/// the inside of segments.
 void ask_all(const Place& at, Random& random, Counts& counts) {
   const auto& [r, x, y, wx, wy, hx, hy] = at;
   ask(Point<double>{x, y}, r, counts);
@@ -129,8 +130,8 @@ TEST(Axes, DecideThinRectanglesAndWhatIsFarFromTheOrigin) {
   }
 }
 
-/// Each number of another exponent, about what the units hold, and places, axes and sizes of unlike magnitudes, about what their
-/// difference may be: what is beyond must be left open.
+/// Each number of another exponent, about what the units hold, and places, axes and sizes of unlike magnitudes, about
+/// what their difference may be: what is beyond must be left open.
 TEST(Axes, DecideOnlyWhatTheUnitsHold) {
   Random random(properties::seed());
   for (int spread = 0; spread <= 140; spread += 4) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The look at circles and ellipses before the filter of round shapes: what it decides is what exact arithmetic decides, at the
-// very distances where it begins to decide; it does decide there; and no invalid shape passes.
+// The look at circles and ellipses before the filter of round shapes: what it decides is what exact arithmetic decides,
+// at the very distances where it begins to decide; it does decide there; and no invalid shape passes.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The evaluations without errors: where numbers are short they decide every tie, and what they decide is the exact stage's
-// answer, near ties, the ends of the range and numbers of the most digits included.
+// The evaluations without errors: where numbers are short they decide every tie, and what they decide is the exact
+// stage's answer, near ties, the ends of the range and numbers of the most digits included.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact of circles by squares, in near and in far units: what it decides is what the oracle decides, at contacts, at their
-// neighbours and anywhere else; it decides numbers of any length where exponents are alike; and no invalid shape passes.
+// Contact of circles by squares, in near and in far units: what it decides is what the oracle decides, at contacts, at
+// their neighbours and anywhere else; it decides numbers of any length where exponents are alike; and no invalid shape
+// passes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,8 +26,8 @@ struct Place {
   double x, y;
 };
 
-/// The rim's point in all pairs: by itself, as a point of another circle, a box's corner, and a point of segments that touch
-/// with their inside or an end, or pass by. The factors are small whole numbers: short numbers stay so.
+/// The rim's point in all pairs: by itself, as a point of another circle, a box's corner, and a point of segments that
+/// touch with their inside or an end, or pass by. The factors are small whole numbers: short numbers stay so.
 void ask_all(const Place& at, Random& random, Counts& round, Counts& segments) {
   const auto& [c, x, y] = at;
   const double px = c.cx + x, py = c.cy + y, k = random.integer(1, 3), part = random.integer(0, 1);

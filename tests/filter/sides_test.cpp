@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact by sides of lines, in near and in far units: what it decides is what the oracle decides, at contacts, at their
-// neighbours and anywhere else; it decides numbers of any length where exponents are alike; and no invalid shape passes.
+// Contact by sides of lines, in near and in far units: what it decides is what the oracle decides, at contacts, at
+// their neighbours and anywhere else; it decides numbers of any length where exponents are alike; and no invalid shape
+// passes.
 #include <gtest/gtest.h>
 
 #include <algorithm>

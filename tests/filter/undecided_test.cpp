@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // How many pairs each stage before the exact one leaves open. A stage that leaves more is still right, only slower: a
-// bound too wide, or a guard too narrow, shows here and in no answer. One that leaves fewer has a bound narrower than its
-// proof, or a better proof, which is a reason to write other numbers here.
+// bound too wide, or a guard too narrow, shows here and in no answer. One that leaves fewer has a bound narrower than
+// its proof, or a better proof, which is a reason to write other numbers here.
 //
-// The pairs are the same everywhere, and nothing here is fused, so that the numbers are met exactly: g++ and Clang agree.
-// Fused they differ by 7 at most. A bound twice as wide leaves about one pair in 54 more, or 76 of 4,096.
+// The pairs are the same everywhere, and nothing here is fused, so that the numbers are met exactly: g++ and Clang
+// agree. Fused they differ by 7 at most. A bound twice as wide leaves about one pair in 54 more, or 76 of 4,096.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -66,9 +66,9 @@ Pair of_any_magnitude(Pair pair, Scalar scalar, Random& random) {
 
 double power_of_two(Random& random, int least) { return std::ldexp(1.0, -random.below(1 - least)); }
 
-/// One shape within the other or a little out of it, their sizes as near as 1 to 1 + 2^-53: about one centre, or touching
-/// at a tip or in the middle of a side, from inside or outside. The pairs above touch boxes at corners alone. As thin as
-/// 2^-52, and parallel or nearly so, where errors of second order count.
+/// One shape within the other or a little out of it, their sizes as near as 1 to 1 + 2^-53: about one centre, or
+/// touching at a tip or in the middle of a side, from inside or outside. The pairs above touch boxes at corners alone.
+/// As thin as 2^-52, and parallel or nearly so, where errors of second order count.
 Pair nested(int kind_a, int kind_b, Random& random) {
   constexpr properties::Vector directions[] = {{1, 0}, {0, 1}, {0.6, 0.8}, {-0.28, 0.96}};
   const bool a_within = random.chance(0.5);
@@ -94,8 +94,8 @@ Pair nested(int kind_a, int kind_b, Random& random) {
   return a_within ? Pair{kind_a, kind_b, within, about} : Pair{kind_a, kind_b, about, within};
 }
 
-/// Of any magnitude, the second shape often of another: far larger, or far less. Or so large that errors, which are 2^-48
-/// of squared lengths, are about the guards' limit of 2^800.
+/// Of any magnitude, the second shape often of another: far larger, or far less. Or so large that errors, which are
+/// 2^-48 of squared lengths, are about the guards' limit of 2^800.
 Pair nested_of_any_magnitude(Pair pair, Random& random) {
   const bool at_limit = random.chance(0.25);
   const int narrower = at_limit ? 4 : random.below(4);
@@ -122,11 +122,11 @@ Apart apart_of_any_magnitude(const Apart& a, Random& random) {
   return {scaled(a.pair, of_lengths, random.integer(-120, 120) >> narrower), std::ldexp(a.reach, of_lengths)};
 }
 
-/// What is left of `count` pairs. Of those that touch, moved by a little: by the pair's filter in double and in float, and
-/// by the filters of relation and of containment. Of those that touch from one side by the latter two, and by containment
-/// the other way round. Of contacts as they are, but small, by the stage without errors. Of any magnitude, by the pair's
-/// filter in double and in float, and by that of relation. Of those nested, by that of relation, and of four magnitudes of
-/// each. Of straight shapes apart, and of these at any magnitude, by the filter of distances.
+/// What is left of `count` pairs. Of those that touch, moved by a little: by the pair's filter in double and in float,
+/// and by the filters of relation and of containment. Of those that touch from one side by the latter two, and by
+/// containment the other way round. Of contacts as they are, but small, by the stage without errors. Of any magnitude,
+/// by the pair's filter in double and in float, and by that of relation. Of those nested, by that of relation, and of
+/// four magnitudes of each. Of straight shapes apart, and of these at any magnitude, by the filter of distances.
 struct Left {
   int overlap, overlap_f32, relation, contains, relation_inner, contains_inner, contained_inner, ties, guard, guard_f32,
       guard_relation, nested, guard_nested, within, guard_within;

@@ -75,8 +75,8 @@ struct Case {
   double distance = 0;     ///< of within
 };
 
-/// As in "overlap_f64 circle 0x0p+0 0x0p+0 0x1p+0 | point 0x1p+0 0x0p+0"; a motion follows as in " | v 0x1p+0 0x0p+0 end
-/// inf", a distance as in " | distance 0x1p+0".
+/// As in "overlap_f64 circle 0x0p+0 0x0p+0 0x1p+0 | point 0x1p+0 0x0p+0"; a motion follows as in " | v 0x1p+0 0x0p+0
+/// end inf", a distance as in " | distance 0x1p+0".
 std::string notation(const Case& c);
 
 /// The case of a notation; "_f64" may be left out, numbers may be decimal. Nothing where it cannot be read.

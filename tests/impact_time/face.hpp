@@ -71,9 +71,9 @@ struct Placed {
   Numbers numbers;
 };
 
-/// Where a shape is at t, by the C library's sine and cosine in long double, with sizes times 1 + grown. Centre and axis
-/// are right to some 2^-50 of the lengths; so with grown = -2^-40 what is told lies inside the true shape, unless that is
-/// a needle or a point, which is off by that rounding.
+/// Where a shape is at t, by the C library's sine and cosine in long double, with sizes times 1 + grown. Centre and
+/// axis are right to some 2^-50 of the lengths; so with grown = -2^-40 what is told lies inside the true shape, unless
+/// that is a needle or a point, which is off by that rounding.
 Placed placed_at(int kind, const Numbers& numbers, const Turn& turn, double t, double grown);
 
 /// Do the shapes, both shrunk by 2^-40, overlap at t? Exactly, by vesica_overlap.

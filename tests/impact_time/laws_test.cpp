@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What holds without knowing any contact: powers of two to the bit; exchange and a finer tolerance as far as answers are
-/// proved; and where nothing turns, what vesica_cast proves.
+/// What holds without knowing any contact: powers of two to the bit; exchange and a finer tolerance as far as answers
+/// are proved; and where nothing turns, what vesica_cast proves.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// All pairs by the scalar functions: what a join must find. A sweep over exact bounds leaves out what cannot be a pair,
-/// by plain comparisons of vesica_bounds' boxes and none of the index's own.
+/// All pairs by the scalar functions: what a join must find. A sweep over exact bounds leaves out what cannot be a
+/// pair, by plain comparisons of vesica_bounds' boxes and none of the index's own.
 #pragma once
 
 #include <algorithm>

@@ -32,8 +32,8 @@ bool is_passed_over(std::int64_t i, std::int64_t n) {
   return sample * n / 4096 != i;
 }
 
-/// Crowds that no sample shows: a third of 100,000 points lies in a hundred-millionth of the area of all, and a third of
-/// those in as small a part again.
+/// Crowds that no sample shows: a third of 100,000 points lies in a hundred-millionth of the area of all, and a third
+/// of those in as small a part again.
 TYPED_TEST(LevelsTest, CrowdsWithinCrowds) {
   constexpr std::int64_t n = 100000;
   const auto is_crowded = [](std::int64_t i) { return i % 3 == 0 && is_passed_over(i, n); };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Shapes near either end of the numbers, and far larger and less than others: pairs and nearest ones are those of the same
-/// shapes about 1, and those of the scalar functions.
+/// Shapes near either end of the numbers, and far larger and less than others: pairs and nearest ones are those of the
+/// same shapes about 1, and those of the scalar functions.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -116,8 +116,8 @@ TYPED_TEST(NearestTest, OfACircle) {
   for (const std::size_t k : {1, 10, 7000}) expect_nearest<T>(many, items, VESICA_POINT, middle, k);
 }
 
-/// Points, circles and boxes at all distances from each other: of exact halves between numbers, a unit in the last place
-/// apart, far smaller and far larger than the shapes.
+/// Points, circles and boxes at all distances from each other: of exact halves between numbers, a unit in the last
+/// place apart, far smaller and far larger than the shapes.
 TYPED_TEST(NearestTest, PlainShapes) {
   using T = TypeParam;
   constexpr int digits = std::numeric_limits<T>::digits;

@@ -168,8 +168,8 @@ TYPED_TEST(OddSets, AfterTheEnd) {
   EXPECT_TRUE(state[0] == -1 && out[0] == 7);
 }
 
-/// A state's numbers that no call has written: refused where they name no place; else the join goes on at that place, and
-/// skips no more than its pair of blocks has.
+/// A state's numbers that no call has written: refused where they name no place; else the join goes on at that place,
+/// and skips no more than its pair of blocks has.
 TEST(OddSets, StatesMadeUp) {
   const Indexed<double> a(rects<double>("uniform", 5000, 1)), b(rects<double>("uniform", 5000, 2));
   const Memory scratch(vesica_join_scratch());

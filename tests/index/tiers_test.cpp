@@ -64,9 +64,9 @@ TEST(Tiers, ToTheDeepest) {
   EXPECT_EQ(count(VESICA_JOIN_OVERLAP, all, all), expected);
 }
 
-/// 4,096 points, which alone the plan of 81,600 shapes samples, and between them 16 crowds. Most of a crowd is too long,
-/// or too tall, for the grids that the crowd's own plan makes; these are planned for cells of 64 and have 33 in each, so
-/// that every other leaf has one item.
+/// 4,096 points, which alone the plan of 81,600 shapes samples, and between them 16 crowds. Most of a crowd is too
+/// long, or too tall, for the grids that the crowd's own plan makes; these are planned for cells of 64 and have 33 in
+/// each, so that every other leaf has one item.
 Records<double> crowds_of_long_and_tall(std::int64_t n, std::int64_t samples) {
   Records<double> boxes{VESICA_AABB, {}};
   properties::Random random(2);

@@ -276,8 +276,8 @@ std::vector<properties::Kinds> answered_pairs() {
 }
 INSTANTIATE_TEST_SUITE_P(All, Intersection, testing::ValuesIn(answered_pairs()), properties::test_name);
 
-/// Two quadrilaterals that share an octagon, or nearly: the most vertices that there may be, and edges that pass through
-/// corners of the other, or by them, as near as numbers can be.
+/// Two quadrilaterals that share an octagon, or nearly: the most vertices that there may be, and edges that pass
+/// through corners of the other, or by them, as near as numbers can be.
 class Octagons : public Intersection {
  protected:
   double nudged(double x) {
@@ -331,7 +331,8 @@ TEST(IntersectionKnown, Literals) {
   Answer r = shared_region(VESICA_AABB, {0, 0, 4, 4}, VESICA_AABB, {1, 2, 9, 9});
   EXPECT_EQ(r.count, 4);
   EXPECT_EQ(r.at, (Numbers16{1, 2, 4, 2, 4, 4, 1, 4}));
-  // A square and the same turned by half a right angle: an octagon. The axis (1, 1) makes its corners (+-3, 0), (0, +-3).
+  // A square and the same turned by half a right angle: an octagon. The axis (1, 1) makes its corners (+-3, 0), (0,
+  // +-3).
   r = shared_region(VESICA_AABB, {-2, -2, 2, 2}, VESICA_RECT, {0, 0, 1, 1, 1.5, 1.5});
   EXPECT_EQ(r.count, 8);
   EXPECT_EQ(r.at, (Numbers16{-1, -2, 1, -2, 2, -1, 2, 1, 1, 2, -1, 2, -2, 1, -2, -1}));

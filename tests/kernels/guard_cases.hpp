@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The guards of the kernels for unit axes, at the ends of their ranges, for the lanes included before this. An answer hardly
-// shows a guard that is wrong by a little: a filter's bound has room to spare.
+// The guards of the kernels for unit axes, at the ends of their ranges, for the lanes included before this. An answer
+// hardly shows a guard that is wrong by a little: a filter's bound has room to spare.
 #pragma once
 
 #include <gtest/gtest.h>

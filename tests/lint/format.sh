@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# format.sh [--fix]: every C and C++ file is laid out as clang-format 14 does it (.clang-format); --fix does it.
+# format.sh [--fix]: every C and C++ file is laid out as clang-format 14 does it (.clang-format); --fix does it. What
+# clang-format leaves alone, comments and the public headers, has no line of more than 120 columns either.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 tool=clang-format-14
@@ -15,5 +16,11 @@ if [ "${1:-}" = --fix ]; then
   printf '%s\0' "${files[@]}" | xargs -0 $tool -i
 else
   printf '%s\0' "${files[@]}" | xargs -0 $tool --dry-run -Werror || { echo 'format: to mend it: ./run lint --fix' >&2; exit 1; }
+fi
+long=$(printf '%s\0' "${files[@]}" capi/vesica*.h | LC_ALL=C.UTF-8 xargs -0 grep -nE '^.{121,}$' || true)
+if [ -n "$long" ]; then
+  echo "$long"
+  echo 'format: lines of more than 120 columns' >&2
+  exit 1
 fi
 echo "format: ${#files[@]} files"

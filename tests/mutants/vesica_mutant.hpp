@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Run-time switched mutants: every mutated file of the copied tree begins by including this one. The environment says which
-// mutant is in force: VESICA_MUTANT=7, the seventh; -1, none, and each that is asked for is marked in the file
+// Run-time switched mutants: every mutated file of the copied tree begins by including this one. The environment says
+// which mutant is in force: VESICA_MUTANT=7, the seventh; -1, none, and each that is asked for is marked in the file
 // VESICA_MUTANT_REACHED, a byte a mutant.
 #pragma once
 
@@ -28,8 +28,8 @@ inline unsigned char* map_reached() noexcept {
   return bytes == MAP_FAILED ? nullptr : static_cast<unsigned char*>(bytes);
 }
 
-/// 0 is no mutant, which is also what code reads that runs before its library's variables are initialised. The library and
-/// the program that uses it may each have a copy.
+/// 0 is no mutant, which is also what code reads that runs before its library's variables are initialised. The library
+/// and the program that uses it may each have a copy.
 inline unsigned char* reached = map_reached();
 inline int active = from_environment();
 
@@ -44,7 +44,8 @@ inline int active = from_environment();
   return false;
 }
 
-/// Whether a change gives another value than the original. Zeros may differ by their sign, and of classes nothing is known.
+/// Whether a change gives another value than the original. Zeros may differ by their sign, and of classes nothing is
+/// known.
 template <class A, class B>
 constexpr bool differ(const A& a, const B& b) noexcept {
   if constexpr (std::is_same_v<A, bool> && std::is_same_v<B, bool>) {
@@ -56,7 +57,8 @@ constexpr bool differ(const A& a, const B& b) noexcept {
   }
 }
 
-/// The same, but a mutant is marked only where it makes a difference to the value at its place: no test can find it before.
+/// The same, but a mutant is marked only where it makes a difference to the value at its place: no test can find it
+/// before.
 template <class Differs>
 [[gnu::always_inline]] inline constexpr bool is(int mutant, const Differs& differs) noexcept {
   if (std::is_constant_evaluated()) return false;

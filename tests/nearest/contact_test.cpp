@@ -138,8 +138,8 @@ TEST(NearestContact, CommonPointsThatAreNotFoundAtOnce) {
   }
 }
 
-// A point all but on the side of a needle: the outline bends less than the distance along the direction found is off, so
-// that a further step has no length, or three of them do not end the way.
+// A point all but on the side of a needle: the outline bends less than the distance along the direction found is off,
+// so that a further step has no length, or three of them do not end the way.
 TEST(NearestContact, APointAllButOnANeedle) {
   const Pair pairs[] = {
       {VESICA_POINT,

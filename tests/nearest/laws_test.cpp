@@ -123,8 +123,8 @@ TEST_P(Laws, EveryWorkload) {
   EXPECT_GT(scales_, 50 * properties::repeat());
 }
 
-/// The coordinate along an AABB's face is the other point's, and the corner's where rounding has put that beyond the end
-/// of the face. So corners are put at the foot of what stands above the face, and beside it.
+/// The coordinate along an AABB's face is the other point's, and the corner's where rounding has put that beyond the
+/// end of the face. So corners are put at the foot of what stands above the face, and beside it.
 TEST(NearestLaws, BesideTheEndOfAFace) {
   properties::Random random(properties::seed() + 3);
   int beyond = 0;

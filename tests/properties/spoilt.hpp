@@ -9,7 +9,8 @@
 
 namespace properties {
 
-/// By `how` from 0 to 3: a negative size, an axis of 0, or a number that is none. Another `how` leaves the pair as it is.
+/// By `how` from 0 to 3: a negative size, an axis of 0, or a number that is none. Another `how` leaves the pair as it
+/// is.
 inline void spoil(Pair& pair, int how) {
   const auto last = static_cast<std::size_t>(field_count(pair.kind_b)) - 1;
   if (how == 0) pair.b[last] = -1;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The arc tangent that ratios are made of: its bits are promised, and the last terms of its series show in no tolerance.
+// The arc tangent that ratios are made of: its bits are promised, and the last terms of its series show in no
+// tolerance.
 #include <gtest/gtest.h>
 
 #include <vesica/arithmetic/angle.hpp>

@@ -297,8 +297,8 @@ TEST_F(Ratios, OfFloats) {
   }
 }
 
-// Centres so near that the square of their distance underflows: the same bits at every scale. At one of them 13 digits of
-// the square were kept.
+// Centres so near that the square of their distance underflows: the same bits at every scale. At one of them 13 digits
+// of the square were kept.
 TEST(Ratio, OfNearlyConcentricShapesAtEveryScale) {
   const double d = 0x1.84p-525;
   for (const int exponent : {-190, -60, -8, -1, 0, 1, 40, 190}) {

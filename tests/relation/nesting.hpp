@@ -19,9 +19,9 @@ using properties::Scalar;
 enum class Nesting {
   nested,       ///< pairs of other workloads, one shape made smaller and moved into the other
   near_nested,  ///< one number of a nested pair bisected until containment changes, and the numbers about it
-  one_sided,   ///< a common point and tangent line, both shapes on one side, rational; some with one number a place off
-  equal,       ///< one shape written in two ways, in half of the pairs one number a place off
-  osculating,  ///< circles and ellipses with a three-fold or four-fold contact, rational; half with a number a place off
+  one_sided,    ///< a common point and tangent line, both shapes on one side, rational; some numbers a place off
+  equal,        ///< one shape written in two ways, in half of the pairs one number a place off
+  osculating,   ///< circles and ellipses with a three- or four-fold contact, rational; half with a number a place off
 };
 
 inline constexpr std::array all_nestings{Nesting::nested, Nesting::near_nested, Nesting::one_sided, Nesting::equal,

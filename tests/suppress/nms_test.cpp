@@ -294,8 +294,8 @@ TEST(Nms, OfAChain) {
   }
 }
 
-/// Discs that do not meet, and one over all of them, which is in hundreds of blocks' reach: the best, it is left alone; the
-/// worst, it alone goes.
+/// Discs that do not meet, and one over all of them, which is in hundreds of blocks' reach: the best, it is left alone;
+/// the worst, it alone goes.
 TEST(Nms, OneOverAll) {
   constexpr int side = 220;
   std::vector<vesica_circle_f64> discs;

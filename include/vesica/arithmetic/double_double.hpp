@@ -99,8 +99,8 @@ VESICA_INLINE FastDoubleDouble<V> root(const FastDoubleDouble<V>& a) noexcept {
   return FastDoubleDouble<V>::renormalised(guess, rest / ((guess + guess) + V(0x1p-1000)));
 }
 
-/// a / sqrt(square) for square > 0, to twice the precision: the rounded quotient, and what it leaves over. With one root
-/// and one division it costs little more than the rounded quotient alone.
+/// a / sqrt(square) for square > 0, to twice the precision: the rounded quotient, and what it leaves over. With one
+/// root and one division it costs little more than the rounded quotient alone.
 template <class V>
 VESICA_INLINE FastDoubleDouble<V> quotient_by_root(const FastDoubleDouble<V>& a,
                                                    const FastDoubleDouble<V>& square) noexcept {

@@ -2,12 +2,13 @@
 /// Error-free transformations: sums and products of two numbers as an unevaluated pair high + low that is exact. All
 /// arithmetic beyond one double in the library is built from these.
 ///
-/// There are two products. Lanes, and scalars that must give the same bits as lanes, split their factors into halves, by
-/// multiplications and additions that every instruction set has. Scalars without lanes use a fused multiply-add, whose
-/// range is wider. Where only signs of exact values count, two_product_uncontracted() takes the quicker of the two.
+/// There are two products. Lanes, and scalars that must give the same bits as lanes, split their factors into halves,
+/// by multiplications and additions that every instruction set has. Scalars without lanes use a fused multiply-add,
+/// whose range is wider. Where only signs of exact values count, two_product_uncontracted() takes the quicker of the
+/// two.
 ///
-/// Variables of the type V, or of several numbers, are not const here, nor in twofold.hpp and products.hpp: g++ 12 keeps
-/// const structures in memory, and lanes are structures: with AVX2 circle and ellipse took a third longer.
+/// Variables of the type V, or of several numbers, are not const here, nor in twofold.hpp and products.hpp: g++ 12
+/// keeps const structures in memory, and lanes are structures: with AVX2 circle and ellipse took a third longer.
 #pragma once
 
 #include <cmath>

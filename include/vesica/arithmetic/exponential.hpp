@@ -10,10 +10,10 @@ namespace vesica::detail::arithmetic {
 /// exp(-(high + low)) for high >= 0 and |low| a rounding of it: right to 1 unit in its last place, and 0 or the least
 /// number where it is below that.
 ///
-/// With k the whole number nearest to x / log 2 and x = k log 2 - r, |r| < 0.347, the result is exp(r) 2^-k. k times the
-/// first part of log 2, of 37 digits, is exact, and so is its difference from `high`. Rounding the rest leaves less than
-/// 2^-60 in r. The series up to r^13 / 13! leaves less than 2^-57; its terms from r^2 / 2 <= 0.061 on are rounded to less
-/// than a quarter of a unit together, and the last two sums to little more than half a one.
+/// With k the whole number nearest to x / log 2 and x = k log 2 - r, |r| < 0.347, the result is exp(r) 2^-k. k times
+/// the first part of log 2, of 37 digits, is exact, and so is its difference from `high`. Rounding the rest leaves less
+/// than 2^-60 in r. The series up to r^13 / 13! leaves less than 2^-57; its terms from r^2 / 2 <= 0.061 on are rounded
+/// to less than a quarter of a unit together, and the last two sums to little more than half a one.
 inline double exp_of_minus(double high, double low) noexcept {
   if (!(high < 746)) return 0;
   constexpr double log2_high = 0x1.62e42fefap-1, log2_low = 0x1.cf79abc9e3b3ap-40;

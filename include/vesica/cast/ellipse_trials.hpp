@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The first contact of two ellipses whose exponents are unlike, by trial of doubles, most of them in a microsecond: the
-/// cubic of their contact (exact/contact_cubic.hpp) from the leading digits of numbers that do not depend on the time.
-/// Where these do not tell, the exact predicate does.
+/// The first contact of two ellipses whose exponents are unlike, by trial of doubles, most of them in a microsecond:
+/// the cubic of their contact (exact/contact_cubic.hpp) from the leading digits of numbers that do not depend on the
+/// time. Where these do not tell, the exact predicate does.
 #pragma once
 
 #include <vesica/arithmetic/rounding.hpp>
@@ -9,8 +9,8 @@
 
 namespace vesica::detail::cast {
 
-/// What a trial tells: whether there is contact of insides before the time, and where known the discriminant of the cubic,
-/// which is positive before contact, and falls through 0 at it.
+/// What a trial tells: whether there is contact of insides before the time, and where known the discriminant of the
+/// cubic, which is positive before contact, and falls through 0 at it.
 struct Trial {
   bool known = false, after = false, has_value = false;
   arithmetic::Scaled value{0, 0};
@@ -40,8 +40,8 @@ class LeadingContact {
   LeadingContact(const exact::Box& e, const exact::Box& f, const Passage& p) noexcept
       : first_(e, p), second_(f, p), mixed_(mixed(e, f)), product_(first_.squared_area * second_.squared_area) {}
 
-  /// As exact::overlap decides it: contact if both inner coefficients are not negative or the discriminant is not positive;
-  /// of insides unless it is 0.
+  /// As exact::overlap decides it: contact if both inner coefficients are not negative or the discriminant is not
+  /// positive; of insides unless it is 0.
   Trial at(double time) const noexcept {
     const Few t(exact::from_double(time)), &d1 = first_.squared_area, &d2 = second_.squared_area;
     const Few c1 = d1 + mixed_ - first_.offset(t), c2 = d2 + mixed_ - second_.offset(t);
@@ -114,8 +114,8 @@ class Bracket {
     if (quick && at_no_.has_value && at_yes_.has_value) {
       share = whole / (1 - ratio(at_yes_.value, at_no_.value));
     } else if (quick && at_no_.has_value && at_earlier_no_.has_value) {
-      // Where contact begins with a double zero no value is negative. Its root falls straight; a little farther than to 0,
-      // and then a little less far.
+      // Where contact begins with a double zero no value is negative. Its root falls straight; a little farther than to
+      // 0, and then a little less far.
       const double falling = std::sqrt(ratio(at_earlier_no_.value, at_no_.value));
       const double to_zero = static_cast<double>(no_ - earlier_no_) / (falling - 1);
       share = (was_after_ ? 0.98 : repeated_ ? 2 : 1.02) * to_zero;
@@ -149,8 +149,8 @@ class Bracket {
 };
 
 /// The greatest double with no contact before it, for which ask(t) is answered by trials; infinite where there is no
-/// contact before the largest, negative where it is about that.
-/// Often it is the one before `start`. Else first the power of two is bisected, then the zero of the discriminant is approached by secants.
+/// contact before the largest, negative where it is about that. Often it is the one before `start`. Else first the
+/// power of two is bisected, then the zero of the discriminant is approached by secants.
 template <class Ask>
 double floor_by_trials(double start, const Ask& ask) noexcept {
   const double before = arithmetic::at_rank<double>(arithmetic::rank(start) - 1);

@@ -216,9 +216,9 @@ class ExactPair {
     return contact == Contact::beyond ? error_range : contact == Contact::inside ? 1 : 0;
   }
 
-  /// Whether contact_at() certainly has storage for the place at each time from `least` to `most`, 0 < least <= most. With
-  /// the exponent of the time the highest and the lowest bit of a coordinate rise as convex and concave functions. So the
-  /// window spans at most what it does at either end.
+  /// Whether contact_at() certainly has storage for the place at each time from `least` to `most`, 0 < least <= most.
+  /// With the exponent of the time the highest and the lowest bit of a coordinate rise as convex and concave functions.
+  /// So the window spans at most what it does at either end.
   bool holds_places(double least, double most) const noexcept {
     const Extent low = extent(least), high = extent(most);
     return (high.top <= Window::highest && low.low >= Window::lowest) ||

@@ -132,8 +132,8 @@ inline bool holds_trials(const ExactPair& pair, double start, double t) noexcept
   return pair.holds_places(arithmetic::at_rank<double>(least), lane::max(last, t));
 }
 
-/// Whether the time, or that it is beyond all doubles and so infinite, is known without trials of exact numbers, or by few,
-/// and none of those that exact_floor() makes would have failed.
+/// Whether the time, or that it is beyond all doubles and so infinite, is known without trials of exact numbers, or by
+/// few, and none of those that exact_floor() makes would have failed.
 inline bool known_floor(const ExactPair& pair, double start, double& out) noexcept {
   if (pair.line_grazes()) return false;
   const double t = pair.of_ellipses() ? floor_of_ellipses(pair, start) : wide_floor(pair);
@@ -142,7 +142,8 @@ inline bool known_floor(const ExactPair& pair, double start, double& out) noexce
   return true;
 }
 
-/// The time by trial of doubles, from an estimate. Returns error_range where it or the place then is beyond the numbers.
+/// The time by trial of doubles, from an estimate. Returns error_range where it or the place then is beyond the
+/// numbers.
 VESICA_COLD inline std::int32_t exact_floor(const Body& a, const Body& b, const Motion& motion, double estimate,
                                             double& out) noexcept {
   const ExactPair pair(a, b, motion);

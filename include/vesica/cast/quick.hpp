@@ -24,8 +24,9 @@ VESICA_INLINE bool is_quick(const Motion& v, double vv) noexcept {
   return vv >= 0x1p-80 && vv <= 0x1p80 && v.end >= 0x1p-300;
 }
 
-/// By numbers that are above 0 only where a miss, or contact at any time, is certain, and one, asked last, that is where the
-/// end comes before it. What is usable is foreseen; which of the two it is cannot be, so that one branch decides it.
+/// `miss` is above 0 only if a miss is certain, `hit` only if contact at some time is; early(), asked last, only if the
+/// end certainly comes before that contact. A processor can predict `usable`, but not which of the two is above 0: so
+/// only one branch depends on that.
 template <class Early>
 VESICA_INLINE Quick decided(bool usable, double miss, double hit, const Early& early) noexcept {
   if (!usable) return Quick::open;
@@ -34,11 +35,16 @@ VESICA_INLINE Quick decided(bool usable, double miss, double hit, const Early& e
   return early() > 0 ? Quick::missed : Quick::hit;
 }
 
-/// Whether a point P that moves by W t stays outside |X| = R until the end, as a number above 0: at the end it still is
-/// outside, and on its way inward. f(t) = |P + W t|^2 - R^2 is convex, so that it was farther outside before. No root is
-/// taken, and no time. Given f(0), q = P.W, W.W, `sizes` the sum of the terms of |P| and R, `speed` that of |W|; f(0) is
-/// off by 12u sizes^2, q by 11u sizes speed, W.W by 10u speed^2. So with `far` = sizes + end speed, f(end) is off by 12u
-/// far^2, its own operations included 20u, and q + end W.W by 14u far speed. Where the end is infinite this is not above 0.
+/// Above 0 only if a point P that moves by W t certainly stays outside the circle |X| = R until the end: at the end it
+/// is still outside, and moves inward. No root is taken, and no time computed. Given are f = f(0), q = P.W, W.W,
+/// `sizes`, the sum of the terms of |P| and R, and `speed`, that of |W|.
+///
+/// Proved: the point was outside at every time before.
+///
+///   - f(t) = |P + W t|^2 - R^2 is convex. Where it still decreases at the end, it was greater before.
+///   - f(0) is off by 12u sizes^2, q by 11u sizes speed, W.W by 10u speed^2. With `far` = sizes + end speed, f(end) is
+///     off by 12u far^2, its own operations included by 20u far^2, and half its slope there by 14u far speed.
+///   - If the end is infinite, the result is not above 0.
 VESICA_INLINE double ends_outside(double f, double q, double ww, double sizes, double speed, double end) noexcept {
   constexpr double u = 0x1p-53;
   const double at_end = q + end * ww, far = sizes + end * speed;
@@ -74,10 +80,14 @@ VESICA_INLINE Quick quick_filter(const Circle<double>& a, const Circle<double>& 
   return filter_disc(b.cx - a.cx, b.cy - a.cy, lane::select(lane::both(a.r >= 0, b.r >= 0), a.r + b.r, -1.0), v);
 }
 
-/// In the ellipse's frame, times |u|: X = u.D, Y = u x D are off by 4u A D, c = u.v and k = u x v by 3u A V, where A, D
-/// and V are sums of components. It is f = (b X)^2 + (a Y)^2 - (a b u.u)^2 <= 0, and half its slope along v is
-/// b^2 X c + a^2 Y k. The line meets it where w^2 <= al = (a k)^2 + (b c)^2, which is off by 10u ((a + b) A V)^2. a b u.u is
-/// at most (a + b) A max(a, b) A.
+/// Of an ellipse and a point, in the ellipse's frame, times |u|. The ellipse is f = (b X)^2 + (a Y)^2 - (a b u.u)^2 <=
+/// 0 with X = u.D and Y = u x D, and half the slope of f along v is b^2 X c + a^2 Y k, with c = u.v and k = u x v. The
+/// line meets it where w^2 <= al = (a k)^2 + (b c)^2.
+///
+/// Proved: the errors that the code takes, 16u of sums of magnitudes, are above the true ones.
+///
+///   - X and Y are off by 4u A D, c and k by 3u A V, where A, D and V are sums of components.
+///   - So al is off by 10u ((a + b) A V)^2, and a b u.u is at most (a + b) A max(a, b) A.
 VESICA_INLINE Quick quick_filter(const Ellipse<double>& e, const Point<double>& p, const Motion& v) noexcept {
   constexpr double u = 0x1p-53;
   const double dx = p.x - e.cx, dy = p.y - e.cy, vv = v.vx * v.vx + v.vy * v.vy, uu = e.ux * e.ux + e.uy * e.uy;
@@ -96,13 +106,18 @@ VESICA_INLINE Quick quick_filter(const Ellipse<double>& e, const Point<double>& 
                  [&] { return ends_outside(f, q, al, away + area, across, v.end); });
 }
 
-/// Of a box, whose sizes may be 0, in its own frame, times |u|: it is |X| <= hx u.u, |Y| <= hy u.u, and its reach across v
-/// hx |k| + hy |c|. The way of the ray, a segment, misses it iff one of three lines divides them: the ray's own, or one
-/// along a side, beyond which the ray starts, and from there moves away, or never comes to the side. A ray that starts
-/// before a side, and whose line passes through the inside, comes to it later; whether before the end, the time tells. With
-/// A, D, V as above and H = hx + hy, offsets of the centre are off by 2u D + u H A, X and Y by 5u A (D + H A), c and k by 5u
-/// A V where they are of differences, and the reach by twice that times H. So the signs of c and k are not always known: who
-/// says that the ray moves away must know, and of hits quick_hit() leaves open those where c or k is that small.
+/// Of a box, whose sizes may be 0, and a point, in the box's frame, times |u|. The box is |X| <= hx u.u, |Y| <= hy u.u,
+/// and its reach across v is hx |k| + hy |c|.
+///
+/// Proved: what is told is true of the exact numbers.
+///
+///   - The way of the ray, a segment, misses the box iff one of three lines divides them: the ray's own, or one along a
+///     side. The ray starts beyond that side, and moves away from it or ends before it.
+///   - A ray that starts before a side, and whose line passes through the inside, meets the box some time later.
+///   - With A, D, V as above and H = hx + hy, offsets of the centre are off by 2u D + u H A, X and Y by 5u A (D + H A),
+///     c and k by 5u A V where they are of differences, and the reach by twice that times H. The code takes 16u.
+///   - So the signs of c and k are not always known. A ray is told to move away only where they are, and quick_hit()
+///     leaves open the hits where c or k is that small.
 struct BoxFrame {
   double c, k, x, y;  // v and D
   double hx, hy, uu, axis;

@@ -26,8 +26,8 @@ VESICA_INLINE void set_rest(QuickSide& side) noexcept {
   side.rest = ((side.way.high - product.high) - product.low) + side.way.low;
 }
 
-/// Of an AABB: the times of both sides are quotients of exact numbers, and the later one is that of the contact. The floor
-/// of the later is the later floor, so that nothing need be selected before.
+/// Of an AABB: the times of both sides are quotients of exact numbers, and the later one is that of the contact. The
+/// floor of the later is the later floor, so that nothing need be selected before.
 template <class Products>
 VESICA_INLINE Quick quick_hit(const Aabb<double>& a, const Point<double>& b, const Motion& v,
                               Impact<double>& out) noexcept {
@@ -71,10 +71,10 @@ VESICA_INLINE Offset point_of_face(const Offset& middle, const Offset& half, con
   return {middle.x + at * half.x, middle.y + at * half.y};
 }
 
-/// Of a box about its centre with the axes u and perp(u): the ray enters both slabs, |x.n| <= h u.u, at times that double
-/// tells, but for 32u of the sum of terms over |n.v|, where n.v is known to be above its own rounding. The later is told
-/// in twofolds. A slab along the ray holds it all the time, as the filter has told. `rounded`: whether the axis is, so
-/// that it has lower parts.
+/// Of a box about its centre with the axes u and perp(u): the ray enters both slabs, |x.n| <= h u.u, at times that
+/// double tells, but for 32u of the sum of terms over |n.v|, where n.v is known to be above its own rounding. The later
+/// is told in twofolds. A slab along the ray holds it all the time, as the filter has told. `rounded`: whether the axis
+/// is, so that it has lower parts.
 template <class Products, bool rounded>
 VESICA_INLINE Quick box_hit(const Vector& u, double hx, double hy, const form::Corners<double>& place, const Vector& d,
                             const Motion& v, Impact<double>& out) noexcept {

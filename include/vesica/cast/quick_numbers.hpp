@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What quick hits of round shapes and of boxes have in common: numbers whose products are exact to all digits that count,
-/// and the floor of a time that is known to twice the precision.
+/// What quick hits of round shapes and of boxes have in common: numbers whose products are exact to all digits that
+/// count, and the floor of a time that is known to twice the precision.
 #pragma once
 
 #include <vesica/cast/quick.hpp>
@@ -19,8 +19,8 @@ struct Floor {
   V t;
   MaskOf<V> certain;
 };
-/// The double before x is x (1 - 2^-53), rounded: a product is off x by more than half the step below it, or, of a power
-/// of two, exact. Of scalars its bits are quicker.
+/// The double before x is x (1 - 2^-53), rounded: a product is off x by more than half the step below it, or, of a
+/// power of two, exact. Of scalars its bits are quicker.
 template <class V>
 VESICA_INLINE Floor<V> floor_of(const Twofold<V>& time, V error) noexcept {
   const Twofold<V> x = arithmetic::renormalised(time);
@@ -32,8 +32,8 @@ VESICA_INLINE Floor<V> floor_of(const Twofold<V>& time, V error) noexcept {
     return {select(x.low < V(0.0), x.high * V(1 - 0x1p-53), x.high), certain};
   }
 }
-/// Of a quotient of exact numbers, `first` being rounded and `step` what is left, off by less than 2^-50 of itself. A step
-/// of 0 is exact.
+/// Of a quotient of exact numbers, `first` being rounded and `step` what is left, off by less than 2^-50 of itself. A
+/// step of 0 is exact.
 VESICA_INLINE Floor<double> floor_of_quotient(double first, double step) noexcept {
   const Floor<double> floor = floor_of(Twofold<double>{first, step}, 0x1p-49 * abs(step));
   return {step == 0 ? first : floor.t, step == 0 || floor.certain};

@@ -186,18 +186,19 @@ VESICA_INLINE Quick round_hit(const Sum& sum, const Vector& d, const Motion& v, 
   return Quick::hit;
 }
 
-/// What a point and one round shape ask: how the square of the reach across v, whose upper part is al, and w are known, al
+/// What a point and one round shape ask: how the square of the reach across v, whose upper part is al, and w are known,
+/// al
 /// - w^2 in double, `line`, and the bound of its error; s and a b u.u v.v of direction.hpp.
 struct OneRound {
   Twofold<double> squared, w;
   double line, line_error, s, area;
 };
 
-/// The search of direction.hpp, which for one round shape is a formula, and the time at which the point arrives, from
-/// q = P.way, way.way and `scale`, by which half the slope of f there is more than the root of `line`: a rough one, half
+/// The search of direction.hpp, which for one round shape is a formula, and the time at which the point arrives, from q
+/// = P.way, way.way and `scale`, by which half the slope of f there is more than the root of `line`: a rough one, half
 /// of one over that slope, and what that is off by of itself. All roots and quotients are taken side by side. Those of
-/// the search have the operands of reach_of(), gap_of() and maximum_of_one(), of which al, rounded, is the upper part of
-/// `squared`, so that the bits are theirs.
+/// the search have the operands of reach_of(), gap_of() and maximum_of_one(), of which al, rounded, is the upper part
+/// of `squared`, so that the bits are theirs.
 struct RoundSearch {
   double s, gap, reach, first, over, off;
 };
@@ -225,11 +226,11 @@ VESICA_INLINE RoundSearch search_of(const OneRound& e, double q, double ww, doub
           8 * e.line_error * (part * part)};
 }
 
-/// One step of Newton's method from `first`, for f = |P + t way|^2 - R^2, of which f_error bounds the error. `over` is off
-/// by what the search told; the slope at the root differs from that at `first` by way.way times the step. Each counts
-/// once for the slope, and the second half more for the bend of f, where steps are as short as those that
-/// floor_of() takes. Of a sum of squares that nearly is the square of R the upper parts cancel exactly; what they do not
-/// cancel is rounded to 2^-53 of f.
+/// One step of Newton's method from `first`, for f = |P + t way|^2 - R^2, of which f_error bounds the error. `over` is
+/// off by what the search told; the slope at the root differs from that at `first` by way.way times the step. Each
+/// counts once for the slope, and the second half more for the bend of f, where steps are as short as those that
+/// floor_of() takes. Of a sum of squares that nearly is the square of R the upper parts cancel exactly; what they do
+/// not cancel is rounded to 2^-53 of f.
 template <class Products, class Way, class Radius>
 VESICA_INLINE QuickTime stepped_once(const Vector& p, const Way& wx, const Way& wy, const Radius& r, const Offset& way,
                                      const RoundSearch& found, double ww, double f_error) noexcept {

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The time of first contact where numbers are of unlike exponents: to about 100 bits, by numbers of any exponent with a
-/// bound on their error (crossings/rough.hpp), and from exact polynomials where terms cancel. Of two boxes, and of a box
-/// and a round shape; for two ellipses see ellipse_trials.hpp.
+/// The time of first contact where numbers are of unlike exponents: to about 100 bits, by numbers of any exponent with
+/// a bound on their error (crossings/rough.hpp), and from exact polynomials where terms cancel. Of two boxes, and of a
+/// box and a round shape; for two ellipses see ellipse_trials.hpp.
 ///
 /// t0 is the greatest T(n) (bound.hpp), for a line that enters M after the start and does not graze.
 ///
 ///   - Two boxes: of the T(n) of the edges' normals, since M is bounded by their lines.
-///   - A box and an ellipse: g(s) (direction.hpp) is concave. At a box's kink its slope, but for the jump of 2p there, is
-///     `base`; the greatest g is at the kink if |base| <= p, behind it if base > p, before it if base < -p. At a kink n is
-///     normal to a face, and t0 = T(n). Between kinks it is a corner of the box that meets the ellipse. With D' the
-///     offset of that corner from the ellipse's centre, and c, k, X, Y the dot and cross products of the ellipse's axis u
-///     with v and with D', contact is at the lesser root of al t^2 - 2 B t + C, al = (b c)^2 + (a k)^2, B = -(b^2 c X + a^2
-///     k Y), C = (b X)^2 + (a Y)^2 - (a b u.u)^2. As c Y - k X = u.u (v x D'), the discriminant is (a b u.u)^2 (al - (v x
-///     D')^2). C > 0 before contact, so t0 = C / (B + its root), in which nothing cancels.
+///   - A box and an ellipse: g(s) (direction.hpp) is concave. At a box's kink its slope, but for the jump of 2p there,
+///     is `base`; the greatest g is at the kink if |base| <= p, behind it if base > p, before it if base < -p. At a
+///     kink n is normal to a face, and t0 = T(n). Between kinks it is a corner of the box that meets the ellipse. With
+///     D' the offset of that corner from the ellipse's centre, and c, k, X, Y the dot and cross products of the
+///     ellipse's axis u with v and with D', contact is at the lesser root of al t^2 - 2 B t + C, al = (b c)^2 + (a
+///     k)^2, B = -(b^2 c X + a^2 k Y), C = (b X)^2 + (a Y)^2 - (a b u.u)^2. As c Y - k X = u.u (v x D'), the
+///     discriminant is (a b u.u)^2 (al - (v x D')^2). C > 0 before contact, so t0 = C / (B + its root), in which
+///     nothing cancels.
 #pragma once
 
 #include <vesica/arithmetic/rounding.hpp>
@@ -192,9 +193,9 @@ inline double latest_witness(const ExactPair& pair) noexcept {
   return arithmetic::scale_far(1.5 * (std::fabs(rounded(t.value)) + t.error), t.exponent);
 }
 
-/// The greatest double that is at most t0, or negative where that is not known without trials of exact numbers, or where
-/// one of these is beyond them: only numbers beside a double are tried. The errors of two times of boxes are within 2^-90
-/// of either.
+/// The greatest double that is at most t0, or negative where that is not known without trials of exact numbers, or
+/// where one of these is beyond them: only numbers beside a double are tried. The errors of two times of boxes are
+/// within 2^-90 of either.
 inline double wide_floor(const ExactPair& pair) noexcept {
   const WideTime found = wide_time(pair);
   const auto& [value, error, exponent] = found.time;

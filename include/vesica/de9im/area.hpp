@@ -52,8 +52,8 @@ VESICA_COLD inline bool outlines_share_stretch(const exact::Box& box_a, const ex
   return false;
 }
 
-/// Whether two axes are certainly neither parallel nor at right angles. With u = 2^-53, a sum of two rounded products errs
-/// by 2u of their magnitudes and by what underflows.
+/// Whether two axes are certainly neither parallel nor at right angles. With u = 2^-53, a sum of two rounded products
+/// errs by 2u of their magnitudes and by what underflows.
 inline bool certainly_oblique(double ux, double uy, double wx, double wy) noexcept {
   const double bound = 0x1p-50 * (std::fabs(ux * wx) + std::fabs(uy * wy) + std::fabs(ux * wy) + std::fabs(uy * wx));
   const double dot = std::fabs(ux * wx + uy * wy), cross = std::fabs(ux * wy - uy * wx);

@@ -7,8 +7,8 @@
 
 namespace vesica {
 
-/// Nine characters and a final NUL: of a's inside with b's inside, outline and outside, of a's outline with these, of a's
-/// outside. F where nothing is shared, else the dimension 0, 1 or 2.
+/// Nine characters and a final NUL: of a's inside with b's inside, outline and outside, of a's outline with these, of
+/// a's outside. F where nothing is shared, else the dimension 0, 1 or 2.
 struct NineIntersections {
   char at[10];
 };
@@ -41,8 +41,8 @@ constexpr bool is_nine_of(const char* text, const char* list) noexcept {
 
 }  // namespace detail::de9im
 
-/// Whether a matrix fits a pattern of F, 0, 1, 2, T (any of these numbers) and * (anything): 1 or 0, or error_argument for
-/// a text that is no matrix or no pattern.
+/// Whether a matrix fits a pattern of F, 0, 1, 2, T (any of these numbers) and * (anything): 1 or 0, or error_argument
+/// for a text that is no matrix or no pattern.
 constexpr std::int32_t de9im_match(const char* matrix, const char* pattern) noexcept {
   namespace nine = detail::de9im;
   if (!nine::is_nine_of(matrix, "F012") || !nine::is_nine_of(pattern, "F012T*")) return error_argument;

@@ -16,8 +16,8 @@ constexpr int gap(const Number<P>& p, const Number<R>& r) noexcept {
   return sign == 0 && p.sign == 0 ? -1 : sign;
 }
 
-/// What two boxes are along and across each other's axes: c and s of one axis by the other, and of the offset of centres
-/// in the frame of either, in units of its axis. Every question about them takes these.
+/// What two boxes are along and across each other's axes: c and s of one axis by the other, and of the offset of
+/// centres in the frame of either, in units of its axis. Every question about them takes these.
 struct SeenBoxes {
   const Box &a, &b;
   Length dx, dy;

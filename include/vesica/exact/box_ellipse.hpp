@@ -9,8 +9,8 @@ namespace vesica::exact {
 
 namespace detail {
 
-/// An ellipse about the origin, in the frame of a box: { z : z . P^-1 z <= 1 } with P = a^2 (c, s)(c, s)^T + b^2 (-s, c)
-/// (-s, c)^T and cc + ss = nn.
+/// An ellipse about the origin, in the frame of a box: { z : z . P^-1 z <= 1 } with P = a^2 (c, s)(c, s)^T + b^2 (-s,
+/// c) (-s, c)^T and cc + ss = nn.
 template <class Size, class Axis, class Square>
 struct FramedEllipse {
   const Size &a, &b;
@@ -25,8 +25,8 @@ struct FramedEllipse {
     };
     return sign.of_polynomial(room, a * b * nn, b * (c * x + s * y), a * (c * y - s * x));
   }
-  /// The same from room = p00 - x^2 and gap = |p00 y - p01 x|: that of det P room - gap^2. Degree 18, but of numbers that
-  /// are there already, and so quicker for short ones.
+  /// The same from room = p00 - x^2 and gap = |p00 y - p01 x|: that of det P room - gap^2. Degree 18, but of numbers
+  /// that are there already, and so quicker for short ones.
   template <class Place, int R, int G>
   constexpr int inside(const Place&, const Place&, const Number<R>& room, const Number<G>& gap, Signs&) const noexcept {
     return compare_product_with_square(square(a * b * nn), room, gap);
@@ -73,8 +73,8 @@ constexpr int segment_gap(const P& p00, const P& p01, const Place& x, const Plac
 /// first quadrant. The edges visible from there are those towards +x and +y. Testing these two suffices: a common point
 /// of both shapes, seen from the centre, lies behind a visible edge, so the ellipse meets that edge too. If the centre
 /// lies beside the box along an axis (x or y is then 0), the tested segment runs inside the box instead, through the
-/// centre's foot, so meeting it also proves overlap. The same holds for the inside of the ellipse. The regions are those
-/// of D. Eberly, "Intersection of Rectangle and Ellipse" (Geometric Tools).
+/// centre's foot, so meeting it also proves overlap. The same holds for the inside of the ellipse. The regions are
+/// those of D. Eberly, "Intersection of Rectangle and Ellipse" (Geometric Tools).
 struct VisibleEdges {
   Number<2> c, s;
   Number<3> near_x, near_y, far_x, far_y;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Boxes at most a distance apart, exactly. Disjoint boxes are closest at a corner of one of them, as an edge is straight.
+/// Boxes at most a distance apart, exactly. Disjoint boxes are closest at a corner of one of them, as an edge is
+/// straight.
 #pragma once
 
 #include <vesica/exact/box_box.hpp>
@@ -8,8 +9,8 @@ namespace vesica::exact {
 
 namespace detail {
 
-/// Whether any corner of a is at most `reach` from b; (dx, dy) leads from b's centre to a's. In b's frame, in units of |u|,
-/// the corners are p +- g +- h. A box without a size has fewer. Degree 6.
+/// Whether any corner of a is at most `reach` from b; (dx, dy) leads from b's centre to a's. In b's frame, in units of
+/// |u|, the corners are p +- g +- h. A box without a size has fewer. Degree 6.
 inline bool corner_within(const Box& a, const Box& b, const Length& dx, const Length& dy,
                           const Length& reach) noexcept {
   const auto uu = dot(b.ux, b.uy, b.ux, b.uy), c = dot(b.ux, b.uy, a.ux, a.uy), s = cross(b.ux, b.uy, a.ux, a.uy);

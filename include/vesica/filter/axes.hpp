@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Contact of rectangles with points, segments, AABBs and rectangles, by separating axes in integers: exact for stored numbers
-/// of any length, unless the exponents of coordinates, of axes or of sizes are far apart. For what the filters leave open, one
-/// pair at a time.
+/// Contact of rectangles with points, segments, AABBs and rectangles, by separating axes in integers: exact for stored
+/// numbers of any length, unless the exponents of coordinates, of axes or of sizes are far apart. For what the filters
+/// leave open, one pair at a time.
 ///
-/// Twice a coordinate is a multiple of a unit C, an axis of U, a size of H. So twice a rectangle's half side, size times axis, is
-/// one of 2 U H. Lengths are of a like magnitude, so that this is finer: C = 2^e U H with e >= 1.
+/// Twice a coordinate is a multiple of a unit C, an axis of U, a size of H. So twice a rectangle's half side, size
+/// times axis, is one of 2 U H. Lengths are of a like magnitude, so that this is finer: C = 2^e U H with e >= 1.
 #pragma once
 
 #include <vesica/filter/box.hpp>
@@ -33,12 +33,12 @@ struct BoxInUnits {
   SplitVector along, across;
 };
 
-/// What separates two boxes along an axis n: |n.D| less |n.s| for all half sides s. It is n.V, where V is the sum of D and all s,
-/// each with the sign by which it counts. All are whole numbers, and none is rounded.
+/// What separates two boxes along an axis n: |n.D| less |n.s| for all half sides s. It is n.V, where V is the sum of D
+/// and all s, each with the sign by which it counts. All are whole numbers, and none is rounded.
 ///
-/// In the part of V in units of C each coordinate counts twice at most: it is below 2^63. Where held(), it is below 2^126 U H,
-/// too; else boxes are far apart. The other part is at most all sizes' sum times all axes' sum, below 2^125. So V is below 2^127,
-/// and n.V below 2^190, as |n_x| + |n_y| is at most 2^62, but for a last place.
+/// In the part of V in units of C each coordinate counts twice at most: it is below 2^63. Where held(), it is below
+/// 2^126 U H, too; else boxes are far apart. The other part is at most all sizes' sum times all axes' sum, below 2^125.
+/// So V is below 2^127, and n.V below 2^190, as |n_x| + |n_y| is at most 2^62, but for a last place.
 class AxisGaps {
  public:
   /// D twice, in units of C = 2^e (2 U H).

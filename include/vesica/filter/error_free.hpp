@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Ties. Where shapes touch exactly no bound on an error decides, yet on pixels, grids and halves nothing is rounded: the
-/// predicate's own value is then exact, and so is its sign, zero included.
+/// Ties. Where shapes touch exactly no bound on an error decides, yet on pixels, grids and halves nothing is rounded:
+/// the predicate's own value is then exact, and so is its sign, zero included.
 ///
-/// This stage evaluates the predicates of exact/ in floating point, and looks at the error of each operation. It decides
-/// only where all errors are zero, so it needs no bound. For points, segments, AABBs, rectangles and circles, in double.
+/// This stage evaluates the predicates of exact/ in floating point, and looks at the error of each operation. It
+/// decides only where all errors are zero, so it needs no bound. For points, segments, AABBs, rectangles and circles,
+/// in double.
 #pragma once
 
 #include <bit>
@@ -21,24 +22,25 @@ class Digits {
     return std::bit_cast<std::uint64_t>(x) & 0xfffffffffffffu;
   }
   VESICA_INLINE constexpr void add(std::uint64_t fraction) noexcept { bits_ |= fraction; }
-  /// From a number's first 1 to its last there are as many places as the lowest bit of its fraction says, or fewer. Powers
-  /// of two, 0 and infinity have no fraction: 1 or less.
+  /// From a number's first 1 to its last there are as many places as the lowest bit of its fraction says, or fewer.
+  /// Powers of two, 0 and infinity have no fraction: 1 or less.
   constexpr int most() const noexcept { return 53 - std::countr_zero(bits_); }
 
  private:
   std::uint64_t bits_ = 0;
 };
 
-/// Sums and products that must not be rounded: held() where none was. Contraction changes nothing here, so lanes that may
-/// fuse and callers' own compiler options are harmless.
+/// Sums and products that must not be rounded: held() where none was. Contraction changes nothing here, so lanes that
+/// may fuse and callers' own compiler options are harmless.
 ///
-/// The error of a sum is worked out. So is that of a product in lanes, and where the hardware fuses. Other scalars would pay
-/// 17 operations for it, and count digits instead: a product of numbers with m and n digits has m + n at most, and no more
-/// than n if m is 1. All first factors' m, all second factors' n. So first factors are those of few digits, directions.
+/// The error of a sum is worked out. So is that of a product in lanes, and where the hardware fuses. Other scalars
+/// would pay 17 operations for it, and count digits instead: a product of numbers with m and n digits has m + n at
+/// most, and no more than n if m is 1. All first factors' m, all second factors' n. So first factors are those of few
+/// digits, directions.
 ///
-/// Numbers that are not multiples of 2^-152 count as rounded. So a sum of products of up to six, halves of offsets among
-/// them, is a multiple of 2^-918, and so is the error of an operation, which therefore does not underflow. Beyond the range it
-/// is infinite or NaN.
+/// Numbers that are not multiples of 2^-152 count as rounded. So a sum of products of up to six, halves of offsets
+/// among them, is a multiple of 2^-918, and so is the error of an operation, which therefore does not underflow. Beyond
+/// the range it is infinite or NaN.
 template <class V>
 class ErrorFree {
  public:
@@ -194,7 +196,8 @@ VESICA_INLINE constexpr auto within_reach(V x, V y, V reached, Mask valid, Error
   return compared(both(valid, both(exactly.held(), finite)), distance <= reached);
 }
 
-/// Is the disc's centre at most a radius from the box? As exact/disc.hpp, kx and ky the offset along its axes. Degree 6.
+/// Is the disc's centre at most a radius from the box? As exact/disc.hpp, kx and ky the offset along its axes. Degree
+/// 6.
 template <class V>
 VESICA_INLINE constexpr auto box_disc(const Box<V>& box, V uu, V kx, V ky, V radius, ErrorFree<V>& exactly) noexcept {
   const V x = positive_part(exactly.difference(kx, exactly.product(uu, box.hx)));

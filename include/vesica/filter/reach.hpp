@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Contact of circles with points, circles, AABBs and segments, by squares of lengths: exact for stored numbers of any length,
-/// unless their exponents are far apart. For what the filters leave open, one pair at a time.
+/// Contact of circles with points, circles, AABBs and segments, by squares of lengths: exact for stored numbers of any
+/// length, unless their exponents are far apart. For what the filters leave open, one pair at a time.
 #pragma once
 
 #include <vesica/filter/comparison.hpp>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Stored numbers as integers, for polynomials of degree 2. Of a like magnitude they have 63 bits, and products 128. Of others
-/// the products' last 128 bits are kept: a polynomial that has nearly vanished has few digits, however long the numbers are.
-/// Floating point has its leading digits, which tell how small it is, and its residue modulo 2^128 has the rest.
+/// Stored numbers as integers, for polynomials of degree 2. Of a like magnitude they have 63 bits, and products 128. Of
+/// others the products' last 128 bits are kept: a polynomial that has nearly vanished has few digits, however long the
+/// numbers are. Floating point has its leading digits, which tell how small it is, and its residue modulo 2^128 has the
+/// rest.
 #pragma once
 
 #include <bit>
@@ -111,8 +112,8 @@ VESICA_INLINE constexpr Residue192 operator+(const Residue192& a, const Residue1
   const Residue128 high = Residue128{a.middle, a.high} + Residue128{b.middle, b.high} + Residue128{low.high, 0};
   return {low.low, high.low, high.high};
 }
-/// The product of integers, of which b is the one of least magnitude that has its residue. The stored limbs are a + 2^64 and
-/// b + 2^128 where a and b are negative: what they add is taken away.
+/// The product of integers, of which b is the one of least magnitude that has its residue. The stored limbs are a +
+/// 2^64 and b + 2^128 where a and b are negative: what they add is taken away.
 VESICA_INLINE constexpr Residue192 operator*(Integer64 a, const Residue128& b) noexcept {
   using exact::detail::LimbPair;
   using exact::detail::multiply_add;
@@ -147,8 +148,8 @@ class Unit {
   /// 2^-e / G.
   VESICA_INLINE constexpr double inverse(int e) const noexcept { return power(1023 + digits - 1 - exponent_ - e); }
 
-  /// The whole number nearest to x / (2^e G) towards 0; takes it away from x. Neither is rounded, nor is a scaled number,
-  /// unless it is too small to count: then all of x is left.
+  /// The whole number nearest to x / (2^e G) towards 0; takes it away from x. Neither is rounded, nor is a scaled
+  /// number, unless it is too small to count: then all of x is left.
   VESICA_INLINE constexpr std::int64_t take(double& x, int e) const noexcept {
     const auto whole = static_cast<std::int64_t>(x * inverse(e));
     x = x - static_cast<double>(whole) * scale(e);

@@ -12,11 +12,11 @@ namespace vesica::filter {
 
 /// Numbers that are to be multiples of one power of two, G, so large that their sum is below 2^digits G.
 ///
-/// Proof that holds() tells it. Let M = m 2^(54 - digits) for m, the sum of absolute values, and 2^e <= M < 2^(e + 1). Of a
-/// number x with |x| <= M / 4 the sum s = x + M is rounded to a multiple of G = 2^(e - 53), since s >= 3 M / 4 > 2^(e - 1).
-/// M is one too, and s - M is not rounded, since it is at most 2^(e - 1) = 2^52 G. So if that is x, x is a multiple of G.
-/// And m < 2^(e + 1 - 54 + digits) = 2^digits G, up to the five roundings of m itself. Contraction changes nothing, as M is
-/// exact; a NaN or an infinite number is no multiple.
+/// Proof that holds() tells it. Let M = m 2^(54 - digits) for m, the sum of absolute values, and 2^e <= M < 2^(e + 1).
+/// Of a number x with |x| <= M / 4 the sum s = x + M is rounded to a multiple of G = 2^(e - 53), since s >= 3 M / 4 >
+/// 2^(e - 1). M is one too, and s - M is not rounded, since it is at most 2^(e - 1) = 2^52 G. So if that is x, x is a
+/// multiple of G. And m < 2^(e + 1 - 54 + digits) = 2^digits G, up to the five roundings of m itself. Contraction
+/// changes nothing, as M is exact; a NaN or an infinite number is no multiple.
 class Multiples {
  public:
   VESICA_INLINE constexpr Multiples(int digits, double sum) noexcept
@@ -74,9 +74,9 @@ inline constexpr int most_digits =
 /// Whether two boxes overlap, or neither for numbers that are not short.
 ///
 /// With directions that sum up to less than 2^m H and lengths, offset among them, to less than 2^n G, and 2 m + n = 52:
-/// squares, dot and cross products of directions are multiples of H^2 below 2^(2m) H^2, extents multiples of H^2 G below
-/// 2^52 H^2 G, with a factor of 1 + 20u for roundings of the sums, and projections of the offset multiples of H G / 2 below
-/// 2^(m + n) H G. None is rounded. Their difference is, but not to another sign.
+/// squares, dot and cross products of directions are multiples of H^2 below 2^(2m) H^2, extents multiples of H^2 G
+/// below 2^52 H^2 G, with a factor of 1 + 20u for roundings of the sums, and projections of the offset multiples of H G
+/// / 2 below 2^(m + n) H G. None is rounded. Their difference is, but not to another sign.
 template <class A, class B>
 requires(is_straight<A>&& is_straight<B>) VESICA_INLINE
     constexpr Verdict<bool> short_numbers(const A& shape_a, const B& shape_b) noexcept {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Polynomials of degree 2 in differences of stored numbers, and their signs: exact for numbers of any length, unless their
-/// exponents are far apart. For what the filters leave open, one pair at a time.
+/// Polynomials of degree 2 in differences of stored numbers, and their signs: exact for numbers of any length, unless
+/// their exponents are far apart. For what the filters leave open, one pair at a time.
 #pragma once
 
 #include <vesica/filter/residues.hpp>
@@ -40,7 +40,8 @@ struct Spot {
   }
 };
 
-/// A sum of products of two spans or coordinates of ways. As `magnitude` it has the sum M of the magnitudes of its terms.
+/// A sum of products of two spans or coordinates of ways. As `magnitude` it has the sum M of the magnitudes of its
+/// terms.
 template <class Number>
 struct Quadratic {
   double value, magnitude;
@@ -71,8 +72,8 @@ VESICA_INLINE constexpr Quadratic<Number> operator-(const Quadratic<Number>& a, 
   return {a.value - b.value, a.magnitude + b.magnitude, a.in_units - b.in_units};
 }
 
-/// A number with the sign of D: a cross or dot product of two ways, which may have been computed as the sum of two such,
-/// or a dot product less a square.
+/// A number with the sign of D: a cross or dot product of two ways, which may have been computed as the sum of two
+/// such, or a dot product less a square.
 ///
 /// Proved: the sign is right though only 128 bits of D are kept. A residue modulo 2^128 has the sign of D as long as
 /// |D| < 2^127, in squares of the unit.

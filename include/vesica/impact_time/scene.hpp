@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Two shapes that move and turn, in double at a common scale, and bounds on what rounding does to them.
 ///
-/// At a time t from 0 to 1 a shape's centre has moved by t v, and its axis has turned by t times an angle about it. Only
-/// the offset of the centres counts.
+/// At a time t from 0 to 1 a shape's centre has moved by t v, and its axis has turned by t times an angle about it.
+/// Only the offset of the centres counts.
 #pragma once
 
 #include <vesica/arithmetic/rotation.hpp>
@@ -29,9 +29,9 @@ using support_minimum::PlaneVector;
 
 /// A shape at t = 0: a unit axis, half lengths along it and across. `reach`: no point is farther from the centre.
 ///
-/// `bend`: let h be the support function along a direction that is kept, in the angle by which the shape turns. Of a box
-/// h is the greatest of cosines times at most its reach, and -h'' of each is at most that. Of an ellipse h + h'' is the
-/// radius of its curvature, a^2 b^2 / h^3, and -h'' is greatest where h = a, the longer half.
+/// `bend`: let h be the support function along a direction that is kept, in the angle by which the shape turns. Of a
+/// box h is the greatest of cosines times at most its reach, and -h'' of each is at most that. Of an ellipse h + h'' is
+/// the radius of its curvature, a^2 b^2 / h^3, and -h'' is greatest where h = a, the longer half.
 struct Turning {
   PlaneVector axis;
   double hx, hy, reach, bend, spin;
@@ -114,8 +114,9 @@ inline Scene scaled_scene(const nearest::UnscaledShape& a, const nearest::Unscal
 }
 
 inline void measure(Scene& s) noexcept {
-  // In units of u and of all lengths: the offset at t, 3; an axis at t, 15 and its spin, for the angle's rounding; n, if
-  // it is such an axis, as much; half lengths, 6; products, sums or a root, 12. With room for n being a unit to 3 alone.
+  // In units of u and of all lengths: the offset at t, 3; an axis at t, 15 and its spin, for the angle's rounding; n,
+  // if it is such an axis, as much; half lengths, 6; products, sums or a root, 12. With room for n being a unit to 3
+  // alone.
   const double lengths =
       lane::abs(s.d.x) + lane::abs(s.d.y) + lane::abs(s.v.x) + lane::abs(s.v.y) + (s.a.hx + s.a.hy) + (s.b.hx + s.b.hy);
   s.error = 0x1p-53 * lengths * (56 + 2 * (lane::abs(s.a.spin) + lane::abs(s.b.spin))) + 0x1p-1000;

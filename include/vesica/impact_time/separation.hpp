@@ -2,8 +2,8 @@
 /// How far a direction separates the shapes at a time, and whether it does so all the while between two times.
 ///
 /// Let n be a unit vector that turns at a rate r, S(t) = n.(D + t v) - h_a - h_b, with h the support functions along n
-/// about the own centres. Where S(t) > 0 there is no contact at t. S is the least of functions f whose second derivative
-/// is at most some K: so between two times, L apart, with S = s0 and s1, no f gets lower than
+/// about the own centres. Where S(t) > 0 there is no contact at t. S is the least of functions f whose second
+/// derivative is at most some K: so between two times, L apart, with S = s0 and s1, no f gets lower than
 ///
 ///     (1 - x) s0 + x s1 - K L^2 x (1 - x) / 2,   x from 0 to 1
 ///

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The region that two straight shapes share, by exact signs: which corners and which crossings of edges are its vertices,
-/// and in which order. Only their coordinates are rounded.
+/// The region that two straight shapes share, by exact signs: which corners and which crossings of edges are its
+/// vertices, and in which order. Only their coordinates are rounded.
 ///
 /// The line of an edge of a meets b in a chord. Where it enters and leaves b is told by the sides of that line on which
 /// b's corners are, and where the ends of the edge are by the sides of b's edges. So no two places are ever compared.
@@ -52,8 +52,8 @@ struct Chord {
 constexpr int next(int k) noexcept { return (k + 1) & 3; }
 constexpr int before(int k) noexcept { return (k + 3) & 3; }
 
-/// From the sides of the line on which the corners of a quadrilateral are. Counter-clockwise, corners go from the left to
-/// the right side where the line enters.
+/// From the sides of the line on which the corners of a quadrilateral are. Counter-clockwise, corners go from the left
+/// to the right side where the line enters.
 inline Chord chord(const int (&side)[4]) noexcept {
   Chord c{false, {0, false}, {0, false}};
   int left = 0, right = 0, on = -1, first_on = -1, both = 0;
@@ -193,8 +193,8 @@ inline Piece piece(const Pair& p, int i) noexcept {
   return piece;
 }
 
-/// Where corner i of a is on the outline of b, on which it is: it is in b, and an edge of a that begins or ends there has
-/// no piece in b. From the inside of b such an edge has one.
+/// Where corner i of a is on the outline of b, on which it is: it is in b, and an edge of a that begins or ends there
+/// has no piece in b. From the inside of b such an edge has one.
 inline Place place_of(const Pair& p, int i) noexcept {
   for (int k = 0; k < 4; ++k) {
     if (p.is_on_edge(i, k) && p.is_on_edge(i, before(k))) return {k, true};
@@ -210,8 +210,8 @@ inline void walk(const Pair& p, const Place& from, const Place& to, Vertices& v)
   for (int k = from.index; k != last; k = next(k)) v.add(p.corner_b[next(k)]);
 }
 
-/// Two quadrilaterals whose insides meet. Along a's outline the pieces in b follow one another; where one is not joined to
-/// the next, the region's outline is b's.
+/// Two quadrilaterals whose insides meet. Along a's outline the pieces in b follow one another; where one is not joined
+/// to the next, the region's outline is b's.
 inline Vertices common_area(const Pair& p) noexcept {
   Piece pieces[4];
   int some = -1;

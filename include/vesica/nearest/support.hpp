@@ -80,8 +80,8 @@ VESICA_INLINE Support<V> no_support() noexcept {
 
 /// The result for two disjoint shapes: the distance, the closest points as offsets from the shapes' own centres, and
 /// the unit vector from a to b. `settled` tells whether the search converged; if not, the rest means nothing. Of shapes
-/// that are nearly in contact the distance may be 0 or below, by less than some 2^-100 of their size. Of disjoint shapes a distance
-/// of at least `doubt` is right to 2u of itself.
+/// that are nearly in contact the distance may be 0 or below, by less than some 2^-100 of their size. Of disjoint
+/// shapes a distance of at least `doubt` is right to 2u of itself.
 template <class V>
 struct ClosestOffsets {
   Twofold<V> distance;
@@ -90,8 +90,8 @@ struct ClosestOffsets {
   V doubt = V(0.0);
 };
 
-/// A distance below the rounding of the last step's slope, times that step, is not right to 2u of itself: this many u of
-/// the size of its terms are allowed for in the slope.
+/// A distance below the rounding of the last step's slope, times that step, is not right to 2u of itself: this many u
+/// of the size of its terms are allowed for in the slope.
 inline constexpr double slope_rounding = 8;
 
 /// A search has converged where the slope left is below this share of the size of its terms.

@@ -20,8 +20,8 @@ struct Facts {
 /// Whether products and squares of such lengths, or quotients of such areas, are normal numbers.
 inline bool is_moderate(double x) noexcept { return x >= 0x1p-400 && x <= 0x1p400; }
 
-/// The parts of a form as doubles. Differences are halved before they are taken, so that none overflows; the axis, or the
-/// size, beside them is twice as large.
+/// The parts of a form as doubles. Differences are halved before they are taken, so that none overflows; the axis, or
+/// the size, beside them is twice as large.
 struct Halves {
   double operator()(const form::Length<double>& l) const noexcept { return l.x; }
   double operator()(const form::Ratio<double>& r) const noexcept { return r.x; }

@@ -60,8 +60,8 @@ inline __m512i descend_level(const double* level, __m512i place, __m512d x, __m5
   return _mm512_mask_add_epi64(twice, upper, twice, _mm512_set1_epi64(1));
 }
 
-/// The nodes of a plan that items have come to after some levels; returns how many. The first levels' nodes are found in
-/// registers. Reads and writes whole vectors of 8 items.
+/// The nodes of a plan that items have come to after some levels; returns how many. The first levels' nodes are found
+/// in registers. Reads and writes whole vectors of 8 items.
 inline int descend_first_levels(const Plan& plan, const double* x, const double* y, int n,
                                 std::uint32_t* node) noexcept {
   constexpr int levels = 7;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // How many pairs the kernels of the queries of numbers leave to the scalar function. One that leaves too many is still
-// right, only slow. No kernel fuses, and the pairs are drawn without a rounding that could differ: SSE2, AVX2 and AVX-512
-// leave the same number. Of relations none of these pairs is left: tests/filter/undecided_test.cpp has harder ones.
+// right, only slow. No kernel fuses, and the pairs are drawn without a rounding that could differ: SSE2, AVX2 and
+// AVX-512 leave the same number. Of relations none of these pairs is left: tests/filter/undecided_test.cpp has harder
+// ones.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -5,8 +5,8 @@
 #include "cast/swept/contact.hpp"
 
 // In the frame where the ellipse is a disc about the origin, a polygon is met first at a corner, when that comes within
-// the radius, or on a side, when the foot of the perpendicular is on it. Both are among the times at which a part of the
-// polygon is met, so the earliest is the first contact. The last is that of the reversed motion.
+// the radius, or on a side, when the foot of the perpendicular is on it. Both are among the times at which a part of
+// the polygon is met, so the earliest is the first contact. The last is that of the reversed motion.
 
 namespace swept {
 namespace {

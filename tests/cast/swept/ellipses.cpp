@@ -6,8 +6,8 @@
 #include "cast/swept/roots.hpp"
 
 // An ellipse is X'AX <= 0 for a symmetric matrix A and X = (x, y, 1). Of two that are apart det(s A + B), a cubic in s,
-// has two distinct positive roots; they are one where the two touch from outside, and else there is none (W. Wang,
-// J. Wang, M.-S. Kim, 2001). So the times at which they begin or cease to touch are roots of the cubic's discriminant, a
+// has two distinct positive roots; they are one where the two touch from outside, and else there is none (W. Wang, J.
+// Wang, M.-S. Kim, 2001). So the times at which they begin or cease to touch are roots of the cubic's discriminant, a
 // polynomial of degree 8 in t, and while they are apart it has none.
 
 namespace swept {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Hit, miss or start, and the time to the bit, against the oracle of this folder. VESICA_REPEAT=1000 asks a million cases
-/// of each pair of kinds in each scalar type.
+/// Hit, miss or start, and the time to the bit, against the oracle of this folder. VESICA_REPEAT=1000 asks a million
+/// cases of each pair of kinds in each scalar type.
 #include <gtest/gtest.h>
 
 #include <algorithm>

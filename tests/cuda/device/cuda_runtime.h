@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Stands in for CUDA's header where Clang compiles device code without CUDA: what vesica/cuda.cuh and the core use of it.
-/// Of the host's side there are declarations alone.
+/// Stands in for CUDA's header where Clang compiles device code without CUDA: what vesica/cuda.cuh and the core use of
+/// it. Of the host's side there are declarations alone.
 #pragma once
 
 #define __CUDACC__

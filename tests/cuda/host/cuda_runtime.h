@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Stands in for CUDA's header where a kernel is compiled as plain C++: a grid is two loops, and a launch has ended when it
-/// returns. What vesica/cuda.cuh, the program of docs/cuda.md and bench/cuda use, and no more. With VESICA_NO_DEVICE in the
-/// environment there is no device.
+/// Stands in for CUDA's header where a kernel is compiled as plain C++: a grid is two loops, and a launch has ended
+/// when it returns. What vesica/cuda.cuh, the program of docs/cuda.md and bench/cuda use, and no more. With
+/// VESICA_NO_DEVICE in the environment there is no device.
 #pragma once
 
 #include <chrono>

@@ -25,8 +25,8 @@ struct npy_header {
 
 enum { most_row_bytes = 65536 };
 
-/// Reads the header of a file, whose rows then follow. `kind` is the kind of the shapes, or -1 where the names of fields
-/// are to tell. Returns 1, or 0 with the reason in `fault`.
+/// Reads the header of a file, whose rows then follow. `kind` is the kind of the shapes, or -1 where the names of
+/// fields are to tell. Returns 1, or 0 with the reason in `fault`.
 int read_npy_header(FILE* file, int32_t kind, struct npy_header* header, struct fault* fault);
 
 #endif
