@@ -66,7 +66,7 @@ VESICA_INLINE constexpr std::int32_t decide_short_tie(const A& a, const B& b) no
 /// Other contacts, by evaluations that detect that no digit that matters was rounded away.
 template <class A, class B>
 VESICA_INLINE constexpr std::int32_t decide_long_tie(const A& a, const B& b) noexcept {
-  if constexpr (filter::HasResidues<A, B, filter::FarUnit>) {
+  if constexpr (filter::has_wide_products && filter::HasResidues<A, B, filter::FarUnit>) {
     const std::int32_t answer = answer_of(filter::by_residues<filter::FarUnit>(a, b));
     if (answer >= 0) return answer;
   }

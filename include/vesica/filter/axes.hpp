@@ -145,7 +145,7 @@ VESICA_INLINE constexpr bool has_long_axis(const Rect<double>& r) noexcept {
 
 /// Pairs that by_axes() knows.
 template <class A, class B>
-concept HasAxes = requires(const A& a, const B& b) {
+concept HasAxes = has_wide_products && requires(const A& a, const B& b) {
   by_axes(a, b);
 };
 

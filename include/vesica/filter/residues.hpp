@@ -12,6 +12,14 @@
 
 namespace vesica::filter {
 
+/// Whether contacts are decided by the longer of such integers too, FarUnit and those of axes.hpp. WebAssembly has no
+/// product of 64 by 64 bits, and its modules are downloaded: there the exact stage decides what the shorter ones leave.
+#if defined(__wasm__)
+inline constexpr bool has_wide_products = false;
+#else
+inline constexpr bool has_wide_products = true;
+#endif
+
 /// An integer modulo 2^128.
 struct Residue128 {
   std::uint64_t low, high;
