@@ -117,6 +117,30 @@ Pool overlapping_by(Kinds kinds, double wanted_hit_rate, std::uint64_t seed) {
   return matched(pool_size, [&] { return lattice_pair(random, kinds.b, wanted_hit_rate); });
 }
 
+/// Of 5,000 of these shapes one meets some five others.
+Pool clusters(Kinds kinds, std::uint64_t seed) {
+  constexpr std::size_t count = 30;
+  constexpr double width = 400, radius = 6;
+  Random random(seed);
+  std::array<std::pair<double, double>, count> centre;
+  for (auto& [x, y] : centre) {
+    x = random.between(0, width);
+    y = random.between(0, width);
+  }
+  const auto shape = [&](std::int32_t kind) {
+    const auto [x, y] = centre[static_cast<std::size_t>(random.between(0, count))];
+    const double angle = random.between(0, 2 * std::numbers::pi),
+                 from_centre = radius * std::sqrt(-std::log(1 - random.unit()));
+    return random_shape(random, kind, x + from_centre * std::cos(angle), y + from_centre * std::sin(angle));
+  };
+  Pool pool;
+  for (std::size_t i = 0; i < pool_size; ++i) {
+    pool.a.push_back(shape(kinds.a));
+    pool.b.push_back(shape(kinds.b));
+  }
+  return pool;
+}
+
 /// A shape, another about the same centre, and the direction in which the other moves away.
 struct Departure {
   Numbers a, b;
@@ -250,6 +274,8 @@ const char* name_of(Workload workload) {
       return "mixed";
     case Workload::most:
       return "most";
+    case Workload::clusters:
+      return "clusters";
     case Workload::near:
       return "near";
     case Workload::pixels:
@@ -276,6 +302,7 @@ bool has_workload(std::int32_t kind_a, std::int32_t kind_b, Workload workload) {
     case Workload::some:
     case Workload::mixed:
     case Workload::most:
+    case Workload::clusters:
       return true;
     case Workload::near:
     case Workload::last_ulp:
@@ -305,6 +332,8 @@ Pool make_pool(std::int32_t kind_a, std::int32_t kind_b, Workload workload, std:
       return overlapping_by(kinds, 0.5, seed);
     case Workload::most:
       return overlapping_by(kinds, 0.9, seed);
+    case Workload::clusters:
+      return clusters(kinds, seed);
     case Workload::near:
       return near_contact(kinds, seed);
     case Workload::pixels:

@@ -16,6 +16,7 @@ enum class Workload {
   some,        ///< the same, 20%
   mixed,       ///< the same, half
   most,        ///< the same, 90%
+  clusters,    ///< independent shapes in 30 clusters
   near,        ///< pairs moved along a line until they touch, then apart or together by 1e-6 of the distance
   pixels,      ///< unit squares at whole coordinates that touch along an edge or at a corner
   hundredths,  ///< the same at multiples of 0.01, which are rounded: they touch, miss or overlap by a place

@@ -585,12 +585,12 @@ VESICA_API int64_t vesica_iou_many_f64(const vesica_shapes_f64 *a, const vesica_
  * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
  * exceed the address space).
  * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
- * Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+ * Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
  * Since: 0.1.
  */
 
 /**
- * Do a[i] and b[j] share a point? The elements of out are answers of vesica_overlap_f64.
+ * Do a[i] and b[j] share a point? Answers as of vesica_overlap_f64; much quicker if both arrays are in spatial order.
  * Returns: how many are 1.
  */
 VESICA_API int64_t vesica_overlap_matrix_f64(const vesica_shapes_f64 *a, const vesica_shapes_f64 *b, uint8_t *out,

@@ -658,7 +658,7 @@ export interface C {
    */
   vesica_iou_many_f64(a: number, b: number, out: number): bigint;
   /**
-   * Do a[i] and b[j] share a point? The elements of out are answers of vesica_overlap_f64.
+   * Do a[i] and b[j] share a point? Answers as of vesica_overlap_f64; much quicker if both arrays are in spatial order.
    *
    * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
    * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
@@ -668,7 +668,7 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+   * Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
    * Since: 0.1.
    */
   vesica_overlap_matrix_f64(a: number, b: number, out: number, row_stride: number): bigint;
@@ -683,7 +683,7 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+   * Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
    * Since: 0.1.
    */
   vesica_relation_matrix_f64(a: number, b: number, out: number, row_stride: number): bigint;
@@ -698,7 +698,7 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+   * Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
    * Since: 0.1.
    */
   vesica_contains_matrix_f64(a: number, b: number, out: number, row_stride: number): bigint;
@@ -713,7 +713,7 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+   * Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
    * Since: 0.1.
    */
   vesica_area_matrix_f64(a: number, b: number, out: number, row_stride: number): bigint;
@@ -730,7 +730,7 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+   * Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
    * Since: 0.1.
    */
   vesica_iou_matrix_f64(a: number, b: number, out: number, row_stride: number): bigint;
@@ -1371,7 +1371,7 @@ export interface C {
    */
   vesica_iou_many_f32(a: number, b: number, out: number): bigint;
   /**
-   * Do a[i] and b[j] share a point? The elements of out are answers of vesica_overlap_f32.
+   * Do a[i] and b[j] share a point? Answers as of vesica_overlap_f32; much quicker if both arrays are in spatial order.
    *
    * Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements of
    * out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in memory.
@@ -1381,7 +1381,7 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+   * Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
    * Since: 0.1.
    */
   vesica_overlap_matrix_f32(a: number, b: number, out: number, row_stride: number): bigint;
@@ -1396,7 +1396,7 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+   * Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
    * Since: 0.1.
    */
   vesica_relation_matrix_f32(a: number, b: number, out: number, row_stride: number): bigint;
@@ -1411,7 +1411,7 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+   * Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
    * Since: 0.1.
    */
   vesica_contains_matrix_f32(a: number, b: number, out: number, row_stride: number): bigint;
@@ -1426,7 +1426,7 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+   * Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
    * Since: 0.1.
    */
   vesica_area_matrix_f32(a: number, b: number, out: number, row_stride: number): bigint;
@@ -1443,7 +1443,7 @@ export interface C {
    * VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, reserved is not 0, rows that overlap, or an array or rows that
    * exceed the address space).
    * Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every layout.
-   * Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+   * Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
    * Since: 0.1.
    */
   vesica_iou_matrix_f32(a: number, b: number, out: number, row_stride: number): bigint;

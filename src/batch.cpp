@@ -7,6 +7,7 @@
 
 #include "columns.hpp"
 #include "query.hpp"
+#include "tiles.hpp"
 
 namespace vesica::batch {
 
@@ -305,11 +306,17 @@ class Rows {
 
   /// space: room for the columns of a block.
   void begin(const Block<T>& block, std::int64_t rows, T* space) noexcept {
-    block_ = checked_ = block;
-    checked_.give_up = block.count / 32;
-    allowance_ = few;
+    whole_ = whole_checked_ = block;
+    allowance_ = few * pairs_an_undecided;
     usable_ = rows >= worth_checking && kernels_.check_block != nullptr &&
-              kernels_.check_block(checked_, space, block_size<T>);
+              kernels_.check_block(whole_checked_, space, block_size<T>);
+  }
+
+  /// Rows that follow meet these columns of the block alone.
+  void narrow(std::int32_t begin, std::int32_t length) noexcept {
+    block_ = part(whole_, begin, length);
+    checked_ = part(whole_checked_, begin, length);
+    checked_.give_up = length / 32;
   }
 
   void answer(const Unaligned<T> (&shape)[max_fields], std::uint8_t* out) noexcept {
@@ -322,13 +329,22 @@ class Rows {
 
  private:
   static constexpr std::int64_t worth_checking = 4;
+  static constexpr std::int64_t pairs_an_undecided = 512;
 
   Answerer<T> answerer_;
   Repeat repeat_;
   typename CheckedKernels<T>::Pair kernels_;
-  Block<T> block_, checked_;
+  Block<T> whole_, whole_checked_;
+  Block<T> block_, checked_;  // the columns that are met
   bool usable_ = false;
-  std::int32_t allowance_ = 0;  // elements of this block that checked kernels may still leave undecided
+  std::int64_t allowance_ = 0;  // how much of this block checked kernels may still leave undecided
+
+  Block<T> part(const Block<T>& whole, std::int32_t begin, std::int32_t length) const noexcept {
+    Block<T> block = whole;
+    for (auto& field : repeat_ == Repeat::first ? block.second : block.first) field = field + begin;
+    block.count = length;
+    return block;
+  }
 
   void set_row(Block<T>& block, const Unaligned<T> (&shape)[max_fields], std::uint8_t* out) noexcept {
     auto& field = repeat_ == Repeat::first ? block.first : block.second;
@@ -336,13 +352,13 @@ class Rows {
     block.out = out;
   }
 
-  /// Each row adds a 512th of its elements to the allowance. Blocks that use more have contacts, or shapes so unlike in
-  /// size that one bound does not suit all: they are left to the other kernels.
+  /// An undecided pair among 512 is allowed for. Blocks that have more have contacts, or shapes so unlike in size that
+  /// one bound does not suit all: they are left to the other kernels.
   bool answer_checked(const Unaligned<T> (&shape)[max_fields], std::uint8_t* out) noexcept {
     set_row(checked_, shape, out);
     const BlockResult result = answer_block(answerer_.question, repeat_, kernels_.answer, checked_);
     if (result.undecided == row_is_unusable) return false;
-    allowance_ += checked_.count / 512 - result.undecided;
+    allowance_ += checked_.count - result.undecided * pairs_an_undecided;
     usable_ = allowance_ >= 0;
     if (result.undecided > checked_.give_up) return false;
     answerer_.tally.overlaps += result.overlaps;
@@ -417,6 +433,7 @@ Tally matrix(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b,
   Rows<T> rows(question, in_order ? Repeat::first : Repeat::second, kernels.checked(T{}).pair(a.kind, b.kind));
   Columns<T, block_size<T>> row, columns;
   std::int32_t undecided[block_size<T>];
+  Tiles<T> tiles(kernels, a, b);
   // A block of b stays in cache while every row passes over it.
   for (std::int64_t begin = 0; begin < b.count; begin += block_size<T>) {
     const std::int32_t length = block_length(b.count - begin, block_size<T>);
@@ -425,9 +442,21 @@ Tally matrix(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b,
     rows.begin(make_block<T>(in_order ? row.field : columns.field, in_order ? columns.field : row.field, length, out,
                              undecided),
                a.count, row.copy[0]);  // one shape needs no copy: there is room
-    for (std::int64_t i = 0; i < a.count; ++i) {
-      row.set(kernels, a, i, 1);
-      rows.answer(row.field, out + i * row_stride + begin);
+    tiles.begin(begin, length);
+    for (std::int64_t first = 0; first < a.count; first += Tiles<T>::rows) {
+      const std::int32_t height = block_length(a.count - first, Tiles<T>::rows);
+      tiles.each(first, height, [&](std::int32_t from, std::int32_t width, bool met) {
+        if (met) rows.narrow(from, width);
+        for (std::int64_t i = first; i < first + height; ++i) {
+          std::uint8_t* const bytes = out + i * row_stride + begin + from;
+          if (met) {
+            row.set(kernels, a, i, 1);
+            rows.answer(row.field, bytes);
+          } else {
+            std::memset(bytes, 0, static_cast<std::size_t>(width));
+          }
+        }
+      });
     }
   }
   return rows.tally();

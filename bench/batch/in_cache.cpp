@@ -53,28 +53,15 @@ class InCache {
   }
 
   std::int64_t yardstick() {
-    if (spec_.layout == Layout::matrix) return yardstick_matrix();
+    if (spec_.layout == Layout::matrix) {
+      return unfiltered_matrix(yardstick_.one_against_many, batch_.a, matrix_rows, batch_.b, n, out_.get());
+    }
     const auto kernel = rows() == 1 ? yardstick_.one_against_many : yardstick_.in_step;
     return kernel(batch_.a.columns(), batch_.b.columns(), n, out_.get());
   }
 
  private:
   static constexpr std::int64_t n = batch_length<T>;
-
-  /// Columns in 4 KiB pieces, which stay in the first-level cache while all rows pass over them.
-  std::int64_t yardstick_matrix() {
-    constexpr std::int64_t piece = 4096 / sizeof(T);
-    std::int64_t overlaps = 0;
-    for (std::int64_t begin = 0; begin < n; begin += piece) {
-      for (std::int64_t i = 0; i < static_cast<std::int64_t>(matrix_rows); ++i) {
-        const T *row[max_fields], *many[max_fields];
-        for (int k = 0; k < batch_.a.fields(); ++k) row[k] = batch_.a.columns()[k] + i;
-        for (int k = 0; k < batch_.b.fields(); ++k) many[k] = batch_.b.columns()[k] + begin;
-        overlaps += yardstick_.one_against_many(row, many, piece, out_.get() + i * n + begin);
-      }
-    }
-    return overlaps;
-  }
 
   const Spec& spec_;
   const unfiltered::PairKernels<T> yardstick_;

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "batch/arrays.hpp"
+#include "batch/unfiltered/table.hpp"
 #include "workloads.hpp"
 
 namespace vesica::bench {
@@ -57,5 +58,23 @@ struct Batch {
     }
   }
 };
+
+/// Every row with every column by the unfiltered kernel, columns in 4 KiB pieces, which stay in the first-level cache
+/// while all rows pass over them.
+template <class T>
+std::int64_t unfiltered_matrix(unfiltered::Kernel<T> kernel, const Columns<T>& a, std::size_t rows, const Columns<T>& b,
+                               std::size_t columns, std::uint8_t* out) {
+  constexpr std::size_t piece = 4096 / sizeof(T);
+  std::int64_t overlaps = 0;
+  for (std::size_t begin = 0; begin < columns; begin += piece) {
+    for (std::size_t i = 0; i < rows; ++i) {
+      const T *row[max_fields], *many[max_fields];
+      for (int k = 0; k < a.fields(); ++k) row[k] = a.columns()[k] + i;
+      for (int k = 0; k < b.fields(); ++k) many[k] = b.columns()[k] + begin;
+      overlaps += kernel(row, many, piece, out + i * columns + begin);
+    }
+  }
+  return overlaps;
+}
 
 }  // namespace vesica::bench

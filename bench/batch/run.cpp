@@ -12,6 +12,9 @@ Result run_scalar(const Spec& spec) {
       return run_in_memory<T>(spec);
     case Layout::matrix_1e5:
       return run_matrix_1e5<T>(spec);
+    case Layout::large_matrix:
+    case Layout::sorted_matrix:
+      return run_large_matrix<T>(spec);
     case Layout::near:
       return run_near<T>(spec);
     case Layout::two_threads:

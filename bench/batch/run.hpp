@@ -40,6 +40,8 @@ Result run_in_memory(const Spec& spec);
 template <class T>
 Result run_matrix_1e5(const Spec& spec);
 template <class T>
+Result run_large_matrix(const Spec& spec);
+template <class T>
 Result run_near(const Spec& spec);
 Result run_two_threads(const Spec& spec);
 

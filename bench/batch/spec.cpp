@@ -46,6 +46,13 @@ class Specs {
       everywhere(pair, Layout::in_step, workload);
   }
 
+  void large_matrices(Pair pair) {
+    for (const Workload workload : {Workload::mixed, Workload::clusters}) {
+      everywhere(pair, Layout::large_matrix, workload);
+    }
+    everywhere(pair, Layout::sorted_matrix, Workload::clusters);
+  }
+
   void everywhere(Pair pair, Layout layout, Workload workload) {
     for (const bool single : {true, false}) {
       for (const Isa& isa : instruction_sets()) add(pair, single, isa, layout, workload);
@@ -104,6 +111,10 @@ const char* name_of(Layout layout) {
       return "memory_in_step";
     case Layout::matrix_1e5:
       return "matrix_1e5";
+    case Layout::large_matrix:
+      return "large_matrix";
+    case Layout::sorted_matrix:
+      return "sorted_matrix";
     case Layout::two_threads:
       return "two_threads";
     case Layout::near:
@@ -156,6 +167,7 @@ std::vector<Spec> all_specs() {
   for (const Pair& pair : main_pairs) {
     for (const bool single : {true, false}) specs.best(pair, single, Layout::matrix_1e5);
   }
+  for (const Pair& pair : main_pairs) specs.large_matrices(pair);
   specs.best(main_pairs[0], true, Layout::two_threads);
   for (const Pair& pair : main_pairs) specs.near_contact(pair);
   specs.touching(main_pairs[0]);

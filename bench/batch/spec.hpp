@@ -19,9 +19,11 @@ enum class Layout {
   records,          ///< in_step, both as arrays of structs
   memory_one_many,  ///< columns several times larger than the last-level cache
   memory_in_step,
-  matrix_1e5,   ///< slices of rows of a matrix of 100,000 by 100,000, the answers in fresh memory
-  two_threads,  ///< one_many by two threads of the caller at once
-  near,         ///< in_step, every pair within float rounding of contact, beside mixed pairs
+  matrix_1e5,     ///< slices of rows of a matrix of 100,000 by 100,000, the answers in fresh memory
+  large_matrix,   ///< 1,024 rows, as they come
+  sorted_matrix,  ///< the same, rows and columns in the order of an index
+  two_threads,    ///< one_many by two threads of the caller at once
+  near,           ///< in_step, every pair within float rounding of contact, beside mixed pairs
 };
 
 const char* name_of(Layout layout);

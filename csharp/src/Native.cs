@@ -539,7 +539,8 @@ namespace Vesica
         internal static extern long vesica_iou_many_f64(void* a, void* b, void* output);
 
         /// <summary>
-        /// <para>Do a[i] and b[j] share a point? The elements of out are answers of vesica_overlap_f64.</para>
+        /// <para>Do a[i] and b[j] share a point? Answers as of vesica_overlap_f64; much quicker if both arrays are in
+        /// spatial order.</para>
         /// <para>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride
         /// counts elements of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows
         /// run backwards in memory.</para>
@@ -550,7 +551,8 @@ namespace Vesica
         /// an array or rows that exceed the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.</para>
+        /// <para>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
+        /// arrays.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -568,7 +570,8 @@ namespace Vesica
         /// an array or rows that exceed the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.</para>
+        /// <para>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
+        /// arrays.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -586,7 +589,8 @@ namespace Vesica
         /// an array or rows that exceed the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.</para>
+        /// <para>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
+        /// arrays.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -604,7 +608,8 @@ namespace Vesica
         /// an array or rows that exceed the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.</para>
+        /// <para>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
+        /// arrays.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -624,7 +629,8 @@ namespace Vesica
         /// an array or rows that exceed the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.</para>
+        /// <para>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
+        /// arrays.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1140,7 +1146,8 @@ namespace Vesica
         internal static extern long vesica_iou_many_f32(void* a, void* b, void* output);
 
         /// <summary>
-        /// <para>Do a[i] and b[j] share a point? The elements of out are answers of vesica_overlap_f32.</para>
+        /// <para>Do a[i] and b[j] share a point? Answers as of vesica_overlap_f32; much quicker if both arrays are in
+        /// spatial order.</para>
         /// <para>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride
         /// counts elements of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows
         /// run backwards in memory.</para>
@@ -1151,7 +1158,8 @@ namespace Vesica
         /// an array or rows that exceed the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.</para>
+        /// <para>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
+        /// arrays.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1169,7 +1177,8 @@ namespace Vesica
         /// an array or rows that exceed the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.</para>
+        /// <para>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
+        /// arrays.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1187,7 +1196,8 @@ namespace Vesica
         /// an array or rows that exceed the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.</para>
+        /// <para>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
+        /// arrays.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1205,7 +1215,8 @@ namespace Vesica
         /// an array or rows that exceed the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.</para>
+        /// <para>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
+        /// arrays.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1225,7 +1236,8 @@ namespace Vesica
         /// an array or rows that exceed the address space).</para>
         /// <para>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in
         /// every layout.</para>
-        /// <para>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.</para>
+        /// <para>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
+        /// arrays.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

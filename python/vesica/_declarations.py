@@ -1117,7 +1117,8 @@ result has the same bits as the function for two shapes, on every instruction se
         (c_void_p, c_void_p, c_void_p, c_ssize_t,),
         """vesica_overlap_matrix_f64(a, b, out, row_stride)
 
-Do a[i] and b[j] share a point? The elements of out are answers of vesica_overlap_f64.
+Do a[i] and b[j] share a point? Answers as of vesica_overlap_f64; much quicker if both arrays are in spatial
+order.
 
 Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts
 elements of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run
@@ -1126,8 +1127,8 @@ are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anyt
 VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
 negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays. Since:
-0.1.""",
+layout. Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
+arrays. Since: 0.1.""",
     ),
     "vesica_relation_matrix_f64": (
         c_int64,
@@ -1143,8 +1144,8 @@ invalid: its results are 0 (bytes) or NaN (numbers), and all others are written 
 written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
 (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays. Since:
-0.1.""",
+layout. Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
+arrays. Since: 0.1.""",
     ),
     "vesica_contains_matrix_f64": (
         c_int64,
@@ -1160,8 +1161,8 @@ are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anyt
 VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
 negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays. Since:
-0.1.""",
+layout. Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
+arrays. Since: 0.1.""",
     ),
     "vesica_area_matrix_f64": (
         c_int64,
@@ -1177,8 +1178,8 @@ are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anyt
 VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
 negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays. Since:
-0.1.""",
+layout. Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
+arrays. Since: 0.1.""",
     ),
     "vesica_iou_matrix_f64": (
         c_int64,
@@ -1197,8 +1198,8 @@ are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anyt
 VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
 negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays. Since:
-0.1.""",
+layout. Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
+arrays. Since: 0.1.""",
     ),
     "vesica_overlap_select_f64": (
         c_int64,
@@ -1941,7 +1942,8 @@ result has the same bits as the function for two shapes, on every instruction se
         (c_void_p, c_void_p, c_void_p, c_ssize_t,),
         """vesica_overlap_matrix_f32(a, b, out, row_stride)
 
-Do a[i] and b[j] share a point? The elements of out are answers of vesica_overlap_f32.
+Do a[i] and b[j] share a point? Answers as of vesica_overlap_f32; much quicker if both arrays are in spatial
+order.
 
 Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts
 elements of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run
@@ -1950,8 +1952,8 @@ are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anyt
 VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
 negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays. Since:
-0.1.""",
+layout. Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
+arrays. Since: 0.1.""",
     ),
     "vesica_relation_matrix_f32": (
         c_int64,
@@ -1967,8 +1969,8 @@ invalid: its results are 0 (bytes) or NaN (numbers), and all others are written 
 written: VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT
 (a negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays. Since:
-0.1.""",
+layout. Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
+arrays. Since: 0.1.""",
     ),
     "vesica_contains_matrix_f32": (
         c_int64,
@@ -1984,8 +1986,8 @@ are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anyt
 VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
 negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays. Since:
-0.1.""",
+layout. Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
+arrays. Since: 0.1.""",
     ),
     "vesica_area_matrix_f32": (
         c_int64,
@@ -2001,8 +2003,8 @@ are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anyt
 VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
 negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays. Since:
-0.1.""",
+layout. Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
+arrays. Since: 0.1.""",
     ),
     "vesica_iou_matrix_f32": (
         c_int64,
@@ -2021,8 +2023,8 @@ are 0 (bytes) or NaN (numbers), and all others are written as usual. Before anyt
 VESICA_E_NULL (but if a count is 0, fields and out may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a
 negative count, reserved is not 0, rows that overlap, or an array or rows that exceed the address space).
 Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
-layout. Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays. Since:
-0.1.""",
+layout. Cost: for each pair at most as in a batch of one shape against many, whatever the size of the
+arrays. Since: 0.1.""",
     ),
     "vesica_overlap_select_f32": (
         c_int64,

@@ -22,5 +22,6 @@ set(batch_test_sources
   batch/select_test.cpp
   batch/stack_test.cpp
   batch/ties_test.cpp
+  batch/tiles_test.cpp
   batch/undecided_test.cpp
   batch/unit_axes_test.cpp)

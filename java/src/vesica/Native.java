@@ -621,7 +621,7 @@ final class Native {
       long bStride, long bStep, Object bBase, Object out);
 
   /**
-   * Do a[i] and b[j] share a point? The elements of out are answers of vesica_overlap_f64.
+   * Do a[i] and b[j] share a point? Answers as of vesica_overlap_f64; much quicker if both arrays are in spatial order.
    *
    * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
    * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
@@ -637,7 +637,7 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+   * <p>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
    *
    * <p>Since: 0.1.
    */
@@ -661,7 +661,7 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+   * <p>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
    *
    * <p>Since: 0.1.
    */
@@ -685,7 +685,7 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+   * <p>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
    *
    * <p>Since: 0.1.
    */
@@ -709,7 +709,7 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+   * <p>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
    *
    * <p>Since: 0.1.
    */
@@ -735,7 +735,7 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+   * <p>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
    *
    * <p>Since: 0.1.
    */
@@ -1348,7 +1348,7 @@ final class Native {
       long bStride, long bStep, Object bBase, Object out);
 
   /**
-   * Do a[i] and b[j] share a point? The elements of out are answers of vesica_overlap_f32.
+   * Do a[i] and b[j] share a point? Answers as of vesica_overlap_f32; much quicker if both arrays are in spatial order.
    *
    * <p>Requires: room for a matrix: out[i * row_stride + j] is the result for a[i] and b[j]. row_stride counts elements
    * of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run backwards in
@@ -1364,7 +1364,7 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+   * <p>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
    *
    * <p>Since: 0.1.
    */
@@ -1388,7 +1388,7 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+   * <p>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
    *
    * <p>Since: 0.1.
    */
@@ -1412,7 +1412,7 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+   * <p>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
    *
    * <p>Since: 0.1.
    */
@@ -1436,7 +1436,7 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+   * <p>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
    *
    * <p>Since: 0.1.
    */
@@ -1462,7 +1462,7 @@ final class Native {
    * <p>Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
    * layout.
    *
-   * <p>Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+   * <p>Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
    *
    * <p>Since: 0.1.
    */

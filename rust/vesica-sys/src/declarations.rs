@@ -1077,7 +1077,8 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_iou_many_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64) -> i64;
-    /// Do a\[i\] and b\[j\] share a point? The elements of out are answers of vesica_overlap_f64.
+    /// Do a\[i\] and b\[j\] share a point? Answers as of vesica_overlap_f64; much quicker if both arrays are in spatial
+    /// order.
     ///
     /// Requires: room for a matrix: out\[i \* row_stride + j\] is the result for a\[i\] and b\[j\]. row_stride counts
     /// elements of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run
@@ -1093,7 +1094,7 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+    /// Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8,
@@ -1114,7 +1115,7 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+    /// Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
     ///
     /// Since: 0.1.
     pub fn vesica_relation_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8,
@@ -1135,7 +1136,7 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+    /// Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
     ///
     /// Since: 0.1.
     pub fn vesica_contains_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut u8,
@@ -1156,7 +1157,7 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+    /// Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
     ///
     /// Since: 0.1.
     pub fn vesica_area_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64,
@@ -1179,7 +1180,7 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+    /// Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
     ///
     /// Since: 0.1.
     pub fn vesica_iou_matrix_f64(a: *const Shapes<f64>, b: *const Shapes<f64>, out: *mut f64, row_stride: isize) -> i64;
@@ -1967,7 +1968,8 @@ extern "C" {
     ///
     /// Since: 0.1.
     pub fn vesica_iou_many_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32) -> i64;
-    /// Do a\[i\] and b\[j\] share a point? The elements of out are answers of vesica_overlap_f32.
+    /// Do a\[i\] and b\[j\] share a point? Answers as of vesica_overlap_f32; much quicker if both arrays are in spatial
+    /// order.
     ///
     /// Requires: room for a matrix: out\[i \* row_stride + j\] is the result for a\[i\] and b\[j\]. row_stride counts
     /// elements of out. It is at least b's count, unless a's count is at most 1, or negative: then the rows run
@@ -1983,7 +1985,7 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+    /// Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
     ///
     /// Since: 0.1.
     pub fn vesica_overlap_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8,
@@ -2004,7 +2006,7 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+    /// Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
     ///
     /// Since: 0.1.
     pub fn vesica_relation_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8,
@@ -2025,7 +2027,7 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+    /// Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
     ///
     /// Since: 0.1.
     pub fn vesica_contains_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut u8,
@@ -2046,7 +2048,7 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+    /// Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
     ///
     /// Since: 0.1.
     pub fn vesica_area_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32,
@@ -2069,7 +2071,7 @@ extern "C" {
     /// Accuracy: every result has the same bits as the function for two shapes, on every instruction set, in every
     /// layout.
     ///
-    /// Cost: for each pair as in a batch of one shape against many, whatever the size of the arrays.
+    /// Cost: for each pair at most as in a batch of one shape against many, whatever the size of the arrays.
     ///
     /// Since: 0.1.
     pub fn vesica_iou_matrix_f32(a: *const Shapes<f32>, b: *const Shapes<f32>, out: *mut f32, row_stride: isize) -> i64;
