@@ -41,8 +41,7 @@ double tiny(Random& random) {
 }
 
 /// The shapes touch at time 1, to which the second moves from -v: along the tangent, or towards the first to an end
-/// about
-/// 1. What is left of exactness is 1 to 2^-53, every power of two as likely.
+/// near that. What is left of exactness is 1 to 2^-53, every power of two as likely.
 Moving meeting(int kind_a, int kind_b, bool grazes, Random& random) {
   auto [pair, x, y] = properties::touching(kind_a, kind_b, random);
   const double length = std::sqrt(x * x + y * y), ahead = grazes ? 0 : -random.integer(1, 9);

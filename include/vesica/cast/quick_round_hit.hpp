@@ -186,9 +186,9 @@ VESICA_INLINE Quick round_hit(const Sum& sum, const Vector& d, const Motion& v, 
   return Quick::hit;
 }
 
-/// What a point and one round shape ask: how the square of the reach across v, whose upper part is al, and w are known,
-/// al
-/// - w^2 in double, `line`, and the bound of its error; s and a b u.u v.v of direction.hpp.
+/// What a point and one round shape ask: the square of the reach across v, whose upper part is al, and w, both to twice
+/// the precision; `line`, which is al less the square of w in double, and the bound of its error; s and `area`, which
+/// is a b u.u v.v, of direction.hpp.
 struct OneRound {
   Twofold<double> squared, w;
   double line, line_error, s, area;
