@@ -171,8 +171,10 @@ VESICA_INLINE Quick quick_filter(const Segment<double>& a, const Point<double>& 
   return quick_filter_of_box(a, b, v);
 }
 
-/// Of two ellipses, by the filter for all kinds.
+/// Of two ellipses, by the filter for all kinds. It misses shapes that are beside each other at any end, even at none
+/// that is valid.
 VESICA_INLINE Quick quick_filter(const Ellipse<double>& a, const Ellipse<double>& b, const Motion& v) noexcept {
+  if (!(v.end >= 0)) return Quick::open;
   const Filtered known = filter(sketch(a), sketch(b), v);
   if (known.verdict == Verdict::missed) return Quick::missed;
   return lane::both(known.apart, known.verdict == Verdict::reached) ? Quick::hit : Quick::open;
