@@ -105,6 +105,20 @@ TEST(Known, Faces) {
   expect_hit(disc_on_box, {0, -1, infinity}, 6, 1, 2, 0, 1);
 }
 
+// The square of an edge's length underflows beside the other's: the point was NaN, and the answer that it is out of range.
+TEST(Known, AnEdgeOfAlmostNoLength) {
+  constexpr double w = 0x1p-600;
+  for (const Pair& p : {Pair{VESICA_AABB, VESICA_AABB, {0, 0, w, 1}, {-1, -3, 1, -2}},
+                        Pair{VESICA_SEGMENT, VESICA_AABB, {0, 0, w, 0}, {-1, -3, 1, -2}},
+                        Pair{VESICA_RECT, VESICA_AABB, {0.5 * w, 0.5, 1, 0, 0.5 * w, 0.5}, {-1, -3, 1, -2}}}) {
+    const Answer r = cast(Scalar::f64, p, {0, 1, infinity});
+    EXPECT_EQ(r.code, VESICA_CAST_HIT);
+    EXPECT_TRUE(r.t == 2 && r.x == 0.5 * w && r.y == 0 && r.nx == 0 && r.ny == -1);
+    const Answer s = cast(Scalar::f64, swapped(p), {0, -1, infinity});
+    EXPECT_TRUE(s.code == VESICA_CAST_HIT && s.t == 2 && std::fabs(s.x) <= 1 && s.y == -2 && s.ny == 1);
+  }
+}
+
 TEST(Known, ASlideAlongAFaceTouches) {
   const Pair p{VESICA_AABB, VESICA_AABB, {0, 0, 1, 1}, {-5, 1, -4, 2}};
   expect_hit(p, {1, 0, infinity}, 4, 0, 1, 0, 1);
