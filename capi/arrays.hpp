@@ -27,9 +27,9 @@ void widen(int32_t kind, const T* numbers, double (&out)[max_fields]) noexcept {
   for (int k = 0; k < field_count(kind); ++k) out[k] = static_cast<double>(numbers[k]);
 }
 
-/// Of two errors, each of these or 0 for none, the one that is checked first: NULL, kind, argument.
+/// Of two errors, each of these or 0 for none, the one that is checked first: NULL, index, kind, argument.
 inline int32_t first_error(int32_t a, int32_t b) noexcept {
-  for (const int32_t error : {VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT}) {
+  for (const int32_t error : {VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT}) {
     if (a == error || b == error) return error;
   }
   return 0;

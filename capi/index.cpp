@@ -55,10 +55,8 @@ int64_t select(const void* from, const CShapesOf<T>* sets, int32_t set_count, co
                int64_t capacity, int64_t* state) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(select<T>, from, sets, set_count, one, out, capacity, state);
   if (one == nullptr || (capacity > 0 && (out == nullptr || state == nullptr))) return VESICA_E_NULL;
-  int32_t error = check_index(from);
-  if (error != 0) return error;
   index::Sets items, single;
-  error = view_sets<T>(one, 1, single);
+  int32_t error = first_error(check_index(from), view_sets<T>(one, 1, single));
   if (sets != nullptr) error = first_error(error, view_sets<T>(sets, set_count, items));
   if (error != 0) return error;
   if (capacity < 0 || single.items != 1) return VESICA_E_ARGUMENT;
@@ -125,10 +123,10 @@ int32_t vesica_index_bounds(const void* index, vesica_aabb_f64* out) {
 }
 
 int64_t vesica_index_order(const void* index, int64_t* out, int64_t capacity) {
+  if (capacity > 0 && out == nullptr) return VESICA_E_NULL;
   const int32_t error = check_index(index);
   if (error != 0) return error;
   if (capacity < 0) return VESICA_E_ARGUMENT;
-  if (capacity > 0 && out == nullptr) return VESICA_E_NULL;
   const index::View view(index);
   int64_t n = 0;
   for (int64_t b = 0; b < view.blocks() && n < capacity; ++b) {

@@ -24,12 +24,12 @@ index::Decide decider(int32_t query) noexcept {
   return query == VESICA_JOIN_OVERLAP ? decide_overlap<T> : decide_contains<T>;
 }
 
-/// One side's sets: of the index's items, or absent where nothing is decided.
+/// One side: its index, and its sets, of the index's items, or absent where nothing is decided.
 template <class T>
 int32_t check_side(int32_t query, const void* from, const CShapesOf<T>* sets, int32_t set_count,
                    index::Sets& view) noexcept {
-  if (query == VESICA_JOIN_BOUNDS) return 0;
-  const int32_t error = view_sets<T>(sets, set_count, view);
+  if (query == VESICA_JOIN_BOUNDS) return check_index(from);
+  const int32_t error = first_error(check_index(from), view_sets<T>(sets, set_count, view));
   if (error != 0) return error;
   return view.items == index::View(from).items() ? 0 : VESICA_E_ARGUMENT;
 }
@@ -42,12 +42,9 @@ int64_t join(int32_t query, const void* index_a, const CShapesOf<T>* sets_a, int
                              scratch, scratch_size, out_a, out_b, capacity, state);
   if (index_a == nullptr || index_b == nullptr || scratch == nullptr) return VESICA_E_NULL;
   if (capacity > 0 && (out_a == nullptr || out_b == nullptr || state == nullptr)) return VESICA_E_NULL;
-  int32_t error = check_index(index_a);
-  if (error == 0) error = check_index(index_b);
-  if (error != 0) return error;
   index::Sets a, b;
-  error = first_error(check_side<T>(query, index_a, sets_a, set_count_a, a),
-                      check_side<T>(query, index_b, sets_b, set_count_b, b));
+  const int32_t error = first_error(check_side<T>(query, index_a, sets_a, set_count_a, a),
+                                    check_side<T>(query, index_b, sets_b, set_count_b, b));
   if (error != 0) return error;
   if (query < VESICA_JOIN_OVERLAP || query > VESICA_JOIN_INSIDE) return VESICA_E_ARGUMENT;
   if (parts < 1 || part < 0 || part >= parts || capacity < 0) return VESICA_E_ARGUMENT;

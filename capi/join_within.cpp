@@ -13,7 +13,7 @@ index::Near near(int32_t kind_a, int32_t kind_b) noexcept { return vesica::queri
 
 template <class T>
 int32_t check_side(const void* from, const CShapesOf<T>* sets, int32_t set_count, index::Sets& view) noexcept {
-  const int32_t error = view_sets<T>(sets, set_count, view);
+  const int32_t error = first_error(check_index(from), view_sets<T>(sets, set_count, view));
   if (error != 0) return error;
   return view.items == index::View(from).items() ? 0 : VESICA_E_ARGUMENT;
 }
@@ -26,11 +26,9 @@ int64_t join_within(const void* index_a, const CShapesOf<T>* sets_a, int32_t set
                              parts, out_a, out_b, capacity, state);
   if (index_a == nullptr || index_b == nullptr) return VESICA_E_NULL;
   if (capacity > 0 && (out_a == nullptr || out_b == nullptr || state == nullptr)) return VESICA_E_NULL;
-  int32_t error = check_index(index_a);
-  if (error == 0) error = check_index(index_b);
-  if (error != 0) return error;
   index::Sets a, b;
-  error = first_error(check_side<T>(index_a, sets_a, set_count_a, a), check_side<T>(index_b, sets_b, set_count_b, b));
+  const int32_t error =
+      first_error(check_side<T>(index_a, sets_a, set_count_a, a), check_side<T>(index_b, sets_b, set_count_b, b));
   if (error != 0) return error;
   if (!(distance >= 0) || parts < 1 || part < 0 || part >= parts || capacity < 0) return VESICA_E_ARGUMENT;
   const index::JoinWithin join{

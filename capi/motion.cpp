@@ -211,10 +211,9 @@ template <class T, class Action>
 int64_t through_index(const void* from, const CShapesOf<T>* sets, int32_t set_count, const CShapesOf<T>* one,
                       const Motion& motion, int64_t capacity, const Action& action) noexcept {
   if (one == nullptr) return VESICA_E_NULL;
-  int32_t error = check_index(from);
-  if (error != 0) return error;
   index::Sets items, single;
-  error = first_error(view_sets<T>(one, 1, single), view_sets<T>(sets, set_count, items));
+  const int32_t of_shapes = first_error(view_sets<T>(one, 1, single), view_sets<T>(sets, set_count, items));
+  const int32_t error = first_error(check_index(from), of_shapes);
   if (error != 0) return error;
   const bool sound = single.items == 1 && items.items == index::View(from).items() && capacity >= 0;
   if (!sound || !vesica::detail::cast::is_sound(motion)) return VESICA_E_ARGUMENT;

@@ -19,7 +19,8 @@
  * A function whose output may exceed the room for it takes a state of four numbers. Set all to 0 before the first call.
  * After a call state[0] is -1 if nothing is left; otherwise the same call continues. A state may be saved or sent.
  *
- * The rules of vesica.h hold. Comments have the same parts: Requires, Returns, Errors, Accuracy, Cost, Since.
+ * The rules of vesica.h hold. Bytes that are not an index are an error that is checked after NULL pointers and before
+ * unknown kinds. Comments have the same parts: Requires, Returns, Errors, Accuracy, Cost, Since.
  */
 #ifndef VESICA_INDEX_H
 #define VESICA_INDEX_H

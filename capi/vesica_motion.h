@@ -35,7 +35,8 @@ extern "C" {
  * Requires: vx and vy finite; both may be 0. t_end >= 0, or infinity.
  * Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative or
  * NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would overflow; or an exact position
- * would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000).
+ * would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000; or the normal is lost, as where a
+ * circle's radius is below 2^-500 of the other shape).
  * Since: 0.1.
  */
 

@@ -77,6 +77,15 @@ TEST(CoreErrors, EachArgumentIsLookedAt) {
   EXPECT_EQ(cast_or_error(unit, oval, 0.0, infinity, 1.0, impact), error_argument);
   EXPECT_EQ(cast_or_error(unit, oval, 0.0, 0.0, -1.0, impact), error_argument);
   EXPECT_EQ(cast_or_error(unit, oval, 0.0, 0.0, nan, impact), error_argument);
+  // Kinds that have a filter of their own, missing by far and moving away.
+  for (const double end : {-1.0, nan, -infinity}) {
+    for (const double vy : {0.0, 1.0}) {
+      EXPECT_EQ(cast_or_error(oval, Ellipse<double>{10, 100, 1, 0, 2, 1}, 1.0, vy, end, impact), error_argument);
+      EXPECT_EQ(cast_or_error(Circle<double>{0, 0, 1}, Circle<double>{10, 100, 1}, 1.0, vy, end, impact),
+                error_argument);
+      EXPECT_EQ(cast_or_error(Aabb<double>{0, 0, 1, 1}, Point<double>{10, 100}, 1.0, vy, end, impact), error_argument);
+    }
+  }
   Aabb<double> box;
   EXPECT_EQ(sweep_bounds(unit, nan, 0.0, 1.0, box), error_argument);
   constexpr Turn<double> still{0, 0, 0}, lost{nan, 0, 0};

@@ -46,6 +46,17 @@ TEST(Known, Rays) {
   expect_miss(ray_at_disc, {1, 1, infinity});
 }
 
+// The least number that is left of a way is 0 when it is divided by the speed: the time was 1 / 4, after the contact.
+TEST(Known, ARayThatIsTheLeastNumberNearer) {
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  for (const double beside : {least, 0x1p-1023, 0x1p-100}) {
+    for (const double sign : {-1.0, 1.0}) {
+      const Pair p{VESICA_AABB, VESICA_POINT, {1, 1, 4, 5}, {3, sign * beside}};
+      EXPECT_EQ(cast(Scalar::f64, p, {-2, 4, infinity}).t, sign > 0 ? 0.25 - 0x1p-55 : 0.25);
+    }
+  }
+}
+
 TEST(Known, ARayThatGrazesADisc) {
   const Pair p{VESICA_CIRCLE, VESICA_POINT, {0, 0, 1}, {-5, 1}};
   expect_hit(p, {1, 0, infinity}, 5, 0, 1, 0, 1);
@@ -92,6 +103,20 @@ TEST(Known, Faces) {
   expect_hit(boxes, {1, 0, 4}, 4, 0, 0.75, -1, 0);
   const Pair disc_on_box{VESICA_RECT, VESICA_CIRCLE, {0, 0, 0, 2, 1, 3}, {1, 10, 2}};
   expect_hit(disc_on_box, {0, -1, infinity}, 6, 1, 2, 0, 1);
+}
+
+// The square of an edge's length underflows beside the other's: the point was NaN, and the answer that it is out of range.
+TEST(Known, AnEdgeOfAlmostNoLength) {
+  constexpr double w = 0x1p-600;
+  for (const Pair& p : {Pair{VESICA_AABB, VESICA_AABB, {0, 0, w, 1}, {-1, -3, 1, -2}},
+                        Pair{VESICA_SEGMENT, VESICA_AABB, {0, 0, w, 0}, {-1, -3, 1, -2}},
+                        Pair{VESICA_RECT, VESICA_AABB, {0.5 * w, 0.5, 1, 0, 0.5 * w, 0.5}, {-1, -3, 1, -2}}}) {
+    const Answer r = cast(Scalar::f64, p, {0, 1, infinity});
+    EXPECT_EQ(r.code, VESICA_CAST_HIT);
+    EXPECT_TRUE(r.t == 2 && r.x == 0.5 * w && r.y == 0 && r.nx == 0 && r.ny == -1);
+    const Answer s = cast(Scalar::f64, swapped(p), {0, -1, infinity});
+    EXPECT_TRUE(s.code == VESICA_CAST_HIT && s.t == 2 && std::fabs(s.x) <= 1 && s.y == -2 && s.ny == 1);
+  }
 }
 
 TEST(Known, ASlideAlongAFaceTouches) {
@@ -170,6 +195,17 @@ TEST(Known, NegativeSizesAreRefusedOnEveryWay) {
         EXPECT_EQ(cast(scalar, p, m).code, VESICA_E_SHAPE) << properties::describe(p);
         EXPECT_EQ(cast(scalar, swapped(p), m).code, VESICA_E_SHAPE) << properties::describe(p);
       }
+    }
+  }
+}
+
+// Half of the least number is 0: by half widths these boxes were valid, and a ray that misses them got an answer.
+TEST(Known, BoxesThatAreInvertedByTheLeastNumberAreRefused) {
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  for (const Motion& m : {Motion{1, 0, infinity}, Motion{-1, 0, infinity}, Motion{0, 1, 2}, Motion{-1, -1, 0.5}}) {
+    for (const double x : {-50.0, 0.0, 50.0}) {
+      EXPECT_EQ(cast(Scalar::f64, {VESICA_AABB, VESICA_POINT, {least, -1, 0, 1}, {x, 50}}, m).code, VESICA_E_SHAPE);
+      EXPECT_EQ(cast(Scalar::f64, {VESICA_AABB, VESICA_POINT, {-1, 0, 1, -least}, {x, 50}}, m).code, VESICA_E_SHAPE);
     }
   }
 }

@@ -140,9 +140,23 @@ struct Quickly {
     return p.kind_a >= VESICA_RECT ? p.a[2 + k] : k == 0 ? 1 : 0;
   }
 
+  /// On a grid, but for one coordinate beside 0: what that adds to a time is below all its digits, and counts.
+  void ask_beside_zero(Pair p, const Motion& m, properties::Random& random) {
+    for (std::size_t k = 0; k < 6; ++k) {
+      p.a[k] = std::round(4 * p.a[k]);
+      p.b[k] = std::round(4 * p.b[k]);
+    }
+    auto& of_one = random.chance(0.5) ? p.a : p.b;
+    const int exponent = random.chance(0.5) ? 1074 : random.integer(54, 1074);
+    of_one[static_cast<std::size_t>(random.integer(0, 1))] = std::ldexp(random.sign(), -exponent);
+    const auto power = [](double v) { return v == 0 ? 0 : std::copysign(std::exp2(2 + std::ilogb(v)), v); };
+    ask(p, {power(m.vx), power(m.vy), infinity});
+  }
+
   /// The pair as it is drawn, of other sizes and at other speeds, along an axis, and with its end about the contact.
   void ask_about(const Pair& p, const Motion& m, properties::Random& random) {
     ask(p, m);
+    ask_beside_zero(p, m, random);
     ask(p, {m.vx, 0, m.end});
     ask(p, {0, m.vy, infinity});
     // About along a side.

@@ -113,6 +113,9 @@ TYPED_TEST(ArgumentsTest, Join) {
   std::memcpy(zeros, foreign, sizeof zeros);
   EXPECT_EQ(vesica_index_count(zeros), VESICA_E_INDEX);
   EXPECT_EQ(vesica_index_count(zeros + 8), VESICA_E_ARGUMENT);
+  EXPECT_EQ(vesica_index_order(zeros + 8, nullptr, 1), VESICA_E_NULL);
+  EXPECT_EQ(vesica_index_order(zeros, nullptr, 1), VESICA_E_NULL);
+  EXPECT_EQ(vesica_index_order(zeros, nullptr, -1), VESICA_E_INDEX);
   EXPECT_EQ(vesica_index_count(nullptr), VESICA_E_NULL);
   EXPECT_EQ(vesica_index_count(a.index.get()), 1000);
   vesica_aabb_f64 box;

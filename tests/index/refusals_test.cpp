@@ -86,6 +86,33 @@ class Refusals : public testing::Test {
       EXPECT_EQ(function(call), wrong.error) << name << ": " << wrong.what;
       for (int i = 0; i < 8; ++i) EXPECT_TRUE(out_[i] == 7 && out_b_[i] == 7 && distance_[i] == 7) << wrong.what;
     }
+    for (const Wrong<T>& wrong : all) {
+      if (wrong.error == VESICA_E_INDEX || std::strcmp(wrong.what, "index at 8") == 0) {
+        expect_order(name, function, wrong, all);
+      }
+    }
+  }
+
+  /// An index that cannot be read, and besides it any other argument wrong: the error that comes first is returned.
+  void expect_order(const char* name, const Function& function, const Wrong<T>& of_index,
+                    const std::vector<Wrong<T>>& all) {
+    for (const Wrong<T>& other : all) {
+      clear();
+      Call<T> call = sound();
+      of_index.make(call);
+      const void *const a = call.index, *const b = call.index_b;
+      other.make(call);
+      const bool replaced = a != sound().index ? call.index != a : call.index_b != b;
+      EXPECT_EQ(function(call), replaced ? other.error : first_of(of_index.error, other.error))
+          << name << ": " << of_index.what << ", " << other.what;
+    }
+  }
+
+  static std::int64_t first_of(std::int64_t a, std::int64_t b) {
+    for (const std::int64_t e : {VESICA_E_NULL, VESICA_E_INDEX, VESICA_E_KIND, VESICA_E_ARGUMENT}) {
+      if (a == e || b == e) return e;
+    }
+    return 0;
   }
 
   /// Of every function that is given an index of the first side.

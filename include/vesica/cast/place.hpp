@@ -53,6 +53,7 @@ Foremost foremost(const Side& s, const Vector& normal) noexcept {
 inline Offset touching_point(const Foremost& a, const Foremost& b, const Offset& offset) noexcept {
   if (!a.is_edge()) return a.middle;
   const double length = a.half.x * a.half.x + a.half.y * a.half.y;
+  if (length == 0) return a.middle;  // so short that its square underflows
   const auto share = [&](double x, double y) { return (x * a.half.x + y * a.half.y) / length; };
   const double middle = share(offset.x + b.middle.x - a.middle.x, offset.y + b.middle.y - a.middle.y);
   const double half = abs(share(b.half.x, b.half.y));

@@ -162,7 +162,9 @@ VESICA_INLINE Quick quick_filter_of_box(const Box& box, const Point<double>& p, 
 VESICA_INLINE Quick quick_filter(const Aabb<double>& a, const Point<double>& p, const Motion& v) noexcept {
   const double hx = 0.5 * (a.max_x - a.min_x), hy = 0.5 * (a.max_y - a.min_y);
   const double dx = offset(p.x, p.x, a.min_x, a.max_x), dy = offset(p.y, p.y, a.min_y, a.max_y);
-  return filter_box({v.vx, v.vy, dx, dy, hx, hy, 1, 1}, dx, dy, v, hx >= 0 && hy >= 0);
+  // A half width may be 0 by underflow, even where min exceeds max.
+  const bool sized = a.min_x <= a.max_x && a.min_y <= a.max_y;
+  return filter_box({v.vx, v.vy, dx, dy, hx, hy, 1, 1}, dx, dy, v, sized);
 }
 VESICA_INLINE Quick quick_filter(const Rect<double>& a, const Point<double>& b, const Motion& v) noexcept {
   return quick_filter_of_box(a, b, v);
@@ -171,8 +173,10 @@ VESICA_INLINE Quick quick_filter(const Segment<double>& a, const Point<double>& 
   return quick_filter_of_box(a, b, v);
 }
 
-/// Of two ellipses, by the filter for all kinds.
+/// Of two ellipses, by the filter for all kinds. It misses shapes that are beside each other at any end, even at none
+/// that is valid.
 VESICA_INLINE Quick quick_filter(const Ellipse<double>& a, const Ellipse<double>& b, const Motion& v) noexcept {
+  if (!(v.end >= 0)) return Quick::open;
   const Filtered known = filter(sketch(a), sketch(b), v);
   if (known.verdict == Verdict::missed) return Quick::missed;
   return lane::both(known.apart, known.verdict == Verdict::reached) ? Quick::hit : Quick::open;

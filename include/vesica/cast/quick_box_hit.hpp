@@ -44,7 +44,7 @@ VESICA_INLINE Quick quick_hit(const Aabb<double>& a, const Point<double>& b, con
   if (!(sure && is_plain(d, v) && is_plain_size(width) && is_plain_size(height))) return Quick::open;
   set_rest<Products>(x);
   set_rest<Products>(y);
-  const Floor<double> fx = floor_of_quotient(x.t, x.rest * over.x), fy = floor_of_quotient(y.t, y.rest * over.y);
+  const Floor<double> fx = floor_of_quotient(x.t, x.rest, over.x), fy = floor_of_quotient(y.t, y.rest, over.y);
   const double t = lane::max(fx.t, fy.t);
   const bool on_x = x.t > y.t;
   if (!(on_x ? fx.certain : fy.certain)) return Quick::open;

@@ -32,11 +32,13 @@ VESICA_INLINE Floor<V> floor_of(const Twofold<V>& time, V error) noexcept {
     return {select(x.low < V(0.0), x.high * V(1 - 0x1p-53), x.high), certain};
   }
 }
-/// Of a quotient of exact numbers, `first` being rounded and `step` what is left, off by less than 2^-50 of itself. A
-/// step of 0 is exact.
-VESICA_INLINE Floor<double> floor_of_quotient(double first, double step) noexcept {
+/// Of a quotient of exact numbers, `first` being rounded, `rest` its remainder, and `over` the inverse of the divisor:
+/// what is left is off by less than 2^-50 of itself. It is exact where nothing remains; where it underflows to 0 it is
+/// not certain.
+VESICA_INLINE Floor<double> floor_of_quotient(double first, double rest, double over) noexcept {
+  const double step = rest * over;
   const Floor<double> floor = floor_of(Twofold<double>{first, step}, 0x1p-49 * abs(step));
-  return {step == 0 ? first : floor.t, step == 0 || floor.certain};
+  return {rest == 0 ? first : floor.t, rest == 0 || floor.certain};
 }
 /// As floor_of() above, of a time that must come before the end.
 VESICA_INLINE Quick floor_of(const Twofold<double>& time, double error, double end, double& t) noexcept {

@@ -3167,7 +3167,8 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative
     /// or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would overflow; or an exact
-    /// position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000).
+    /// position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000; or the normal is lost,
+    /// as where a circle's radius is below 2^-500 of the other shape).
     ///
     /// Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along
     /// the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the greatest radius of
@@ -3429,7 +3430,8 @@ extern "C" {
     ///
     /// Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_ARGUMENT (a velocity that is not finite, a t_end that is negative
     /// or NaN), VESICA_E_SHAPE, VESICA_E_RANGE (the time, or a coordinate of the point, would overflow; or an exact
-    /// position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000).
+    /// position would take more than 2000 bits, as with magnitudes of both 2^1000 and 2^-1000; or the normal is lost,
+    /// as where a circle's radius is below 2^-500 of the other shape).
     ///
     /// Accuracy: the answer is exact, and the time is rounded down. The point is within 8 u scale of a's outline; along
     /// the outline it may be off by (8 u scale + 4 u R) / |n.v|, n and v of unit length, R the greatest radius of
