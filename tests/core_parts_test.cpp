@@ -65,6 +65,43 @@ TEST(CoreParts, ReachOfConcave) {
   }
 }
 
+/// A value that has no other sign between two places: the search ends all the same, at the place that was said to have
+/// one.
+TEST(CoreParts, CrossingThatIsNone) {
+  area::Against<double> f{};  // holds the disc: the value is -0.96 all along its outline
+  f.p = f.q = 5, f.over_p = f.over_q = 0.2;
+  for (const double side : {1.0, -1.0}) {
+    const area::HalfCircle<double> half{f, side};
+    const double up = area::crossing(half, -1, -0.96, 0, 0.96), down = area::crossing(half, 0, 0.96, 1, -0.96);
+    EXPECT_TRUE(up < 0 && up > -0x1p-60) << up;
+    EXPECT_TRUE(down > 0 && down < 0x1p-60) << down;
+  }
+}
+
+/// The shared area between two places, of a disc and an ellipse above it or below: mirror images share as much.
+TEST(CoreParts, MirroredSlices) {
+  const auto slice = [](double y, double q, double from, double to) {
+    area::Against<double> f{};
+    f.y = y;
+    f.p = 1, f.over_p = 1, f.q = q, f.over_q = 1 / q;
+    return area::slice(f, from, area::heights(f, from), to, area::heights(f, to));
+  };
+  // Half the lens of two discs: its arcs are above and below of it the same way round.
+  const double height = 0.5, corner = std::sqrt(1 - height * height / 4);
+  const double lens = 2 * std::acos(height / 2) - height * corner;
+  EXPECT_NEAR(slice(height, 1, -corner, corner), lens, 0x1p-48);
+  for (const double y : {0x1p-30, 0.25, 0.5, 1.0, 1.5}) {
+    for (const double q : {0.125, 0.5, 1.0, 2.0}) {
+      for (const double from : {-0.75, -0.25, 0.0}) {
+        EXPECT_EQ(slice(y, q, from, from + 0.5), slice(-y, q, from, from + 0.5)) << y << ' ' << q << ' ' << from;
+      }
+    }
+  }
+  // One that is nowhere in the disc, on either side.
+  EXPECT_EQ(slice(3, 0.5, -0.5, 0.5), 0);
+  EXPECT_EQ(slice(-3, 0.5, -0.5, 0.5), 0);
+}
+
 /// A sum of numbers far apart, and of nothing.
 TEST(CoreParts, SumOfScaled) {
   using arithmetic::Scaled;
