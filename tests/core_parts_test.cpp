@@ -68,8 +68,8 @@ TEST(CoreParts, ReachOfConcave) {
 /// A value that has no other sign between two places: the search ends all the same, at the place that was said to have
 /// one.
 TEST(CoreParts, CrossingThatIsNone) {
-  area::Against<double> f{};  // holds the disc: the value is -0.96 all along its outline
-  f.p = f.q = 5, f.over_p = f.over_q = 0.2;
+  area::Against<double> f{};  // holds the disc: the value is about -0.95 all along its outline
+  f.p = 5, f.over_p = 0.2, f.q = 4, f.over_q = 0.25;
   for (const double side : {1.0, -1.0}) {
     const area::HalfCircle<double> half{f, side};
     const double up = area::crossing(half, -1, -0.96, 0, 0.96), down = area::crossing(half, 0, 0.96, 1, -0.96);
