@@ -34,7 +34,7 @@ TEST(CrossingsParts, QuarticsOfNothing) {
 
 /// As doubles over a power of two, wherever the highest bit is.
 TEST(CrossingsParts, QuarticsAsDoubles) {
-  for (int shift = 2; shift < 300; ++shift) {
+  for (int shift = 2; shift <= 380; ++shift) {
     Quartic q{};
     q.coefficient[1] = fixed_of(1, shift);
     q.coefficient[3] = fixed_of(-0.375, shift);
@@ -94,6 +94,38 @@ TEST(CrossingsParts, PlacesOfGroups) {
   EXPECT_EQ(shared_out(spots_of({odd(0.5, 3), odd(2.5, 1)}), {4, 0, false}), (Places{3, 1}));
   EXPECT_EQ(shared_out(spots_of({even(0.5, 3), even(1.5, 1), even(2.5, 2)}), {0, 2, false}), (Places{0, 1, 1}));
   EXPECT_EQ(shared_out(spots_of({even(0.5, 3), even(1.5, 1)}), {2, 0, false}), (Places{0, 2}));
+}
+
+/// Roots that rounding has put before an edge's start, and behind its end.
+TEST(CrossingsParts, RootsBesideAnEdge) {
+  Roots before, behind;
+  before.add(-0x1p-60, 1);
+  behind.add(1 + 0x1p-52, -1);
+  EXPECT_TRUE(before.count == 1 && before.t[0] == 0 && before.side[0] == 1);
+  EXPECT_TRUE(behind.count == 1 && behind.t[0] == 1 && behind.side[0] == -1);
+}
+
+/// A point of an edge, of which no place, one, or two are known: the first where the edge leads away from +x, else the
+/// last.
+TEST(CrossingsParts, PlacesOfAnEdge) {
+  const exact::Box box = exact::form(Aabb<double>{0, 0, 4, 2});
+  const Corners corners(box);
+  const Ellipse<double> e{2, 1, 1, 0, 1, 1};
+  const exact::Ellipse exact_e = exact::form(e);
+  const DiscFrame frame(exact_e);
+  const DiscBox disc_box(frame, box);
+  DiscCorner corner[4];
+  for (int i = 0; i < 4; ++i) corner[i].set(disc_box, corners, i);
+  const auto start = [&](double x, double y, const PlacesOfBox& places) {
+    const exact::Length one = exact::from_double(1.0);
+    return start_of_ellipse(corners, corner, places, exact::from_double(x) * one, exact::from_double(y) * one);
+  };
+  EXPECT_EQ(start(4, 1, {{-1, -1, -1, -1}, {0, 0, 0, 0, 0}}), -1);
+  EXPECT_EQ(start(4, 1, {{-1, -1, -1, -1}, {0, 0, 1, 1, 1}}), 0);
+  EXPECT_EQ(start(2, 0, {{-1, -1, -1, -1}, {3, 5, 5, 5, 5}}), 4);
+  EXPECT_EQ(start(2, 2, {{-1, -1, -1, -1}, {0, 0, 0, 2, 2}}), 0);
+  EXPECT_EQ(start(0, 0, {{7, -1, -1, -1}, {0, 0, 0, 0, 0}}), 7);
+  EXPECT_EQ(start(9, 9, {{-1, -1, -1, -1}, {0, 1, 2, 3, 4}}), -1);
 }
 
 /// An outline that begins on the other one, of which no place is known.
