@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <vector>
 #include <vesica/crossings.hpp>
+#include <vesica/intersection/polygons.hpp>
 #include <vesica/relation.hpp>
 
 namespace {
@@ -53,6 +54,13 @@ TEST(CrossingsParts, AsManyPlacesAsThereIsRoomFor) {
   EXPECT_EQ(found.count, 8);
   const CrossingPoints<double> points = found.in_order(false);
   for (int i = 0; i < 8; ++i) EXPECT_EQ(points.x[i], 7 - i);
+}
+
+TEST(CrossingsParts, AsManyVerticesAsThereIsRoomFor) {
+  detail::intersection::Vertices region;
+  for (int i = 0; i < 9; ++i) region.add({1.0 * i, 0});
+  ASSERT_EQ(region.count, 8);
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(region.at[i].x, i);
 }
 
 Spots spots_of(std::initializer_list<Spot> those) {
