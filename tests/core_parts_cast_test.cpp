@@ -49,7 +49,8 @@ TEST(CastParts, KnownFloor) {
 /// Of two boxes and a direction that is no edge's normal: a lower bound, which does not tell the time.
 TEST(CastParts, TimeBoundsBetweenNormals) {
   const Scene scene = scene_of(Aabb<double>{-1, -1, 1, 1}, Aabb<double>{3, -1, 5, 1}, {-1, 0, infinity});
-  const TimeBounds across = time_bounds<Products>(scene, {{4, 0}, {1, 0}}), face = time_bounds<Products>(scene, {{1, 0}, {0, 0}});
+  const TimeBounds across = time_bounds<Products>(scene, {{4, 0}, {1, 0}}),
+                   face = time_bounds<Products>(scene, {{1, 0}, {0, 0}});
   EXPECT_EQ(across.value.high, 1.5);
   EXPECT_FALSE(across.certain);
   EXPECT_EQ(face.value.high, 2);

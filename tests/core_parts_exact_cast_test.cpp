@@ -96,9 +96,7 @@ struct Passing {
 
   Passing(const Ellipse<double>& e, const Rect<double>& r, double v_x, double v_y)
       : a(body(e)), b(body(r)), vx(v_x), vy(v_y) {}
-  WideTime corner(double at_x, double at_y) const {
-    return ellipse.meets_corner(number<2>(at_x), number<2>(at_y));
-  }
+  WideTime corner(double at_x, double at_y) const { return ellipse.meets_corner(number<2>(at_x), number<2>(at_y)); }
   WideTime time(const Number<2>& w) const { return wide_time(seen, ellipse, w); }
   WideTime time() const { return time(x * dy - y * dx); }
 };
@@ -156,7 +154,9 @@ TEST(ExactCastParts, WideTimesAtATie) {
 
 /// Known to lie about the end of the range, or at a place of more digits than there is room for: no time is told.
 TEST(ExactCastParts, WideFloorsThatAreLeftOpen) {
-  const auto floor = [](const auto& a, const auto& b, double vx, double vy) { return wide_floor(pair_of(a, b, vx, vy)); };
+  const auto floor = [](const auto& a, const auto& b, double vx, double vy) {
+    return wide_floor(pair_of(a, b, vx, vy));
+  };
   const Aabb<double> box{-2, -1, 0, 1};
   EXPECT_EQ(floor(box, Point<double>{5, 0}, -1, 0), 5);
   EXPECT_EQ(floor(box, Point<double>{5, 0}, -0.75, 0), 5 / 0.75 - 0x1p-50) << "rounded down";

@@ -15,9 +15,7 @@ using namespace vesica::detail::impact_time;
 constexpr double largest = std::numeric_limits<double>::max(), nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Two discs of radius 1, four apart, that come together while t runs from 0 to 1.
-Scene discs() {
-  return scene({Kind::circle, {0, 0, 1}}, {0, 0, 0}, {Kind::circle, {4, 0, 1}}, {-4, 0, 0});
-}
+Scene discs() { return scene({Kind::circle, {0, 0, 1}}, {0, 0, 0}, {Kind::circle, {4, 0, 1}}, {-4, 0, 0}); }
 
 TEST(ImpactTimeParts, DiscsApartWhileTheyMove) {
   const Scene s = discs();

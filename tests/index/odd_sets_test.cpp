@@ -264,8 +264,8 @@ TEST(OddSets, StatesThatSkipAPairOfBlocks) {
   }
 }
 
-/// The nearest of points on both sides of a line, which meets the blocks and few of their leaves: these are more than the
-/// search lists, and some of them are farther than what it finds meanwhile.
+/// The nearest of points on both sides of a line, which meets the blocks and few of their leaves: these are more than
+/// the search lists, and some of them are farther than what it finds meanwhile.
 TEST(OddSets, TheNearestBesideALine) {
   constexpr double length = 64000;
   Records<double> points{VESICA_POINT, {}};
