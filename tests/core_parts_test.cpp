@@ -6,8 +6,11 @@
 #include <limits>
 #include <vesica/area/circular_segment.hpp>
 #include <vesica/area/ellipse_ellipse.hpp>
+#include <vesica/area/extreme_ratio.hpp>
 #include <vesica/arithmetic/scaled.hpp>
+#include <vesica/boundary_distance.hpp>
 #include <vesica/crossings/points.hpp>
+#include <vesica/depth.hpp>
 #include <vesica/square_root.hpp>
 
 #include "properties/random.hpp"
@@ -62,6 +65,89 @@ TEST(CoreParts, ReachOfConcave) {
     }
     f.y = flatness;
     EXPECT_EQ(area::reach_of_concave(f), 0);
+  }
+}
+
+/// A value that has no other sign between two places: the search ends all the same, at the place that was said to have
+/// one.
+TEST(CoreParts, CrossingThatIsNone) {
+  area::Against<double> f{};  // holds the disc: the value is about -0.95 all along its outline
+  f.p = 5, f.over_p = 0.2, f.q = 4, f.over_q = 0.25;
+  for (const double side : {1.0, -1.0}) {
+    const area::HalfCircle<double> half{f, side};
+    const double up = area::crossing(half, -1, -0.96, 0, 0.96), down = area::crossing(half, 0, 0.96, 1, -0.96);
+    EXPECT_TRUE(up < 0 && up > -0x1p-60) << up;
+    EXPECT_TRUE(down > 0 && down < 0x1p-60) << down;
+  }
+}
+
+/// The shared area between two places, of a disc and an ellipse above it or below: mirror images share as much.
+TEST(CoreParts, MirroredSlices) {
+  const auto slice = [](double y, double q, double from, double to) {
+    area::Against<double> f{};
+    f.y = y;
+    f.p = 1, f.over_p = 1, f.q = q, f.over_q = 1 / q;
+    return area::slice(f, from, area::heights(f, from), to, area::heights(f, to));
+  };
+  // Half the lens of two discs: its arcs are above and below of it the same way round.
+  const double height = 0.5, corner = std::sqrt(1 - height * height / 4);
+  const double lens = 2 * std::acos(height / 2) - height * corner;
+  EXPECT_NEAR(slice(height, 1, -corner, corner), lens, 0x1p-48);
+  for (const double y : {0x1p-30, 0.25, 0.5, 1.0, 1.5}) {
+    for (const double q : {0.125, 0.5, 1.0, 2.0}) {
+      for (const double from : {-0.75, -0.25, 0.0}) {
+        EXPECT_EQ(slice(y, q, from, from + 0.5), slice(-y, q, from, from + 0.5)) << y << ' ' << q << ' ' << from;
+      }
+    }
+  }
+  // One that is nowhere in the disc, on either side.
+  EXPECT_EQ(slice(3, 0.5, -0.5, 0.5), 0);
+  EXPECT_EQ(slice(-3, 0.5, -0.5, 0.5), 0);
+}
+
+/// The part of the unit disc on one side of a line that crosses it, or passes it on either side.
+TEST(CoreParts, DiscInAHalfPlane) {
+  const auto part = [](double distance) {
+    return area::area_in_half_plane(area::Oval<double>{1, 0, 1, 1}, area::HalfPlane{1, 0, distance});
+  };
+  for (const double beyond : {1.0, 1.5, 0x1p900}) {
+    EXPECT_EQ(part(beyond), area::pi_high);
+    EXPECT_EQ(part(-beyond), 0);
+  }
+  EXPECT_EQ(part(0), area::pi_high / 2);
+  for (const double d : {0.25, 0.5, 0.75}) {
+    const double cap = std::acos(d) - d * std::sqrt(1 - d * d);
+    EXPECT_NEAR(part(-d), cap, 0x1p-51);
+    EXPECT_NEAR(part(d), area::pi_high - cap, 0x1p-51);
+  }
+}
+
+/// A direction that only rounding has made an axis, along which boxes do not overlap, leaves the depth as it was.
+TEST(CoreParts, DepthAlongNoAxis) {
+  using Box = vesica::Aabb<double>;
+  const auto depth_of = [](const Box& a, const Box& b, double x, double y) {
+    vesica::Penetration<double> p{0.125, x, y};
+    depth::round_once<Box, Box>(support_minimum::form(a), support_minimum::form(b), p);
+    return p.depth;
+  };
+  const Box a{0, 0, 2, 2}, over{1.5, 0, 3, 2}, beside{2, 0, 3, 2};
+  EXPECT_EQ(depth_of(a, over, 1, 0), 0.5);
+  EXPECT_EQ(depth_of(a, over, 0.6, 0.8), 0.125);
+  EXPECT_EQ(depth_of(a, beside, 1, 0), 0.125);
+}
+
+/// Outlines that are one curve have no single places in common: any point of it will do.
+TEST(CoreParts, ClosestPointsOfOneCurve) {
+  const vesica::Ellipse<double> shapes[] = {
+      {0, 0, 1, 0, 2, 1}, {0, 0, 0, 1, 1, 2}, {0, 0, -2, 0, 1, 0.5}, {0, 0, 0, -0.5, 2, 4}};
+  for (const auto& a : shapes) {
+    for (const auto& b : shapes) {
+      vesica::ClosestPoints<double> out;
+      ASSERT_EQ(vesica::boundary_distance_or_error(a, b, out), 0);
+      EXPECT_EQ(out.distance, 0);
+      EXPECT_TRUE(out.ax == out.bx && out.ay == out.by);
+      EXPECT_NEAR(out.ax * out.ax / 4 + out.ay * out.ay, 1, 0x1p-50);
+    }
   }
 }
 

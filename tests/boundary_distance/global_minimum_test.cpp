@@ -104,6 +104,35 @@ TEST(GlobalMinimum, EndsAtItsLimits) {
   EXPECT_NEAR(deep.at.value, 0x1p-22, 0x1p-52);
 }
 
+/// Nearly concentric discs but for a last place: F is flat all around, and to rounding its second derivative is not
+/// positive where a descent begins. The value is least all the same.
+TEST(GlobalMinimum, NearlyConcentricDiscs) {
+  using namespace vesica::detail::support_minimum;
+  const Objective objectives[] = {
+      {{{-0x1.f3b8db6a25624p-1, 0x1.bdd01e384cc2p-3}, 1, 1, true},
+       {{-0x1.f3b8db6a25624p-1, 0x1.bdd01e384cc2p-3}, 0x1.f0c963d643b44p-16, 0x1.f0c963d61433ap-16, true},
+       -1,
+       {-0x1.0e02514b47b0ep-51, -0x1.87446673f8cc7p-50},
+       0x1.37076b6796d94p-59},
+      {{{-0x1.8331816ffaa05p-1, 0x1.4f001bec5e557p-1}, 1, 1, true},
+       {{0x1.a191b3352d911p-3, 0x1.f53ea4c21eac2p-1}, 1, 0x1.fffffffffffffp-1, true},
+       -1,
+       {0x1.b58598302e50bp-55, 0x1.c4656f259aae2p-54},
+       0}};
+  for (const Objective& o : objectives) {
+    const Minimum found = minimise(o);
+    EXPECT_TRUE(found.settled);
+    EXPECT_LT(found.evaluations, evaluation_limit / 4);
+    double least = 2;
+    for (int i = 0; i < 1000; ++i) {
+      const PlaneVector n{std::cos(0.001 * 6.2832 * i), std::sin(0.001 * 6.2832 * i)};
+      const double value = ellipse_support(o.first, n).height - ellipse_support(o.second, n).height + dot(n, o.e);
+      least = std::fmin(least, value);
+    }
+    EXPECT_NEAR(found.at.value, least, 0x1p-51);
+  }
+}
+
 TEST(GlobalMinimum, EllipseInEllipse) { run(VESICA_ELLIPSE, VESICA_ELLIPSE, 18000, expected_evaluations); }
 TEST(GlobalMinimum, CircleInEllipse) { run(VESICA_ELLIPSE, VESICA_CIRCLE, 2000, expected_evaluations); }
 TEST(GlobalMinimum, EllipseInCircle) { run(VESICA_CIRCLE, VESICA_ELLIPSE, 2000, expected_evaluations); }

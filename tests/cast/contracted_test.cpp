@@ -16,6 +16,14 @@ using vesica::Segment;
 
 constexpr double forever = std::numeric_limits<double>::infinity();
 
+#if defined(VESICA_HAS_FUSED)
+TEST(ContractedCast, FusedDifference) {
+  const double x = 1 + 0x1p-30, y = 1 - 0x1p-30;
+  EXPECT_EQ(vesica::lane::fused_difference(x, x, 1 + 0x1p-29), 0x1p-60);
+  EXPECT_EQ(vesica::lane::fused_difference(x, y, 1), -0x1p-60);
+}
+#endif
+
 // All numbers are such that products are not fused ones: sizes or speeds are below 2^-40.
 
 TEST(ContractedCast, RayAtADisc) {

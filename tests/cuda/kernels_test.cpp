@@ -210,6 +210,103 @@ TEST(CudaKernels, Arguments) {
   EXPECT_EQ((cuda::overlap_counts<Point, Point>(many, a, &count, memory.of(8))), cudaErrorInvalidValue);
   many.count = -1;
   EXPECT_EQ((cuda::overlap_many<Point, Circle>(many, b, out.data(), memory.of(8))), cudaErrorInvalidValue);
+  many.count = cuda::most_pairs + 1;
+  EXPECT_EQ((cuda::overlap_many<Point, Circle>(many, b, out.data(), memory.of(8))), cudaErrorInvalidValue);
+}
+
+// What is asked of counts and kinds, one at a time.
+TEST(CudaKernels, EachArgumentAlone) {
+  using vesica::Point;
+  namespace cuda = vesica::cuda;
+  Array<double> points{VESICA_POINT, {}, {}}, discs{VESICA_CIRCLE, {{0, 0, 5, 0, 0, 0}}, {}};
+  for (int i = 0; i < 8; ++i) points.records.push_back({1.0 * i, 0, 0, 0, 0, 0});
+  const auto all = points.as_records(), one = cuda::part(all, 3, 1), seven = cuda::part(all, 0, 7),
+             none = cuda::part(all, 0, 0), other = discs.as_records();
+  std::vector<std::uint8_t> out(64, 9);
+  const auto first = [&](std::size_t n) { return std::vector<std::uint8_t>(out.begin(), out.begin() + n); };
+  Memory memory;
+  const auto many = [&](const auto& a, const auto& b) {
+    return cuda::overlap_many<Point, Point>(a, b, out.data(), memory.of(8));
+  };
+  EXPECT_EQ(many(all, all), cudaSuccess);
+  EXPECT_EQ(first(8), std::vector<std::uint8_t>(8, 1));
+  EXPECT_EQ(many(one, all), cudaSuccess);
+  EXPECT_EQ(first(8), (std::vector<std::uint8_t>{0, 0, 0, 1, 0, 0, 0, 0}));
+  EXPECT_EQ(many(all, one), cudaSuccess);
+  EXPECT_EQ(first(8), (std::vector<std::uint8_t>{0, 0, 0, 1, 0, 0, 0, 0}));
+  EXPECT_EQ(many(all, seven), cudaErrorInvalidValue);
+  EXPECT_EQ(many(other, all), cudaErrorInvalidValue);
+  EXPECT_EQ(many(all, other), cudaErrorInvalidValue);
+
+  const auto matrix = [&](const auto& a, const auto& b, std::int64_t row_size) {
+    return cuda::overlap_matrix<Point, Point>(a, b, out.data(), row_size, memory.of(64));
+  };
+  EXPECT_EQ(matrix(seven, all, 8), cudaSuccess);
+  for (std::size_t i = 0; i < 56; ++i) EXPECT_EQ(out[i], i / 8 == i % 8) << i;
+  EXPECT_EQ(matrix(seven, all, 7), cudaErrorInvalidValue);
+  EXPECT_EQ(matrix(other, all, 8), cudaErrorInvalidValue);
+  EXPECT_EQ(matrix(all, other, 8), cudaErrorInvalidValue);
+  // Without columns there may be any number of rows.
+  auto rows = all;
+  rows.count = cuda::most_pairs;
+  EXPECT_EQ(matrix(rows, none, 0), cudaSuccess);
+  EXPECT_EQ(matrix(rows, all, 8), cudaErrorInvalidValue);
+}
+
+TEST(CudaKernels, PartOfRecords) {
+  // A point has two numbers; the other four columns are null, and stay so.
+  const std::vector<vesica::Point<float>> points{{0, 0}, {1, 0}, {2, 0}};
+  const auto all = vesica::cuda::records(points.data(), 3), part = vesica::cuda::part(all, 1, 2);
+  EXPECT_EQ(part.count, 2);
+  EXPECT_EQ(part.field[0], &points[1].x);
+  EXPECT_EQ(part.field[1], &points[1].y);
+  for (std::size_t k = 2; k < 6; ++k) EXPECT_EQ(part.field[k], nullptr);
+}
+
+// A batch queues four things: zeros, and three kernels. An error of any is returned, and nothing is queued after it.
+TEST(CudaKernels, ErrorsOfEachLaunch) {
+  using vesica::Circle, vesica::Point;
+  namespace cuda = vesica::cuda;
+  const std::vector<Point<double>> points{{0, 0}, {3, 0}};
+  const auto a = cuda::records(points.data(), 2);
+  const Circle<double> circle{0, 0, 1};
+  Memory memory;
+  for (int at = 1; at <= 5; ++at) {
+    std::vector<std::uint8_t> out(2, 9);
+    queued = 0;
+    queued_until_failure = at;
+    EXPECT_EQ((cuda::overlap_one<Circle, Point>(circle, a, out.data(), memory.of(2))),
+              at <= 4 ? cudaErrorLaunchFailure : cudaSuccess);
+    EXPECT_EQ(queued, at - 1);
+    EXPECT_EQ(out, at > 2 ? (std::vector<std::uint8_t>{1, 0}) : (std::vector<std::uint8_t>{9, 9})) << at;
+  }
+  // Of no pairs the zeros alone are queued.
+  for (const int at : {1, 0}) {
+    queued = 0;
+    queued_until_failure = at;
+    std::uint8_t none = 9;
+    EXPECT_EQ((cuda::overlap_one<Circle, Point>(circle, cuda::part(a, 0, 0), &none, memory.of(0))),
+              at == 1 ? cudaErrorLaunchFailure : cudaSuccess);
+    EXPECT_EQ(queued, 1 - at);
+    EXPECT_EQ(none, 9);
+  }
+}
+
+// More pairs than the first kernel has threads, and than the second one: each thread takes several.
+TEST(CudaKernels, MorePairsThanThreads) {
+  constexpr std::int64_t n = 2100, m = 2000;
+  static_assert(n * m > std::int64_t{vesica::cuda::detail::most_blocks} * vesica::cuda::detail::block);
+  std::vector<vesica::Point<double>> points;
+  for (std::int64_t i = 0; i < n; ++i) points.push_back({static_cast<double>(i), 0});
+  const auto all = vesica::cuda::records(points.data(), n);
+  std::vector<std::uint8_t> out(static_cast<std::size_t>(n * m), 9);
+  Memory memory;
+  ASSERT_EQ((vesica::cuda::overlap_matrix<vesica::Point, vesica::Point>(all, vesica::cuda::part(all, 0, m), out.data(),
+                                                                        m, memory.of(n * m))),
+            cudaSuccess);
+  std::int64_t wrong = 0;
+  for (std::int64_t k = 0; k < n * m; ++k) wrong += out[static_cast<std::size_t>(k)] != (k / m == k % m);
+  EXPECT_EQ(wrong, 0);
 }
 
 }  // namespace

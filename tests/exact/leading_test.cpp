@@ -341,4 +341,37 @@ TEST(LongCubic, SignsAreThoseOfAllDigits) {
   EXPECT_GT(certain, 1000 * properties::repeat());
 }
 
+/// Polynomials of small coefficients, of which every digit is a leading one: each tie, and each sign beside it.
+TEST(LongCubic, OfSmallNumbers) {
+  using Few = exact::Leading<exact::few_limbs>;
+  const Number<8> one = exact::square(exact::square(exact::square(exact::from_double(1.0))));
+  const auto number = [&](int k) -> Number<8> { return exact::integer(k) * one; };
+  int ties = 0, of_two_r = 0, of_slope = 0, of_delta = 0;
+  const auto expect = [&](int d1, int d2, int mu, int al, int be) {
+    const int c1 = d1 + mu - al, c2 = d2 + mu - be, delta = mu * mu - 4 * d1 * d2, slope = 2 * c2 - 3 * mu;
+    const exact::ContactCubic p{number(d1), number(c1), number(c2), number(d2), number(mu), number(al), number(be)};
+    exact::Signs signs;
+    const bool inside = exact::detail::first_in_second<Few>(p, exact::leading_small_parts<Few>(p), signs);
+    const int rising = sign_with_root(slope * mu + 2 * d2 * (3 * d1 - c1), slope, delta);
+    const bool bends = sign_with_root(slope, -3, delta) > 0, tie = !bends && rising == 0;
+    EXPECT_EQ(signs.certain, !tie) << d1 << ' ' << d2 << ' ' << mu << ' ' << al << ' ' << be;
+    EXPECT_EQ(inside, bends || rising > 0) << d1 << ' ' << d2 << ' ' << mu << ' ' << al << ' ' << be;
+    ties += tie;
+    of_two_r += 2 * (d2 * al - be * mu) == delta;
+    of_slope += slope == 0;
+    of_delta += delta == 0;
+  };
+  for (const int d1 : {1, 2, 4}) {
+    for (const int d2 : {1, 2, 4, 9, 16}) {
+      for (int mu = 1; mu <= 24; ++mu) {
+        if (mu * mu < 4 * d1 * d2) continue;
+        for (int al = 1; al <= 12; ++al) {
+          for (int be = 1; be <= 12; ++be) expect(d1, d2, mu, al, be);
+        }
+      }
+    }
+  }
+  for (const int count : {ties, of_two_r, of_slope, of_delta}) EXPECT_GT(count, 20);
+}
+
 }  // namespace

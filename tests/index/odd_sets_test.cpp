@@ -199,6 +199,100 @@ TEST(OddSets, StatesMadeUp) {
   }
 }
 
+/// More pairs of blocks, of a candidate or two, than are gathered at once: points of one set in a row, with room around
+/// each that is one of the other set too.
+TEST(OddSets, APointOfEachOfManyBlocks) {
+  constexpr std::int64_t common = 2700, apart = 560, room = 24;
+  Records<double> row{VESICA_POINT, {}}, points{VESICA_POINT, {}};
+  std::vector<Pair> expected;
+  for (std::int64_t i = 0; i < common * apart; ++i) {
+    const std::int64_t beside = i % apart - apart / 2;
+    if (beside != 0 && std::abs(beside) < room) continue;
+    if (beside == 0) {
+      expected.emplace_back(row.count(), points.count());
+      points.numbers.insert(points.numbers.end(), {static_cast<double>(i), 0});
+    }
+    row.numbers.insert(row.numbers.end(), {static_cast<double>(i), 0});
+  }
+  const Indexed<double> many(row), few(points);
+  EXPECT_EQ(count(VESICA_JOIN_OVERLAP, many, few), common);
+  EXPECT_EQ(count(VESICA_JOIN_OVERLAP, few, many), common);
+  EXPECT_TRUE(sorted(join(VESICA_JOIN_OVERLAP, many, few, 0, 1, 2 * common)) == expected);
+  EXPECT_TRUE(sorted(join(VESICA_JOIN_OVERLAP, many, few, 0, 1, 777)) == expected);
+}
+
+/// Two blocks of 1,024 boxes, left and right, of which so many reach the points of the other set.
+Records<double> boxes_of_two_blocks(int reaching_left, int reaching_right) {
+  Records<double> boxes{VESICA_AABB, {}};
+  for (int i = 0; i < 2048; ++i) {
+    const bool left = i < 1024, reaches = left ? i < reaching_left : i - 1024 < reaching_right;
+    const double x = left ? -25 : 25, half = reaches ? 25.5 : 20;
+    boxes.numbers.insert(boxes.numbers.end(), {x - half, -1, x + half, 1});
+  }
+  return boxes;
+}
+Records<double> points_of_a_block(int near) {
+  Records<double> points{VESICA_POINT, {}};
+  for (int i = 0; i < 1024; ++i) points.numbers.insert(points.numbers.end(), {0, i < near ? 0.0 : 5.0});
+  return points;
+}
+
+/// A state skips all candidates of its pair of blocks, about as many as are gathered at once, and none of the next
+/// pair: of another block of A, and of another block of B.
+TEST(OddSets, StatesThatSkipAPairOfBlocks) {
+  const Memory scratch(vesica_join_scratch());
+  std::vector<std::int64_t> out_a(8192), out_b(8192);
+  const auto ask = [&](const Indexed<double>& a, const Indexed<double>& b, std::int64_t capacity, std::int64_t* state) {
+    return vesica_join_f64(VESICA_JOIN_OVERLAP, a.index.get(), a.sets.data(), 1, b.index.get(), b.sets.data(), 1, 0, 1,
+                           scratch.get(), scratch.size, out_a.data(), out_b.data(), capacity, state);
+  };
+  const auto rest_of = [&](const Indexed<double>& a, const Indexed<double>& b) {
+    std::int64_t state[4] = {};
+    EXPECT_EQ(ask(a, b, 1, state), 1);
+    std::int64_t forged[4] = {0, 0, 100000, state[3]};
+    const std::int64_t rest = ask(a, b, 8192, forged);
+    EXPECT_EQ(forged[0], -1);
+    return rest;
+  };
+  const Indexed<double> boxes(boxes_of_two_blocks(4, 3));
+  for (int near = 1000; near <= 1024; ++near) {
+    const Indexed<double> points(points_of_a_block(near));
+    ASSERT_EQ(count(VESICA_JOIN_OVERLAP, boxes, points), 7 * near);
+    const std::int64_t rest = rest_of(boxes, points);
+    EXPECT_TRUE(rest == 3 * near || rest == 4 * near) << near << ": " << rest;
+    EXPECT_EQ(rest_of(points, boxes), rest) << near;
+  }
+}
+
+/// The nearest of points on both sides of a line, which meets the blocks and few of their leaves: these are more than
+/// the search lists, and some of them are farther than what it finds meanwhile.
+TEST(OddSets, TheNearestBesideALine) {
+  constexpr double length = 64000;
+  Records<double> points{VESICA_POINT, {}};
+  properties::Random random(5);
+  std::vector<std::pair<double, std::int64_t>> expected;
+  for (std::int64_t i = 0; i < 64000; ++i) {
+    const double x = random.between(0, length), y = random.between(200, 240);
+    points.numbers.insert(points.numbers.end(), {x, random.chance(0.5) ? y : -y});
+    expected.emplace_back(y, i);
+  }
+  std::sort(expected.begin(), expected.end());
+  const Indexed<double> all(points);
+  const double line[4] = {0, 0, length, 0};
+  const auto one = one_shape<double>(VESICA_SEGMENT, line);
+  for (const std::int64_t k : {1, 100, 18000, 20000, 22000, 24000, 26000, 28000, 30000}) {
+    std::vector<std::int64_t> out(static_cast<std::size_t>(k));
+    std::vector<double> distance(out.size());
+    ASSERT_EQ(vesica_index_nearest_f64(all.index.get(), all.sets.data(), 1, &one, k,
+                                       std::numeric_limits<double>::infinity(), out.data(), distance.data()),
+              k);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      ASSERT_EQ(distance[i], expected[i].first) << k;
+      ASSERT_EQ(out[i], expected[i].second) << k;
+    }
+  }
+}
+
 /// Parts of a join of near ones that do not divide the shapes.
 TYPED_TEST(OddSets, PartsThatDoNotDivide) {
   using F = Face<TypeParam>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Stands in for CUDA's header where a kernel is compiled as plain C++: a grid is two loops, and a launch has ended
 /// when it returns. What vesica/cuda.cuh, the program of docs/cuda.md and bench/cuda use, and no more. With
-/// VESICA_NO_DEVICE in the environment there is no device.
+/// VESICA_NO_DEVICE in the environment there is no device. What a batch queues fails where a test asks for it.
 #pragma once
 
 #include <chrono>
@@ -20,7 +20,7 @@ struct dim3 {
 };
 inline dim3 gridDim, blockDim, blockIdx, threadIdx;
 
-enum cudaError_t { cudaSuccess = 0, cudaErrorInvalidValue = 1 };
+enum cudaError_t { cudaSuccess = 0, cudaErrorInvalidValue = 1, cudaErrorLaunchFailure = 719 };
 using cudaStream_t = struct CUstream_st*;
 struct cudaLaunchConfig_t {
   dim3 gridDim, blockDim;
@@ -34,7 +34,16 @@ T atomicAdd(T* at, T added) {
   return before;
 }
 
+/// How many are queued from now on until one fails, that one too; 0: none does. And how many have not failed.
+inline int queued_until_failure = 0, queued = 0;
+inline bool queue_fails() {
+  if (queued_until_failure > 0 && --queued_until_failure == 0) return true;
+  ++queued;
+  return false;
+}
+
 inline cudaError_t cudaMemsetAsync(void* at, int value, std::size_t size, cudaStream_t) {
+  if (queue_fails()) return cudaErrorLaunchFailure;
   std::memset(at, value, size);
   return cudaSuccess;
 }
@@ -64,7 +73,9 @@ inline cudaError_t cudaFree(void* at) {
 }
 
 inline const char* cudaGetErrorString(cudaError_t error) {
-  return error == cudaSuccess ? "no error" : "invalid argument";
+  return error == cudaSuccess             ? "no error"
+         : error == cudaErrorInvalidValue ? "invalid argument"
+                                          : "unspecified launch failure";
 }
 inline cudaError_t cudaGetDeviceCount(int* count) {
   *count = std::getenv("VESICA_NO_DEVICE") == nullptr ? 1 : 0;
@@ -104,6 +115,7 @@ inline bool last_thread_first = false;
 template <class... Parameters, class... Arguments>
 cudaError_t cudaLaunchKernelEx(const cudaLaunchConfig_t* config, void (*kernel)(Parameters...),
                                Arguments&&... arguments) {
+  if (queue_fails()) return cudaErrorLaunchFailure;
   gridDim = config->gridDim;
   blockDim = config->blockDim;
   const unsigned count = gridDim.x * blockDim.x;

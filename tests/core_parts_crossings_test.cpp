@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts of crossings at the ends of what they are defined for, and the rare pairs that lead there.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <initializer_list>
+#include <vector>
+#include <vesica/crossings.hpp>
+#include <vesica/intersection/polygons.hpp>
+#include <vesica/relation.hpp>
+
+namespace {
+
+using namespace vesica;
+using namespace vesica::detail::crossings;
+
+Census census_of(const Ellipse<double>& a, const Ellipse<double>& b) {
+  return detail::crossings::census(exact::form(a), exact::form(b));
+}
+::testing::AssertionResult is(const Census& c, int crossing, int touching) {
+  if (c.crossing == crossing && c.touching == touching && !c.equal) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << c.crossing << " cross, " << c.touching << " touch";
+}
+
+Fixed fixed_of(double x, int exponent) { return fixed(exact::from_double(x), exponent); }
+
+TEST(CrossingsParts, QuarticsOfNothing) {
+  const Quartic none{};
+  EXPECT_TRUE(none.negligible());
+  EXPECT_EQ(none.sign_changes(), 4) << "coefficients without digits have either sign";
+  double out[5] = {7, 7, 7, 7, 7};
+  to_doubles(none, out);
+  for (const double x : out) EXPECT_EQ(x, 0);
+}
+
+/// As doubles over a power of two, wherever the highest bit is.
+TEST(CrossingsParts, QuarticsAsDoubles) {
+  for (int shift = 2; shift <= 380; ++shift) {
+    Quartic q{};
+    q.coefficient[1] = fixed_of(1, shift);
+    q.coefficient[3] = fixed_of(-0.375, shift);
+    double out[5];
+    const int exponent = to_doubles(q, out);
+    EXPECT_TRUE(out[1] >= 0.5 && out[1] <= 1) << shift;
+    EXPECT_EQ(std::ldexp(out[1], exponent), std::ldexp(1, -shift)) << shift;
+    EXPECT_EQ(std::ldexp(out[3], exponent), std::ldexp(-0.375, -shift)) << shift;
+    EXPECT_EQ(out[0], 0);
+  }
+}
+
+TEST(CrossingsParts, AsManyPlacesAsThereIsRoomFor) {
+  Found found;
+  for (int i = 0; i < 9; ++i) found.add({1.0 * i, 0, Real(8.0 - i), Real(0.0)});
+  EXPECT_EQ(found.count, 8);
+  const CrossingPoints<double> points = found.in_order(false);
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(points.x[i], 7 - i);
+}
+
+TEST(CrossingsParts, AsManyVerticesAsThereIsRoomFor) {
+  detail::intersection::Vertices region;
+  for (int i = 0; i < 9; ++i) region.add({1.0 * i, 0});
+  ASSERT_EQ(region.count, 8);
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(region.at[i].x, i);
+}
+
+Spots spots_of(std::initializer_list<Spot> those) {
+  Spots spots;
+  for (const Spot& s : those) spots.add(s);
+  return spots;
+}
+
+TEST(CrossingsParts, GroupsOfSpots) {
+  EXPECT_EQ(Groups(Spots{}).count, 0);
+  // All of the outline is one group, in one spot or two.
+  const Groups whole(spots_of({{Real(0.0), Real(4.0), 4, true, true, 0}}));
+  EXPECT_EQ(whole.count, 1);
+  const Groups halves(spots_of({{Real(0.0), Real(2.0), 2, true, true, 0}, {Real(2.0), Real(4.0), 2, true, true, 0}}));
+  EXPECT_EQ(halves.count, 1);
+  EXPECT_EQ(halves.group[0].most, 2);
+  // Across the start, and not.
+  const Groups across(spots_of({{Real(0.0), Real(1.0), 1, false, true, 0},
+                                {Real(2.0), Real(2.5), 1, true, false, 0},
+                                {Real(3.0), Real(4.0), 2, false, false, 0}}));
+  EXPECT_EQ(across.count, 2);
+}
+
+/// Places go to groups with a change of sign, and then to the flattest ones that have room.
+TEST(CrossingsParts, PlacesOfGroups) {
+  const auto odd = [](double at, int most) { return Spot{Real(at), Real(at), most, true, false, 0}; };
+  const auto even = [](double at, double height) { return Spot{Real(at), Real(at), 2, false, false, height}; };
+  const auto shared_out = [](const Spots& spots, const Census& census) {
+    Groups groups(spots);
+    share_out(groups, census);
+    std::vector<int> places;
+    for (int i = 0; i < groups.count; ++i) places.push_back(groups.group[i].places);
+    return places;
+  };
+  using Places = std::vector<int>;
+  EXPECT_EQ(shared_out(spots_of({odd(0.5, 1), odd(1.5, 1), odd(2.5, 1), odd(3.5, 1)}), {2, 0, false}),
+            (Places{1, 1, 0, 0}));
+  EXPECT_EQ(shared_out(spots_of({odd(0.5, 3), even(1.5, 1), odd(2.5, 1)}), {4, 0, false}), (Places{1, 2, 1}));
+  EXPECT_EQ(shared_out(spots_of({odd(0.5, 3), odd(2.5, 1)}), {4, 0, false}), (Places{3, 1}));
+  EXPECT_EQ(shared_out(spots_of({even(0.5, 3), even(1.5, 1), even(2.5, 2)}), {0, 2, false}), (Places{0, 1, 1}));
+  EXPECT_EQ(shared_out(spots_of({even(0.5, 3), even(1.5, 1)}), {2, 0, false}), (Places{0, 2}));
+}
+
+/// Roots that rounding has put before an edge's start, and behind its end.
+TEST(CrossingsParts, RootsBesideAnEdge) {
+  Roots before, behind;
+  before.add(-0x1p-60, 1);
+  behind.add(1 + 0x1p-52, -1);
+  EXPECT_TRUE(before.count == 1 && before.t[0] == 0 && before.side[0] == 1);
+  EXPECT_TRUE(behind.count == 1 && behind.t[0] == 1 && behind.side[0] == -1);
+}
+
+/// A point of an edge, of which no place, one, or two are known: the first where the edge leads away from +x, else the
+/// last.
+TEST(CrossingsParts, PlacesOfAnEdge) {
+  const exact::Box box = exact::form(Aabb<double>{0, 0, 4, 2});
+  const Corners corners(box);
+  const Ellipse<double> e{2, 1, 1, 0, 1, 1};
+  const exact::Ellipse exact_e = exact::form(e);
+  const DiscFrame frame(exact_e);
+  const DiscBox disc_box(frame, box);
+  DiscCorner corner[4];
+  for (int i = 0; i < 4; ++i) corner[i].set(disc_box, corners, i);
+  const auto start = [&](double x, double y, const PlacesOfBox& places) {
+    const exact::Length one = exact::from_double(1.0);
+    return start_of_ellipse(corners, corner, places, exact::from_double(x) * one, exact::from_double(y) * one);
+  };
+  EXPECT_EQ(start(4, 1, {{-1, -1, -1, -1}, {0, 0, 0, 0, 0}}), -1);
+  EXPECT_EQ(start(4, 1, {{-1, -1, -1, -1}, {0, 0, 1, 1, 1}}), 0);
+  EXPECT_EQ(start(2, 0, {{-1, -1, -1, -1}, {3, 5, 5, 5, 5}}), 4);
+  EXPECT_EQ(start(2, 2, {{-1, -1, -1, -1}, {0, 0, 0, 2, 2}}), 0);
+  EXPECT_EQ(start(0, 0, {{7, -1, -1, -1}, {0, 0, 0, 0, 0}}), 7);
+  EXPECT_EQ(start(9, 9, {{-1, -1, -1, -1}, {0, 1, 2, 3, 4}}), -1);
+}
+
+/// An outline that begins on the other one, of which no place is known.
+TEST(CrossingsParts, AStartWithoutAPlace) {
+  Found none;
+  mend_start(exact::form(Ellipse<double>{0, 0, 1, 0, 2, 1}), exact::form(Ellipse<double>{1, 0, 1, 0, 1, 1}), none);
+  EXPECT_EQ(none.count, 0);
+}
+
+TEST(CrossingsParts, NoPlaceAtAll) {
+  double x = 7, y = 7;
+  EXPECT_FALSE(one_place(Circle<double>{0, 0, 1}, Circle<double>{9, 0, 1}, x, y));
+  EXPECT_FALSE(one_place(Aabb<double>{0, 0, 1, 1}, Circle<double>{9, 0, 1}, x, y));
+  EXPECT_TRUE(x == 7 && y == 7);
+}
+
+/// Ellipses of one size, of which neither lies in the other.
+TEST(CrossingsParts, OfOneArea) {
+  const Ellipse<double> wide{0, 0, 1, 0, 2, 1}, high{0.125, 0, 0, 1, 2, 1};
+  EXPECT_TRUE(is(census_of(wide, high), 4, 0));
+  CrossingPoints<double> out;
+  EXPECT_EQ(crossings_or_error(wide, high, out), 4);
+}
+
+/// A coefficient that vanishes: of circles where D^2 = r^2 + 2 R^2.
+TEST(CrossingsParts, CoefficientsThatVanish) {
+  const Ellipse<double> small{0, 0, 1, 0, 1, 1}, large{17, 0, 1, 0, 12, 12};
+  EXPECT_TRUE(is(census_of(small, large), 0, 0));
+  EXPECT_TRUE(is(census_of(large, small), 0, 0));
+  EXPECT_EQ(relation(small, large), Relation::disjoint);
+}
+
+/// The unit circle and x^2 + y^2 - 1 - 3/4 (x - 4)^2 = 0: a projective image of concentric circles, which touch nowhere
+/// though their cubic has a double root.
+TEST(CrossingsParts, ImageOfConcentricCircles) {
+  const Ellipse<double> inner{0, 0, 1, 0, 1, 1}, outer{-12, 0, 1, 0, 14, 7};
+  EXPECT_TRUE(is(census_of(inner, outer), 0, 0));
+  EXPECT_TRUE(is(census_of(outer, inner), 0, 0));
+  EXPECT_EQ(relation(inner, outer), Relation::inside);
+  EXPECT_EQ(relation(outer, inner), Relation::contains);
+  CrossingPoints<double> out;
+  EXPECT_EQ(crossings_or_error(Circle<double>{0, 0, 1}, outer, out), 0);
+}
+
+/// A tip that touches the other outline, or is far less than roundings off it, beside two places where they cross: at
+/// x = -2/3, where x^2 / 4 + y^2 = 1 and (x - 1/2)^2 + y^2 = 9/4.
+TEST(CrossingsParts, ATipBesideTwoPlaces) {
+  const Circle<double> disc{0.5, 0, 1.5};
+  for (const double off : {-0x1p-250, -0x1p-500, 0.0, 0x1p-250, 0x1p-500}) {
+    const Ellipse<double> e{off, 0, 1, 0, 2, 1};
+    CrossingPoints<double> out;
+    const int count = crossings_or_error(e, disc, out), at_tip = off < 0 ? 0 : off == 0 ? 1 : 2;
+    ASSERT_EQ(count, 2 + at_tip) << off;
+    int tips = 0;
+    for (int i = 0; i < count; ++i) {
+      const bool tip = out.x[i] > 0;
+      EXPECT_NEAR(out.x[i], tip ? 2 : -2.0 / 3, 0x1p-50);
+      EXPECT_NEAR(std::fabs(out.y[i]), tip ? 0 : std::sqrt(8.0 / 9), 0x1p-50);
+      tips += tip;
+    }
+    EXPECT_EQ(tips, at_tip);
+  }
+}
+
+}  // namespace

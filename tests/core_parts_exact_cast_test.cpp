@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exact numbers of cast at the ends of what they are defined for: places of more digits than there is room for, ties,
+// and pairs that a caller would have passed elsewhere.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vesica/vesica.hpp>
+
+namespace {
+
+using namespace vesica;
+using namespace vesica::detail::cast;
+using exact::from_double;
+using vesica::detail::crossings::Rough;
+
+constexpr double infinity = std::numeric_limits<double>::infinity(), largest = std::numeric_limits<double>::max();
+
+double next(double x) { return std::nextafter(x, infinity); }
+double before(double x) { return std::nextafter(x, -infinity); }
+
+double value(const Rough& x) { return std::ldexp(rounded(x.value), x.exponent); }
+
+/// A polynomial of so high a degree that is one number.
+template <int Degree>
+Number<Degree> number(double x) {
+  if constexpr (Degree == 1) {
+    return from_double(x);
+  } else {
+    return number<Degree - 1>(x) * from_double(1.0);
+  }
+}
+
+ExactPair pair_of(const auto& a, const auto& b, double vx, double vy) {
+  return {body(a), body(b), Motion{vx, vy, infinity}};
+}
+
+TEST(ExactCastParts, LessRoot) {
+  Rough out;
+  const auto less = [&](double x, double y) { return less_root(number<3>(x), number<6>(y), out); };
+  EXPECT_FALSE(less(-3, 4) || less(0, 4) || less(1, 4) || less(2, 4));
+  EXPECT_TRUE(less(3, 4));
+  EXPECT_EQ(value(out), 1);
+  EXPECT_TRUE(less(3, 0));
+  EXPECT_EQ(value(out), 3);
+}
+
+/// Bits above the highest that has room, below the lowest, and both.
+TEST(ExactCastParts, Window) {
+  const auto place = [](double x, double y, double& ratio) {
+    const Number<2> a = from_double(x) * from_double(x), b = from_double(y) * from_double(y);
+    Window window;
+    window.hold(a);
+    window.hold(b);
+    if (!window.place()) return false;
+    const Rough p(window.moved(a)), q(window.moved(b));
+    ratio = std::ldexp(rounded(p.value) / rounded(q.value), p.exponent - q.exponent);
+    return true;
+  };
+  double ratio = 0;
+  for (const double unit : {1.0, 0x1p400, 0x1p600, 0x1p1000, 0x1p-400, 0x1p-600, 0x1p-1000}) {
+    EXPECT_TRUE(place(3 * unit, unit, ratio)) << unit;
+    EXPECT_EQ(ratio, 9);
+  }
+  EXPECT_TRUE(place(0x1p500, 0x1p-500, ratio));
+  EXPECT_FALSE(place(0x1p500, 0x1p-545, ratio));
+  EXPECT_FALSE(place(0x1p1000, 0x1p-100, ratio));
+}
+
+TEST(ExactCastParts, HoldsPlaces) {
+  const auto holds = [](double x, double v, double least, double most) {
+    return pair_of(Point<double>{0, 0}, Circle<double>{x, 0, 1}, v, 0).holds_places(least, most);
+  };
+  EXPECT_TRUE(holds(1, -1, 1, 1));
+  EXPECT_TRUE(holds(1, -1, 0x1p-500, 0x1p500));
+  // Above the highest bit, but in the window when it is moved.
+  EXPECT_TRUE(holds(0x1p100, -0x1p200, 0x1p900, 0x1p1000));
+  EXPECT_TRUE(holds(0x1p-900, -0x1p-900, 0x1p-400, 1));
+  // Too wide at the later time, at the earlier, and at both.
+  EXPECT_FALSE(holds(0x1p-1000, -0x1p40, 1, largest));
+  EXPECT_FALSE(holds(0x1p1000, -1, 0x1p-1070, 1));
+  EXPECT_FALSE(holds(1, -1, 0x1p-1070, largest) && holds(0x1p-1000, -0x1p40, 0x1p-1070, largest));
+  EXPECT_FALSE(holds(0x1p-1000, -0x1p40, 0x1p-1070, largest));
+}
+
+/// An ellipse about the origin that a corner passes, and a box.
+struct Passing {
+  Body a, b;
+  double vx, vy;
+  ExactBody round = exact_body(a), box = exact_body(b);
+  Number<1> x = from_double(vx), y = from_double(vy), dx = box.box.cx, dy = box.box.cy;
+  ExactReach reach{round, x, y};
+  Passage passage{dx, dy, x, y};
+  SeenEllipse ellipse{round, reach, passage};
+  SeenBox seen{box, x, y};
+
+  Passing(const Ellipse<double>& e, const Rect<double>& r, double v_x, double v_y)
+      : a(body(e)), b(body(r)), vx(v_x), vy(v_y) {}
+  WideTime corner(double at_x, double at_y) const { return ellipse.meets_corner(number<2>(at_x), number<2>(at_y)); }
+  WideTime time(const Number<2>& w) const { return wide_time(seen, ellipse, w); }
+  WideTime time() const { return time(x * dy - y * dx); }
+};
+
+TEST(ExactCastParts, CornersThatMeetAnEllipse) {
+  const Passing p({0, 0, 1, 0, 2, 1}, {8, 0, 1, 0, 1, 1}, -1, 0);
+  const WideTime met = p.corner(5, 0);
+  EXPECT_TRUE(met.certain);
+  EXPECT_EQ(value(met.time), 3);
+  EXPECT_FALSE(p.corner(5, 2).certain) << "it passes beside";
+  EXPECT_FALSE(p.corner(5, 1).certain) << "it grazes";
+  EXPECT_FALSE(p.corner(-5, 0).certain) << "it has passed";
+  EXPECT_FALSE(p.corner(0, 0.5).certain) << "it is beside the centre";
+  EXPECT_FALSE(p.corner(1, 0).certain) << "it is inside";
+  EXPECT_FALSE(p.corner(2, 0).certain) << "it is there";
+}
+
+TEST(ExactCastParts, WideTimesOfABoxAndAnEllipse) {
+  const Ellipse<double> e{0, 0, 1, 0, 2, 1};
+  // By a face, by a corner; and where it has passed, by a corner and by a face.
+  const Passing face(e, {8, 0, 1, 0, 1, 1}, -1, 0), corner(e, {8, 1.5, 1, 0, 1, 1}, -1, -0x1p-10),
+      passed(e, {-8, -1.75, 1, 0, 1, 1}, -1, -0x1p-10), inside(e, {1, 0, 1, 0, 1, 1}, -1, 0x1p-10);
+  EXPECT_TRUE(face.time().certain);
+  EXPECT_EQ(value(face.time().time), 5);
+  EXPECT_TRUE(corner.time().certain);
+  EXPECT_NEAR(value(corner.time().time), 5.26, 0.1);
+  EXPECT_FALSE(passed.time().certain);
+  EXPECT_FALSE(inside.time().certain);
+  EXPECT_FALSE(wide_time(pair_of(e, Ellipse<double>{8, 0, 1, 0, 2, 1}, -1, 0)).certain);
+  EXPECT_FALSE(wide_time(pair_of(e, Circle<double>{8, 0, 2}, -1, 0)).certain);
+}
+
+/// The line passes between a face and a corner to 2^-106: which it is stays open, whatever is found then.
+TEST(ExactCastParts, WideTimesAtATie) {
+  const Passing p({0, 0, 3, 4, 1, 0.5}, {8, 3, 1, 0, 1, 1}, -2, -1);
+  // The box's two kinks: the normal, the jump there, and how far off it the other one counts.
+  struct Kink {
+    double nx, ny, own, other;
+  };
+  for (const Kink& k : {Kink{0, 1, 1, 2}, Kink{1, 0, 2, -1}}) {
+    const auto support = p.ellipse.support(number<1>(k.nx), number<1>(k.ny));
+    const Rough beside = Rough(support.beside) / root(Rough(support.squared));
+    const auto part = [&](double x) { return number<2>(std::ldexp(x, beside.exponent)); };
+    for (const double end : {k.own - k.other, -k.own - k.other}) {
+      const auto ask = [&](double step) {
+        return p.time(part(beside.value.high) + part(beside.value.low) + number<2>(step) + number<2>(end));
+      };
+      for (const double step : {0.0, -0x1p-104, 0x1p-104, -0x1p-106, 0x1p-106, -0x1p-110, 0x1p-110}) {
+        EXPECT_FALSE(ask(step).certain) << end << ' ' << step;
+      }
+      EXPECT_TRUE(ask(-0x1p-60).certain || ask(0x1p-60).certain) << end;
+    }
+  }
+}
+
+/// Known to lie about the end of the range, or at a place of more digits than there is room for: no time is told.
+TEST(ExactCastParts, WideFloorsThatAreLeftOpen) {
+  const auto floor = [](const auto& a, const auto& b, double vx, double vy) {
+    return wide_floor(pair_of(a, b, vx, vy));
+  };
+  const Aabb<double> box{-2, -1, 0, 1};
+  EXPECT_EQ(floor(box, Point<double>{5, 0}, -1, 0), 5);
+  EXPECT_EQ(floor(box, Point<double>{5, 0}, -0.75, 0), 5 / 0.75 - 0x1p-50) << "rounded down";
+  EXPECT_EQ(floor(box, Point<double>{0x1p1000, 0}, -0x1p-19, 0), 0x1p1019);
+  EXPECT_EQ(floor(box, Point<double>{0x1p1000, 0}, -0x1p-23, 0), -1);
+  EXPECT_EQ(floor(box, Point<double>{0x1p1000, 0}, -0x1p-30, 0), infinity);
+  EXPECT_EQ(floor(box, Point<double>{0x1p-1000, 0}, -0x1p10, 0), -1);
+  // The time is a double, and the place at it spans 2^1000 to 2^-1076.
+  const Aabb<double> far{-0x1p1000, -1, 0, 1};
+  EXPECT_EQ(floor(far, Point<double>{0x1p1000, 0}, -0x1p1002, 0), 0.25);
+  EXPECT_EQ(floor(far, Point<double>{0x1p1000, 0}, -0x1p1002, 0x1p-1074), -1);
+  // The place at the time has room, and that at the next has not.
+  const Aabb<double> thin{-0x1p-1030, -0x1p990, 0, 0x1p990};
+  EXPECT_EQ(floor(thin, Point<double>{0x1p-1030, 0x1p900}, -0x1p-1030, 0), 1);
+  EXPECT_EQ(floor(thin, Point<double>{0x1p-1030, 0x1p989}, -0x1p-1030, 0), -1);
+}
+
+/// Trials from any start: contact of insides comes after t0.
+TEST(ExactCastParts, FloorByTrials) {
+  const auto floor = [](double start, double t0) {
+    return floor_by_trials(start, [t0](double t) { return Trial{true, t > t0}; });
+  };
+  for (const double t0 : {0x1p-1074, 0x1p-1022, 0x1.8p-3, 1.0, before(2.0), 0x1.5555p100, before(0x1p1023)}) {
+    for (const double start : {0x1p-1074, 1.0, next(t0), t0, largest}) EXPECT_EQ(floor(start, t0), t0) << start;
+  }
+  EXPECT_EQ(floor(0x1.8p1023, before(0x1.8p1023)), before(0x1.8p1023));
+  EXPECT_EQ(floor(1, 0x1.8p1023), -1);
+  EXPECT_EQ(floor(1, largest), infinity);
+}
+
+/// Which comes first, the time or the witness, where both are equal and digits are cut off.
+TEST(ExactCastParts, LeadingWitnessAtATie) {
+  // Mirror images about the line of motion but for the offset across it: the witness is at q = 0.
+  for (const double thin : {0.5, 0x1p-400}) {
+    const auto pair = [&](const Ellipse<double>& e) { return exact_body(body(e)); };
+    const ExactBody a = pair({0, 0, 1, 1, 1, thin}), b = pair({4, 1, 1, -1, 1, thin});
+    const Number<1> vx = from_double(-1), vy = from_double(0), dx = from_double(4), dy = from_double(1);
+    const ExactReach of_a(a, vx, vy), of_b(b, vx, vy);
+    const LeadingWitness witness(of_a, of_b, exact::cross(vx, vy, dx, dy), exact::dot(dx, dy, vx, vy),
+                                 exact::dot(vx, vy, vx, vy));
+    EXPECT_EQ(witness.after(4), 0);
+    EXPECT_EQ(witness.after(3.75), 1);
+    EXPECT_EQ(witness.after(4.25), -1);
+  }
+}
+
+/// Two ellipses whose contact rounds to a place of more digits than there is room for.
+TEST(ExactCastParts, FloorOfEllipsesBeyondTheDigits) {
+  const Circle<double> large{0, 0, 0x1p1000};
+  const Ellipse<double> small{0x1p1001, 0, 1, 0, 0x1p-54, 0x1p-54};
+  const auto floor = [&](double vy) { return floor_of_ellipses(pair_of(large, small, -0x1p1002, vy), next(0.25)); };
+  EXPECT_EQ(floor(0), before(0.25));
+  EXPECT_EQ(floor(0x1p-1074), -1);
+}
+
+}  // namespace
