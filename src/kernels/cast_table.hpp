@@ -24,6 +24,7 @@ consteval CastTable make_cast_table() noexcept {
   }
   for (const Kind a : rounds) {
     enter(a, Kind::point, cast_rounds);
+    enter(Kind::point, a, cast_rounds);
     for (const Kind b : rounds) enter(a, b, cast_rounds);
   }
   return table;
