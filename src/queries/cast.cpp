@@ -26,7 +26,7 @@ bool has_fused() noexcept { return kernels().width_f64 >= 4; }
 /// whose stack g++ takes to be aligned for wide vectors (src/CMakeLists.txt).
 [[gnu::target("fma"), gnu::flatten]] bool find_meeting_fused(const detail::cast::Scene& scene,
                                                              detail::cast::Meeting& out) noexcept {
-  return detail::cast::find_meeting<detail::cast::FusedProducts>(scene, out);
+  return detail::cast::find_meeting_quickly<detail::cast::FusedProducts>(scene, out);
 }
 template <class A, class B>
 [[gnu::target("fma"), gnu::flatten]] detail::cast::Quick quick_hit_fused(const A& a, const B& b, double vx, double vy,
