@@ -66,7 +66,8 @@ struct Count {
     ++fused;
     ASSERT_TRUE(core::find_meeting<core::SplitProducts>(scene, by_splitting));
     EXPECT_TRUE(same(by_splitting, by_fusing)) << describe(p, m);
-    of_both += scene.a.round != scene.b.round && !core::has_no_size(scene.a) && !core::has_no_size(scene.b);
+    if (!core::is_box_and_round(scene)) return;
+    ++of_both;
     core::Meeting found{};
     if (!core::quick_meeting<core::FusedProducts>(scene, found)) return;
     EXPECT_TRUE(same_answer(scene, found, by_splitting, quick)) << describe(p, m);

@@ -111,13 +111,16 @@ VESICA_INLINE BoxRoundMeeting<V> box_round_meeting(const nearest::Box<V>& box, c
           met.lengthwise};
 }
 
-/// find_meeting() of a box and a round shape by the way above, in a scene that has_fused_products(). False where that
-/// does not tell.
+inline bool is_box_and_round(const Scene& scene) noexcept {
+  return scene.a.round != scene.b.round && !has_no_size(scene.a) && !has_no_size(scene.b);
+}
+/// find_meeting() by the way above, in a scene that is_box_and_round() and has_fused_products(). False where that does
+/// not tell.
 template <class Products>
 VESICA_INLINE bool quick_meeting(const Scene& scene, Meeting& out) noexcept {
   const Side &box = scene.a.round ? scene.b : scene.a, &e = scene.a.round ? scene.a : scene.b;
   const QuickEllipse<double> round{e.u.x.high, e.u.y.high, e.hx.high, e.hy.high};
-  if (scene.a.round == scene.b.round || has_no_size(box) || !round.is_usual()) return false;
+  if (!round.is_usual()) return false;
   const auto met = box_round_meeting<Products>(nearest::Box<double>{box.u, box.hx, box.hy}, round, scene.d,
                                                Offset{scene.vx, scene.vy});
   if (!met.certain) return false;
@@ -135,7 +138,7 @@ VESICA_INLINE bool quick_meeting(const Scene& scene, Meeting& out) noexcept {
 /// find_meeting(), quickly where it can be.
 template <class Products>
 VESICA_INLINE bool find_meeting_quickly(const Scene& scene, Meeting& out) noexcept {
-  return quick_meeting<Products>(scene, out) || find_meeting<Products>(scene, out);
+  return (is_box_and_round(scene) && quick_meeting<Products>(scene, out)) || find_meeting<Products>(scene, out);
 }
 
 /// The same by fused products, or null where the processor has none.
