@@ -23,13 +23,11 @@ VESICA_KERNEL void cast_boxes_rounds(const CastColumns& columns, std::int32_t n,
     const FloorLanes floor = detail::cast::floor_of(met.time, met.error);
     CastMask settled =
         both(both(way.plain, both(met.certain, floor.certain)), both(is_plain_box(box), round.is_usual()));
-    OffsetLanes at =
-        round.out_of_frame(detail::cast::foremost_of(round.a, round.b, met.in_frame.x, met.in_frame.y));
+    OffsetLanes at = round.out_of_frame(detail::cast::foremost_of(round.a, round.b, met.in_frame.x, met.in_frame.y));
     if (box_first) {
       const ForemostLanes of_box = foremost_lanes(box, nx, ny, met.face, negated<Doubles>(met.lengthwise));
-      const OffsetLanes on_face =
-          point_on_edge(of_box, {{-at.x, -at.y}, {zero, zero}, met.face}, way.d.x.high + floor.t * way.v.x,
-                        way.d.y.high + floor.t * way.v.y);
+      const OffsetLanes on_face = point_on_edge(of_box, {{-at.x, -at.y}, {zero, zero}, met.face},
+                                                way.d.x.high + floor.t * way.v.x, way.d.y.high + floor.t * way.v.y);
       at = {select(met.face, on_face.x, of_box.middle.x), select(met.face, on_face.y, of_box.middle.y)};
       settled = both(settled, of_box.known);
     }

@@ -56,7 +56,7 @@ struct Count {
   void check(const Pair& p, const Motion& m) {
     const core::Body a = body_of(p.kind_a, p.a), b = body_of(p.kind_b, p.b);
     const core::Motion motion{m.vx, m.vy, m.end};
-    const core::Verdict verdict = core::filter(core::sketch(a), core::sketch(b), motion).verdict;
+    const auto [verdict, apart] = core::filter(core::sketch(a), core::sketch(b), motion);
     if (verdict != core::Verdict::reached && verdict != core::Verdict::late) return;
     core::Scene scene;
     core::set_scene(a, b, motion, scene);
@@ -66,7 +66,7 @@ struct Count {
     ++fused;
     ASSERT_TRUE(core::find_meeting<core::SplitProducts>(scene, by_splitting));
     EXPECT_TRUE(same(by_splitting, by_fusing)) << describe(p, m);
-    if (!core::is_box_and_round(scene)) return;
+    if (!apart || !core::is_box_and_round(scene)) return;
     ++of_both;
     core::Meeting found{};
     if (!core::quick_meeting<core::FusedProducts>(scene, found)) return;

@@ -74,8 +74,8 @@ VESICA_INLINE BoxRoundMeeting<V> box_round_meeting(const nearest::Box<V>& box, c
   };
   const auto normal_of_vertex = [&] {
     const Twofold<V> at = arithmetic::renormalised(met.w);
-    return normal_of<Products>(
-        maximum_of_one(round.curve(v), at.high, gap_of(round.template reach<Products>(v), at)), v);
+    return normal_of<Products>(maximum_of_one(round.curve(v), at.high, gap_of(round.template reach<Products>(v), at)),
+                               v);
   };
   const arithmetic::Vector<V> n = foreseen(met.face, normal_of_face, normal_of_vertex);
 
@@ -95,8 +95,7 @@ VESICA_INLINE BoxRoundMeeting<V> box_round_meeting(const nearest::Box<V>& box, c
   const V slope = abs(arithmetic::rounded(w) - (of_round.beside + of_box.beside)) + error;
   const V off = slope / of_round.bend, gain = V(2.0) * slope * (off / vv), far_off = V(64.0) * off;
   const V lost = V(0x1p-94) * n_size * sizes / approach.high + V(0x1p-100) * abs(start);
-  const MaskOf<V> at_face =
-      both(slope < V(1 - 0x1p-30) * of_box.edge, abs(forward) > V(0x1p-40) * (n_size * speed));
+  const MaskOf<V> at_face = both(slope<V(1 - 0x1p-30) * of_box.edge, abs(forward)> V(0x1p-40) * (n_size * speed));
   const MaskOf<V> on_x = either(box.hx.high == zero, far_off * abs(k.high) < abs(of_box.p));
   const MaskOf<V> on_y = either(box.hy.high == zero, far_off * abs(c.high) < abs(of_box.q));
   const MaskOf<V> at_vertex =
