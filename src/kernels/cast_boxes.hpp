@@ -9,11 +9,8 @@ namespace {
 
 using detail::arithmetic::renormalised;
 
-/// detail::cast::Side, as stored.
-struct BoxLanes {
-  VectorLanes u;
-  TwofoldLanes hx, hy;
-};
+/// As stored.
+using BoxLanes = detail::nearest::Box<Doubles>;
 VESICA_INLINE TwofoldLanes load_exactly(const ColumnDifference& d, std::int32_t i) noexcept {
   return exact_difference(load(d.to, i), load(d.from, i));
 }

@@ -48,7 +48,8 @@ VESICA_INLINE Doubles offset_lanes(Doubles to0, Doubles to1, Doubles from0, Doub
   return Doubles(0.5) * ((to0 - from0) + (to1 - from1));
 }
 
-/// See CastFilter. Apart at the start along v, before a line that crosses the sum: then there is contact afterwards.
+/// See CastFilter. A line that crosses the sum enters it; a kernel that finds when, after the start, has found that the
+/// shapes are apart before.
 struct CastVerdict {
   CastMask missed, meets;
 };
@@ -77,8 +78,7 @@ VESICA_INLINE CastVerdict cast_verdict(const CastColumns& columns, std::int32_t 
     missed = either(missed, before - whole > forward_error + Doubles(8.0) * u * whole);
   }
   missed = both(usable, missed);
-  const CastMask crosses = both(gap<-(d_error + h_error), before> forward_error);
-  return {missed, and_not(both(usable, crosses), missed)};
+  return {missed, and_not(both(usable, gap < -(d_error + h_error)), missed)};
 }
 
 VESICA_KERNEL void filter_casts(const CastColumns& columns, std::int32_t n, const CastBytes& out) noexcept {

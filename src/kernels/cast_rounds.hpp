@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// First contacts of a circle or an ellipse with a moving point or with another such shape (ellipses_meeting() of
+// First contacts of a circle or an ellipse with a point or with another such shape, either of which moves (ellipses_meeting() of
 // include/vesica/cast/quick_round_hit.hpp). A circle is an ellipse with the axis (1, 0).
 #pragma once
 
@@ -15,16 +15,18 @@ VESICA_INLINE EllipseLanes ellipse_lanes(const SideColumns& side, std::int32_t i
 }
 
 VESICA_KERNEL void cast_rounds(const CastColumns& columns, std::int32_t n, double* const* results) noexcept {
-  const bool ray = columns.b.is_point;
+  const bool at_point = columns.a.is_point, of_point = at_point || columns.b.is_point;
+  const SideColumns &first = at_point ? columns.b : columns.a, &second = at_point ? columns.a : columns.b;
   for (std::int32_t i = 0; i < n; i += Doubles::width) {
     const WayLanes way = way_lanes(columns, i);
-    const EllipseLanes a = ellipse_lanes(columns.a, i), b = ellipse_lanes(columns.b, i);
+    const EllipseLanes a = ellipse_lanes(first, i), b = ellipse_lanes(second, i);
     CastMask usual = both(way.plain, a.is_usual());
-    if (!ray) usual = both(usual, b.is_usual());
-    const auto met = detail::cast::ellipses_meeting<LaneProducts>(a, b, way.d, way.v, negated<Doubles>(usual), ray);
-    const Doubles nx = met.normal.x.high, ny = met.normal.y.high, least(0x1p-24);
+    if (!of_point) usual = both(usual, b.is_usual());
+    auto met = detail::cast::ellipses_meeting<LaneProducts>(a, b, way.d, way.v, negated<Doubles>(usual), of_point);
+    const Doubles nx = met.normal.x.high, ny = met.normal.y.high, least(0x1p-24), zero(0.0);
     // As detail::cast::ends_at() has it.
-    if (ray) usual = both(usual, both(abs(nx) > least * abs(ny), abs(ny) > least * abs(nx)));
+    if (of_point) usual = both(usual, both(abs(nx) > least * abs(ny), abs(ny) > least * abs(nx)));
+    if (at_point) met.at = {zero, zero};
     store_impacts(columns, i, met.floor.t, met.at, nx, ny, both(usual, met.floor.certain), results);
   }
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which pairs of kinds have kernels of first contacts: boxes, a ray at anything, and round shapes.
+// Which pairs of kinds have kernels of first contacts: all but two points.
 #pragma once
 
-#include "kernels/cast_boxes.hpp"
-#include "kernels/cast_rounds.hpp"
+#include "kernels/cast_boxes_rounds.hpp"
 
 namespace vesica {
 namespace {
@@ -18,9 +17,14 @@ consteval CastTable make_cast_table() noexcept {
     enter(a, Kind::point, cast_boxes);
     enter(Kind::point, a, cast_boxes);
     for (const Kind b : boxes) enter(a, b, cast_boxes);
+    for (const Kind b : rounds) {
+      enter(a, b, cast_boxes_rounds);
+      enter(b, a, cast_boxes_rounds);
+    }
   }
   for (const Kind a : rounds) {
     enter(a, Kind::point, cast_rounds);
+    enter(Kind::point, a, cast_rounds);
     for (const Kind b : rounds) enter(a, b, cast_rounds);
   }
   return table;

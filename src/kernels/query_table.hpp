@@ -52,14 +52,15 @@ struct CastColumns;  // cast_columns.hpp
 /// What the filter of casts knows of valid pairs, a byte each, 1 or 0.
 struct CastBytes {
   std::uint8_t* missed;  // no contact from 0 to the end
-  std::uint8_t* meets;   // apart at the start, and contact at some time after it
+  std::uint8_t* meets;   // not missed, and in contact at some time, which may be before the start
 };
 
 /// n: a multiple of the vector's width.
 using CastFilter = void (*)(const CastColumns& columns, std::int32_t n, const CastBytes& out) noexcept;
 
 /// The first contacts of pairs that the filter says to meet. results[0][i] is the time, the rest the point and the
-/// normal as a single call has them; infinite if it is after the end, NaN where the scalar function must be asked.
+/// normal as a single call has them; infinite if it is after the end, NaN where the scalar function must be asked: where
+/// contact may have begun by the start, too.
 using CastKernel = void (*)(const CastColumns& columns, std::int32_t n, double* const* results) noexcept;
 
 struct CastTable {

@@ -22,11 +22,17 @@ std::int32_t answer(const Query& query, const Body& a, const Body& b, void* out)
 /// Kernels of four lanes and more are for processors that fuse.
 bool has_fused() noexcept { return kernels().width_f64 >= 4; }
 
-/// All that it calls is compiled into it, for processors that fuse; what exists beside it is for any. Not for Windows,
-/// whose stack g++ takes to be aligned for wide vectors (src/CMakeLists.txt).
+/// All that each calls is compiled into it, for processors that fuse; what exists beside them is for any. Not for
+/// Windows, whose stack g++ takes to be aligned for wide vectors (src/CMakeLists.txt). As one function they would be
+/// beyond what g++ inlines.
+[[gnu::target("fma"), gnu::flatten, gnu::noinline]] bool quick_meeting_fused(const detail::cast::Scene& scene,
+                                                                             detail::cast::Meeting& out) noexcept {
+  return detail::cast::quick_meeting<detail::cast::FusedProducts>(scene, out);
+}
 [[gnu::target("fma"), gnu::flatten]] bool find_meeting_fused(const detail::cast::Scene& scene,
                                                              detail::cast::Meeting& out) noexcept {
-  return detail::cast::find_meeting<detail::cast::FusedProducts>(scene, out);
+  using namespace detail::cast;
+  return (is_box_and_round(scene) && quick_meeting_fused(scene, out)) || find_meeting<FusedProducts>(scene, out);
 }
 template <class A, class B>
 [[gnu::target("fma"), gnu::flatten]] detail::cast::Quick quick_hit_fused(const A& a, const B& b, double vx, double vy,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <vesica/cast/place.hpp>
 
 #include "batch/guard_pages.hpp"
 #include "cast/arrays.hpp"
@@ -14,6 +15,7 @@
 namespace {
 
 using namespace cast_test;
+using Offset = vesica::detail::cast::Offset;
 using batch_tests::Edge;
 using batch_tests::GuardedMemory;
 using properties::Workload;
@@ -97,6 +99,61 @@ TYPED_TEST(CastsOfArrays, AboutGrazing) {
     }
     EXPECT_GT(grazed, kind_a == VESICA_POINT && kind_b == VESICA_POINT ? -1 : 0) << kind_a << ' ' << kind_b;
   });
+}
+
+/// The support of a circle or an ellipse along a direction.
+Offset support(int kind, const Numbers& n, const Offset& d) {
+  if (kind == VESICA_CIRCLE) {
+    const double length = std::sqrt(d.x * d.x + d.y * d.y);
+    return {n[2] * d.x / length, n[2] * d.y / length};
+  }
+  const double p = n[4] * (n[2] * d.x + n[3] * d.y), q = n[5] * (n[2] * d.y - n[3] * d.x), h = std::sqrt(p * p + q * q);
+  return {(n[4] * p * n[2] - n[5] * q * n[3]) / h, (n[4] * p * n[3] + n[5] * q * n[2]) / h};
+}
+
+/// A round shape meets a corner of a box along the normal of one of its sides, to 2^-54 of it and exactly: where
+/// contact goes from the side to the corner.
+template <class T>
+Moving at_corner(int box, int round, bool box_moves, properties::Random& random) {
+  const double t = random.integer(-8, 8) / 8.0, hx = random.between(0.25, 1), hy = random.between(0.25, 1);
+  Offset u{1, 0};
+  Numbers shape{-hx, -hy, hx, hy};
+  if (box == VESICA_SEGMENT) shape = {0, 0, 1 - t * t, 2 * t};
+  if (box == VESICA_RECT) shape = {0, 0, 1 - t * t, 2 * t, hx, hy};
+  if (box != VESICA_AABB) u = {1 - t * t, 2 * t};
+  Offset corner{hx * u.x - hy * u.y, hx * u.y + hy * u.x}, normal = random.chance(0.5) ? u : Offset{-u.y, u.x};
+  if (box == VESICA_SEGMENT) corner = u;
+  const double beside = random.chance(0.2) ? 0 : random.sign() * std::ldexp(1, -random.below(55));
+  normal = {normal.x - beside * normal.y, normal.y + beside * normal.x};
+  Numbers other{0, 0, hy};
+  if (round == VESICA_ELLIPSE) other = {0, 0, random.between(-1, 1), 1, random.between(0.25, 1), hx};
+  const Offset from = support(round, other, normal), place{corner.x + from.x, corner.y + from.y};
+  const double across = random.chance(0.2) ? 0 : random.between(-2, 2);
+  const Offset v{-normal.x - across * normal.y, -normal.y + across * normal.x};
+  other[0] = place.x - v.x;
+  other[1] = place.y - v.y;
+  Pair p = box_moves ? Pair{round, box, other, shape} : Pair{box, round, shape, other};
+  for (Numbers* n : {&p.a, &p.b}) {
+    for (double& x : *n) x = properties::nearest(scalar_of<T>, x);
+  }
+  const double way = box_moves ? -1 : 1;
+  return {p, {properties::nearest(scalar_of<T>, way * v.x), properties::nearest(scalar_of<T>, way * v.y), 2}};
+}
+
+TYPED_TEST(CastsOfArrays, OfRoundShapesAtCorners) {
+  using T = TypeParam;
+  properties::Random random(properties::seed() + 46);
+  for (const int box : {VESICA_SEGMENT, VESICA_AABB, VESICA_RECT}) {
+    for (const int round : {VESICA_CIRCLE, VESICA_ELLIPSE}) {
+      for (const bool box_moves : {false, true}) {
+        std::vector<Moving> pairs;
+        for (int i = 0; i < arrays(1000); ++i) pairs.push_back(at_corner<T>(box, round, box_moves, random));
+        Arrays<T> s(pairs[0].pair.kind_a, pairs[0].pair.kind_b, pairs);
+        check_many<T>(s, no_end<T>);
+        check_many<T>(s, T(1));
+      }
+    }
+  }
 }
 
 /// The end at the very time of a contact, and beside it.

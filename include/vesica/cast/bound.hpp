@@ -171,8 +171,14 @@ struct TimeBounds {
   bool tells() const noexcept { return error > 0; }
 };
 
-inline Twofold<double> magnitude(const Twofold<double>& x) noexcept { return flipped(x, x.high); }
-inline bool is_zero(const Twofold<double>& x) noexcept { return x.high == 0 && x.low == 0; }
+template <class V>
+VESICA_INLINE Twofold<V> magnitude(const Twofold<V>& x) noexcept {
+  return flipped(x, x.high);
+}
+template <class V>
+VESICA_INLINE MaskOf<V> is_zero(const Twofold<V>& x) noexcept {
+  return both(x.high == V(0.0), x.low == V(0.0));
+}
 
 /// What one shape adds: its support function and perp(v).x. `edge` is the reach across v of an edge whose normal n is,
 /// x its middle, and `room` the least |u.n| of the edges beside its vertex, in units of the change of u.n with s.

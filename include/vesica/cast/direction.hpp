@@ -16,22 +16,30 @@
 
 namespace vesica::detail::cast {
 
-/// The sign of each term of a box, or the face that is met.
-struct Feature {
-  bool face;
-  Vector normal;
-  Twofold<double> w;
-};
+/// One of two results, of lanes by selecting, of scalars by a branch: it is mostly foreseen, and a select would wait.
+template <class V, class Yes, class No>
+VESICA_INLINE auto foreseen(V mask, const Yes& yes, const No& no) noexcept {
+  if constexpr (std::is_same_v<V, bool>) {
+    return mask ? yes() : no();
+  } else if constexpr (requires { yes().x; }) {
+    const auto first = yes(), second = no();
+    return decltype(yes()){choose(mask, first.x, second.x), choose(mask, first.y, second.y)};
+  } else {
+    return select(mask, yes(), no());
+  }
+}
 
 template <class V>
 struct CurveOf {
   V s, al, de, reach;
 
   /// Of al (s - s_i)^2 + de the root's slope.
-  V slope(V at) const noexcept {
-    if (!(abs(at) < 0x1p500)) return lane::flip_sign(reach, at);
-    const V y = at - s;
-    return al * y / sqrt(al * y * y + de);
+  VESICA_INLINE V slope(V at) const noexcept {
+    const auto bent = [&] {
+      const V y = at - s;
+      return al * y / sqrt(al * y * y + de);
+    };
+    return foreseen(abs(at) < V(0x1p500), bent, [&] { return flip_sign(reach, at); });
   }
   /// How wide the bend is: a unit of s.
   VESICA_INLINE V width() const noexcept { return sqrt(de) / reach; }
@@ -76,36 +84,35 @@ Vector direction(const Scene& scene, double s) noexcept {
   return {renormalised(-(x + Twofold<double>{scene.vx, 0})), renormalised(y - Twofold<double>{scene.vy, 0})};
 }
 
-/// Which vertex or face of a box a curve meets.
-template <class Products>
-Feature feature(const Scene& scene, const Side& box, const Curve& e) noexcept {
-  const auto v = factor_of_v<Products>(scene);
-  const auto [c, k] = dot_and_cross<Products>(box.u, v);
-  const bool sized = !has_no_size(box);
-  constexpr Twofold<double> none{0, 0};
-  struct Kink {
-    Twofold<double> p;
-    double at;
-    Vector normal;
-  };
-  const Twofold<double> along = sized ? magnitude(Products::factor(box.hx) * Products::factor(k)) : none;
-  const Twofold<double> across = sized ? magnitude(Products::factor(box.hy) * Products::factor(c)) : none;
-  Kink first{along, k.high != 0 ? -c.high / k.high : -0x1p600, perpendicular(box.u)};
-  Kink second{across, c.high != 0 ? k.high / c.high : 0x1p600, box.u};
-  if (second.at < first.at) {
-    const Kink other = first;
-    first = second;
-    second = other;
-  }
-  const Twofold<double> w = cross(v, Products::factor(scene.d));
-  const Twofold<double> left = w + first.p + second.p, middle = w - first.p + second.p, right = w - first.p - second.p;
-  const double at_first = e.slope(first.at), at_second = e.slope(second.at);
-  if (left.high < at_first) return {false, {}, left};
+/// A face of a box, whose normal is its axis (`lengthwise`) or across that, or a vertex: w without the terms of the box,
+/// each with its sign there.
+template <class V>
+struct Feature {
+  MaskOf<V> face, lengthwise;
+  Twofold<V> w;
+};
+
+/// Which of them a curve meets; c = u.v, k = u x v.
+template <class Products, class V>
+VESICA_INLINE Feature<V> feature(const nearest::Box<V>& box, const Twofold<V>& c, const Twofold<V>& k,
+                                 const Twofold<V>& w, const CurveOf<V>& e) noexcept {
+  const V zero(0.0);
+  const Twofold<V> of_hx = magnitude(Products::factor(box.hx) * Products::factor(k));
+  const Twofold<V> of_hy = magnitude(Products::factor(box.hy) * Products::factor(c));
+  const V across_at = select(k.high == zero, V(-0x1p600), -c.high / k.high);
+  const V along_at = select(c.high == zero, V(0x1p600), k.high / c.high);
+  const MaskOf<V> along_first = along_at < across_at;
+  const Twofold<V> first = choose(along_first, of_hy, of_hx), second = choose(along_first, of_hx, of_hy);
+  const V at_first = e.slope(min(across_at, along_at)), at_second = e.slope(max(across_at, along_at));
+  const Twofold<V> left = w + first + second, middle = w - first + second, right = w - first - second;
   // A side of no length is no face, however exactly the curve's slope is that between the two beside it.
-  if (middle.high <= at_first && !is_zero(first.p)) return {true, against<Products>(scene, first.normal), {}};
-  if (middle.high < at_second) return {false, {}, middle};
-  if (right.high <= at_second && !is_zero(second.p)) return {true, against<Products>(scene, second.normal), {}};
-  return {false, {}, right};
+  const MaskOf<V> on_left = left.high < at_first;
+  const MaskOf<V> first_face = and_not(and_not(middle.high <= at_first, is_zero(first)), on_left);
+  const MaskOf<V> on_middle = and_not(middle.high < at_second, either(on_left, first_face));
+  const MaskOf<V> before_second = either(either(on_left, first_face), on_middle);
+  const MaskOf<V> second_face = and_not(and_not(right.high <= at_second, is_zero(second)), before_second);
+  const MaskOf<V> lengthwise = either(both(first_face, along_first), and_not(second_face, along_first));
+  return {either(first_face, second_face), lengthwise, choose(on_left, left, choose(on_middle, middle, right))};
 }
 
 /// How far the ellipse reaches across v.
@@ -129,16 +136,6 @@ template <class V>
 VESICA_INLINE V maximum_of_one(const CurveOf<V>& e, V w, V gap) noexcept {
   const V side = abs(w);
   return e.s + flip_sign(e.width() * (side / sqrt(gap * (e.reach + side))), w);
-}
-
-/// One of two numbers, of lanes by selecting, of scalars by a branch: it is mostly foreseen, and a select would wait.
-template <class V, class Yes, class No>
-VESICA_INLINE auto foreseen(V mask, const Yes& yes, const No& no) noexcept {
-  if constexpr (std::is_same_v<V, bool>) {
-    return mask ? yes() : no();
-  } else {
-    return select(mask, yes(), no());
-  }
 }
 
 /// r - al y / h without cancellation, the root of h and its bend.
@@ -327,8 +324,14 @@ Found latest_direction(const Scene& scene, int& steps) noexcept {
   } else {
     const Side &round = scene.a.round ? scene.a : scene.b, &box = scene.a.round ? scene.b : scene.a;
     const Curve e = curve(scene, round);
-    const Feature met = feature<Products>(scene, box, e);
-    if (met.face) return {met.normal, time_bounds<Products>(scene, met.normal)};
+    const auto v = factor_of_v<Products>(scene);
+    const DotAndCross of_v = dot_and_cross<Products>(box.u, v);
+    const Feature<double> met = feature<Products>(nearest::Box<double>{box.u, box.hx, box.hy}, of_v.dot, of_v.cross,
+                                                  cross(v, Products::factor(scene.d)), e);
+    if (met.face) {
+      const Vector normal = against<Products>(scene, met.lengthwise ? box.u : perpendicular(box.u));
+      return {normal, time_bounds<Products>(scene, normal)};
+    }
     const Twofold<double> w = arithmetic::renormalised(met.w);
     s = maximum_of_one(e, w.high, gap_of(reach_across<Products>(scene, round), w));
   }

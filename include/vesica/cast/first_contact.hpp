@@ -96,11 +96,6 @@ bool find_meeting(const Scene& scene, Meeting& out) noexcept {
 
 /// find_meeting by fused products, or null where the processor has none.
 using FindMeeting = bool (*)(const Scene&, Meeting&);
-#if defined(VESICA_HAS_FUSED)
-inline constexpr FindMeeting fused_meeting = find_meeting<FusedProducts>;
-#else
-inline constexpr FindMeeting fused_meeting = nullptr;
-#endif
 
 inline void meet(const Scene& scene, const Graze& graze, FindMeeting fused, Meeting& m) noexcept {
   if (graze.grazes) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <vesica/cast/quick_box_hit.hpp>
+#include <vesica/cast/quick_box_round_hit.hpp>
 #include <vesica/cast/quick_round_hit.hpp>
 
 namespace vesica::detail::cast {
