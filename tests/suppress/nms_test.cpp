@@ -313,6 +313,25 @@ TEST(Nms, OneOverAll) {
   EXPECT_EQ(run(vesica_nms_f64, shapes_of(VESICA_CIRCLE, discs), scores, 0.0).kept, (Indices{side * side}));
 }
 
+/// The same with two giants of little score, at a threshold that no ratio of large and small reaches: their block has
+/// more neighbours than are listed, and still the better one suppresses the other and nothing else.
+TEST(Nms, GiantsAmongManyBlocks) {
+  constexpr int side = 220;
+  std::vector<vesica_circle_f64> discs;
+  std::vector<double> scores;
+  for (int i = 0; i < side * side; ++i) {
+    discs.push_back({static_cast<double>(i % side), static_cast<double>(i / side), 0.25});
+    scores.push_back(1 + i % 7);
+  }
+  for (const double score : {0.25, 0.5}) {
+    discs.push_back({side / 2.0, side / 2.0, side + score});
+    scores.push_back(score);
+  }
+  const Indices kept = run(vesica_nms_f64, shapes_of(VESICA_CIRCLE, discs), scores, 0.5).kept;
+  ASSERT_EQ(kept.size(), static_cast<std::size_t>(side * side + 1));
+  EXPECT_EQ(kept.back(), side * side + 1);
+}
+
 TEST(Nms, OfManyFloats) {
   Random random(properties::seed());
   std::vector<vesica_rect_f32> rects;
