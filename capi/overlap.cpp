@@ -7,11 +7,23 @@
 
 namespace {
 
-/// The C structs are the core's shapes byte for byte, and are read in place.
+/// What a call leaves that does not read the control register, and a call where there is none of that kind.
 template <class A, class B>
+[[gnu::noinline]] int32_t rest_of_call(const void* a, const void* b, bool undecided) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT((rest_of_call<A, B>), a, b, undecided);
+  if (undecided) return vesica::detail::decide_undecided(*static_cast<const A*>(a), *static_cast<const B*>(b));
+  return vesica::answer_pair<vesica::queries::OverlapOfPair, A, B>(a, b, nullptr);
+}
+
+/// The C structs are the core's shapes byte for byte, and are read in place.
+template <template <class> class A, template <class> class B, class T>
 VESICA_INLINE int32_t overlap_typed(const void* a, const void* b) noexcept {
   if (a == nullptr || b == nullptr) return VESICA_E_NULL;
-  return vesica::answer_pair<vesica::queries::OverlapOfPair, A, B>(a, b, nullptr);
+  constexpr auto kind_a = static_cast<int>(vesica::kind_of<A>), kind_b = static_cast<int>(vesica::kind_of<B>);
+  const vesica::CallTable* const calls = vesica::chosen_calls();
+  if (calls != nullptr) return calls->of(T{})[kind_a][kind_b](a, b, rest_of_call<A<T>, B<T>>);
+  VESICA_DEFAULT_ENVIRONMENT((rest_of_call<A<T>, B<T>>), a, b, false);
+  return vesica::answer_pair<vesica::queries::OverlapOfPair, A<T>, B<T>>(a, b, nullptr);
 }
 
 }  // namespace
@@ -28,8 +40,7 @@ int32_t vesica_overlap_f32(int32_t kind_a, const float* numbers_a, int32_t kind_
 
 #define VESICA_PAIR_OF(a, A, b, B, scalar, T)                                                                   \
   int32_t vesica_overlap_##a##_##b##_##scalar(const vesica_##a##_##scalar* s, const vesica_##b##_##scalar* t) { \
-    VESICA_DEFAULT_ENVIRONMENT(vesica_overlap_##a##_##b##_##scalar, s, t);                                      \
-    return overlap_typed<vesica::A<T>, vesica::B<T>>(s, t);                                                     \
+    return overlap_typed<vesica::A, vesica::B, T>(s, t);                                                        \
   }
 #define VESICA_PAIR(a, A, b, B) VESICA_PAIR_OF(a, A, b, B, f64, double) VESICA_PAIR_OF(a, A, b, B, f32, float)
 

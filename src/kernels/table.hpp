@@ -77,6 +77,21 @@ template <class T>
 using CopyRecords = void (*)(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
                              std::int32_t column_length) noexcept;
 
+/// What a call leaves to its caller: a pair that its filter leaves undecided, or one of which nothing is known, because
+/// the environment flushes subnormals.
+using RestOfCall = std::int32_t (*)(const void* a, const void* b, bool undecided) noexcept;
+
+/// Whether two shapes overlap, in any floating-point environment, without reading the control register. By the two
+/// kinds in the order of shapes. kernels/calls.hpp has the functions.
+struct CallTable {
+  using Call = std::int32_t (*)(const void* a, const void* b, RestOfCall rest) noexcept;
+  using Calls = Call[kind_count][kind_count];
+  Calls f32, f64;
+
+  const Calls& of(float) const noexcept { return f32; }
+  const Calls& of(double) const noexcept { return f64; }
+};
+
 struct QueryTable;
 
 struct KernelTable {
@@ -116,6 +131,7 @@ extern const TieKernels kernels_simd128_ties;
 extern const KernelTable kernels_portable;
 #if defined(__x86_64__)
 extern const KernelTable kernels_sse2, kernels_avx2, kernels_avx512;
+extern const CallTable kernels_avx512_calls;
 #elif defined(__aarch64__)
 extern const KernelTable kernels_neon;
 #elif defined(__wasm_simd128__)
@@ -124,5 +140,18 @@ extern const KernelTable kernels_simd128;
 
 /// The table chosen when the library was loaded.
 const KernelTable& kernels() noexcept;
+
+#if !defined(__wasm__)
+/// The library's only variable: that table, null until it is chosen.
+extern const KernelTable* chosen_kernels;
+#endif
+
+/// The calls of the chosen instruction set; null if it has none, or none is chosen yet.
+inline const CallTable* chosen_calls() noexcept {
+#if defined(__x86_64__)
+  if (__atomic_load_n(&chosen_kernels, __ATOMIC_RELAXED) == &kernels_avx512) return &kernels_avx512_calls;
+#endif
+  return nullptr;
+}
 
 }  // namespace vesica
