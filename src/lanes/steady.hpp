@@ -15,7 +15,19 @@ namespace {  // a type of its own in each object: no instantiation may be shared
 
 inline constexpr int to_nearest = _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC;
 
-/// Comparisons yield bool, as those of double do, not masks.
+/// What a comparison yields: a register of one bit, which is cheaper to combine than a processor's flags.
+struct Bit {
+  __mmask8 k;
+  Bit() = default;
+  Bit(__mmask8 bits) : k(bits) {}
+  constexpr explicit Bit(bool b) : k(b) {}
+  explicit operator bool() const { return k != 0; }
+  explicit operator std::int32_t() const { return static_cast<std::int32_t>(_cvtmask8_u32(k)); }
+};
+inline Bit both(Bit a, Bit b) { return _kand_mask8(a.k, b.k); }
+inline Bit either(Bit a, Bit b) { return _kor_mask8(a.k, b.k); }
+inline Bit and_not(Bit a, Bit b) { return _kandn_mask8(b.k, a.k); }
+
 struct Steady {
   using Element = double;
   __m128d v;
@@ -38,23 +50,24 @@ inline Steady min(Steady a, Steady b) { return _mm_min_round_sd(a.v, b.v, _MM_FR
 inline Steady positive_part(Steady a) { return max(a, Steady(0.0)); }
 inline Steady rough_sqrt(Steady a) { return _mm_sqrt_round_sd(a.v, a.v, to_nearest); }
 inline Steady rough_quotient(Steady a, Steady b) { return a / b; }
-inline bool operator<(Steady a, Steady b) { return _mm_comi_round_sd(a.v, b.v, _CMP_LT_OQ, _MM_FROUND_NO_EXC) != 0; }
-inline bool operator<=(Steady a, Steady b) { return _mm_comi_round_sd(a.v, b.v, _CMP_LE_OQ, _MM_FROUND_NO_EXC) != 0; }
-inline bool operator>(Steady a, Steady b) { return b < a; }
-inline bool operator>=(Steady a, Steady b) { return b <= a; }
-inline bool operator==(Steady a, Steady b) { return _mm_comi_round_sd(a.v, b.v, _CMP_EQ_OQ, _MM_FROUND_NO_EXC) != 0; }
-inline Steady select(bool m, Steady yes, Steady no) {
-  return _mm_mask_move_sd(no.v, static_cast<__mmask8>(m), no.v, yes.v);
+template <int predicate>
+inline Bit compare(Steady a, Steady b) {
+  return _mm_cmp_round_sd_mask(a.v, b.v, predicate, _MM_FROUND_NO_EXC);
 }
+inline Bit operator<(Steady a, Steady b) { return compare<_CMP_LT_OQ>(a, b); }
+inline Bit operator<=(Steady a, Steady b) { return compare<_CMP_LE_OQ>(a, b); }
+inline Bit operator>(Steady a, Steady b) { return compare<_CMP_GT_OQ>(a, b); }
+inline Bit operator>=(Steady a, Steady b) { return compare<_CMP_GE_OQ>(a, b); }
+inline Bit operator==(Steady a, Steady b) { return compare<_CMP_EQ_OQ>(a, b); }
+inline Steady select(Bit m, Steady yes, Steady no) { return _mm_mask_move_sd(no.v, m.k, no.v, yes.v); }
 inline Steady flip_sign(Steady x, Steady y) { return _mm_xor_pd(x.v, _mm_and_pd(y.v, _mm_set1_pd(-0.0))); }
 
-/// Whether subnormal results and operands are what they are: neither flush-to-zero nor denormals-are-zero is in force.
-/// The difference of two normal numbers is subnormal, and is then an operand.
+/// Whether subnormal operands and results are what they are: with denormals-are-zero this sum is 0 + 0, and with
+/// flush-to-zero 0.
 inline bool keeps_subnormals() {
-  Steady least(0x1p-1022), more(0x1.8p-1022);
+  Steady least(0x1p-1074);
   asm("" : "+x"(least.v));  // or the compiler would compute it
-  const Steady half = more - least;
-  return _mm_cvtsi128_si64(_mm_castpd_si128((half + half).v)) == _mm_cvtsi128_si64(_mm_castpd_si128(least.v));
+  return _mm_cvtsi128_si64(_mm_castpd_si128((least + least).v)) != 0;
 }
 
 }  // namespace

@@ -113,9 +113,9 @@ VESICA_INLINE constexpr auto ellipse_ellipse_usable(const ContactCubic<V>& p, co
   return both(at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww), totals_in_range(p));
 }
 
-template <class V>
-VESICA_INLINE constexpr bool circles_apart(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d, V vv, V ww,
-                                           bool usable) noexcept {
+template <class V, class Mask>
+VESICA_INLINE constexpr Mask circles_apart(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d, V vv, V ww,
+                                           Mask usable) noexcept {
   const V outer_e = max(e.a * e.a, e.b * e.b) * vv, outer_f = max(f.a * f.a, f.b * f.b) * ww;
   return circles_apart(d.x * d.x + d.y * d.y, outer_e + outer_f, usable);
 }
@@ -130,9 +130,9 @@ VESICA_INLINE constexpr bool circles_apart(const Ellipse<V>& e, const Ellipse<V>
 ///   - As m <= xx and m <= yy, what has m errs by 10u (qx + qy) + 36u xx yy.
 ///   - Underflow: xx and yy are at least 2^-144, and where xx yy <= 2^640, squares of half lengths are at most 2^832.
 ///     What underflows loses less than 2^-242 of an entry.
-template <class V>
-VESICA_INLINE constexpr Verdict<bool> look_at_ellipses(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d,
-                                                       V vv, V ww, bool usable) noexcept {
+template <class V, class Mask>
+VESICA_INLINE constexpr Verdict<Mask> look_at_ellipses(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d,
+                                                       V vv, V ww, Mask usable) noexcept {
   const V a0 = e.a * e.a, a1 = e.b * e.b, b0 = f.a * f.a, b1 = f.b * f.b;
   const V dxx = d.x * d.x, dyy = d.y * d.y, square = dxx + dyy;
   const V exx = e.ux * e.ux, eyy = e.uy * e.uy, fxx = f.ux * f.ux, fyy = f.uy * f.uy;
@@ -144,7 +144,7 @@ VESICA_INLINE constexpr Verdict<bool> look_at_ellipses(const Ellipse<V>& e, cons
 }
 
 template <class V>
-VESICA_COLD constexpr Verdict<bool> circles_within_meet(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
+VESICA_COLD constexpr auto circles_within_meet(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy, ww = f.ux * f.ux + f.uy * f.uy;
   const V a0 = e.a * e.a, a1 = e.b * e.b, b0 = f.a * f.a, b1 = f.b * f.b;
   const Centre<V> d = offset(place(e), place(f));
@@ -157,10 +157,10 @@ VESICA_INLINE constexpr auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<
   const V vv = e.ux * e.ux + e.uy * e.uy, ww = f.ux * f.ux + f.uy * f.uy;
   const Centre<V> d = offset(place(e), place(f));
   if constexpr (looks<V>) {
-    const bool usable = at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww);
-    if (circles_apart(e, f, d, vv, ww, usable)) return Verdict<bool>{false, true};
+    const auto usable = at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww);
+    if (circles_apart(e, f, d, vv, ww, usable)) return surely_disjoint<V>();
     const auto look = look_at_ellipses(e, f, d, vv, ww, usable);
-    if (look.overlap || look.disjoint) return look;
+    if (either(look.overlap, look.disjoint)) return look;
   }
   const ContactCubic<V> p = contact_cubic(e, f, d, vv, ww);
   const auto verdict = decide(p);
@@ -196,9 +196,9 @@ VESICA_INLINE constexpr ContactCubic<V> contact_cubic(const Circle<V>& disc, con
   return pencil(disc, e, d, vv).contact;
 }
 
-template <class V>
-VESICA_INLINE constexpr bool circles_apart(const Circle<V>& disc, const Ellipse<V>& e, const Centre<V>& d, V vv,
-                                           bool usable) noexcept {
+template <class V, class Mask>
+VESICA_INLINE constexpr Mask circles_apart(const Circle<V>& disc, const Ellipse<V>& e, const Centre<V>& d, V vv,
+                                           Mask usable) noexcept {
   const V about = disc.r * disc.r + max(e.a * e.a, e.b * e.b) * vv;
   return circles_apart(d.x * d.x + d.y * d.y, about, usable);
 }
@@ -209,9 +209,9 @@ VESICA_INLINE constexpr bool circles_apart(const Circle<V>& disc, const Ellipse<
 /// |v| by 3u |v| |D|, so x0^2 q and x1^2 p by less than 10u (x0^2 + x1^2) (p + q). The rest is as for two ellipses.
 /// Underflow: p and q are at least 2^-128, and where V p q <= 2^340, at most 2^596. What underflows loses less than
 /// 2^-478, beside V p q >= 2^-384.
-template <class V>
-VESICA_INLINE constexpr Verdict<bool> look_at_ellipses(const Circle<V>& disc, const Ellipse<V>& e, const Centre<V>& d,
-                                                       V vv, bool usable) noexcept {
+template <class V, class Mask>
+VESICA_INLINE constexpr Verdict<Mask> look_at_ellipses(const Circle<V>& disc, const Ellipse<V>& e, const Centre<V>& d,
+                                                       V vv, Mask usable) noexcept {
   const V aa = e.a * e.a, bb = e.b * e.b, rr = disc.r * disc.r;
   const V x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x, xx = x0 * x0, yy = x1 * x1;
   const V p = aa * vv + rr, q = bb * vv + rr, sum = p + q, m = V(2.0f) * min(rr, min(aa, bb) * vv);
@@ -221,7 +221,7 @@ VESICA_INLINE constexpr Verdict<bool> look_at_ellipses(const Circle<V>& disc, co
 }
 
 template <class V>
-VESICA_COLD constexpr Verdict<bool> circles_within_meet(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
+VESICA_COLD constexpr auto circles_within_meet(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy, aa = e.a * e.a, bb = e.b * e.b, rr = disc.r * disc.r;
   return circles_meet(offset(place(disc), place(e)), rr, min(aa, bb) * vv, rr + max(aa, bb) * vv,
                       both(at_least(V(0x1p-64), e.a, e.b, disc.r), vv >= V(0x1p-128)));
@@ -236,9 +236,9 @@ VESICA_INLINE constexpr auto circle_ellipse(const Circle<V>& disc, const Ellipse
   const auto sizes = both(at_least(low, e.a, e.b, disc.r), vv >= guard_power<V, -16>());
   const Centre<V> d = offset(place(disc), place(e));
   if constexpr (looks<V>) {
-    if (circles_apart(disc, e, d, vv, sizes)) return Verdict<bool>{false, true};
+    if (circles_apart(disc, e, d, vv, sizes)) return surely_disjoint<V>();
     const auto look = look_at_ellipses(disc, e, d, vv, sizes);
-    if (look.overlap || look.disjoint) return look;
+    if (either(look.overlap, look.disjoint)) return look;
   }
   const ContactCubic<V> p = contact_cubic(disc, e, d, vv);
   const auto verdict = decide(p);
