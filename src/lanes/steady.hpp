@@ -39,9 +39,21 @@ struct Steady {
     return _mm_cvt_roundss_sd(_mm_setzero_pd(), _mm_load_ss(&x), _MM_FROUND_NO_EXC);
   }
 };
+/// A product that is not rounded yet: in a sum it is fused. Lanes of AVX-512 fuse too, and what filters decide is
+/// certain either way.
+struct Product {
+  __m128d x, y;
+  operator Steady() const { return _mm_mul_round_sd(x, y, to_nearest); }
+};
+inline Product operator*(Steady a, Steady b) { return {a.v, b.v}; }
 inline Steady operator+(Steady a, Steady b) { return _mm_add_round_sd(a.v, b.v, to_nearest); }
 inline Steady operator-(Steady a, Steady b) { return _mm_sub_round_sd(a.v, b.v, to_nearest); }
-inline Steady operator*(Steady a, Steady b) { return _mm_mul_round_sd(a.v, b.v, to_nearest); }
+inline Steady operator+(Product p, Steady a) { return _mm_fmadd_round_sd(p.x, p.y, a.v, to_nearest); }
+inline Steady operator-(Product p, Steady a) { return _mm_fmsub_round_sd(p.x, p.y, a.v, to_nearest); }
+inline Steady operator+(Steady a, Product p) { return p + a; }
+inline Steady operator-(Steady a, Product p) { return _mm_fnmadd_round_sd(p.x, p.y, a.v, to_nearest); }
+inline Steady operator+(Product p, Product q) { return p + Steady(q); }
+inline Steady operator-(Product p, Product q) { return p - Steady(q); }
 inline Steady operator/(Steady a, Steady b) { return _mm_div_round_sd(a.v, b.v, to_nearest); }
 inline Steady operator-(Steady a) { return _mm_xor_pd(a.v, _mm_set1_pd(-0.0)); }
 inline Steady abs(Steady a) { return _mm_andnot_pd(_mm_set1_pd(-0.0), a.v); }
