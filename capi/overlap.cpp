@@ -7,12 +7,19 @@
 
 namespace {
 
-/// What a call leaves that does not read the control register, and a call where there is none of that kind.
+/// The answer in the default environment, for a caller in another one.
 template <class A, class B>
-[[gnu::noinline]] int32_t rest_of_call(const void* a, const void* b, bool undecided) noexcept {
-  VESICA_DEFAULT_ENVIRONMENT((rest_of_call<A, B>), a, b, undecided);
-  if (undecided) return vesica::detail::decide_undecided(*static_cast<const A*>(a), *static_cast<const B*>(b));
-  return vesica::answer_pair<vesica::queries::OverlapOfPair, A, B>(a, b, nullptr);
+[[gnu::noinline, gnu::cold]] int32_t elsewhere(const void* a, const void* b) noexcept {
+  using Pair = int32_t (*)(const void*, const void*, void*) noexcept;
+  return vesica::capi::call_in_default_environment(
+      static_cast<Pair>(vesica::answer_pair<vesica::queries::OverlapOfPair, A, B>), a, b, nullptr);
+}
+
+/// Asked by calls that have not read the control register. In the default environment a filter left the pair undecided.
+template <class A, class B>
+int32_t rest_of_call(const void* a, const void* b) noexcept {
+  if (!vesica::capi::in_default_environment()) return elsewhere<A, B>(a, b);
+  return vesica::detail::decide_undecided(*static_cast<const A*>(a), *static_cast<const B*>(b));
 }
 
 /// The C structs are the core's shapes byte for byte, and are read in place.
@@ -22,7 +29,8 @@ VESICA_INLINE int32_t overlap_typed(const void* a, const void* b) noexcept {
   constexpr auto kind_a = static_cast<int>(vesica::kind_of<A>), kind_b = static_cast<int>(vesica::kind_of<B>);
   const vesica::CallTable* const calls = vesica::chosen_calls();
   if (calls != nullptr) return calls->of(T{})[kind_a][kind_b](a, b, rest_of_call<A<T>, B<T>>);
-  VESICA_DEFAULT_ENVIRONMENT((rest_of_call<A<T>, B<T>>), a, b, false);
+  if (!vesica::capi::in_default_environment()) [[unlikely]]
+    return elsewhere<A<T>, B<T>>(a, b);
   return vesica::answer_pair<vesica::queries::OverlapOfPair, A<T>, B<T>>(a, b, nullptr);
 }
 

@@ -5,6 +5,7 @@
 
 #include <vesica/overlap.hpp>
 
+#include "kernels/filters.hpp"
 #include "kernels/table.hpp"
 
 namespace vesica {
@@ -25,15 +26,32 @@ struct Read<Shape<T>> {
   }
 };
 
+template <class Mask>
+VESICA_INLINE filter::Verdict<Mask> verdict(const filter::Verdict<Mask>& v) noexcept {
+  return v;
+}
+template <class Mask>
+VESICA_INLINE filter::Verdict<Mask> verdict(const filter::DecidedVerdict<Mask>& v) noexcept {
+  return {v.overlap, and_not(v.decided, v.overlap)};
+}
+
+template <class A, class B>
+VESICA_INLINE auto filter_call(const A& a, const B& b) noexcept {
+  return detail::overlap::filter(a, b);
+}
+VESICA_INLINE auto filter_call(const Rect<Steady>& a, const Rect<Steady>& b) noexcept {
+  if (filter::unit_box_box_usable(filter::box(a), filter::box(b))) [[likely]]
+    return verdict(UnitAxes::filter(a, b));
+  return detail::overlap::filter(a, b);
+}
+
 /// The pair's filter alone. What it leaves undecided is for the caller, in the default environment.
 template <class A, class B>
 VESICA_KERNEL std::int32_t call(const void* a, const void* b, RestOfCall rest) noexcept {
-  if (!keeps_subnormals()) [[unlikely]]
-    return rest(a, b, false);
-  const std::int32_t answer = detail::answer_of(detail::overlap::filter(Read<A>::from(a), Read<B>::from(b)));
-  if (answer < 0) [[unlikely]]
-    return rest(a, b, true);
-  return answer;
+  const auto keeps = keeps_subnormals();
+  const auto verdict = filter_call(Read<A>::from(a), Read<B>::from(b));
+  const std::int32_t answer = detail::answer_of(filter::guarded(keeps, verdict.overlap, verdict.disjoint));
+  return answer >= 0 ? answer : rest(a, b);
 }
 
 template <template <class> class A, template <class> class B>

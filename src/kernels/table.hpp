@@ -77,9 +77,8 @@ template <class T>
 using CopyRecords = void (*)(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
                              std::int32_t column_length) noexcept;
 
-/// What a call leaves to its caller: a pair that its filter leaves undecided, or one of which nothing is known, because
-/// the environment flushes subnormals.
-using RestOfCall = std::int32_t (*)(const void* a, const void* b, bool undecided) noexcept;
+/// What a call asks where it does not know the answer: its filter leaves the pair undecided, or subnormals are flushed.
+using RestOfCall = std::int32_t (*)(const void* a, const void* b) noexcept;
 
 /// Whether two shapes overlap, in any floating-point environment, without reading the control register. By the two
 /// kinds in the order of shapes. kernels/calls.hpp has the functions.

@@ -76,10 +76,25 @@ inline Steady flip_sign(Steady x, Steady y) { return _mm_xor_pd(x.v, _mm_and_pd(
 
 /// Whether subnormal operands and results are what they are: with denormals-are-zero this sum is 0 + 0, and with
 /// flush-to-zero 0.
-inline bool keeps_subnormals() {
+inline Bit keeps_subnormals() {
   Steady least(0x1p-1074);
   asm("" : "+x"(least.v));  // or the compiler would compute it
-  return _mm_cvtsi128_si64(_mm_castpd_si128((least + least).v)) != 0;
+  return least + least > Steady(0.0);
+}
+
+// The bits of a number, for checks of ranges and signs beside the arithmetic.
+struct Integer {
+  __m128i v;
+};
+inline Integer operator|(Integer a, Integer b) { return {_mm_or_si128(a.v, b.v)}; }
+inline Integer operator&(Integer a, Integer b) { return {_mm_and_si128(a.v, b.v)}; }
+inline Integer operator-(Integer a, Integer b) { return {_mm_sub_epi64(a.v, b.v)}; }
+inline Integer in_all_lanes(std::int64_t bits) { return {_mm_set_epi64x(0, bits)}; }
+inline Integer to_bits(Steady a) { return {_mm_castpd_si128(a.v)}; }
+inline Steady from_bits(Integer a) { return _mm_castsi128_pd(a.v); }
+inline Bit is_zero(Integer a) { return _mm_mask_testn_epi64_mask(1, a.v, a.v); }
+inline Bit greater_where(Bit mask, Steady a, Steady b) {
+  return _mm_mask_cmp_round_sd_mask(mask.k, a.v, b.v, _CMP_GT_OQ, _MM_FROUND_NO_EXC);
 }
 
 }  // namespace
