@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // clang-format off
 #include "kernels/flatten.hpp"
+#include "lanes/ordered.hpp"
 #include "lanes/steady.hpp"
 // clang-format on
 #include "kernels/calls.hpp"

@@ -45,10 +45,42 @@ VESICA_INLINE std::int32_t by_filter(Bit keeps, const Rect<Steady>& a, const Rec
   return by_filter<Rect<Steady>, Rect<Steady>>(keeps, a, b);
 }
 
+template <class A, class B>
+VESICA_INLINE std::int32_t decide_call(const void* a, const void* b) noexcept {
+  return by_filter(keeps_subnormals(), Read<A>::from(a), Read<B>::from(b));
+}
+
+/// 1, 0, or -1 if a shape is invalid, by comparisons of numbers alone.
+VESICA_INLINE std::int32_t compared(Both valid, Both overlap) noexcept {
+  const auto yes = static_cast<std::int32_t>(_cvtmask8_u32(overlap) == all_of_both);
+  return (_cvtmask8_u32(valid) & all_of_both) == all_of_both ? yes : -1;
+}
+template <class T>
+VESICA_INLINE std::int32_t by_order(const Point<T>& a, const Point<T>& b) noexcept {
+  const Ordered<T> p(a.x), q(b.x);
+  return compared(finite(p, q), p == q);
+}
+template <class T>
+VESICA_INLINE std::int32_t by_order(const Point<T>& point, const Aabb<T>& box) noexcept {
+  const Ordered<T> p(point.x), min(box.min_x), max(box.max_x);
+  return compared(both_of(finite(p, min, max), min <= max), both_of(min <= p, p <= max));
+}
+template <class T>
+VESICA_INLINE std::int32_t by_order(const Aabb<T>& a, const Aabb<T>& b) noexcept {
+  const Ordered<T> min_a(a.min_x), max_a(a.max_x), min_b(b.min_x), max_b(b.max_x);
+  return compared(both_of(finite(min_a, max_a, min_b, max_b), min_a <= max_a, min_b <= max_b),
+                  both_of(min_a <= max_b, min_b <= max_a));
+}
+template <class A, class B>
+  requires requires(const A& a, const B& b) { by_order(a, b); }
+VESICA_INLINE std::int32_t decide_call(const void* a, const void* b) noexcept {
+  return by_order(*static_cast<const A*>(a), *static_cast<const B*>(b));
+}
+
 /// The pair's filter alone. What it leaves undecided is for the caller, in the default environment.
 template <class A, class B>
 VESICA_KERNEL std::int32_t call(const void* a, const void* b, RestOfCall rest) noexcept {
-  const std::int32_t answer = by_filter(keeps_subnormals(), Read<A>::from(a), Read<B>::from(b));
+  const std::int32_t answer = decide_call<A, B>(a, b);
   return answer >= 0 ? answer : rest(a, b);
 }
 
