@@ -28,7 +28,8 @@ VESICA_INLINE int32_t overlap_typed(const void* a, const void* b) noexcept {
   if (a == nullptr || b == nullptr) return VESICA_E_NULL;
   constexpr auto kind_a = static_cast<int>(vesica::kind_of<A>), kind_b = static_cast<int>(vesica::kind_of<B>);
   const vesica::CallTable* const calls = vesica::chosen_calls();
-  if (calls != nullptr) return calls->of(T{})[kind_a][kind_b](a, b, rest_of_call<A<T>, B<T>>);
+  if (calls != nullptr) [[likely]]
+    return calls->of(T{})[kind_a][kind_b](a, b, rest_of_call<A<T>, B<T>>);
   if (!vesica::capi::in_default_environment()) [[unlikely]]
     return elsewhere<A<T>, B<T>>(a, b);
   return vesica::answer_pair<vesica::queries::OverlapOfPair, A<T>, B<T>>(a, b, nullptr);

@@ -52,8 +52,9 @@ VESICA_INLINE std::int32_t decide_call(const void* a, const void* b) noexcept {
 
 /// 1, 0, or -1 if a shape is invalid, by comparisons of numbers alone.
 VESICA_INLINE std::int32_t compared(Both valid, Both overlap) noexcept {
-  const auto yes = static_cast<std::int32_t>(_cvtmask8_u32(overlap) == all_of_both);
-  return (_cvtmask8_u32(valid) & all_of_both) == all_of_both ? yes : -1;
+  if ((_cvtmask8_u32(valid) & all_of_both) != all_of_both) [[unlikely]]
+    return -1;
+  return static_cast<std::int32_t>(_cvtmask8_u32(overlap) == all_of_both);
 }
 template <class T>
 VESICA_INLINE std::int32_t by_order(const Point<T>& a, const Point<T>& b) noexcept {
@@ -81,7 +82,9 @@ VESICA_INLINE std::int32_t decide_call(const void* a, const void* b) noexcept {
 template <class A, class B>
 VESICA_KERNEL std::int32_t call(const void* a, const void* b, RestOfCall rest) noexcept {
   const std::int32_t answer = decide_call<A, B>(a, b);
-  return answer >= 0 ? answer : rest(a, b);
+  if (answer >= 0) [[likely]]
+    return answer;
+  return rest(a, b);
 }
 
 template <template <class> class A, template <class> class B>

@@ -7,6 +7,13 @@
 
 #include "unaligned.hpp"
 
+/// Of the library itself: to be reached without the table that the loader fills in.
+#if defined(__ELF__)
+#define VESICA_HIDDEN [[gnu::visibility("hidden")]]
+#else
+#define VESICA_HIDDEN
+#endif
+
 namespace vesica {
 
 inline constexpr int max_fields = 6;
@@ -129,8 +136,8 @@ extern const TieKernels kernels_simd128_ties;
 /// library has it only where the architecture's baseline has no vectors that it knows.
 extern const KernelTable kernels_portable;
 #if defined(__x86_64__)
-extern const KernelTable kernels_sse2, kernels_avx2, kernels_avx512;
-extern const CallTable kernels_avx512_calls;
+VESICA_HIDDEN extern const KernelTable kernels_sse2, kernels_avx2, kernels_avx512;
+VESICA_HIDDEN extern const CallTable kernels_avx512_calls;
 #elif defined(__aarch64__)
 extern const KernelTable kernels_neon;
 #elif defined(__wasm_simd128__)
@@ -142,7 +149,7 @@ const KernelTable& kernels() noexcept;
 
 #if !defined(__wasm__)
 /// The library's only variable: that table, null until it is chosen.
-extern const KernelTable* chosen_kernels;
+VESICA_HIDDEN extern const KernelTable* chosen_kernels;
 #endif
 
 /// The calls of the chosen instruction set; null if it has none, or none is chosen yet.
