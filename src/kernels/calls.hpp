@@ -26,28 +26,27 @@ struct Read<Shape<T>> {
   }
 };
 
-/// 1, 0, or -1 for undecided. In two ways, since either is the quicker one for some filters.
-VESICA_INLINE std::int32_t answer_where(Bit keeps, const filter::Verdict<Bit>& v) noexcept {
-  return detail::answer_of(filter::guarded(keeps, v.overlap, v.disjoint));
-}
-VESICA_INLINE std::int32_t answer_where(Bit keeps, const filter::DecidedVerdict<Bit>& v) noexcept {
-  return both(keeps, v.decided) ? static_cast<std::int32_t>(v.overlap) : -1;
+VESICA_INLINE std::int32_t answer_of(const filter::Verdict<Bit>& v) noexcept { return detail::answer_of(v); }
+VESICA_INLINE std::int32_t answer_of(const filter::DecidedVerdict<Bit>& v) noexcept {
+  return v.decided ? static_cast<std::int32_t>(v.overlap) : -1;
 }
 
 template <class A, class B>
-VESICA_INLINE std::int32_t by_filter(Bit keeps, const A& a, const B& b) noexcept {
-  return answer_where(keeps, detail::overlap::filter(a, b));
+VESICA_INLINE std::int32_t by_filter(const A& a, const B& b) noexcept {
+  return answer_of(detail::overlap::filter(a, b));
 }
-VESICA_INLINE std::int32_t by_filter(Bit keeps, const Rect<Steady>& a, const Rect<Steady>& b) noexcept {
+VESICA_INLINE std::int32_t by_filter(const Rect<Steady>& a, const Rect<Steady>& b) noexcept {
   const auto box_a = filter::box(a), box_b = filter::box(b);
   if (filter::unit_box_box_usable(box_a, box_b)) [[likely]]
-    return answer_where(keeps, filter::unit_box_box(box_a, box_b, filter::offset(filter::place(a), filter::place(b))));
-  return by_filter<Rect<Steady>, Rect<Steady>>(keeps, a, b);
+    return answer_of(filter::unit_box_box(box_a, box_b, filter::offset(filter::place(a), filter::place(b))));
+  return by_filter<Rect<Steady>, Rect<Steady>>(a, b);
 }
 
 template <class A, class B>
 VESICA_INLINE std::int32_t decide_call(const void* a, const void* b) noexcept {
-  return by_filter(keeps_subnormals(), Read<A>::from(a), Read<B>::from(b));
+  if (!keeps_subnormals()) [[unlikely]]
+    return -1;
+  return by_filter(Read<A>::from(a), Read<B>::from(b));
 }
 
 /// 1, 0, or -1 if a shape is invalid, by comparisons of numbers alone.

@@ -76,10 +76,10 @@ inline Steady flip_sign(Steady x, Steady y) { return _mm_xor_pd(x.v, _mm_and_pd(
 
 /// Whether subnormal operands and results are what they are: with denormals-are-zero this sum is 0 + 0, and with
 /// flush-to-zero 0.
-inline Bit keeps_subnormals() {
+inline bool keeps_subnormals() {
   Steady least(0x1p-1074);
   asm("" : "+x"(least.v));  // or the compiler would compute it
-  return least + least > Steady(0.0);
+  return _mm_cvtsi128_si64(_mm_castpd_si128((least + least).v)) != 0;
 }
 
 // The bits of a number, for checks of ranges and signs beside the arithmetic.
