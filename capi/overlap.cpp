@@ -88,7 +88,7 @@ int32_t vesica_overlap_f32(int32_t kind_a, const float* numbers_a, int32_t kind_
 
 #define VESICA_PAIR_OF(a, A, b, B, scalar, T)                                                                   \
   int32_t vesica_overlap_##a##_##b##_##scalar(const vesica_##a##_##scalar* s, const vesica_##b##_##scalar* t) { \
-    return overlap_typed<vesica::A<T>, vesica::B<T>>(s, t);                                                        \
+    return overlap_typed<vesica::A<T>, vesica::B<T>>(s, t);                                                     \
   }
 #define VESICA_PAIR(a, A, b, B) VESICA_PAIR_OF(a, A, b, B, f64, double) VESICA_PAIR_OF(a, A, b, B, f32, float)
 

@@ -99,8 +99,7 @@ void check(const Kinds& kinds, int cases) {
   for (int i = 0; i < cases; ++i) {
     const Numbers<T> a = draw<T>(random), b = same_or_other(random, a);
     std::uint8_t byte = 0;
-    const std::int64_t expected =
-        ask_array(array_of_one<Shapes>(kinds.a, a), array_of_one<Shapes>(kinds.b, b), &byte);
+    const std::int64_t expected = ask_array(array_of_one<Shapes>(kinds.a, a), array_of_one<Shapes>(kinds.b, b), &byte);
     ASSERT_TRUE(expected == 0 || expected == 1 || expected == VESICA_E_SHAPE);
     ++found[expected < 0 ? 2 : static_cast<std::size_t>(expected)];
     for (const environment::Environment& e : environment::all_environments) {

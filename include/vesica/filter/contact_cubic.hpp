@@ -140,7 +140,7 @@ VESICA_INLINE constexpr Verdict<Mask> look_at_ellipses(const Ellipse<V>& e, cons
   const V xy = (a0 - a1) * (e.ux * e.uy) + (b0 - b1) * (f.ux * f.uy);
   const V qx = yy * dxx, qy = xx * dyy, squares = xx * yy, m = V(2.0f) * min(min(a0, a1) * vv, min(b0, b1) * ww);
   return by_ellipses<V>((qx + qy) - V(2.0f) * (xy * (d.x * d.y)), squares - xy * xy, m * (((xx + yy) + m) - square),
-                     V(look_slack) * ((qx + qy) + squares), V(0x1p600), usable);
+                        V(look_slack) * ((qx + qy) + squares), V(0x1p600), usable);
 }
 
 template <class V>
@@ -149,7 +149,7 @@ VESICA_COLD constexpr auto circles_within_meet(const Ellipse<V>& e, const Ellips
   const V a0 = e.a * e.a, a1 = e.b * e.b, b0 = f.a * f.a, b1 = f.b * f.b;
   const Centre<V> d = offset(place(e), place(f));
   return circles_meet<V>(d, min(a0, a1) * vv, min(b0, b1) * ww, max(a0, a1) * vv + max(b0, b1) * ww,
-                      at_least(V(0x1p-48), e.a, e.b, f.a, f.b, vv, ww));
+                         at_least(V(0x1p-48), e.a, e.b, f.a, f.b, vv, ww));
 }
 
 template <class V>
@@ -216,15 +216,15 @@ VESICA_INLINE constexpr Verdict<Mask> look_at_ellipses(const Circle<V>& disc, co
   const V x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x, xx = x0 * x0, yy = x1 * x1;
   const V p = aa * vv + rr, q = bb * vv + rr, sum = p + q, m = V(2.0f) * min(rr, min(aa, bb) * vv);
   const V square = xx + yy, det = vv * (p * q);
-  return by_ellipses<V>(xx * q + yy * p, det, m * (vv * (sum + m) - square), V(look_slack) * (square * sum + det), V(0x1p300),
-                     usable);
+  return by_ellipses<V>(xx * q + yy * p, det, m * (vv * (sum + m) - square), V(look_slack) * (square * sum + det),
+                        V(0x1p300), usable);
 }
 
 template <class V>
 VESICA_COLD constexpr auto circles_within_meet(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
   const V vv = e.ux * e.ux + e.uy * e.uy, aa = e.a * e.a, bb = e.b * e.b, rr = disc.r * disc.r;
   return circles_meet<V>(offset(place(disc), place(e)), rr, min(aa, bb) * vv, rr + max(aa, bb) * vv,
-                      both(at_least(V(0x1p-64), e.a, e.b, disc.r), vv >= V(0x1p-128)));
+                         both(at_least(V(0x1p-64), e.a, e.b, disc.r), vv >= V(0x1p-128)));
 }
 
 /// Guard: radius and half lengths at least 2^-8 and the squared axis 2^-16 (double: the 8th powers), so that
