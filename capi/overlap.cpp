@@ -59,7 +59,7 @@ VESICA_INLINE int32_t overlap_typed(const void* a, const void* b) noexcept {
 }
 
 template <class T>
-[[gnu::noinline]] int32_t overlap_by_table(int32_t kind_a, const T* a, int32_t kind_b, const T* b) noexcept {
+int32_t overlap_by_table(int32_t kind_a, const T* a, int32_t kind_b, const T* b) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(overlap_by_table<T>, kind_a, a, kind_b, b);
   return vesica::ask(vesica::queries::overlap, kind_a, a, kind_b, b, nullptr);
 }
