@@ -26,6 +26,12 @@ struct Read<Shape<T>> {
   }
 };
 
+/// Filters choose this over filter::guarded(): one bit to test instead of two to combine. Where the pair is undecided
+/// the other one means nothing.
+inline filter::DecidedVerdict<Bit> guarded(Bit usable, const filter::Estimate<Steady>& gap) noexcept {
+  return {gap.value < Steady(0.0), both(usable, abs(gap.value) > gap.error)};
+}
+
 VESICA_INLINE std::int32_t answer_of(const filter::Verdict<Bit>& v) noexcept { return detail::answer_of(v); }
 VESICA_INLINE std::int32_t answer_of(const filter::DecidedVerdict<Bit>& v) noexcept {
   return v.decided ? static_cast<std::int32_t>(v.overlap) : -1;
