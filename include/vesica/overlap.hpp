@@ -42,8 +42,9 @@ namespace vesica {
 namespace detail {
 
 /// 1, 0, or -1 for undecided. Computed by arithmetic, because a branch on the answer would be mispredicted.
-VESICA_INLINE constexpr std::int32_t answer_of(const filter::Verdict<bool>& verdict) noexcept {
-  return 2 * std::int32_t{verdict.overlap} + std::int32_t{verdict.disjoint} - 1;
+template <class Mask>
+VESICA_INLINE constexpr std::int32_t answer_of(const filter::Verdict<Mask>& verdict) noexcept {
+  return 2 * static_cast<std::int32_t>(verdict.overlap) + static_cast<std::int32_t>(verdict.disjoint) - 1;
 }
 
 /// By the pair's filter, for kinds in order.

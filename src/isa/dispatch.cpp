@@ -20,6 +20,8 @@ const KernelTable& kernels() noexcept { return kernels_portable; }
 
 #else
 
+constinit const KernelTable* chosen_kernels = nullptr;
+
 namespace {
 
 struct Candidate {
@@ -56,13 +58,11 @@ const KernelTable* choose() noexcept {
 #endif
 }
 
-// The library's only variable. Every thread that finds it empty makes the same choice, so the order does not matter.
-// Atomic by the compiler's own functions: <atomic> brings half of libstdc++ with it, which musl lacks.
-constinit const KernelTable* chosen = nullptr;
-
+// Every thread that finds the variable empty makes the same choice, so the order does not matter. Atomic by the
+// compiler's own functions: <atomic> brings half of libstdc++ with it, which musl lacks.
 const KernelTable& choose_once() noexcept {
   const KernelTable* const table = choose();
-  __atomic_store_n(&chosen, table, __ATOMIC_RELAXED);
+  __atomic_store_n(&chosen_kernels, table, __ATOMIC_RELAXED);
   return *table;
 }
 
@@ -71,7 +71,7 @@ const KernelTable& choose_once() noexcept {
 }  // namespace
 
 const KernelTable& kernels() noexcept {
-  const KernelTable* const table = __atomic_load_n(&chosen, __ATOMIC_RELAXED);
+  const KernelTable* const table = __atomic_load_n(&chosen_kernels, __ATOMIC_RELAXED);
   return table != nullptr ? *table : choose_once();  // empty where another library's constructor calls, before ours
 }
 

@@ -7,6 +7,13 @@
 
 #include "unaligned.hpp"
 
+/// Of the library itself: to be reached without the table that the loader fills in.
+#if defined(__ELF__)
+#define VESICA_HIDDEN [[gnu::visibility("hidden")]]
+#else
+#define VESICA_HIDDEN
+#endif
+
 namespace vesica {
 
 inline constexpr int max_fields = 6;
@@ -77,6 +84,20 @@ template <class T>
 using CopyRecords = void (*)(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
                              std::int32_t column_length) noexcept;
 
+/// What a call asks where it does not know the answer: its filter leaves the pair undecided, or subnormals are flushed.
+using RestOfCall = std::int32_t (*)(const void* a, const void* b) noexcept;
+
+/// Whether two shapes overlap, in any floating-point environment, without reading the control register. By the two
+/// kinds in the order of shapes. kernels/calls.hpp has the functions.
+struct CallTable {
+  using Call = std::int32_t (*)(const void* a, const void* b, RestOfCall rest) noexcept;
+  using Calls = Call[kind_count][kind_count];
+  Calls f32, f64;
+
+  const Calls& of(float) const noexcept { return f32; }
+  const Calls& of(double) const noexcept { return f64; }
+};
+
 struct QueryTable;
 
 struct KernelTable {
@@ -115,7 +136,8 @@ extern const TieKernels kernels_simd128_ties;
 /// library has it only where the architecture's baseline has no vectors that it knows.
 extern const KernelTable kernels_portable;
 #if defined(__x86_64__)
-extern const KernelTable kernels_sse2, kernels_avx2, kernels_avx512;
+VESICA_HIDDEN extern const KernelTable kernels_sse2, kernels_avx2, kernels_avx512;
+VESICA_HIDDEN extern const CallTable kernels_avx512_calls;
 #elif defined(__aarch64__)
 extern const KernelTable kernels_neon;
 #elif defined(__wasm_simd128__)
@@ -124,5 +146,18 @@ extern const KernelTable kernels_simd128;
 
 /// The table chosen when the library was loaded.
 const KernelTable& kernels() noexcept;
+
+#if !defined(__wasm__)
+/// The library's only variable: that table, null until it is chosen.
+VESICA_HIDDEN extern const KernelTable* chosen_kernels;
+#endif
+
+/// The calls of the chosen instruction set; null if it has none, or none is chosen yet.
+inline const CallTable* chosen_calls() noexcept {
+#if defined(__x86_64__)
+  if (__atomic_load_n(&chosen_kernels, __ATOMIC_RELAXED) == &kernels_avx512) return &kernels_avx512_calls;
+#endif
+  return nullptr;
+}
 
 }  // namespace vesica

@@ -8,6 +8,15 @@
 
 namespace vesica::filter {
 
+/// Whether numbers are in the range of the next filter.
+template <class V>
+VESICA_INLINE auto unit_box_box_usable(const Box<V>& a, const Box<V>& b) noexcept {
+  using T = typename Element<V>::Type;
+  const V uu = a.ux * a.ux + a.uy * a.uy, ww = b.ux * b.ux + b.uy * b.uy;
+  Guard<V> guard;
+  return guard.within(T(0.5f), T(2.0f), uu, ww).not_negative(a.hx, a.hy, b.hx, b.hy).holds();
+}
+
 /// The separating axes of filter/box_box.hpp, for squared axes in [1/2, 2).
 ///
 /// Proved: a gap beyond 32u H has the right sign, H being the sum of the four half extents. So the bound is made of
@@ -29,7 +38,6 @@ namespace vesica::filter {
 ///   - An axis that is not finite is out of the range that the guard asks for.
 template <class V>
 VESICA_INLINE auto unit_box_box(const Box<V>& a, const Box<V>& b, const Centre<V>& d) noexcept {
-  using T = typename Element<V>::Type;
   const V uu = a.ux * a.ux + a.uy * a.uy, ww = b.ux * b.ux + b.uy * b.uy;
   const V c = abs(a.ux * b.ux + a.uy * b.uy), s = abs(a.ux * b.uy - a.uy * b.ux);
   const V p0 = abs(a.ux * d.x + a.uy * d.y) - a.hx * uu, p1 = abs(a.ux * d.y - a.uy * d.x) - a.hy * uu;
@@ -38,9 +46,7 @@ VESICA_INLINE auto unit_box_box(const Box<V>& a, const Box<V>& b, const Centre<V
   const V gap_b = max((q0 - a.hx * c) - a.hy * s, (q1 - a.hx * s) - a.hy * c);
   const V gap = max(gap_a, gap_b);
   const V eight(8.0f), bound = eight * (b.hx + b.hy) + (eight * (a.hx + a.hy) + guard_power<V, -57>());
-  Guard<V> guard;
-  guard.within(T(0.5f), T(2.0f), uu, ww).not_negative(a.hx, a.hy, b.hx, b.hy);
-  return decided_by_gap<2>(guard.holds(), gap, bound);
+  return decided_by_gap<2>(unit_box_box_usable(a, b), gap, bound);
 }
 
 }  // namespace vesica::filter

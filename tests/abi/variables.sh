@@ -12,7 +12,7 @@ fail() {
 
 [ $# = 2 ] || [ "$*" = "${1-} ${2-} none" ] || fail "usage: variables.sh NM LIBRARY [none]"
 command -v "$1" >/dev/null || fail "no nm ('$1'): nothing can be checked"
-ours=_ZN6vesica12_GLOBAL__N_16chosenE # vesica::(anonymous namespace)::chosen
+ours=_ZN6vesica14chosen_kernelsE # vesica::chosen_kernels
 # Every other name in a writable section comes with the compiler: marks of the start files, and in libgcc the
 # processor's features behind __builtin_cpu_supports, which the loader has them filled in with.
 theirs='__dso_handle|__TMC_END__|completed(\.[0-9]+)?|__cpu_model|__cpu_features2'

@@ -86,7 +86,7 @@ VESICA_INLINE constexpr auto box_box_certain_facts(const Box<V>& a, const Box<V>
 template <class V>
 VESICA_INLINE constexpr Estimate<V> point_gap(const Box<V>& b, const Centre<V>& d, V uu) noexcept {
   const V p0 = abs(b.ux * d.x + b.uy * d.y), p1 = abs(b.ux * d.y - b.uy * d.x);
-  return widest_gap(p0, p1, b.hx * uu, b.hy * uu);
+  return widest_gap<V>(p0, p1, b.hx * uu, b.hy * uu);
 }
 
 template <class V>

@@ -13,24 +13,31 @@
 
 namespace vesica::filter {
 
+/// Far above the errors of all that is compared here.
+inline constexpr double look_slack = 0x1p-40;
+
+template <class V>
+VESICA_INLINE constexpr V greatest_finite() noexcept {
+  return V(std::numeric_limits<double>::max());
+}
+
 /// Are circles about two shapes apart? Of `distance` and `about`, the sum of the squared radii R and S, all errors
 /// together are below 16u (u = 2^-53), and (R + S)^2 <= 2 (R^2 + S^2). usable: sizes and squared axes are at least
 /// 2^-48 (discs: their powers are, as in the contact cubic's guards), so that nothing underflows that counts, and none
 /// is NaN.
-VESICA_INLINE constexpr bool circles_apart(double distance, double about, bool usable) noexcept {
-  constexpr double finite = std::numeric_limits<double>::max(), slack = 0x1p-40;
-  return both(usable, both(distance > (2 + slack) * about, distance <= finite));
+template <class V, class Mask>
+VESICA_INLINE constexpr Mask circles_apart(V distance, V about, Mask usable) noexcept {
+  return both(usable, both(distance > V(2 + look_slack) * about, distance <= greatest_finite<V>()));
 }
 
 /// For what is left in the end, of magnitudes that only comparisons of squares bear: do circles within two shapes
 /// overlap? p and q are the squares of their radii, P <= Q: (P + Q)^2 >= 3 P^2 + Q^2, so no root is needed. `sum`:
 /// infinite if a size or an axis is; none is NaN.
-VESICA_INLINE constexpr Verdict<bool> circles_meet(const Centre<double>& d, double p, double q, double sum,
-                                                   bool usable) noexcept {
-  const double distance = d.x * d.x + d.y * d.y;
-  constexpr double finite = std::numeric_limits<double>::max(), slack = 0x1p-40;
-  const bool meet = distance <= (1 - slack) * ((p + q) + 2 * min(p, q));
-  return {both(both(usable, distance + sum <= finite), meet), false};
+template <class V, class Mask>
+VESICA_INLINE constexpr Verdict<Mask> circles_meet(const Centre<V>& d, V p, V q, V sum, Mask usable) noexcept {
+  const V distance = d.x * d.x + d.y * d.y;
+  const Mask meet = distance <= V(1 - look_slack) * ((p + q) + V(2.0f) * min(p, q));
+  return {both(both(usable, distance + sum <= greatest_finite<V>()), meet), Mask(false)};
 }
 
 /// By ellipses about the first shape's centre; D is the other's.
@@ -48,9 +55,15 @@ VESICA_INLINE constexpr Verdict<bool> circles_meet(const Centre<double>& d, doub
 ///
 /// distance: adj(Q) D.D. room: m (tr Q + m - |D|^2). error: above the errors of all, and NaN or infinite if a number of
 /// a shape is. most: beyond this a factor of what underflows could be too large.
-VESICA_INLINE constexpr Verdict<bool> by_ellipses(double distance, double det, double room, double error, double most,
-                                                  bool usable) noexcept {
-  return guarded(both(usable, error <= most), distance + error <= det + room, distance > 2 * det + error);
+template <class V, class Mask>
+VESICA_INLINE constexpr Verdict<Mask> by_ellipses(V distance, V det, V room, V error, V most, Mask usable) noexcept {
+  return guarded(both(usable, error <= most), distance + error <= det + room, distance > V(2.0f) * det + error);
+}
+
+template <class V>
+VESICA_INLINE constexpr auto surely_disjoint() noexcept {
+  using Mask = decltype(V(0.0f) < V(0.0f));
+  return Verdict<Mask>{Mask(false), Mask(true)};
 }
 
 /// Lanes do not look.

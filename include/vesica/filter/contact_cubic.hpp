@@ -113,9 +113,10 @@ VESICA_INLINE constexpr auto ellipse_ellipse_usable(const ContactCubic<V>& p, co
   return both(at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww), totals_in_range(p));
 }
 
-VESICA_INLINE constexpr bool circles_apart(const Ellipse<double>& e, const Ellipse<double>& f, const Centre<double>& d,
-                                           double vv, double ww, bool usable) noexcept {
-  const double outer_e = max(e.a * e.a, e.b * e.b) * vv, outer_f = max(f.a * f.a, f.b * f.b) * ww;
+template <class V, class Mask>
+VESICA_INLINE constexpr Mask circles_apart(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d, V vv, V ww,
+                                           Mask usable) noexcept {
+  const V outer_e = max(e.a * e.a, e.b * e.b) * vv, outer_f = max(f.a * f.a, f.b * f.b) * ww;
   return circles_apart(d.x * d.x + d.y * d.y, outer_e + outer_f, usable);
 }
 
@@ -129,25 +130,26 @@ VESICA_INLINE constexpr bool circles_apart(const Ellipse<double>& e, const Ellip
 ///   - As m <= xx and m <= yy, what has m errs by 10u (qx + qy) + 36u xx yy.
 ///   - Underflow: xx and yy are at least 2^-144, and where xx yy <= 2^640, squares of half lengths are at most 2^832.
 ///     What underflows loses less than 2^-242 of an entry.
-VESICA_INLINE constexpr Verdict<bool> look_at_ellipses(const Ellipse<double>& e, const Ellipse<double>& f,
-                                                       const Centre<double>& d, double vv, double ww,
-                                                       bool usable) noexcept {
-  const double a0 = e.a * e.a, a1 = e.b * e.b, b0 = f.a * f.a, b1 = f.b * f.b;
-  const double dxx = d.x * d.x, dyy = d.y * d.y, square = dxx + dyy;
-  const double exx = e.ux * e.ux, eyy = e.uy * e.uy, fxx = f.ux * f.ux, fyy = f.uy * f.uy;
-  const double xx = (a0 * exx + a1 * eyy) + (b0 * fxx + b1 * fyy), yy = (a0 * eyy + a1 * exx) + (b0 * fyy + b1 * fxx);
-  const double xy = (a0 - a1) * (e.ux * e.uy) + (b0 - b1) * (f.ux * f.uy);
-  const double qx = yy * dxx, qy = xx * dyy, squares = xx * yy, m = 2 * min(min(a0, a1) * vv, min(b0, b1) * ww);
-  return by_ellipses((qx + qy) - 2 * (xy * (d.x * d.y)), squares - xy * xy, m * (((xx + yy) + m) - square),
-                     0x1p-40 * ((qx + qy) + squares), 0x1p600, usable);
+template <class V, class Mask>
+VESICA_INLINE constexpr Verdict<Mask> look_at_ellipses(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d,
+                                                       V vv, V ww, Mask usable) noexcept {
+  const V a0 = e.a * e.a, a1 = e.b * e.b, b0 = f.a * f.a, b1 = f.b * f.b;
+  const V dxx = d.x * d.x, dyy = d.y * d.y, square = dxx + dyy;
+  const V exx = e.ux * e.ux, eyy = e.uy * e.uy, fxx = f.ux * f.ux, fyy = f.uy * f.uy;
+  const V xx = (a0 * exx + a1 * eyy) + (b0 * fxx + b1 * fyy), yy = (a0 * eyy + a1 * exx) + (b0 * fyy + b1 * fxx);
+  const V xy = (a0 - a1) * (e.ux * e.uy) + (b0 - b1) * (f.ux * f.uy);
+  const V qx = yy * dxx, qy = xx * dyy, squares = xx * yy, m = V(2.0f) * min(min(a0, a1) * vv, min(b0, b1) * ww);
+  return by_ellipses<V>((qx + qy) - V(2.0f) * (xy * (d.x * d.y)), squares - xy * xy, m * (((xx + yy) + m) - square),
+                        V(look_slack) * ((qx + qy) + squares), V(0x1p600), usable);
 }
 
-VESICA_COLD constexpr Verdict<bool> circles_within_meet(const Ellipse<double>& e, const Ellipse<double>& f) noexcept {
-  const double vv = e.ux * e.ux + e.uy * e.uy, ww = f.ux * f.ux + f.uy * f.uy;
-  const double a0 = e.a * e.a, a1 = e.b * e.b, b0 = f.a * f.a, b1 = f.b * f.b;
-  const Centre<double> d = offset(place(e), place(f));
-  return circles_meet(d, min(a0, a1) * vv, min(b0, b1) * ww, max(a0, a1) * vv + max(b0, b1) * ww,
-                      at_least(0x1p-48, e.a, e.b, f.a, f.b, vv, ww));
+template <class V>
+VESICA_COLD constexpr auto circles_within_meet(const Ellipse<V>& e, const Ellipse<V>& f) noexcept {
+  const V vv = e.ux * e.ux + e.uy * e.uy, ww = f.ux * f.ux + f.uy * f.uy;
+  const V a0 = e.a * e.a, a1 = e.b * e.b, b0 = f.a * f.a, b1 = f.b * f.b;
+  const Centre<V> d = offset(place(e), place(f));
+  return circles_meet<V>(d, min(a0, a1) * vv, min(b0, b1) * ww, max(a0, a1) * vv + max(b0, b1) * ww,
+                         at_least(V(0x1p-48), e.a, e.b, f.a, f.b, vv, ww));
 }
 
 template <class V>
@@ -155,10 +157,10 @@ VESICA_INLINE constexpr auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<
   const V vv = e.ux * e.ux + e.uy * e.uy, ww = f.ux * f.ux + f.uy * f.uy;
   const Centre<V> d = offset(place(e), place(f));
   if constexpr (looks<V>) {
-    const bool usable = at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww);
-    if (circles_apart(e, f, d, vv, ww, usable)) return Verdict<bool>{false, true};
+    const auto usable = at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww);
+    if (circles_apart(e, f, d, vv, ww, usable)) return surely_disjoint<V>();
     const auto look = look_at_ellipses(e, f, d, vv, ww, usable);
-    if (look.overlap || look.disjoint) return look;
+    if (either(look.overlap, look.disjoint)) return look;
   }
   const ContactCubic<V> p = contact_cubic(e, f, d, vv, ww);
   const auto verdict = decide(p);
@@ -194,9 +196,10 @@ VESICA_INLINE constexpr ContactCubic<V> contact_cubic(const Circle<V>& disc, con
   return pencil(disc, e, d, vv).contact;
 }
 
-VESICA_INLINE constexpr bool circles_apart(const Circle<double>& disc, const Ellipse<double>& e,
-                                           const Centre<double>& d, double vv, bool usable) noexcept {
-  const double about = disc.r * disc.r + max(e.a * e.a, e.b * e.b) * vv;
+template <class V, class Mask>
+VESICA_INLINE constexpr Mask circles_apart(const Circle<V>& disc, const Ellipse<V>& e, const Centre<V>& d, V vv,
+                                           Mask usable) noexcept {
+  const V about = disc.r * disc.r + max(e.a * e.a, e.b * e.b) * vv;
   return circles_apart(d.x * d.x + d.y * d.y, about, usable);
 }
 
@@ -206,20 +209,22 @@ VESICA_INLINE constexpr bool circles_apart(const Circle<double>& disc, const Ell
 /// |v| by 3u |v| |D|, so x0^2 q and x1^2 p by less than 10u (x0^2 + x1^2) (p + q). The rest is as for two ellipses.
 /// Underflow: p and q are at least 2^-128, and where V p q <= 2^340, at most 2^596. What underflows loses less than
 /// 2^-478, beside V p q >= 2^-384.
-VESICA_INLINE constexpr Verdict<bool> look_at_ellipses(const Circle<double>& disc, const Ellipse<double>& e,
-                                                       const Centre<double>& d, double vv, bool usable) noexcept {
-  const double aa = e.a * e.a, bb = e.b * e.b, rr = disc.r * disc.r;
-  const double x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x, xx = x0 * x0, yy = x1 * x1;
-  const double p = aa * vv + rr, q = bb * vv + rr, sum = p + q, m = 2 * min(rr, min(aa, bb) * vv);
-  const double square = xx + yy, det = vv * (p * q);
-  return by_ellipses(xx * q + yy * p, det, m * (vv * (sum + m) - square), 0x1p-40 * (square * sum + det), 0x1p300,
-                     usable);
+template <class V, class Mask>
+VESICA_INLINE constexpr Verdict<Mask> look_at_ellipses(const Circle<V>& disc, const Ellipse<V>& e, const Centre<V>& d,
+                                                       V vv, Mask usable) noexcept {
+  const V aa = e.a * e.a, bb = e.b * e.b, rr = disc.r * disc.r;
+  const V x0 = e.ux * d.x + e.uy * d.y, x1 = e.ux * d.y - e.uy * d.x, xx = x0 * x0, yy = x1 * x1;
+  const V p = aa * vv + rr, q = bb * vv + rr, sum = p + q, m = V(2.0f) * min(rr, min(aa, bb) * vv);
+  const V square = xx + yy, det = vv * (p * q);
+  return by_ellipses<V>(xx * q + yy * p, det, m * (vv * (sum + m) - square), V(look_slack) * (square * sum + det),
+                        V(0x1p300), usable);
 }
 
-VESICA_COLD constexpr Verdict<bool> circles_within_meet(const Circle<double>& disc, const Ellipse<double>& e) noexcept {
-  const double vv = e.ux * e.ux + e.uy * e.uy, aa = e.a * e.a, bb = e.b * e.b, rr = disc.r * disc.r;
-  return circles_meet(offset(place(disc), place(e)), rr, min(aa, bb) * vv, rr + max(aa, bb) * vv,
-                      both(at_least(0x1p-64, e.a, e.b, disc.r), vv >= 0x1p-128));
+template <class V>
+VESICA_COLD constexpr auto circles_within_meet(const Circle<V>& disc, const Ellipse<V>& e) noexcept {
+  const V vv = e.ux * e.ux + e.uy * e.uy, aa = e.a * e.a, bb = e.b * e.b, rr = disc.r * disc.r;
+  return circles_meet<V>(offset(place(disc), place(e)), rr, min(aa, bb) * vv, rr + max(aa, bb) * vv,
+                         both(at_least(V(0x1p-64), e.a, e.b, disc.r), vv >= V(0x1p-128)));
 }
 
 /// Guard: radius and half lengths at least 2^-8 and the squared axis 2^-16 (double: the 8th powers), so that
@@ -231,9 +236,9 @@ VESICA_INLINE constexpr auto circle_ellipse(const Circle<V>& disc, const Ellipse
   const auto sizes = both(at_least(low, e.a, e.b, disc.r), vv >= guard_power<V, -16>());
   const Centre<V> d = offset(place(disc), place(e));
   if constexpr (looks<V>) {
-    if (circles_apart(disc, e, d, vv, sizes)) return Verdict<bool>{false, true};
+    if (circles_apart(disc, e, d, vv, sizes)) return surely_disjoint<V>();
     const auto look = look_at_ellipses(disc, e, d, vv, sizes);
-    if (look.overlap || look.disjoint) return look;
+    if (either(look.overlap, look.disjoint)) return look;
   }
   const ContactCubic<V> p = contact_cubic(disc, e, d, vv);
   const auto verdict = decide(p);

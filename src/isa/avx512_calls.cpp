@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// clang-format off
+#include "kernels/flatten.hpp"
+#include "lanes/ordered.hpp"
+#include "lanes/steady.hpp"
+// clang-format on
+#include "kernels/calls.hpp"
+
+namespace vesica {
+
+constinit const CallTable kernels_avx512_calls = make_calls();
+
+}  // namespace vesica
