@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The greatest double with no contact before it, from exact numbers.
+///
+/// It is defined by a search: doubles are tried, from an estimate on, and where a place that is tried is beyond exact
+/// numbers, the search ends with an error. At unlike exponents the time is mostly known without trials (wide.hpp,
+/// ellipse_trials.hpp); then only the places are looked at.
+#pragma once
+
+#include <vesica/arithmetic/rounding.hpp>
+#include <vesica/cast/ellipse_trials.hpp>
+
+namespace vesica::detail::cast {
+
+/// The doubles between which a time is.
+struct Between {
+  double least, most;
+
+  explicit Between(const Rough& t) noexcept {
+    const double value = rounded(t.value), error = 1.01 * t.error + 0x1p-52 * std::fabs(value);
+    least = arithmetic::scale_far(value - error, t.exponent) * (1 - 0x1p-52);
+    most = arithmetic::scale_far(value + error, t.exponent) * (1 + 0x1p-52) + std::numeric_limits<double>::denorm_min();
+  }
+};
+
+/// Whether no double that search_up() tries between a start and a time is beyond ExactPair::contact_at(). It goes at
+/// most as far beyond the time as the start is from it; and after the witness no place is asked for.
+inline bool holds_trials(const ExactPair& pair, double start, double t, double witness) noexcept {
+  const std::uint64_t bottom = arithmetic::rank(0.0) + 1, top = arithmetic::rank(std::numeric_limits<double>::max());
+  const std::uint64_t from = arithmetic::rank(start), to = t > 0 ? arithmetic::rank(t) : bottom,
+                      way = (from < to ? to - from : from - to) + 3;
+  const std::uint64_t least = from < to ? from : to - bottom > way ? to - way : bottom;
+  const std::uint64_t most = from > to ? from : top - to > way ? to + way : top;
+  const double last = lane::min(arithmetic::at_rank<double>(most), witness);
+  return pair.holds_places(arithmetic::at_rank<double>(least), lane::max(last, t));
+}
+
+/// The smallest double from which on reaches() holds. A negative answer of it, an error, ends the search.
+template <class Reaches>
+std::int32_t search(double start, const Reaches& reaches, double& out) noexcept {
+  std::int32_t error = 0;
+  const auto is_after = [&](double t) {
+    if (error != 0) return true;
+    const std::int32_t reached = reaches(t);
+    if (reached < 0) error = reached;
+    return reached != 0;
+  };
+  const bool found = arithmetic::search_up(start, is_after, out);
+  return error == 0 && !found ? static_cast<std::int32_t>(error_range) : error;
+}
+
+/// The search for a time that is known: an error if it would end with one.
+inline std::int32_t repeat_search(const ExactPair& pair, double start, double t) noexcept {
+  const Between witness(pair.rough_time_of_witness());
+  if (pair.line_grazes() || holds_trials(pair, start, t, witness.most)) return 0;
+  const auto reaches = [&](double x) -> std::int32_t {
+    if (!(x > 0)) return 0;
+    const bool is_after_witness = x > witness.most || (x >= witness.least && pair.witness_after(x) < 0);
+    if (is_after_witness) return 1;
+    return pair.holds_place(x) ? (x > t ? 1 : 0) : static_cast<std::int32_t>(error_range);
+  };
+  double out;
+  return search(start, reaches, out);
+}
+
+/// Whether the time is known without the search. Infinite where it is the largest double or beyond.
+inline bool known_floor(const ExactPair& pair, double start, std::int32_t& error, double& out) noexcept {
+  error = 0;
+  if (pair.of_ellipses() && !pair.line_grazes()) {
+    out = floor_of_ellipses(pair, start);
+    return out >= 0;
+  }
+  const WideTime found = pair.line_grazes() ? wide_grazing_time(pair) : wide_time(pair);
+  if (!found.certain || !found.time.is_precise() || found.time.sign() <= 0) return false;
+  error = floor_of_time(pair, found.time, out);
+  return true;
+}
+
+/// For a line that enters M after the start. Returns error_range where the time or a place is beyond the numbers.
+VESICA_COLD inline std::int32_t exact_floor(const Body& a, const Body& b, const Motion& motion, double estimate,
+                                            double& out) noexcept {
+  const ExactPair pair(a, b, motion);
+  const bool usable = estimate > 0 && estimate < std::numeric_limits<double>::max();
+  const double start = usable ? arithmetic::at_rank<double>(arithmetic::rank(estimate) + 1) : 1.0;
+  std::int32_t error;
+  if (double t; known_floor(pair, start, error, t)) {
+    if (error == 0 && !(t <= std::numeric_limits<double>::max())) error = error_range;
+    if (error == 0) error = repeat_search(pair, start, t);
+    if (error == 0) out = t;
+    return error;
+  }
+  double after;
+  error = search(start, [&](double t) { return pair.contact_before(t); }, after);
+  if (error == 0) out = arithmetic::at_rank<double>(arithmetic::rank(after) - 1) + 0.0;
+  return error;
+}
+
+}  // namespace vesica::detail::cast
