@@ -143,6 +143,7 @@ class Window {
 enum class Contact { none, touch, inside, beyond };
 
 struct WideTime;
+class SeenEllipses;
 
 /// A pair and its motion, v != 0, in exact numbers.
 class ExactPair {
@@ -230,6 +231,7 @@ class ExactPair {
 
   friend WideTime wide_time(const ExactPair& pair) noexcept;
   friend WideTime wide_grazing_time(const ExactPair& pair) noexcept;
+  friend class SeenEllipses;
   friend double floor_of_ellipses(const ExactPair& pair, double start) noexcept;
 
  private:

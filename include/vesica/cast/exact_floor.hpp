@@ -7,6 +7,7 @@
 #pragma once
 
 #include <vesica/arithmetic/rounding.hpp>
+#include <vesica/cast/ellipse_time.hpp>
 #include <vesica/cast/ellipse_trials.hpp>
 
 namespace vesica::detail::cast {
@@ -65,14 +66,16 @@ inline std::int32_t repeat_search(const ExactPair& pair, double start, double t)
 /// Whether the time is known without the search. Infinite where it is the largest double or beyond.
 inline bool known_floor(const ExactPair& pair, double start, std::int32_t& error, double& out) noexcept {
   error = 0;
-  if (pair.of_ellipses() && !pair.line_grazes()) {
-    out = floor_of_ellipses(pair, start);
-    return out >= 0;
+  const WideTime found = pair.line_grazes()   ? wide_grazing_time(pair)
+                         : pair.of_ellipses() ? SeenEllipses(pair).time()
+                                              : wide_time(pair);
+  if (found.certain && found.time.is_precise() && found.time.sign() > 0) {
+    error = floor_of_time(pair, found.time, out);
+    return true;
   }
-  const WideTime found = pair.line_grazes() ? wide_grazing_time(pair) : wide_time(pair);
-  if (!found.certain || !found.time.is_precise() || found.time.sign() <= 0) return false;
-  error = floor_of_time(pair, found.time, out);
-  return true;
+  if (pair.line_grazes() || !pair.of_ellipses()) return false;
+  out = floor_of_ellipses(pair, start);
+  return out >= 0;
 }
 
 /// For a line that enters M after the start. Returns error_range where the time or a place is beyond the numbers.
