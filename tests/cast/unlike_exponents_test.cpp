@@ -26,20 +26,23 @@ Body body(int kind, const cast_test::Numbers& numbers) {
 
 double next(double t) { return std::nextafter(t, std::numeric_limits<double>::infinity()); }
 
-/// Whether the pair has a time that is known without the search of exact_floor(); checks it.
+/// Whether the pair has a time that is known without trials; checks it.
 bool check(const Body& a, const Body& b, const core::Motion& m) {
   const ExactPair pair(a, b, m);
   if (pair.contact_at(0) != core::Contact::none) return false;
   const core::LineMeeting line = core::exact_line(a, b, m);
   double t = 0;
   std::int32_t error = 0;
-  if (!line.meets || !core::known_floor(pair, 1, error, t) || error != 0) return false;
+  if (!line.meets || !core::wide_floor(pair, error, t) || error != 0) return false;
   if (t > std::numeric_limits<double>::max()) {
     EXPECT_EQ(pair.contact_before(std::numeric_limits<double>::max()), 0);
     return true;
   }
   EXPECT_EQ(pair.contact_before(t), 0) << std::hexfloat << t;
   EXPECT_EQ(pair.contact_before(next(t)), 1) << std::hexfloat << t;
+  if (pair.of_ellipses() && !line.graze.grazes && t > 0) {
+    EXPECT_EQ(core::floor_of_ellipses(pair, 1), t);
+  }
   return true;
 }
 
@@ -116,7 +119,7 @@ TEST(CastAtUnlikeExponents, KnownTimes) {
     const ExactPair pair(k.a, k.b, k.motion);
     double t = 0;
     std::int32_t error = 0;
-    ASSERT_TRUE(core::known_floor(pair, 1, error, t));
+    ASSERT_TRUE(core::wide_floor(pair, error, t));
     ASSERT_EQ(error, 0);
     EXPECT_EQ(t, k.time);
     EXPECT_EQ(pair.contact_before(t), 0);

@@ -30,7 +30,6 @@ Wide wide(const Number<Degree>& x) noexcept {
 }
 inline Few few(const Wide& x) noexcept { return Few(exact::from_double(x.value, x.exponent)); }
 
-/// Of leading digits, if these are more than 106.
 inline Rough rough(const Few& x) noexcept {
   Number<exact::few_limbs> kept;
   kept.sign = x.sign;
@@ -40,9 +39,8 @@ inline Rough rough(const Few& x) noexcept {
   kept.strip();
   Rough out(kept);
   if (x.error == Few::nothing) return out;
-  if (x.error > x.top() - 106) return {crossings::Real(1.0), 2, 0};  // nothing is known
-  out.error += 0x1p-104;
-  return out;
+  if (x.sign == 0) return {{}, 1, static_cast<int>(x.error)};
+  return {out.value, out.error + arithmetic::scale(1.01, static_cast<int>(x.error) - out.exponent), out.exponent};
 }
 
 /// The bends of two ellipses: their widths, their reaches, and how far the second is behind the first; and the slope
@@ -91,10 +89,12 @@ inline BesideBend place_of_rest(const Bends& b) noexcept {
   const auto at = [&](const Wide& d) { return Wide{side * d.value, d.exponent}; };
   const bool first_is_narrow = b.width[0] < b.width[1];
   const Wide &narrow = b.width[first_is_narrow ? 0 : 1], &broad = b.width[first_is_narrow ? 1 : 0];
-  const Wide far = arithmetic::root(two * (b.reach[0] + b.reach[1]) / b.gap);  // at most so many widths
+  const Wide share = b.gap / (b.reach[0] + b.reach[1]), far = arithmetic::root(two / share);  // at most so many widths
   Wide low = narrow * Wide{0x1p-30, 0}, high = beyond ? broad * far : half;
   if (!(low < high) || is_behind(bend, at(low)) != (side > 0)) return {bend, {}};
-  Wide d = arithmetic::root(low * high);
+  // The place if both were alike, if that is possible.
+  Wide d = b.width[bend] * (Wide{1, 0} - share) / arithmetic::root(share * (two - share));
+  if (!(low < d) || !(d < high)) d = arithmetic::root(low * high);
   for (int i = 0, digits = high.exponent - low.exponent; i < 60; ++i) {
     const auto [rest, fall, above] = b.rest(bend, at(d));
     (above.sign() > 0) == (side > 0) ? low = d : high = d;
@@ -142,6 +142,7 @@ class SeenEllipses {
       beside.error = Few::nothing;  // this is the direction now
       at = evaluate(from, beside, seen_[found.bend].squared);
     }
+    if (at.is_usable && at.is_below_all_doubles()) return {Rough(crossings::Real(1.0), 0, least_exponent), true};
     return {at.time, at.is_usable && at.is_precise()};
   }
 
@@ -182,6 +183,8 @@ class SeenEllipses {
     }
   };
 
+  static constexpr int least_exponent = -1100;  ///< below those of doubles
+
   /// T(n), with all that a better n can gain in the error; how far off the best s is.
   struct Evaluated {
     Rough time;
@@ -189,6 +192,9 @@ class SeenEllipses {
     bool is_usable = false;
 
     bool is_precise() const noexcept { return std::fabs(rounded(time.value)) * 0x1p-66 >= time.error; }
+    bool is_below_all_doubles() const noexcept {
+      return arithmetic::scale(std::fabs(rounded(time.value)) + time.error, time.exponent - least_exponent) < 1;
+    }
   };
 
   /// H - |w|, in which terms cancel where the line almost grazes.
@@ -208,13 +214,16 @@ class SeenEllipses {
 
   /// At a bend's n and `beside` perp(v) more.
   Evaluated evaluate(const FromBend& from, const Few& beside, const Few& squared) const noexcept {
+    const Few offset = from.way + beside * w_;
+    Few heights[2];
     Rough height, slopes;
     Wide fall, narrowest;
     for (int i = 0; i < 2; ++i) {
       const Seen& e = seen_[i];
       // u.perp(v) = -(u x v), u x perp(v) = u.v.
       const Few p = e.hx * (from.along[i] - beside * e.k), q = e.hy * (from.across[i] + beside * e.c);
-      const Rough h = root(rough(square(p) + square(q)));
+      heights[i] = square(p) + square(q);
+      const Rough h = root(rough(heights[i]));
       if (!h.is_precise()) return {};
       height = height + h;
       // Of the bend's own ellipse all but this cancels.
@@ -228,7 +237,11 @@ class SeenEllipses {
     const Wide steepest(std::fabs(rounded(slope.value)) + slope.error, slope.exponent);
     Evaluated out;
     out.step = Wide(slope.scaled()) / fall;
-    out.time = (rough(from.way + beside * w_) - height) / rough(squared * vv_);
+    // n.D - h_a - h_b, twice without cancellation: times the sum of all it is a difference with a root.
+    const Few rest = square(offset) - heights[0] - heights[1], product = times(4, heights[0] * heights[1]);
+    if (offset.sign <= 0 || rest.sign <= 0) return {};
+    const Rough sums = (rough(rest) + root(rough(product))) * (rough(offset) + height);
+    out.time = rough(square(rest) - product) / (sums * rough(squared * vv_));
     out.is_usable = steepest / fall < narrowest;
     const Wide gain = steepest * steepest / (fall * wide(vv_));
     if (out.is_usable) out.time.error += 1.01 * arithmetic::scale(gain.value, gain.exponent - out.time.exponent);

@@ -63,38 +63,57 @@ inline std::int32_t repeat_search(const ExactPair& pair, double start, double t)
   return search(start, reaches, out);
 }
 
-/// Whether the time is known without the search. Infinite where it is the largest double or beyond.
-inline bool known_floor(const ExactPair& pair, double start, std::int32_t& error, double& out) noexcept {
-  error = 0;
+/// Whether the time is known without trials. Infinite where it is the largest double or beyond.
+inline bool wide_floor(const ExactPair& pair, std::int32_t& error, double& out) noexcept {
   const WideTime found = pair.line_grazes()   ? wide_grazing_time(pair)
                          : pair.of_ellipses() ? SeenEllipses(pair).time()
                                               : wide_time(pair);
-  if (found.certain && found.time.is_precise() && found.time.sign() > 0) {
-    error = floor_of_time(pair, found.time, out);
-    return true;
-  }
+  if (!found.certain || !found.time.is_precise() || found.time.sign() <= 0) return false;
+  error = floor_of_time(pair, found.time, out);
+  return true;
+}
+
+/// The same by trials of few digits: of ellipses.
+inline bool tried_floor(const ExactPair& pair, double start, double& out) noexcept {
   if (pair.line_grazes() || !pair.of_ellipses()) return false;
   out = floor_of_ellipses(pair, start);
   return out >= 0;
 }
 
-/// For a line that enters M after the start. Returns error_range where the time or a place is beyond the numbers.
-VESICA_COLD inline std::int32_t exact_floor(const Body& a, const Body& b, const Motion& motion, double estimate,
-                                            double& out) noexcept {
+/// Whether there is contact at the end, where the witness comes after it; or an error. The time, if known, tells mostly.
+inline std::int32_t contact_at_end(const ExactPair& pair, double end, const double* known_time) noexcept {
+  if (known_time != nullptr && *known_time != end && *known_time <= std::numeric_limits<double>::max()) {
+    return pair.holds_place(end) ? (*known_time < end ? 1 : 0) : static_cast<std::int32_t>(error_range);
+  }
+  const Contact contact = pair.contact_at(end);
+  return contact == Contact::beyond ? static_cast<std::int32_t>(error_range) : contact != Contact::none ? 1 : 0;
+}
+
+/// For a line that enters M after the start, and a witness that comes after the end if that is `late`. Returns 1, or 0
+/// where there is no contact up to the end, or error_range where the time or a place is beyond the numbers.
+VESICA_COLD inline std::int32_t exact_floor(const Body& a, const Body& b, const Motion& motion, bool late,
+                                            double estimate, double& out) noexcept {
   const ExactPair pair(a, b, motion);
   const bool usable = estimate > 0 && estimate < std::numeric_limits<double>::max();
   const double start = usable ? arithmetic::at_rank<double>(arithmetic::rank(estimate) + 1) : 1.0;
-  std::int32_t error;
-  if (double t; known_floor(pair, start, error, t)) {
+  std::int32_t error = 0;
+  double t;
+  bool known = wide_floor(pair, error, t);
+  if (late) {
+    const std::int32_t at_end = contact_at_end(pair, motion.end, known && error == 0 ? &t : nullptr);
+    if (at_end <= 0) return at_end;
+  }
+  known = known || tried_floor(pair, start, t);
+  if (known) {
     if (error == 0 && !(t <= std::numeric_limits<double>::max())) error = error_range;
     if (error == 0) error = repeat_search(pair, start, t);
-    if (error == 0) out = t;
-    return error;
+    out = t;
+  } else {
+    double after;
+    error = search(start, [&](double x) { return pair.contact_before(x); }, after);
+    if (error == 0) out = arithmetic::at_rank<double>(arithmetic::rank(after) - 1) + 0.0;
   }
-  double after;
-  error = search(start, [&](double t) { return pair.contact_before(t); }, after);
-  if (error == 0) out = arithmetic::at_rank<double>(arithmetic::rank(after) - 1) + 0.0;
-  return error;
+  return error != 0 ? error : 1;
 }
 
 }  // namespace vesica::detail::cast

@@ -153,13 +153,9 @@ inline Impact<double> impact(const Body& a, const Scene& scene, const Meeting& m
   const Found& found = met.found;
   double t = graze.grazes ? -1 : known_floor(seen, found.time);
   if (t < 0) {
-    if (late) {
-      const std::int32_t at_end = exact_contact_at(a, b, motion, motion.end);
-      if (at_end <= 0) return at_end;
-    }
     const double estimate = arithmetic::scale_far(arithmetic::rounded(found.time.value), seen.time);
-    const std::int32_t error = exact_floor(a, b, motion, estimate, t);
-    if (error != 0) return error;
+    const std::int32_t answer = exact_floor(a, b, motion, late, estimate, t);
+    if (answer <= 0) return answer;
   } else if (late && t >= motion.end) {
     const std::int32_t at_end = t > motion.end ? 0 : exact_contact_at(a, b, motion, t);
     if (at_end <= 0) return at_end;
