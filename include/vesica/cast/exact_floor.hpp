@@ -49,8 +49,9 @@ std::int32_t search(double start, const Reaches& reaches, double& out) noexcept 
   return error == 0 && !found ? static_cast<std::int32_t>(error_range) : error;
 }
 
-/// The search for a time that is known: an error if it would end with one.
+/// The search for a time that is known, or infinite: an error if it would end with one.
 inline std::int32_t repeat_search(const ExactPair& pair, double start, double t) noexcept {
+  if (!(t <= std::numeric_limits<double>::max())) return error_range;
   const Between witness(pair.rough_time_of_witness());
   if (pair.line_grazes() || holds_trials(pair, start, t, witness.most)) return 0;
   const auto reaches = [&](double x) -> std::int32_t {
@@ -105,7 +106,6 @@ VESICA_COLD inline std::int32_t exact_floor(const Body& a, const Body& b, const 
   }
   known = known || tried_floor(pair, start, t);
   if (known) {
-    if (error == 0 && !(t <= std::numeric_limits<double>::max())) error = error_range;
     if (error == 0) error = repeat_search(pair, start, t);
     out = t;
   } else {
