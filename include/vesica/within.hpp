@@ -129,9 +129,9 @@ VESICA_COLD Within by_distance(A a, B b, double distance) noexcept {
   std::int32_t overlapping = 0;
   for (int unit = 0; unit < 4; ++unit) {
     ClosestPoints<double> found;
-    if (nearest::nearest_in_order(a, b, overlapping, found) == 0) {
-      const double error = 9 * 0x1p-54 * scale(a, b) + std::numeric_limits<double>::denorm_min();
-      if (all_finite(error)) return compared(found.distance, distance, error);
+    const double error = 9 * 0x1p-54 * scale(a, b) + std::numeric_limits<double>::denorm_min();
+    if (all_finite(error) && nearest::nearest_in_order(a, b, overlapping, found) == 0) {
+      return compared(found.distance, distance, error);
     }
     constexpr double k = 0x1p-600;
     const A of_a = times(k, a);

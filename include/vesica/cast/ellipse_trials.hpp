@@ -149,14 +149,17 @@ class Bracket {
 };
 
 /// The greatest double with no contact before it, for which ask(t) is answered by trials; infinite where there is no
-/// contact before the largest, negative where it is about that. Often it is the one before `start`. Else first the
-/// power of two is bisected, then the zero of the discriminant is approached by secants.
+/// contact before the largest, negative where it is about that. Where wide formulas do not tell it, it is often 0, or the
+/// one before `start`. Else first the power of two is bisected, then the zero of the discriminant is approached by
+/// secants.
 template <class Ask>
 double floor_by_trials(double start, const Ask& ask) noexcept {
+  constexpr int least = -1074;
+  Trial at_no = ask(arithmetic::scale_far(1, least)), at_yes;
+  if (at_no.after) return 0;
   const double before = arithmetic::at_rank<double>(arithmetic::rank(start) - 1);
   if (before > 0 && ask(start).after && !ask(before).after) return before;
-  int no = -1075, yes = 1024;
-  Trial at_no, at_yes;
+  int no = least, yes = 1024;
   while (yes - no > 1) {
     const int middle = (yes + no) / 2;
     const Trial trial = ask(arithmetic::scale_far(1, middle));
@@ -167,7 +170,7 @@ double floor_by_trials(double start, const Ask& ask) noexcept {
     constexpr double largest = std::numeric_limits<double>::max(), infinity = std::numeric_limits<double>::infinity();
     return ask(largest).after ? -1 : infinity;
   }
-  Bracket bracket(no < -1074 ? 0.0 : arithmetic::scale_far(1, no), arithmetic::scale_far(1, yes), at_no, at_yes);
+  Bracket bracket(arithmetic::scale_far(1, no), arithmetic::scale_far(1, yes), at_no, at_yes);
   while (!bracket.is_closed()) {
     const std::uint64_t at = bracket.next();
     bracket.narrow(at, ask(arithmetic::at_rank<double>(at)));

@@ -57,6 +57,8 @@ struct ExactReach {
     second.sign *= c.sign;
     along = first + second;
   }
+
+  bool is_long() const noexcept { return exact::is_long(squared) || exact::is_long(h); }
 };
 
 /// Sign of |w| - H. Degree 3, 6 or 12.
@@ -141,6 +143,7 @@ class Window {
 enum class Contact { none, touch, inside, beyond };
 
 struct WideTime;
+class SeenEllipses;
 
 /// A pair and its motion, v != 0, in exact numbers.
 class ExactPair {
@@ -165,7 +168,7 @@ class ExactPair {
   /// On which side of the line through the first centre along v the second lies: the sign of w.
   int side() const noexcept { return w_.sign; }
 
-  /// vv t_w, for a pair of which one shape is round.
+  /// vv t_w.
   Rough rough_witness() const noexcept {
     Rough across, along;
     for (const ExactReach* reach : {&reach_a_, &reach_b_}) {
@@ -173,12 +176,15 @@ class ExactPair {
       across = across + h;
       along = along + (reach->round ? Rough(reach->m) / h : Rough(reach->along));
     }
-    return Rough(w_) * along / across - Rough(q_);
+    return (across.sign() == 0 ? Rough() : Rough(w_) * along / across) - Rough(q_);
   }
+
+  /// t_w, above 0.
+  Rough rough_time_of_witness() const noexcept { return rough_witness() / Rough(vv_); }
 
   /// Sign of t_w - t for a line that meets M.
   int witness_after(double t) const noexcept {
-    if (exact::is_long(reach_a_.squared) || exact::is_long(reach_b_.squared)) {
+    if (reach_a_.is_long() || reach_b_.is_long()) {
       const Rough left = rough_witness() - Rough(vv_) * Rough(exact::from_double(t));
       if (left.sign_is_known()) return left.sign();
     }
@@ -187,20 +193,16 @@ class ExactPair {
   }
 
   VESICA_COLD Contact contact_at(double t) const noexcept {
-    const auto time = exact::from_double(t);
-    const auto x = dx_ + time * vx_, y = dy_ + time * vy_;
-    Window window;
-    window.hold(x);
-    window.hold(y);
-    for (const ExactBody* body : {&a_, &b_}) {
-      window.hold(body->box.ux);
-      window.hold(body->box.uy);
-    }
+    const Place place(*this, t);
+    Window window = place.window;
     if (!window.place()) return Contact::beyond;
-    const ExactBody a = placed(a_, {}, {}, window), b = placed(b_, window.moved(x), window.moved(y), window);
+    const ExactBody a = placed(a_, {}, {}, window), b = placed(b_, window.moved(place.x), window.moved(place.y), window);
     if (a.round) return b.round ? contact(a.ellipse(), b.ellipse()) : contact(b.box, a.ellipse());
     return b.round ? contact(a.box, b.ellipse()) : contact(a.box, b.box);
   }
+
+  /// Whether contact_at() has storage for the place at this time.
+  bool holds_place(double t) const noexcept { return Place(*this, t).window.place(); }
 
   /// Whether there is contact before t, given that there is some after 0: 1, 0, or error_range where that is beyond
   /// exact numbers. The witness is in the inside of the interval of contact unless the line grazes. So up to it contact
@@ -228,7 +230,8 @@ class ExactPair {
   bool of_ellipses() const noexcept { return a_.round && b_.round; }
 
   friend WideTime wide_time(const ExactPair& pair) noexcept;
-  friend double latest_witness(const ExactPair& pair) noexcept;
+  friend WideTime wide_grazing_time(const ExactPair& pair) noexcept;
+  friend class SeenEllipses;
   friend double floor_of_ellipses(const ExactPair& pair, double start) noexcept;
 
  private:
@@ -249,6 +252,22 @@ class ExactPair {
     window.hold(vy_, exponent - 53, exponent);
     return {window.top() + 1, window.low()};
   }
+
+  /// The offset of centres at a time, and the window of all lengths then.
+  struct Place {
+    Number<2> x, y;
+    Window window;
+
+    Place(const ExactPair& pair, double t) noexcept
+        : x(pair.dx_ + exact::from_double(t) * pair.vx_), y(pair.dy_ + exact::from_double(t) * pair.vy_) {
+      window.hold(x);
+      window.hold(y);
+      for (const ExactBody* body : {&pair.a_, &pair.b_}) {
+        window.hold(body->box.ux);
+        window.hold(body->box.uy);
+      }
+    }
+  };
 
   static ExactBody placed(const ExactBody& body, const exact::Length& x, const exact::Length& y,
                           const Window& window) noexcept {

@@ -8,8 +8,7 @@
 
 #include <vesica/arithmetic/rounding.hpp>
 #include <vesica/cast/direction.hpp>
-#include <vesica/cast/ellipse_trials.hpp>
-#include <vesica/cast/exact.hpp>
+#include <vesica/cast/exact_floor.hpp>
 #include <vesica/cast/filter.hpp>
 #include <vesica/cast/place.hpp>
 
@@ -115,53 +114,6 @@ VESICA_COLD inline std::int32_t exact_contact_at(const Body& a, const Body& b, c
   return contact == Contact::beyond ? static_cast<std::int32_t>(error_range) : contact != Contact::none ? 1 : 0;
 }
 
-/// Whether no double that search_up() tries between a start and a time is beyond exact_contact_at(). It goes at most as
-/// far beyond the time as the start is from it; and after the witness no place is asked for.
-inline bool holds_trials(const ExactPair& pair, double start, double t) noexcept {
-  const std::uint64_t from = arithmetic::rank(start), to = arithmetic::rank(t),
-                      way = (from < to ? to - from : from - to) + 3;
-  const std::uint64_t bottom = arithmetic::rank(0.0) + 1, top = arithmetic::rank(std::numeric_limits<double>::max());
-  const std::uint64_t least = from < to ? from : to - bottom > way ? to - way : bottom;
-  const std::uint64_t most = from > to ? from : top - to > way ? to + way : top;
-  const double last = lane::min(arithmetic::at_rank<double>(most), latest_witness(pair));
-  return pair.holds_places(arithmetic::at_rank<double>(least), lane::max(last, t));
-}
-
-/// Whether the time, or that it is beyond all doubles and so infinite, is known without trials of exact numbers, or by
-/// few, and none of those that exact_floor() makes would have failed.
-inline bool known_floor(const ExactPair& pair, double start, double& out) noexcept {
-  if (pair.line_grazes()) return false;
-  const double t = pair.of_ellipses() ? floor_of_ellipses(pair, start) : wide_floor(pair);
-  if (!(t > 0) || (t <= std::numeric_limits<double>::max() && !holds_trials(pair, start, t))) return false;
-  out = t;
-  return true;
-}
-
-/// The time by trial of doubles, from an estimate. Returns error_range where it or the place then is beyond the
-/// numbers.
-VESICA_COLD inline std::int32_t exact_floor(const Body& a, const Body& b, const Motion& motion, double estimate,
-                                            double& out) noexcept {
-  const ExactPair pair(a, b, motion);
-  const bool usable = estimate > 0 && estimate < std::numeric_limits<double>::max();
-  const double start = usable ? arithmetic::at_rank<double>(arithmetic::rank(estimate) + 1) : 1.0;
-  if (double t; known_floor(pair, start, t)) {
-    if (t > std::numeric_limits<double>::max()) return error_range;
-    out = t;
-    return 0;
-  }
-  std::int32_t error = 0;
-  const auto is_after = [&](double t) {
-    if (error != 0) return true;
-    const int before = pair.contact_before(t);
-    if (before < 0) error = before;
-    return before != 0;
-  };
-  double after;
-  if (!arithmetic::search_up(start, is_after, after) || error != 0) return error_range;
-  out = arithmetic::at_rank<double>(arithmetic::rank(after) - 1) + 0.0;
-  return 0;
-}
-
 /// Whether the line meets M after the start; if so, whether its witness comes after the end, and how it meets M.
 struct LineMeeting {
   bool meets, late;
@@ -196,13 +148,9 @@ inline Impact<double> impact(const Body& a, const Scene& scene, const Meeting& m
   const Found& found = met.found;
   double t = graze.grazes ? -1 : known_floor(seen, found.time);
   if (t < 0) {
-    if (late) {
-      const std::int32_t at_end = exact_contact_at(a, b, motion, motion.end);
-      if (at_end <= 0) return at_end;
-    }
     const double estimate = arithmetic::scale_far(arithmetic::rounded(found.time.value), seen.time);
-    const std::int32_t error = exact_floor(a, b, motion, estimate, t);
-    if (error != 0) return error;
+    const std::int32_t answer = exact_floor(a, b, motion, late, estimate, t);
+    if (answer <= 0) return answer;
   } else if (late && t >= motion.end) {
     const std::int32_t at_end = t > motion.end ? 0 : exact_contact_at(a, b, motion, t);
     if (at_end <= 0) return at_end;

@@ -127,11 +127,14 @@ inline Beyond look_from(const Kink& kink, const SeenEllipse& round, const Number
   Number<3> other = kink.other;
   other.sign *= -kink.other_is_before;
   // base - p and base + p. The straight terms may cancel.
-  const Rough beside = Rough(support.beside) / root(Rough(support.squared)),
-              above = Rough(w + other - kink.own) - beside, below = Rough(w + other + kink.own) - beside;
-  out.certain = out.certain && above.sign_is_known() && below.sign_is_known();
-  if (above.sign() > 0) return Beyond::behind;
-  if (below.sign() < 0) return Beyond::before;
+  const Rough beside = Rough(support.beside) / root(Rough(support.squared));
+  const auto sign = [&](const Number<3>& straight) {
+    const Rough base = Rough(straight) - beside;
+    if (base.sign_is_known()) return base.sign();
+    return exact::detail::sign_with_root(exact::integer(-1) * support.beside, straight, support.squared);
+  };
+  if (sign(w + other - kink.own) > 0) return Beyond::behind;
+  if (sign(w + other + kink.own) < 0) return Beyond::before;
   Rough gap;
   const Number<3> offset = exact::dot(nx, ny, round.passage.dx, round.passage.dy) - kink.height;
   if (less_root(offset, support.squared, gap)) {
@@ -187,30 +190,47 @@ VESICA_COLD inline WideTime wide_time(const ExactPair& pair) noexcept {
   return latest;
 }
 
-/// At least t_w, and less than twice that and its error.
-inline double latest_witness(const ExactPair& pair) noexcept {
-  const Rough t = pair.rough_witness() / Rough(pair.vv_);
-  return arithmetic::scale_far(1.5 * (std::fabs(rounded(t.value)) + t.error), t.exponent);
+/// The time at which a line that grazes enters: at the witness, or where the edge along v begins that it meets. As |w| =
+/// H, that is sgn(w) X - q - edge over v.v, of which a round shape's part is a root m / h.
+VESICA_COLD inline WideTime wide_grazing_time(const ExactPair& pair) noexcept {
+  const auto turned = [&](auto x) {
+    x.sign *= pair.w_.sign;
+    return x;
+  };
+  const ExactReach &a = pair.reach_a_, &b = pair.reach_b_;
+  const Number<3> straight = turned(a.along + b.along) - (a.edge + b.edge) - pair.q_;
+  const auto part = [&](const ExactReach& r) { return r.round ? Rough(turned(r.m)) / root(Rough(r.squared)) : Rough(); };
+  Rough way = Rough(straight) + (part(a) + part(b));
+  if (!way.is_precise() && a.round != b.round) {
+    // x + y = (x^2 - y^2) / (x - y).
+    const ExactReach& round = a.round ? a : b;
+    const Number<12> rest = exact::square(straight) * round.squared - exact::square(round.m);
+    way = Rough(rest) / (Rough(round.squared) * (Rough(straight) - part(round)));
+  }
+  return {way / Rough(pair.vv_), way.is_precise()};
 }
 
-/// The greatest double that is at most t0, or negative where that is not known without trials of exact numbers, or
-/// where one of these is beyond them: only numbers beside a double are tried. The errors of two times of boxes are
-/// within 2^-90 of either.
-inline double wide_floor(const ExactPair& pair) noexcept {
-  const WideTime found = wide_time(pair);
-  const auto& [value, error, exponent] = found.time;
-  if (!found.certain || exponent < -1000 || !(rounded(value) > 0)) return -1;
-  if (exponent > 1026) return std::numeric_limits<double>::infinity();
-  if (exponent > 1020) return -1;
-  const double nearest = arithmetic::scale(value.high, exponent),
-               before = arithmetic::at_rank<double>(arithmetic::rank(nearest) - 1);
-  if (std::fabs(value.low) > error + 0x1p-90 * value.high) return value.low < 0 ? before : nearest;
-  const int reached = pair.contact_before(nearest);
-  if (reached < 0) return -1;
-  const double other = reached != 0 ? before : arithmetic::at_rank<double>(arithmetic::rank(nearest) + 1);
-  const int reached_other = pair.contact_before(other);
-  if (reached_other < 0 || reached_other == reached) return -1;
-  return reached != 0 ? before : nearest;
+/// The greatest double that is at most t0 > 0, infinite where that is the largest or beyond. Only where a double is so
+/// near that `found` leaves it open, whether there is contact before it is asked. Returns 0, or an error where the
+/// place then is beyond exact numbers. The errors of two times of boxes are within 2^-90 of either.
+inline std::int32_t floor_of_time(const ExactPair& pair, const Rough& found, double& out) noexcept {
+  constexpr double largest = std::numeric_limits<double>::max(), infinity = std::numeric_limits<double>::infinity();
+  const auto& [value, error, exponent] = found;
+  out = exponent > 1026 ? infinity : 0;
+  if (exponent > 1026 || exponent < -1080) return 0;
+  // The nearest double in units of 2^exponent: below 2^-1022 a multiple of the least.
+  const double least = arithmetic::scale(1, -1074 - exponent), subnormal = 0x1p52 * least;
+  const double nearest = value.high < subnormal ? (value.high + subnormal) - subnormal : value.high;
+  const double above = (value.high - nearest) + value.low, at = arithmetic::scale(nearest, exponent);
+  bool before = above < 0;
+  if (!(std::fabs(above) > 1.01 * error + 0x1p-90 * value.high) && at <= largest) {
+    const int reached = pair.contact_before(at);
+    if (reached < 0) return reached;
+    before = reached != 0;
+  }
+  out = before ? arithmetic::at_rank<double>(arithmetic::rank(at) - 1) : at;
+  if (out >= largest) out = infinity;
+  return 0;
 }
 
 }  // namespace vesica::detail::cast

@@ -14,6 +14,7 @@ namespace vesica::exact {
 /// J. W. Perram and M. S. Wertheim, J. Comput. Phys. 58 (1985) 409.
 struct ContactCubic {
   Number<8> d1, c1, c2, d2, mu, al, be;
+  Number<4> root1, root2;  ///< of d1 and d2
 };
 
 constexpr ContactCubic contact_cubic(const Ellipse& e, const Ellipse& f) noexcept {
@@ -24,8 +25,10 @@ constexpr ContactCubic contact_cubic(const Ellipse& e, const Ellipse& f) noexcep
   p.mu = square(c) * (a0 * b1 + a1 * b0) + square(s) * (a0 * b0 + a1 * b1);
   p.al = square(e.b * dot(e.ux, e.uy, dx, dy)) + square(e.a * cross(e.ux, e.uy, dx, dy));
   p.be = square(f.b * dot(f.ux, f.uy, dx, dy)) + square(f.a * cross(f.ux, f.uy, dx, dy));
-  p.d1 = square(e.a * e.b * dot(e.ux, e.uy, e.ux, e.uy));
-  p.d2 = square(f.a * f.b * dot(f.ux, f.uy, f.ux, f.uy));
+  p.root1 = e.a * e.b * dot(e.ux, e.uy, e.ux, e.uy);
+  p.root2 = f.a * f.b * dot(f.ux, f.uy, f.ux, f.uy);
+  p.d1 = square(p.root1);
+  p.d2 = square(p.root2);
   p.c1 = p.d1 + p.mu - p.al;
   p.c2 = p.d2 + p.mu - p.be;
   return p;

@@ -10,23 +10,23 @@ namespace vesica::exact {
 
 constexpr bool is_long(const ContactCubic& p) noexcept { return is_long(p.c1) || is_long(p.c2); }
 
-/// What may be far smaller than its terms: delta = mu^2 - 4 d1 d2, which is 0 iff S1 and S2 are proportional, and g =
-/// d1 + d2 - mu = det(S1 - S2). From leading digits these lose what cancels; so, where it must be, they are formed
-/// exactly.
-template <class Degree16, class Degree8>
+/// What may be far smaller than its terms: delta = mu^2 - 4 d1 d2, which is 0 iff S1 and S2 are proportional, by its
+/// factors mu -+ 2 sqrt(d1 d2), and g = d1 + d2 - mu = det(S1 - S2). From leading digits these lose what cancels; so,
+/// where it must be, they are formed exactly.
+template <class Real>
 struct SmallParts {
-  Degree16 delta;
-  Degree8 g, al_less_be, al_less_2be;
+  Real delta_less, delta_more, g, al_less_be, al_less_2be;
 };
 
-constexpr SmallParts<Number<16>, Number<8>> exact_small_parts(const ContactCubic& p) noexcept {
-  return {square(p.mu) - integer(4) * (p.d1 * p.d2), p.d1 + p.d2 - p.mu, p.al - p.be, p.al - integer(2) * p.be};
+constexpr SmallParts<Number<8>> exact_small_parts(const ContactCubic& p) noexcept {
+  const auto twice = integer(2) * (p.root1 * p.root2);
+  return {p.mu - twice, p.mu + twice, p.d1 + p.d2 - p.mu, p.al - p.be, p.al - integer(2) * p.be};
 }
 
 template <class Real>
-constexpr SmallParts<Real, Real> leading_small_parts(const ContactCubic& p) noexcept {
-  const Real d1(p.d1), d2(p.d2), mu(p.mu), al(p.al), be(p.be);
-  return {square(mu) - times(4, d1 * d2), d1 + d2 - mu, al - be, al - times(2, be)};
+constexpr SmallParts<Real> leading_small_parts(const ContactCubic& p) noexcept {
+  const Real d1(p.d1), d2(p.d2), mu(p.mu), al(p.al), be(p.be), twice = times(2, Real(p.root1) * Real(p.root2));
+  return {mu - twice, mu + twice, d1 + d2 - mu, al - be, al - times(2, be)};
 }
 
 namespace detail {
@@ -43,7 +43,8 @@ constexpr Real discriminant(const ContactCubic& p) noexcept {
 /// are close to each other, as seen from an ellipse that is large or thin.
 template <class Real, class Small>
 constexpr Real discriminant_by_offset(const ContactCubic& p, const Small& small) noexcept {
-  const Real d1(p.d1), d2(p.d2), mu(p.mu), al(p.al), be(p.be), delta(small.delta), g(small.g);
+  const Real d1(p.d1), d2(p.d2), mu(p.mu), al(p.al), be(p.be), g(small.g);
+  const Real delta = Real(small.delta_less) * Real(small.delta_more);
   const Real al_al = square(al), be_be = square(be), al_be = al * be, d1_d2 = d1 * d2;
   const Real linear = g * (al * d2 * (times(2, d1) - mu) + be * d1 * (times(2, d2) - mu)) +
                       delta * (times(2, be * g) + Real(small.al_less_be) * (times(3, d2) - d1 - mu));
@@ -68,7 +69,7 @@ constexpr int sign_of_discriminant_of_proportional(const ContactCubic& p) noexce
 /// slope^2 delta - (2 r - delta)^2 = 4 d2 (delta (g + h) + h (2 be d1 - al d2) - 2 al be g).
 template <class Real, class Small>
 constexpr bool first_in_second(const ContactCubic& p, const Small& small, Signs& signs) noexcept {
-  const Real d2(p.d2), mu(p.mu), al(p.al), be(p.be), delta(small.delta);
+  const Real d2(p.d2), mu(p.mu), al(p.al), be(p.be), delta = Real(small.delta_less) * Real(small.delta_more);
   const Real slope = times(2, Real(p.c2)) - times(3, mu);
   const int slope_sign = signs.of(slope), delta_sign = signs.of(delta);
   if (slope_sign > 0 && (delta_sign == 0 || signs.of(square(slope) - times(9, delta)) > 0)) return true;
@@ -91,7 +92,7 @@ constexpr int discriminant_sign(const ContactCubic& p, Signs& signs) noexcept {
   const Few few = detail::discriminant<Few>(p);
   if (few.sign_is_certain()) return few.sign;
   const auto small = exact_small_parts(p);
-  if (small.delta.sign == 0) return detail::sign_of_discriminant_of_proportional(p);
+  if (small.delta_less.sign == 0) return detail::sign_of_discriminant_of_proportional(p);
   const Few by_offset = detail::discriminant_by_offset<Few>(p, small);
   if (by_offset.sign_is_certain()) return by_offset.sign;
   signs.certain = p.c1.size > 2 * more_limbs || p.c2.size > 2 * more_limbs;

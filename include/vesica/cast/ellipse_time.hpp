@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The time of first contact of two ellipses where exponents are unlike: to about 100 bits, without trials.
+///
+/// It is the greatest T(n) (bound.hpp), n = -v + s perp(v). In s each ellipse has a bend of width c at s_i, and reaches
+/// r across v; the slopes' sum is w where what is left of them,
+///
+///     rest(s) = r (1 - x / sqrt(1 + x^2)),   x = (s - s_i) / c,
+///
+/// is in all r_a + r_b - |w|, for w < 0 in a mirror. That s is found in doubles of any exponent. Then T is evaluated from
+/// leading digits, in a direction of few digits, with the bound on what a better one gains. So a bad s does no harm.
+#pragma once
+
+#include <vesica/arithmetic/wide.hpp>
+#include <vesica/cast/wide.hpp>
+
+namespace vesica::detail::cast {
+
+using arithmetic::Wide;
+using Few = exact::Leading<exact::few_limbs>;
+
+inline Wide wide(const Few& x) noexcept {
+  constexpr int top = exact::few_limbs - 1;
+  if (x.sign == 0) return {};
+  const double value = static_cast<double>(x.limb[top]) + 0x1p-64 * static_cast<double>(x.limb[top - 1]);
+  return {x.sign * value, 64 * (x.low + top)};
+}
+template <int Degree>
+Wide wide(const Number<Degree>& x) noexcept {
+  return Wide(exact::rounded(x));
+}
+inline Few few(const Wide& x) noexcept { return Few(exact::from_double(x.value, x.exponent)); }
+
+inline Rough rough(const Few& x) noexcept {
+  Number<exact::few_limbs> kept;
+  kept.sign = x.sign;
+  kept.low = x.low;
+  kept.size = x.sign == 0 ? 0 : exact::few_limbs;
+  for (int i = 0; i < kept.size; ++i) kept.limb[i] = x.limb[i];
+  kept.strip();
+  Rough out(kept);
+  if (x.error == Few::nothing) return out;
+  if (x.sign == 0) return {{}, 1, static_cast<int>(x.error)};
+  return {out.value, out.error + arithmetic::scale(1.01, static_cast<int>(x.error) - out.exponent), out.exponent};
+}
+
+/// The bends of two ellipses: their widths, their reaches, and how far the second is behind the first; and the slope
+/// that is asked for, with what it leaves of the reaches, `gap`.
+struct Bends {
+  Wide width[2], reach[2], way, slope, gap;
+
+  /// What is left of both at a place, and how steeply it falls there; how far that is above `gap`.
+  struct Rest {
+    Wide value, fall, above;
+  };
+  /// At a distance from one of them.
+  Rest rest(int from, const Wide& y) const noexcept {
+    constexpr Wide one{1, 0};
+    const Wide other = from == 0 ? y - way : y + way;
+    Rest both;
+    Wide slopes;
+    for (int i = 0; i < 2; ++i) {
+      const Wide x = (i == from ? y : other) / width[i], h = arithmetic::root(one + x * x);
+      both.value = both.value + reach[i] * (x.sign() > 0 ? one / (h * (h + x)) : one - x / h);
+      both.fall = both.fall + reach[i] / (width[i] * (h * h * h));
+      slopes = slopes + reach[i] * (x / h);
+    }
+    both.above = slope < gap ? slope - slopes : both.value - gap;
+    return both;
+  }
+};
+
+/// A place, by its distance from the middle of one of two bends.
+struct BesideBend {
+  int bend;
+  Wide way;
+};
+
+/// Where the rest of both is `gap`, at most the sum of their reaches. Seen from the nearer bend the rest goes with the
+/// logarithm of the distance, over which it is bisected where Newton's method does not go on.
+inline BesideBend place_of_rest(const Bends& b) noexcept {
+  constexpr Wide two{2, 0};
+  const int left = b.way.sign() >= 0 ? 0 : 1, right = 1 - left;
+  const Wide half = arithmetic::abs(b.way) * Wide{0.5, 0};
+  const auto is_behind = [&](int bend, const Wide& y) { return b.rest(bend, y).above.sign() > 0; };
+  // Not before the left one, where more is left.
+  const bool beyond = is_behind(right, {}), near_right = beyond || is_behind(left, half);
+  const int bend = near_right ? right : left;
+  const double side = near_right && !beyond ? -1 : 1;
+  const auto at = [&](const Wide& d) { return Wide{side * d.value, d.exponent}; };
+  const bool first_is_narrow = b.width[0] < b.width[1];
+  const Wide &narrow = b.width[first_is_narrow ? 0 : 1], &broad = b.width[first_is_narrow ? 1 : 0];
+  const Wide share = b.gap / (b.reach[0] + b.reach[1]), far = arithmetic::root(two / share);  // at most so many widths
+  Wide low = narrow * Wide{0x1p-30, 0}, high = beyond ? broad * far : half;
+  if (!(low < high) || is_behind(bend, at(low)) != (side > 0)) return {bend, {}};
+  // The place if both were alike, if that is possible.
+  Wide d = b.width[bend] * (Wide{1, 0} - share) / arithmetic::root(share * (two - share));
+  if (!(low < d) || !(d < high)) d = arithmetic::root(low * high);
+  for (int i = 0, digits = high.exponent - low.exponent; i < 60; ++i) {
+    const auto [rest, fall, above] = b.rest(bend, at(d));
+    (above.sign() > 0) == (side > 0) ? low = d : high = d;
+    Wide next = d + at(two * rest * above / ((arithmetic::root(rest * b.gap) + b.gap) * fall));
+    const bool is_slow = i % 2 == 1 && 2 * (high.exponent - low.exponent) > digits + 1;
+    digits = high.exponent - low.exponent;
+    if (is_slow || !(low < next) || !(next < high)) next = arithmetic::root(low * high);
+    const Wide change = arithmetic::abs(next - d);
+    d = next;
+    if (change.sign() == 0 || change.exponent < d.exponent - 26) break;
+  }
+  return {bend, at(d)};
+}
+
+/// A pair of ellipses whose line enters M after the start and does not graze it.
+class SeenEllipses {
+ public:
+  explicit SeenEllipses(const ExactPair& pair) noexcept
+      : seen_{Seen(pair.a_.box, pair.reach_a_, pair), Seen(pair.b_.box, pair.reach_b_, pair)},
+        axes_along_(exact::dot(pair.a_.box.ux, pair.a_.box.uy, pair.b_.box.ux, pair.b_.box.uy)),
+        axes_across_(exact::cross(pair.a_.box.ux, pair.a_.box.uy, pair.b_.box.ux, pair.b_.box.uy)),
+        w_(pair.w_),
+        vv_(pair.vv_) {}
+
+  /// The greatest T(n).
+  WideTime time() const noexcept {
+    Bends bends;
+    if (!reach_less_offset(bends.gap)) return {};
+    const auto& [a, b] = seen_;
+    const bool mirrored = w_.sign < 0;
+    for (int i = 0; i < 2; ++i) {
+      bends.width[i] = wide(seen_[i].area) * wide(vv_) / wide(seen_[i].squared);
+      bends.reach[i] = arithmetic::root(wide(seen_[i].squared));
+    }
+    bends.slope = arithmetic::abs(wide(w_));
+    bends.way = wide(b.m * a.squared - a.m * b.squared) / (wide(a.squared) * wide(b.squared));
+    if (mirrored) bends.way = -bends.way;
+    const BesideBend found = place_of_rest(bends);
+    const Wide unit = wide(seen_[found.bend].squared);
+    const FromBend from(*this, found.bend);
+    Few beside = few((mirrored ? -found.way : found.way) * unit);
+    Evaluated at = evaluate(from, beside, seen_[found.bend].squared);
+    for (int i = 0; i < 2 && at.is_usable && !at.is_precise(); ++i) {
+      beside = beside + few(at.step * unit);
+      beside.error = Few::nothing;  // this is the direction now
+      at = evaluate(from, beside, seen_[found.bend].squared);
+    }
+    if (at.is_usable && at.is_below_all_doubles()) return {Rough(crossings::Real(1.0), 0, least_exponent), true};
+    return {at.time, at.is_usable && at.is_precise()};
+  }
+
+ private:
+  struct Seen {
+    Few squared, m, area, uu, hx, hy, c, k, along_d, across_d;
+
+    Seen(const exact::Box& e, const ExactReach& reach, const ExactPair& p) noexcept
+        : squared(reach.squared),
+          m(reach.m),
+          uu(exact::dot(e.ux, e.uy, e.ux, e.uy)),
+          hx(e.hx),
+          hy(e.hy),
+          c(exact::dot(e.ux, e.uy, p.vx_, p.vy_)),
+          k(exact::cross(e.ux, e.uy, p.vx_, p.vy_)),
+          along_d(exact::dot(e.ux, e.uy, p.dx_, p.dy_)),
+          across_d(exact::cross(e.ux, e.uy, p.dx_, p.dy_)) {
+      area = hx * hy * uu;
+    }
+  };
+
+  /// At the middle of an ellipse's bend n, times r^2, is -(v.v) (b^2 c u + a^2 k perp(u)); for both ellipses what u.n and
+  /// u x n then are, and n.D.
+  struct FromBend {
+    int bend;
+    Few along[2], across[2], way;
+
+    FromBend(const SeenEllipses& pair, int of) noexcept : bend(of) {
+      const Seen& e = pair.seen_[bend];
+      const Few x = -(pair.vv_ * (square(e.hy) * e.c)), y = -(pair.vv_ * (square(e.hx) * e.k));
+      along[bend] = x * e.uu;
+      across[bend] = y * e.uu;
+      // The other's axis by this one's; a cross product changes its sign.
+      const Few &dot = pair.axes_along_, cross = bend == 0 ? -pair.axes_across_ : pair.axes_across_;
+      along[1 - bend] = x * dot - y * cross;
+      across[1 - bend] = x * cross + y * dot;
+      way = x * e.along_d + y * e.across_d;
+    }
+  };
+
+  static constexpr int least_exponent = -1100;  ///< below those of doubles
+
+  /// T(n), with all that a better n can gain in the error; how far off the best s is.
+  struct Evaluated {
+    Rough time;
+    Wide step;
+    bool is_usable = false;
+
+    bool is_precise() const noexcept { return std::fabs(rounded(time.value)) * 0x1p-66 >= time.error; }
+    bool is_below_all_doubles() const noexcept {
+      return arithmetic::scale(std::fabs(rounded(time.value)) + time.error, time.exponent - least_exponent) < 1;
+    }
+  };
+
+  /// H - |w|, in which terms cancel where the line almost grazes.
+  bool reach_less_offset(Wide& gap) const noexcept {
+    const auto& [a, b] = seen_;
+    const Few rest = square(w_) - a.squared - b.squared, product = times(4, a.squared * b.squared);
+    const Wide twice_root = arithmetic::root(wide(product));
+    const Wide sum = arithmetic::root(wide(a.squared)) + arithmetic::root(wide(b.squared)) + arithmetic::abs(wide(w_));
+    if (rest.sign <= 0) {
+      gap = (twice_root - wide(rest)) / sum;
+      return true;
+    }
+    const Few left = product - square(rest);
+    gap = wide(left) / ((twice_root + wide(rest)) * sum);
+    return left.sign > 0 && left.sign_is_certain();
+  }
+
+  /// At a bend's n and `beside` perp(v) more.
+  Evaluated evaluate(const FromBend& from, const Few& beside, const Few& squared) const noexcept {
+    const Few offset = from.way + beside * w_;
+    Few heights[2];
+    Rough height, slopes;
+    Wide fall, narrowest;
+    for (int i = 0; i < 2; ++i) {
+      const Seen& e = seen_[i];
+      // u.perp(v) = -(u x v), u x perp(v) = u.v.
+      const Few p = e.hx * (from.along[i] - beside * e.k), q = e.hy * (from.across[i] + beside * e.c);
+      heights[i] = square(p) + square(q);
+      const Rough h = root(rough(heights[i]));
+      if (!h.is_precise()) return {};
+      height = height + h;
+      // Of the bend's own ellipse all but this cancels.
+      slopes = slopes + rough(i == from.bend ? squared * beside : q * (e.hy * e.c) - p * (e.hx * e.k)) / h;
+      const Wide of_unit = Wide(h.scaled()) / wide(squared), area = wide(e.area) * wide(vv_);
+      fall = fall + area * area / (of_unit * of_unit * of_unit);
+      const Wide room = of_unit / (arithmetic::root(wide(e.squared)) * Wide{8, 0});
+      if (i == 0 || room < narrowest) narrowest = room;
+    }
+    const Rough slope = rough(w_) - slopes;
+    const Wide steepest(std::fabs(rounded(slope.value)) + slope.error, slope.exponent);
+    Evaluated out;
+    out.step = Wide(slope.scaled()) / fall;
+    // n.D - h_a - h_b, twice without cancellation: times the sum of all it is a difference with a root.
+    const Few rest = square(offset) - heights[0] - heights[1], product = times(4, heights[0] * heights[1]);
+    if (offset.sign <= 0 || rest.sign <= 0) return {};
+    const Rough sums = (rough(rest) + root(rough(product))) * (rough(offset) + height);
+    out.time = rough(square(rest) - product) / (sums * rough(squared * vv_));
+    out.is_usable = steepest / fall < narrowest;
+    const Wide gain = steepest * steepest / (fall * wide(vv_));
+    if (out.is_usable) out.time.error += 1.01 * arithmetic::scale(gain.value, gain.exponent - out.time.exponent);
+    return out;
+  }
+
+  Seen seen_[2];
+  Few axes_along_, axes_across_, w_, vv_;
+};
+
+}  // namespace vesica::detail::cast

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The greatest double with no contact before it, from exact numbers.
+///
+/// It is defined by a search: doubles are tried, from an estimate on, and where a place that is tried is beyond exact
+/// numbers, the search ends with an error. At unlike exponents the time is mostly known without trials (wide.hpp,
+/// ellipse_trials.hpp); then only the places are looked at.
+#pragma once
+
+#include <vesica/arithmetic/rounding.hpp>
+#include <vesica/cast/ellipse_time.hpp>
+#include <vesica/cast/ellipse_trials.hpp>
+
+namespace vesica::detail::cast {
+
+/// The doubles between which a time is.
+struct Between {
+  double least, most;
+
+  explicit Between(const Rough& t) noexcept {
+    const double value = rounded(t.value), error = 1.01 * t.error + 0x1p-52 * std::fabs(value);
+    least = arithmetic::scale_far(value - error, t.exponent) * (1 - 0x1p-52);
+    most = arithmetic::scale_far(value + error, t.exponent) * (1 + 0x1p-52) + std::numeric_limits<double>::denorm_min();
+  }
+};
+
+/// Whether no double that search_up() tries between a start and a time is beyond ExactPair::contact_at(). It goes at
+/// most as far beyond the time as the start is from it; and after the witness no place is asked for.
+inline bool holds_trials(const ExactPair& pair, double start, double t, double witness) noexcept {
+  const std::uint64_t bottom = arithmetic::rank(0.0) + 1, top = arithmetic::rank(std::numeric_limits<double>::max());
+  const std::uint64_t from = arithmetic::rank(start), to = t > 0 ? arithmetic::rank(t) : bottom,
+                      way = (from < to ? to - from : from - to) + 3;
+  const std::uint64_t least = from < to ? from : to - bottom > way ? to - way : bottom;
+  const std::uint64_t most = from > to ? from : top - to > way ? to + way : top;
+  const double last = lane::min(arithmetic::at_rank<double>(most), witness);
+  return pair.holds_places(arithmetic::at_rank<double>(least), lane::max(last, t));
+}
+
+/// The smallest double from which on reaches() holds. A negative answer of it, an error, ends the search.
+template <class Reaches>
+std::int32_t search(double start, const Reaches& reaches, double& out) noexcept {
+  std::int32_t error = 0;
+  const auto is_after = [&](double t) {
+    if (error != 0) return true;
+    const std::int32_t reached = reaches(t);
+    if (reached < 0) error = reached;
+    return reached != 0;
+  };
+  const bool found = arithmetic::search_up(start, is_after, out);
+  return error == 0 && !found ? static_cast<std::int32_t>(error_range) : error;
+}
+
+/// The search for a time that is known, or infinite: an error if it would end with one.
+inline std::int32_t repeat_search(const ExactPair& pair, double start, double t) noexcept {
+  if (!(t <= std::numeric_limits<double>::max())) return error_range;
+  const Between witness(pair.rough_time_of_witness());
+  if (pair.line_grazes() || holds_trials(pair, start, t, witness.most)) return 0;
+  const auto reaches = [&](double x) -> std::int32_t {
+    if (!(x > 0)) return 0;
+    const bool is_after_witness = x > witness.most || (x >= witness.least && pair.witness_after(x) < 0);
+    if (is_after_witness) return 1;
+    return pair.holds_place(x) ? (x > t ? 1 : 0) : static_cast<std::int32_t>(error_range);
+  };
+  double out;
+  return search(start, reaches, out);
+}
+
+/// Whether the time is known without trials. Infinite where it is the largest double or beyond.
+inline bool wide_floor(const ExactPair& pair, std::int32_t& error, double& out) noexcept {
+  const WideTime found = pair.line_grazes()   ? wide_grazing_time(pair)
+                         : pair.of_ellipses() ? SeenEllipses(pair).time()
+                                              : wide_time(pair);
+  if (!found.certain || !found.time.is_precise() || found.time.sign() <= 0) return false;
+  error = floor_of_time(pair, found.time, out);
+  return true;
+}
+
+/// The same by trials of few digits: of ellipses.
+inline bool tried_floor(const ExactPair& pair, double start, double& out) noexcept {
+  if (pair.line_grazes() || !pair.of_ellipses()) return false;
+  out = floor_of_ellipses(pair, start);
+  return out >= 0;
+}
+
+/// Whether there is contact at the end, where the witness comes after it; or an error. The time, if known, tells mostly.
+inline std::int32_t contact_at_end(const ExactPair& pair, double end, const double* known_time) noexcept {
+  if (known_time != nullptr && *known_time != end && *known_time <= std::numeric_limits<double>::max()) {
+    return pair.holds_place(end) ? (*known_time < end ? 1 : 0) : static_cast<std::int32_t>(error_range);
+  }
+  const Contact contact = pair.contact_at(end);
+  return contact == Contact::beyond ? static_cast<std::int32_t>(error_range) : contact != Contact::none ? 1 : 0;
+}
+
+/// For a line that enters M after the start, and a witness that comes after the end if that is `late`. Returns 1, or 0
+/// where there is no contact up to the end, or error_range where the time or a place is beyond the numbers.
+VESICA_COLD inline std::int32_t exact_floor(const Body& a, const Body& b, const Motion& motion, bool late,
+                                            double estimate, double& out) noexcept {
+  const ExactPair pair(a, b, motion);
+  const bool usable = estimate > 0 && estimate < std::numeric_limits<double>::max();
+  const double start = usable ? arithmetic::at_rank<double>(arithmetic::rank(estimate) + 1) : 1.0;
+  std::int32_t error = 0;
+  double t;
+  bool known = wide_floor(pair, error, t);
+  if (late) {
+    const std::int32_t at_end = contact_at_end(pair, motion.end, known && error == 0 ? &t : nullptr);
+    if (at_end <= 0) return at_end;
+  }
+  known = known || tried_floor(pair, start, t);
+  if (known) {
+    if (error == 0) error = repeat_search(pair, start, t);
+    out = t;
+  } else {
+    double after;
+    error = search(start, [&](double x) { return pair.contact_before(x); }, after);
+    if (error == 0) out = arithmetic::at_rank<double>(arithmetic::rank(after) - 1) + 0.0;
+  }
+  return error != 0 ? error : 1;
+}
+
+}  // namespace vesica::detail::cast
