@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// First contacts of a circle or an ellipse with a point or with another such shape, either of which moves (ellipses_meeting() of
-// include/vesica/cast/quick_round_hit.hpp). A circle is an ellipse with the axis (1, 0).
+// First contacts of a circle or an ellipse with a point or with another such shape, either of which moves
+// (ellipses_meeting() of include/vesica/cast/quick_round_hit.hpp). A circle is an ellipse with the axis (1, 0).
 #pragma once
 
 #include "kernels/cast_scene.hpp"

@@ -59,8 +59,8 @@ struct CastBytes {
 using CastFilter = void (*)(const CastColumns& columns, std::int32_t n, const CastBytes& out) noexcept;
 
 /// The first contacts of pairs that the filter says to meet. results[0][i] is the time, the rest the point and the
-/// normal as a single call has them; infinite if it is after the end, NaN where the scalar function must be asked: where
-/// contact may have begun by the start, too.
+/// normal as a single call has them; infinite if it is after the end, NaN where the scalar function must be asked, as
+/// where contact may have begun by the start.
 using CastKernel = void (*)(const CastColumns& columns, std::int32_t n, double* const* results) noexcept;
 
 struct CastTable {

@@ -54,8 +54,8 @@ struct Pairs {
   }
 };
 
-/// Of all pairs those that certainly miss and those that certainly are in contact at some time; of these what the kernel
-/// of contacts settles, or -1 where there is none. Most of the rest are in contact at the start.
+/// Of all pairs those that certainly miss and those that certainly are in contact at some time; of these what the
+/// kernel of contacts settles, or -1 where there is none. Most of the rest are in contact at the start.
 struct Tally {
   int missed = 0, meets = 0, settled = -1;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The search for the first contact by fused products has the bits of that by splitting, and the quick one of a box with
-/// a round shape those of the general one, wherever they are used.
+/// The search for the first contact by fused products has the bits of that by splitting, and the quick one of a box
+/// with a round shape those of the general one, wherever they are used.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -84,8 +84,8 @@ Vector direction(const Scene& scene, double s) noexcept {
   return {renormalised(-(x + Twofold<double>{scene.vx, 0})), renormalised(y - Twofold<double>{scene.vy, 0})};
 }
 
-/// A face of a box, whose normal is its axis (`lengthwise`) or across that, or a vertex: w without the terms of the box,
-/// each with its sign there.
+/// A face of a box, whose normal is its axis (`lengthwise`) or across that, or a vertex: w without the terms of the
+/// box, each with its sign there.
 template <class V>
 struct Feature {
   MaskOf<V> face, lengthwise;
