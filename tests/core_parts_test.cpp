@@ -105,6 +105,18 @@ TEST(CoreParts, MirroredSlices) {
   EXPECT_EQ(slice(-3, 0.5, -0.5, 0.5), 0);
 }
 
+/// Of outlines that are said to meet and do not, the point that was found is given: one of either.
+TEST(CoreParts, ClosestPointsOfOutlinesApart) {
+  const vesica::Circle<double> a{0, 0, 1}, b{9, 0, 2};
+  for (const auto& points : {boundary_distance::closest_outline_points(vesica::Relation::touch, a, b),
+                             boundary_distance::closest_outline_points(vesica::Relation::cross, b, a)}) {
+    EXPECT_EQ(points.distance, 0);
+    EXPECT_TRUE(points.ax == points.bx && points.ay == points.by);
+    const double off_a = std::hypot(points.ax, points.ay) - 1, off_b = std::hypot(points.ax - 9, points.ay) - 2;
+    EXPECT_LE(std::fmin(std::fabs(off_a), std::fabs(off_b)), 0x1p-49);
+  }
+}
+
 /// The part of the unit disc on one side of a line that crosses it, or passes it on either side.
 TEST(CoreParts, DiscInAHalfPlane) {
   const auto part = [](double distance) {
