@@ -11,7 +11,9 @@
 #include <vesica/boundary_distance.hpp>
 #include <vesica/crossings/points.hpp>
 #include <vesica/depth.hpp>
+#include <vesica/methods/circle_ellipse_closed_form.hpp>
 #include <vesica/square_root.hpp>
+#include <vesica/within.hpp>
 
 #include "properties/random.hpp"
 
@@ -103,6 +105,53 @@ TEST(CoreParts, MirroredSlices) {
   // One that is nowhere in the disc, on either side.
   EXPECT_EQ(slice(3, 0.5, -0.5, 0.5), 0);
   EXPECT_EQ(slice(-3, 0.5, -0.5, 0.5), 0);
+}
+
+/// Of outlines that are said to meet and do not, the point that was found is given: one of either.
+TEST(CoreParts, ClosestPointsOfOutlinesApart) {
+  const vesica::Ellipse<double> a{0, 0, 1, 0, 1, 1}, b{9, 0, 1, 0, 2, 2};
+  for (const auto& points : {boundary_distance::closest_outline_points(vesica::Relation::touch, a, b),
+                             boundary_distance::closest_outline_points(vesica::Relation::cross, b, a)}) {
+    EXPECT_EQ(points.distance, 0);
+    EXPECT_TRUE(points.ax == points.bx && points.ay == points.by);
+    const double off_a = std::hypot(points.ax, points.ay) - 1, off_b = std::hypot(points.ax - 9, points.ay) - 2;
+    EXPECT_LE(std::fmin(std::fabs(off_a), std::fabs(off_b)), 0x1p-49);
+  }
+}
+
+/// Numbers times a power of two: 0 is kept, so is what is equal and what is not subnormal.
+TEST(CoreParts, KeptDigits) {
+  struct Number {
+    double stored, scaled;
+    bool kept;
+  };
+  constexpr Number usual{3, 0x1.8p-1000, true};
+  constexpr Number numbers[] = {{0, 0, true}, {3, 3, true}, usual, {3, 0x1p-1070, false}, {3, 0, false}};
+  for (int k = 0; k < 6; ++k) {
+    for (const Number& x : numbers) {
+      Number all[6] = {usual, usual, usual, usual, usual, usual};
+      all[k] = x;
+      const auto ellipse = [&](double Number::*which) {
+        return vesica::Ellipse<double>{all[0].*which, all[1].*which, all[2].*which,
+                                       all[3].*which, all[4].*which, all[5].*which};
+      };
+      EXPECT_EQ(within::kept_digits(ellipse(&Number::stored), ellipse(&Number::scaled)), x.kept)
+          << k << ' ' << x.scaled;
+    }
+  }
+}
+
+/// The root of a quartic that an ellipse and a circle's centre make, down to nothing at all.
+TEST(CoreParts, QuarticOfACircle) {
+  EXPECT_EQ(vesica::methods::detail::quartic_root(0.0, 0.0, 0.0), 0);
+  for (const double a : {0.25, 0.5, 1.0}) {
+    for (const double b : {0.125, 0.5, 1.0}) {
+      for (const double c : {0.0, 0.25, 1.0}) {
+        const double k = vesica::methods::detail::quartic_root(a, b, c);
+        EXPECT_NEAR(a * a / ((k + c) * (k + c)) + b * b / (k * k), 1, 1e-12) << a << ' ' << b << ' ' << c;
+      }
+    }
+  }
 }
 
 /// The part of the unit disc on one side of a line that crosses it, or passes it on either side.

@@ -247,10 +247,10 @@ TEST(CudaKernels, EachArgumentAlone) {
   EXPECT_EQ(matrix(other, all, 8), cudaErrorInvalidValue);
   EXPECT_EQ(matrix(all, other, 8), cudaErrorInvalidValue);
   // Without columns there may be any number of rows.
-  auto rows = all;
-  rows.count = cuda::most_pairs;
-  EXPECT_EQ(matrix(rows, none, 0), cudaSuccess);
-  EXPECT_EQ(matrix(rows, all, 8), cudaErrorInvalidValue);
+  auto tall = all;
+  tall.count = cuda::most_pairs;
+  EXPECT_EQ(matrix(tall, none, 0), cudaSuccess);
+  EXPECT_EQ(matrix(tall, all, 8), cudaErrorInvalidValue);
 }
 
 TEST(CudaKernels, PartOfRecords) {
