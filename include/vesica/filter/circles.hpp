@@ -18,7 +18,8 @@ inline constexpr double look_slack = 0x1p-40;
 
 template <class V>
 VESICA_INLINE constexpr V greatest_finite() noexcept {
-  return V(std::numeric_limits<double>::max());
+  constexpr double greatest = std::numeric_limits<double>::max();
+  return V(greatest);
 }
 
 /// Are circles about two shapes apart? Of `distance` and `about`, the sum of the squared radii R and S, all errors
