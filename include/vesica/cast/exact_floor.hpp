@@ -52,7 +52,7 @@ std::int32_t search(double start, const Reaches& reaches, double& out) noexcept 
 /// The search for a time that is known, or infinite: an error if it would end with one.
 inline std::int32_t repeat_search(const ExactPair& pair, double start, double t) noexcept {
   if (!(t <= std::numeric_limits<double>::max())) return error_range;
-  const Between witness(pair.rough_time_of_witness());
+  const Between witness(pair.rough_witness());
   if (pair.line_grazes() || holds_trials(pair, start, t, witness.most)) return 0;
   const auto reaches = [&](double x) -> std::int32_t {
     if (!(x > 0)) return 0;
@@ -64,10 +64,16 @@ inline std::int32_t repeat_search(const ExactPair& pair, double start, double t)
   return search(start, reaches, out);
 }
 
+/// The time of two ellipses; where more digits cancel, from more.
+VESICA_COLD inline WideTime time_of_ellipses(const ExactPair& pair) noexcept {
+  const WideTime few = SeenEllipses<exact::few_limbs>(pair).time();
+  return few.certain ? few : SeenEllipses<exact::more_limbs>(pair).time();
+}
+
 /// Whether the time is known without trials. Infinite where it is the largest double or beyond.
 inline bool wide_floor(const ExactPair& pair, std::int32_t& error, double& out) noexcept {
   const WideTime found = pair.line_grazes()   ? wide_grazing_time(pair)
-                         : pair.of_ellipses() ? SeenEllipses(pair).time()
+                         : pair.of_ellipses() ? time_of_ellipses(pair)
                                               : wide_time(pair);
   if (!found.certain || !found.time.is_precise() || found.time.sign() <= 0) return false;
   error = floor_of_time(pair, found.time, out);
