@@ -39,8 +39,10 @@ Rough rough(const Leading<limbs>& x) noexcept {
   kept.strip();
   Rough out(kept);
   if (x.error == Leading<limbs>::nothing) return out;
-  if (x.sign == 0) return {{}, 1, static_cast<int>(x.error)};
-  return {out.value, out.error + arithmetic::scale(1.01, static_cast<int>(x.error) - out.exponent), out.exponent};
+  const int place = static_cast<int>(x.error);
+  // Of digits that are all beyond what is known, only how great they may be.
+  if (x.sign == 0 || place > out.exponent + 60) return {{}, 2, place};
+  return {out.value, out.error + arithmetic::scale(1.01, place - out.exponent), out.exponent};
 }
 
 /// The bends of two ellipses: their widths, their reaches, and how far the second is behind the first; and the slope
@@ -246,10 +248,12 @@ class SeenEllipses {
     const Digits rest = square(offset) - heights[0] - heights[1], product = times(4, heights[0] * heights[1]);
     if (offset.sign <= 0 || rest.sign <= 0) return {};
     const Rough sums = (rough(rest) + root(rough(product))) * (rough(offset) + height);
+    if (!sums.is_precise()) return {};
     out.time = rough(square(rest) - product) / (sums * rough(squared * vv_));
     out.is_usable = steepest / fall < narrowest;
     const Wide gain = steepest * steepest / (fall * wide(vv_));
-    if (out.is_usable) out.time.error += 1.01 * arithmetic::scale(gain.value, gain.exponent - out.time.exponent);
+    // As a number of its own: where T is 0, in whatever unit, the gain is all that there is.
+    out.time = out.time + Rough({}, 1.01 * gain.value, gain.exponent);
     return out;
   }
 
