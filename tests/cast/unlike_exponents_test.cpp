@@ -42,9 +42,10 @@ bool check(const Body& a, const Body& b, const core::Motion& m, bool by_search) 
   const ExactPair pair(a, b, m);
   if (pair.contact_at(0) != core::Contact::none) return false;
   const core::LineMeeting line = core::exact_line(a, b, m);
+  if (!line.meets) return false;
+  const core::WideTime found = core::known_time(pair);
   double t = 0;
-  std::int32_t error = 0;
-  if (!line.meets || !core::wide_floor(pair, error, t) || error != 0) return false;
+  if (!found.certain || core::floor_of_time(pair, found.time, t) != 0) return false;
   if (by_search) expect_found_by_search(pair, t);
   if (t > std::numeric_limits<double>::max()) {
     EXPECT_LE(pair.contact_before(std::numeric_limits<double>::max()), 0);
@@ -53,7 +54,8 @@ bool check(const Body& a, const Body& b, const core::Motion& m, bool by_search) 
   if (!pair.holds_place(t) || !pair.holds_place(next(t))) return true;
   EXPECT_EQ(pair.contact_before(t), 0) << std::hexfloat << t;
   EXPECT_EQ(pair.contact_before(next(t)), 1) << std::hexfloat << t;
-  if (pair.of_ellipses() && !line.graze.grazes) {
+  // From 2^1023 on trials leave the time open.
+  if (pair.of_ellipses() && !line.graze.grazes && t < 0x1p1023) {
     EXPECT_EQ(core::floor_of_ellipses(pair, 1), t);
   }
   return true;
@@ -121,6 +123,11 @@ TEST(CastAtUnlikeExponents, KnownTimes) {
        {Kind::segment, {0x1.dp-52, -1, 0x1.dp-52, 2, 0, 0}},
        {-0x1p+1020, 0, infinity},
        0x0.0000000000007p-1022},
+      // The time along the direction that is tried first is 0.
+      {{Kind::circle, {-0x1.4000000000001p-789, 0x1.cp-789, 0x1.8p-790, 0, 0, 0}},
+       {Kind::circle, {-0x1.4p-789, 0x1p-790, 0x1p-790, 0, 0, 0}},
+       {0, 0x1.4p-790, infinity},
+       0x1.47ae147ae147ap-105},
       // Lines that graze: the edge of a box, an ellipse at one point.
       {{Kind::aabb, {0, 0, 1, 1, 0, 0}}, {Kind::aabb, {-5, 1, -3, 2, 0, 0}}, {0x1p-900, 0, infinity}, 0x1.8p+901},
       {{Kind::point, {0x1p+301, -0x1p-262, 0, 0, 0, 0}},
@@ -130,10 +137,10 @@ TEST(CastAtUnlikeExponents, KnownTimes) {
   };
   for (const Known& k : all) {
     const ExactPair pair(k.a, k.b, k.motion);
+    const core::WideTime found = core::known_time(pair);
     double t = 0;
-    std::int32_t error = 0;
-    ASSERT_TRUE(core::wide_floor(pair, error, t));
-    ASSERT_EQ(error, 0);
+    ASSERT_TRUE(found.certain);
+    ASSERT_EQ(core::floor_of_time(pair, found.time, t), 0);
     EXPECT_EQ(t, k.time);
     EXPECT_EQ(pair.contact_before(t), 0);
     EXPECT_EQ(pair.contact_before(next(t)), 1);

@@ -16,10 +16,11 @@
 namespace vesica::detail::cast {
 
 using arithmetic::Wide;
-using Few = exact::Leading<exact::few_limbs>;
+using exact::Leading;
 
-inline Wide wide(const Few& x) noexcept {
-  constexpr int top = exact::few_limbs - 1;
+template <int limbs>
+Wide wide(const Leading<limbs>& x) noexcept {
+  constexpr int top = limbs - 1;
   if (x.sign == 0) return {};
   const double value = static_cast<double>(x.limb[top]) + 0x1p-64 * static_cast<double>(x.limb[top - 1]);
   return {x.sign * value, 64 * (x.low + top)};
@@ -28,19 +29,20 @@ template <int Degree>
 Wide wide(const Number<Degree>& x) noexcept {
   return Wide(exact::rounded(x));
 }
-inline Few few(const Wide& x) noexcept { return Few(exact::from_double(x.value, x.exponent)); }
-
-inline Rough rough(const Few& x) noexcept {
-  Number<exact::few_limbs> kept;
+template <int limbs>
+Rough rough(const Leading<limbs>& x) noexcept {
+  Number<limbs> kept;
   kept.sign = x.sign;
   kept.low = x.low;
-  kept.size = x.sign == 0 ? 0 : exact::few_limbs;
+  kept.size = x.sign == 0 ? 0 : limbs;
   for (int i = 0; i < kept.size; ++i) kept.limb[i] = x.limb[i];
   kept.strip();
   Rough out(kept);
-  if (x.error == Few::nothing) return out;
-  if (x.sign == 0) return {{}, 1, static_cast<int>(x.error)};
-  return {out.value, out.error + arithmetic::scale(1.01, static_cast<int>(x.error) - out.exponent), out.exponent};
+  if (x.error == Leading<limbs>::nothing) return out;
+  const int place = static_cast<int>(x.error);
+  // Of digits that are all beyond what is known, only how great they may be.
+  if (x.sign == 0 || place > out.exponent + 60) return {{}, 2, place};
+  return {out.value, out.error + arithmetic::scale(1.01, place - out.exponent), out.exponent};
 }
 
 /// The bends of two ellipses: their widths, their reaches, and how far the second is behind the first; and the slope
@@ -109,8 +111,11 @@ inline BesideBend place_of_rest(const Bends& b) noexcept {
   return {bend, at(d)};
 }
 
-/// A pair of ellipses whose line enters M after the start and does not graze it.
+/// A pair of ellipses whose line enters M after the start and does not graze it, in so many leading digits.
+template <int limbs>
 class SeenEllipses {
+  using Digits = Leading<limbs>;
+
  public:
   explicit SeenEllipses(const ExactPair& pair) noexcept
       : seen_{Seen(pair.a_.box, pair.reach_a_, pair), Seen(pair.b_.box, pair.reach_b_, pair)},
@@ -135,11 +140,11 @@ class SeenEllipses {
     const BesideBend found = place_of_rest(bends);
     const Wide unit = wide(seen_[found.bend].squared);
     const FromBend from(*this, found.bend);
-    Few beside = few((mirrored ? -found.way : found.way) * unit);
+    Digits beside = digits((mirrored ? -found.way : found.way) * unit);
     Evaluated at = evaluate(from, beside, seen_[found.bend].squared);
     for (int i = 0; i < 2 && at.is_usable && !at.is_precise(); ++i) {
-      beside = beside + few(at.step * unit);
-      beside.error = Few::nothing;  // this is the direction now
+      beside = beside + digits(at.step * unit);
+      beside.error = Digits::nothing;  // this is the direction now
       at = evaluate(from, beside, seen_[found.bend].squared);
     }
     if (at.is_usable && at.is_below_all_doubles()) return {Rough(crossings::Real(1.0), 0, least_exponent), true};
@@ -147,8 +152,10 @@ class SeenEllipses {
   }
 
  private:
+  static Digits digits(const Wide& x) noexcept { return Digits(exact::from_double(x.value, x.exponent)); }
+
   struct Seen {
-    Few squared, m, area, uu, hx, hy, c, k, along_d, across_d;
+    Digits squared, m, area, uu, hx, hy, c, k, along_d, across_d;
 
     Seen(const exact::Box& e, const ExactReach& reach, const ExactPair& p) noexcept
         : squared(reach.squared),
@@ -168,15 +175,15 @@ class SeenEllipses {
   /// u x n then are, and n.D.
   struct FromBend {
     int bend;
-    Few along[2], across[2], way;
+    Digits along[2], across[2], way;
 
     FromBend(const SeenEllipses& pair, int of) noexcept : bend(of) {
       const Seen& e = pair.seen_[bend];
-      const Few x = -(pair.vv_ * (square(e.hy) * e.c)), y = -(pair.vv_ * (square(e.hx) * e.k));
+      const Digits x = -(pair.vv_ * (square(e.hy) * e.c)), y = -(pair.vv_ * (square(e.hx) * e.k));
       along[bend] = x * e.uu;
       across[bend] = y * e.uu;
       // The other's axis by this one's; a cross product changes its sign.
-      const Few &dot = pair.axes_along_, cross = bend == 0 ? -pair.axes_across_ : pair.axes_across_;
+      const Digits &dot = pair.axes_along_, cross = bend == 0 ? -pair.axes_across_ : pair.axes_across_;
       along[1 - bend] = x * dot - y * cross;
       across[1 - bend] = x * cross + y * dot;
       way = x * e.along_d + y * e.across_d;
@@ -200,28 +207,28 @@ class SeenEllipses {
   /// H - |w|, in which terms cancel where the line almost grazes.
   bool reach_less_offset(Wide& gap) const noexcept {
     const auto& [a, b] = seen_;
-    const Few rest = square(w_) - a.squared - b.squared, product = times(4, a.squared * b.squared);
+    const Digits rest = square(w_) - a.squared - b.squared, product = times(4, a.squared * b.squared);
     const Wide twice_root = arithmetic::root(wide(product));
     const Wide sum = arithmetic::root(wide(a.squared)) + arithmetic::root(wide(b.squared)) + arithmetic::abs(wide(w_));
     if (rest.sign <= 0) {
       gap = (twice_root - wide(rest)) / sum;
       return true;
     }
-    const Few left = product - square(rest);
+    const Digits left = product - square(rest);
     gap = wide(left) / ((twice_root + wide(rest)) * sum);
     return left.sign > 0 && left.sign_is_certain();
   }
 
   /// At a bend's n and `beside` perp(v) more.
-  Evaluated evaluate(const FromBend& from, const Few& beside, const Few& squared) const noexcept {
-    const Few offset = from.way + beside * w_;
-    Few heights[2];
+  Evaluated evaluate(const FromBend& from, const Digits& beside, const Digits& squared) const noexcept {
+    const Digits offset = from.way + beside * w_;
+    Digits heights[2];
     Rough height, slopes;
     Wide fall, narrowest;
     for (int i = 0; i < 2; ++i) {
       const Seen& e = seen_[i];
       // u.perp(v) = -(u x v), u x perp(v) = u.v.
-      const Few p = e.hx * (from.along[i] - beside * e.k), q = e.hy * (from.across[i] + beside * e.c);
+      const Digits p = e.hx * (from.along[i] - beside * e.k), q = e.hy * (from.across[i] + beside * e.c);
       heights[i] = square(p) + square(q);
       const Rough h = root(rough(heights[i]));
       if (!h.is_precise()) return {};
@@ -238,18 +245,20 @@ class SeenEllipses {
     Evaluated out;
     out.step = Wide(slope.scaled()) / fall;
     // n.D - h_a - h_b, twice without cancellation: times the sum of all it is a difference with a root.
-    const Few rest = square(offset) - heights[0] - heights[1], product = times(4, heights[0] * heights[1]);
+    const Digits rest = square(offset) - heights[0] - heights[1], product = times(4, heights[0] * heights[1]);
     if (offset.sign <= 0 || rest.sign <= 0) return {};
     const Rough sums = (rough(rest) + root(rough(product))) * (rough(offset) + height);
+    if (!sums.is_precise()) return {};
     out.time = rough(square(rest) - product) / (sums * rough(squared * vv_));
     out.is_usable = steepest / fall < narrowest;
     const Wide gain = steepest * steepest / (fall * wide(vv_));
-    if (out.is_usable) out.time.error += 1.01 * arithmetic::scale(gain.value, gain.exponent - out.time.exponent);
+    // As a number of its own: where T is 0, in whatever unit, the gain is all that there is.
+    out.time = out.time + Rough({}, 1.01 * gain.value, gain.exponent);
     return out;
   }
 
   Seen seen_[2];
-  Few axes_along_, axes_across_, w_, vv_;
+  Digits axes_along_, axes_across_, w_, vv_;
 };
 
 }  // namespace vesica::detail::cast

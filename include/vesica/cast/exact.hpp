@@ -83,6 +83,19 @@ int sum_of_roots(const Number<A>& a, const Number<X>& x, const Number<B>& b, con
   return a.sign * exact::sign_of(difference, a, x, b, y);
 }
 
+/// a / sqrt(x) + b / sqrt(y), x, y > 0, to 2^-50 or better whatever cancels.
+template <int A, int X, int B, int Y>
+Rough sum_over_roots(const Number<A>& a, const Number<X>& x, const Number<B>& b, const Number<Y>& y) noexcept {
+  const Rough p = Rough(a) / root(Rough(x)), q = Rough(b) / root(Rough(y)), sum = p + q;
+  if (sum.is_precise()) return sum;
+  // (p^2 - q^2) / (p - q).
+  const auto difference = [](const auto& a1, const auto& y1, const auto& b1, const auto& x1) {
+    return square(a1) * y1 - square(b1) * x1;
+  };
+  const auto rest = exact::rounded_value(difference, a, y, b, x);
+  return Rough(crossings::Real(rest.value), 0x1p-53, rest.exponent) / (Rough(x) * Rough(y) * (p - q));
+}
+
 /// Sign of w X - q H, which is that of t_w - e where q = D.v + e v.v. Degree 6, 18 or 24.
 template <int Q>
 int witness_sign(const ExactReach& a, const ExactReach& b, const Number<2>& w, const Number<Q>& q) noexcept {
@@ -143,6 +156,7 @@ class Window {
 enum class Contact { none, touch, inside, beyond };
 
 struct WideTime;
+template <int limbs>
 class SeenEllipses;
 
 /// A pair and its motion, v != 0, in exact numbers.
@@ -168,24 +182,26 @@ class ExactPair {
   /// On which side of the line through the first centre along v the second lies: the sign of w.
   int side() const noexcept { return w_.sign; }
 
-  /// vv t_w.
-  Rough rough_witness() const noexcept {
-    Rough across, along;
-    for (const ExactReach* reach : {&reach_a_, &reach_b_}) {
-      const Rough h = reach->round ? root(Rough(reach->squared)) : Rough(reach->h);
-      across = across + h;
-      along = along + (reach->round ? Rough(reach->m) / h : Rough(reach->along));
-    }
-    return (across.sign() == 0 ? Rough() : Rough(w_) * along / across) - Rough(q_);
-  }
-
   /// t_w, above 0.
-  Rough rough_time_of_witness() const noexcept { return rough_witness() / Rough(vv_); }
+  Rough rough_witness() const noexcept {
+    const ExactReach &a = reach_a_, &b = reach_b_;
+    const auto reach = [](const ExactReach& r) { return r.round ? root(Rough(r.squared)) : Rough(r.h); };
+    const Rough across = reach(a) + reach(b);
+    if (across.sign() == 0) return -Rough(q_) / Rough(vv_);
+    // w X - q H; of a round shape over a root.
+    const auto round = [this](const ExactReach& r) { return w_ * r.m - q_ * r.squared; };
+    const Number<5> straight = w_ * (a.along + b.along) - q_ * (a.h + b.h);
+    const Rough way = a.round && b.round ? sum_over_roots(round(a), a.squared, round(b), b.squared)
+                      : a.round          ? sum_over_roots(straight, exact::integer(1), round(a), a.squared)
+                      : b.round          ? sum_over_roots(straight, exact::integer(1), round(b), b.squared)
+                                         : Rough(straight);
+    return way / (across * Rough(vv_));
+  }
 
   /// Sign of t_w - t for a line that meets M.
   int witness_after(double t) const noexcept {
     if (reach_a_.is_long() || reach_b_.is_long()) {
-      const Rough left = rough_witness() - Rough(vv_) * Rough(exact::from_double(t));
+      const Rough left = rough_witness() - Rough(exact::from_double(t));
       if (left.sign_is_known()) return left.sign();
     }
     if (t == 0) return witness_sign(reach_a_, reach_b_, w_, q_);
@@ -231,6 +247,7 @@ class ExactPair {
 
   friend WideTime wide_time(const ExactPair& pair) noexcept;
   friend WideTime wide_grazing_time(const ExactPair& pair) noexcept;
+  template <int limbs>
   friend class SeenEllipses;
   friend double floor_of_ellipses(const ExactPair& pair, double start) noexcept;
 

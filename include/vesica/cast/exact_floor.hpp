@@ -52,7 +52,7 @@ std::int32_t search(double start, const Reaches& reaches, double& out) noexcept 
 /// The search for a time that is known, or infinite: an error if it would end with one.
 inline std::int32_t repeat_search(const ExactPair& pair, double start, double t) noexcept {
   if (!(t <= std::numeric_limits<double>::max())) return error_range;
-  const Between witness(pair.rough_time_of_witness());
+  const Between witness(pair.rough_witness());
   if (pair.line_grazes() || holds_trials(pair, start, t, witness.most)) return 0;
   const auto reaches = [&](double x) -> std::int32_t {
     if (!(x > 0)) return 0;
@@ -64,30 +64,37 @@ inline std::int32_t repeat_search(const ExactPair& pair, double start, double t)
   return search(start, reaches, out);
 }
 
-/// Whether the time is known without trials. Infinite where it is the largest double or beyond.
-inline bool wide_floor(const ExactPair& pair, std::int32_t& error, double& out) noexcept {
-  const WideTime found = pair.line_grazes()   ? wide_grazing_time(pair)
-                         : pair.of_ellipses() ? SeenEllipses(pair).time()
-                                              : wide_time(pair);
-  if (!found.certain || !found.time.is_precise() || found.time.sign() <= 0) return false;
-  error = floor_of_time(pair, found.time, out);
-  return true;
-}
-
-/// The same by trials of few digits: of ellipses.
-inline bool tried_floor(const ExactPair& pair, double start, double& out) noexcept {
-  if (pair.line_grazes() || !pair.of_ellipses()) return false;
-  out = floor_of_ellipses(pair, start);
-  return out >= 0;
+/// The time, if it is known without trials and to a few digits more than a double has.
+inline WideTime known_time(const ExactPair& pair) noexcept {
+  WideTime found = pair.line_grazes()   ? wide_grazing_time(pair)
+                   : pair.of_ellipses() ? SeenEllipses<exact::few_limbs>(pair).time()
+                                        : wide_time(pair);
+  found.certain = found.certain && found.time.is_precise() && found.time.sign() > 0;
+  return found;
 }
 
 /// Whether there is contact at the end, where the witness comes after it; or an error. The time, if known, tells mostly.
-inline std::int32_t contact_at_end(const ExactPair& pair, double end, const double* known_time) noexcept {
-  if (known_time != nullptr && *known_time != end && *known_time <= std::numeric_limits<double>::max()) {
-    return pair.holds_place(end) ? (*known_time < end ? 1 : 0) : static_cast<std::int32_t>(error_range);
+inline std::int32_t contact_at_end(const ExactPair& pair, double end, const WideTime& found) noexcept {
+  if (found.certain) {
+    const Rough left = found.time - Rough(exact::from_double(end));
+    // The errors of two times of boxes are within 2^-90 of either.
+    const double error = left.error + arithmetic::scale(0x1p-88, found.time.exponent - left.exponent);
+    if (std::fabs(rounded(left.value)) > error) {
+      return pair.holds_place(end) ? (left.sign() < 0 ? 1 : 0) : static_cast<std::int32_t>(error_range);
+    }
   }
   const Contact contact = pair.contact_at(end);
   return contact == Contact::beyond ? static_cast<std::int32_t>(error_range) : contact != Contact::none ? 1 : 0;
+}
+
+/// Where a few digits do not tell the time of two ellipses: from more of them, or by trials. Negative where unknown.
+VESICA_COLD inline double tried_floor(const ExactPair& pair, double start, std::int32_t& error) noexcept {
+  if (pair.line_grazes() || !pair.of_ellipses()) return -1;
+  const WideTime found = SeenEllipses<exact::more_limbs>(pair).time();
+  if (!found.certain) return floor_of_ellipses(pair, start);
+  double t;
+  error = floor_of_time(pair, found.time, t);
+  return t;
 }
 
 /// For a line that enters M after the start, and a witness that comes after the end if that is `late`. Returns 1, or 0
@@ -97,20 +104,26 @@ VESICA_COLD inline std::int32_t exact_floor(const Body& a, const Body& b, const 
   const ExactPair pair(a, b, motion);
   const bool usable = estimate > 0 && estimate < std::numeric_limits<double>::max();
   const double start = usable ? arithmetic::at_rank<double>(arithmetic::rank(estimate) + 1) : 1.0;
-  std::int32_t error = 0;
-  double t;
-  bool known = wide_floor(pair, error, t);
+  const WideTime found = known_time(pair);
   if (late) {
-    const std::int32_t at_end = contact_at_end(pair, motion.end, known && error == 0 ? &t : nullptr);
+    const std::int32_t at_end = contact_at_end(pair, motion.end, found);
     if (at_end <= 0) return at_end;
   }
-  known = known || tried_floor(pair, start, t);
-  if (known) {
-    if (error == 0) error = repeat_search(pair, start, t);
+  std::int32_t error = 0;
+  double t;
+  if (found.certain) {
+    error = floor_of_time(pair, found.time, t);
+  } else {
+    t = tried_floor(pair, start, error);
+  }
+  if (error != 0) return error;
+  if (t >= 0) {
+    error = repeat_search(pair, start, t);
     out = t;
   } else {
     double after;
-    error = search(start, [&](double x) { return pair.contact_before(x); }, after);
+    error = search(
+        start, [&](double x) { return pair.contact_before(x); }, after);
     if (error == 0) out = arithmetic::at_rank<double>(arithmetic::rank(after) - 1) + 0.0;
   }
   return error != 0 ? error : 1;
