@@ -73,18 +73,23 @@ VESICA_INLINE constexpr std::int32_t decide_long_tie(const A& a, const B& b) noe
   if constexpr (filter::has_wide_products && filter::HasResidues<A, B, filter::FarUnit>) {
     return answer_of(filter::by_residues<filter::FarUnit>(a, b));
   } else if constexpr (filter::HasAxes<A, B>) {
-    return answer_of(filter::by_axes(a, b));
+    return answer_of(filter::by_axes<filter::Limbs::leading>(a, b));
   } else if constexpr (filter::HasSquares<A, B>) {
     return answer_of(filter::by_squares(a, b));
   } else {
     return -1;
   }
 }
-/// Contacts of numbers whose exponents are far apart, by an evaluation that detects that nothing was rounded.
+/// Contacts of numbers of all digits, or whose exponents are far apart: there by an evaluation that detects that nothing
+/// was rounded.
 template <class A, class B>
-VESICA_INLINE constexpr std::int32_t decide_wide_tie(const A& a, const B& b) noexcept {
+VESICA_INLINE constexpr std::int32_t decide_longest_tie(const A& a, const B& b) noexcept {
+  if constexpr (filter::HasAxes<A, B>) {
+    const std::int32_t answer = answer_of(filter::by_axes<filter::Limbs::all>(a, b));
+    if (answer >= 0) return answer;
+  }
   if constexpr (filter::HasAxes<A, B> || filter::HasSquares<A, B>) {
-    if (filter::has_long_axis(b, 28)) return -1;  // of the square of a longer number at least 57 digits are lost
+    if (filter::has_long_axis(b, 28)) return -1;  // its square has 57 digits or more
   }
   if constexpr (filter::HasErrorFree<A, B>) {
     return answer_of(filter::error_free(a, b));
@@ -96,14 +101,14 @@ template <class A, class B>
 VESICA_INLINE constexpr std::int32_t decide_without_errors(const A& a, const B& b) noexcept {
   std::int32_t answer = decide_short_tie(a, b);
   if (answer < 0) answer = decide_long_tie(a, b);
-  return answer >= 0 ? answer : decide_wide_tie(a, b);
+  return answer >= 0 ? answer : decide_longest_tie(a, b);
 }
 
 /// A function of its own, as the next one: the registers that it saves would cost shorter ties time.
 template <class A, class B>
 VESICA_COLD constexpr std::int32_t decide_exactly(const A& a, const B& b) noexcept {
   if (!std::is_constant_evaluated()) {
-    const std::int32_t answer = decide_wide_tie(a, b);
+    const std::int32_t answer = decide_longest_tie(a, b);
     if (answer >= 0) return answer;
   }
   if (check(a) != 0 || check(b) != 0) return error_shape;

@@ -3,8 +3,18 @@
 /// numbers of any length, unless the exponents of coordinates, of axes or of sizes are far apart. For what the filters
 /// leave open, one pair at a time.
 ///
-/// A coordinate is a multiple of a unit P, an axis of U, a size of H. P = 2^(64 + s) U H, with s >= 0: lengths that are
-/// coordinates and lengths that are sizes times axes differ by s places and a limb.
+/// Stored numbers are multiples of units: coordinates of P, axes of U, sizes of H, with P = 2^(64 + s) U H and s >= 0.
+/// So how far centres are apart along an axis is a multiple of 2^64 of what half sides reach along it, sizes times axes.
+///
+/// Proved: no number overflows.
+///
+///   - Up to the roundings of these sums, the magnitudes of all axes' numbers sum up to less than 2^63 U, those of sizes
+///     to less than 2^63 H, and those of coordinates to less than 2^62 P, of shapes with corners 2^61 P. So twice a way
+///     between centres is below 2^62 P.
+///   - |a.b| is at most the sum of a's magnitudes times the greater of b's. So dot and cross products are below 2^126,
+///     and less another they are below 2^127.
+///   - What Shift held is below 2^126.
+///   - Sizes times products without their last limb are together below 2^63 2^62, and sizes times last limbs 2^127.
 #pragma once
 
 #include <vesica/filter/box.hpp>
@@ -13,32 +23,10 @@
 
 namespace vesica::filter {
 
-using AxisUnit = UnitOf64<63>;
-using SizeUnit = UnitOf64<63>;
-using PlaceUnit = NearUnit;
-
-/// The units of a pair. Of shapes with corners twice the coordinates count, and P = 2^(65 + s) U H.
+using AxisUnit = UnitOfAll<63>;
+using SizeUnit = UnitOfAll<63>;
 template <bool has_corners>
-struct BoxUnits {
-  PlaceUnit places;
-  AxisUnit axes;
-  SizeUnit sizes;
-  int shift;  // s
-
-  static constexpr int most = 48;
-
-  VESICA_INLINE constexpr BoxUnits(const PlaceUnit& places_, const AxisUnit& axes_, const SizeUnit& sizes_) noexcept
-      : places(places_), axes(axes_), sizes(sizes_) {
-    constexpr int limb = has_corners ? 65 : 64;
-    sizes.raise(places.exponent() - axes.exponent() - limb - most);
-    const int least = axes.exponent() + sizes.exponent() + limb;
-    places.raise(least);
-    shift = places.exponent() - least;
-  }
-  VESICA_INLINE constexpr bool are_ordinary() const noexcept {
-    return both(places.is_ordinary(), both(axes.is_ordinary(), sizes.is_ordinary()));
-  }
-};
+using PlaceUnit = UnitOfAll<has_corners ? 61 : 62>;
 
 /// A vector in units.
 struct VectorInUnits {
@@ -54,12 +42,42 @@ VESICA_INLINE constexpr Residue128 cross(const VectorInUnits& a, const VectorInU
   return a.x * b.y - a.y * b.x;
 }
 
+/// The units of a pair. Of shapes with corners twice the coordinates are taken: there P = 2^(65 + s) U H.
+template <bool has_corners>
+struct BoxUnits {
+  PlaceUnit<has_corners> places;
+  AxisUnit axes;
+  SizeUnit sizes;
+  int shift;  // s
+  bool fit;   // all numbers are multiples
+
+  static constexpr int most_shift = 48;
+
+  /// Sizes may be small, or 0, beside coordinates: then their unit is coarser than they themselves would have it.
+  template <int m, int n>
+  VESICA_INLINE constexpr BoxUnits(const Numbers<m>& of_places, const Numbers<n>& of_axes,
+                                   const Numbers<n>& of_sizes) noexcept
+      : places(of_places), axes(of_axes), sizes(of_sizes) {
+    constexpr int limb = has_corners ? 65 : 64;
+    sizes.raise(places.exponent() - axes.exponent() - limb - most_shift);
+    const int least = axes.exponent() + sizes.exponent() + limb;
+    places.raise(least);
+    shift = places.exponent() - least;
+    fit = both(places.is_ordinary(), both(axes.is_ordinary(), sizes.is_ordinary())) && places.divides(of_places) &&
+          axes.divides(of_axes) && sizes.divides(of_sizes);
+  }
+  VESICA_INLINE constexpr VectorInUnits place(double x, double y) const noexcept {
+    return {places.number(x), places.number(y)};
+  }
+};
+
+/// Sizes are multiples of H, the axis of U.
 struct RectInUnits {
   VectorInUnits axis;
   Integer64 hx, hy;
 
   template <class Units>
-  VESICA_INLINE constexpr RectInUnits(const Rect<double>& r, Units& units) noexcept
+  VESICA_INLINE constexpr RectInUnits(const Rect<double>& r, const Units& units) noexcept
       : axis{units.axes.number(r.ux), units.axes.number(r.uy)},
         hx(units.sizes.number(r.hx)),
         hy(units.sizes.number(r.hy)) {}
@@ -68,20 +86,20 @@ struct RectInUnits {
   }
 };
 
-/// A half side, and what an axis is along it.
+/// A half size, and what an axis is along the half side: a dot or cross product.
 struct Reach {
   Integer64 size;
   Residue128 along;
 };
 
-/// Along an axis: how far centres are apart, a multiple of 2^64, and how far half sides reach.
+/// Along an axis: how far centres are apart, over 2^64, and how far half sides reach.
 template <int count>
 struct OnAxis {
   Residue128 between;
   Reach reach[count];
 
-  /// By how much half sides reach farther, over 2^64, without the last limb of what the axis is along them: less than
-  /// 2^63 more would be right.
+  /// By how much half sides reach farther, over 2^64. Without the last limb of products it is too small, by less than
+  /// 2^63.
   VESICA_INLINE constexpr Residue128 slack() const noexcept {
     Residue128 sum{0, 0};
     for (const auto& [size, along] : reach) sum = sum + product(static_cast<std::uint64_t>(size.n), along.high);
@@ -94,7 +112,7 @@ struct OnAxis {
   }
 };
 
-/// The same along a coordinate axis, where all digits are at hand.
+/// The same along a coordinate axis, where an AABB's sides have no factor U: all of it, not over 2^64.
 struct OnUprightAxis {
   Residue128 all;
 
@@ -102,23 +120,31 @@ struct OnUprightAxis {
   VESICA_INLINE constexpr bool has_gap() const noexcept { return all.is_negative(); }
 };
 
-/// Whether there is a gap along any axis: mostly the leading digits tell.
-template <class... Axis>
-VESICA_INLINE constexpr bool any_gap(const Axis&... axis) noexcept {
-  const Residue128 slack[] = {axis.slack()...};
-  bool possible = false, certain = false;
-  for (const Residue128& s : slack) {
-    possible = either(possible, s.is_negative());
-    certain = either(certain, (s + Residue128{0, 1}).is_negative());
+/// How much of products is looked at.
+enum class Limbs { leading, all };
+
+/// Whether there is no gap along any axis. By leading limbs slack's sign is certain unless it is from -2^64 to 0: only
+/// numbers of all digits that touch, exactly or nearly so, are left undecided.
+template <Limbs limbs, class... Axis>
+VESICA_INLINE constexpr Verdict<bool> no_gap(bool valid, const Axis&... axis) noexcept {
+  if constexpr (limbs == Limbs::all) {
+    return compared(valid, !(axis.has_gap() || ...));
+  } else {
+    const Residue128 slack[] = {axis.slack()...};
+    bool possible = false, certain = false;
+    for (const Residue128& s : slack) {
+      possible = either(possible, s.is_negative());
+      certain = either(certain, (s + Residue128{0, 1}).is_negative());
+    }
+    return guarded(valid, !possible, certain);
   }
-  if (certain == possible) return certain;
-  return (axis.has_gap() || ...);
 }
 
-/// Shifts by a pair's s, and remembers what was lost.
+/// Shifts by a pair's s, and remembers whether anything was too large for that.
 class Shift {
  public:
   VESICA_INLINE constexpr explicit Shift(int places) noexcept : places_(places) {}
+  VESICA_INLINE constexpr bool is_possible() const noexcept { return places_ <= 62; }
 
   VESICA_INLINE constexpr Integer64 operator()(Integer64 a) noexcept {
     lost_ |= beyond(a.n);
@@ -139,60 +165,53 @@ class Shift {
   std::int64_t lost_ = 0;
 };
 
-/// Where nothing was lost: whether any gap along an axis is positive.
-template <bool has_corners, class... Axis>
-VESICA_INLINE constexpr Verdict<bool> by_slack(const BoxUnits<has_corners>& units, const Shift& shift, bool valid,
-                                              const Axis&... axis) noexcept {
-  const bool held = both(units.places.holds_with(units.axes, units.sizes), shift.held());
-  return compared(both(held, valid), !any_gap(axis...));
-}
-
-template <bool has_corners>
-VESICA_INLINE constexpr VectorInUnits in_places(double x, double y, BoxUnits<has_corners>& units) noexcept {
-  return {units.places.number(x), units.places.number(y)};
-}
-
 // Whether two shapes overlap; undecided where exponents are too far apart for the units, or a shape is invalid.
 
+template <Limbs limbs>
 VESICA_INLINE constexpr Verdict<bool> by_axes(const Point<double>& p, const Rect<double>& r) noexcept {
-  BoxUnits<false> units(PlaceUnit(p.x, p.y, r.cx, r.cy), AxisUnit(r.ux, r.uy), SizeUnit(r.hx, r.hy));
-  if (!units.are_ordinary()) return {false, false};
+  const BoxUnits<false> units(Numbers{p.x, p.y, r.cx, r.cy}, Numbers{r.ux, r.uy}, Numbers{r.hx, r.hy});
+  if (!units.fit) return {false, false};
   Shift shift(units.shift);
   const RectInUnits b(r, units);
-  const VectorInUnits d = shift(in_places(p.x, p.y, units) - in_places(r.cx, r.cy, units));
+  const VectorInUnits d = shift(units.place(p.x, p.y) - units.place(r.cx, r.cy));
   const Residue128 uu = dot(b.axis, b.axis);
-  return by_slack(units, shift, b.is_valid(), OnAxis<1>{dot(b.axis, d).magnitude(), {{b.hx, uu}}},
-                 OnAxis<1>{cross(b.axis, d).magnitude(), {{b.hy, uu}}});
+  return no_gap<limbs>(both(shift.held(), b.is_valid()),  //
+                       OnAxis<1>{dot(b.axis, d).magnitude(), {{b.hx, uu}}},
+                       OnAxis<1>{cross(b.axis, d).magnitude(), {{b.hy, uu}}});
 }
 
-VESICA_INLINE constexpr Verdict<bool> by_axes(const Rect<double>& first, const Rect<double>& second) noexcept {
-  BoxUnits<false> units(PlaceUnit(first.cx, first.cy, second.cx, second.cy), AxisUnit(first.ux, first.uy, second.ux, second.uy), SizeUnit(first.hx, first.hy, second.hx, second.hy));
-  if (!units.are_ordinary()) return {false, false};
+template <Limbs limbs>
+VESICA_INLINE constexpr Verdict<bool> by_axes(const Rect<double>& r, const Rect<double>& t) noexcept {
+  const BoxUnits<false> units(Numbers{r.cx, r.cy, t.cx, t.cy}, Numbers{r.ux, r.uy, t.ux, t.uy},
+                              Numbers{r.hx, r.hy, t.hx, t.hy});
+  if (!units.fit) return {false, false};
   Shift shift(units.shift);
-  const RectInUnits a(first, units), b(second, units);
-  const VectorInUnits d = shift(in_places(second.cx, second.cy, units) - in_places(first.cx, first.cy, units));
-  const Residue128 uu = dot(a.axis, a.axis), ww = dot(b.axis, b.axis), c = dot(a.axis, b.axis).magnitude(),
-                   s = cross(a.axis, b.axis).magnitude();
-  return by_slack(units, shift, both(a.is_valid(), b.is_valid()),
-                 OnAxis<3>{dot(a.axis, d).magnitude(), {{a.hx, uu}, {b.hx, c}, {b.hy, s}}},
-                 OnAxis<3>{cross(a.axis, d).magnitude(), {{a.hy, uu}, {b.hx, s}, {b.hy, c}}},
-                 OnAxis<3>{dot(b.axis, d).magnitude(), {{b.hx, ww}, {a.hx, c}, {a.hy, s}}},
-                 OnAxis<3>{cross(b.axis, d).magnitude(), {{b.hy, ww}, {a.hx, s}, {a.hy, c}}});
+  const RectInUnits a(r, units), b(t, units);
+  const VectorInUnits d = shift(units.place(t.cx, t.cy) - units.place(r.cx, r.cy));
+  const Residue128 uu = dot(a.axis, a.axis), ww = dot(b.axis, b.axis);
+  const Residue128 c = dot(a.axis, b.axis).magnitude(), s = cross(a.axis, b.axis).magnitude();
+  return no_gap<limbs>(both(shift.held(), both(a.is_valid(), b.is_valid())),
+                       OnAxis<3>{dot(a.axis, d).magnitude(), {{a.hx, uu}, {b.hx, c}, {b.hy, s}}},
+                       OnAxis<3>{cross(a.axis, d).magnitude(), {{a.hy, uu}, {b.hx, s}, {b.hy, c}}},
+                       OnAxis<3>{dot(b.axis, d).magnitude(), {{b.hx, ww}, {a.hx, c}, {a.hy, s}}},
+                       OnAxis<3>{cross(b.axis, d).magnitude(), {{b.hy, ww}, {a.hx, s}, {a.hy, c}}});
 }
 
 /// The axes of the rectangle and the segment's normal; where it has no length nothing parts the shapes along that.
-VESICA_INLINE constexpr Verdict<bool> by_axes(const Segment<double>& segment, const Rect<double>& r) noexcept {
-  BoxUnits<true> units(PlaceUnit(segment.x0, segment.y0, segment.x1, segment.y1, r.cx, r.cy), AxisUnit(r.ux, r.uy), SizeUnit(r.hx, r.hy));
-  if (!units.are_ordinary()) return {false, false};
+template <Limbs limbs>
+VESICA_INLINE constexpr Verdict<bool> by_axes(const Segment<double>& s, const Rect<double>& r) noexcept {
+  const BoxUnits<true> units(Numbers{s.x0, s.y0, s.x1, s.y1, r.cx, r.cy}, Numbers{r.ux, r.uy}, Numbers{r.hx, r.hy});
+  if (!units.fit) return {false, false};
   Shift shift(units.shift);
   const RectInUnits b(r, units);
-  const VectorInUnits centre = in_places(r.cx, r.cy, units), start = in_places(segment.x0, segment.y0, units),
-                      end = in_places(segment.x1, segment.y1, units);
-  const VectorInUnits d = (centre - start) + (centre - end), along = end - start;
-  const Residue128 uu = dot(b.axis, b.axis), c = dot(b.axis, along).magnitude(), s = cross(b.axis, along).magnitude();
-  return by_slack(units, shift, b.is_valid(), OnAxis<1>{shift(dot(b.axis, d).magnitude() - c), {{b.hx, uu}}},
-                 OnAxis<1>{shift(cross(b.axis, d).magnitude() - s), {{b.hy, uu}}},
-                 OnAxis<2>{shift(cross(along, d).magnitude()), {{b.hx, s}, {b.hy, c}}});
+  const VectorInUnits centre = units.place(r.cx, r.cy), start = units.place(s.x0, s.y0), end = units.place(s.x1, s.y1);
+  const VectorInUnits d = (centre - start) + (centre - end), way = end - start;
+  const Residue128 uu = dot(b.axis, b.axis);
+  const Residue128 along = dot(b.axis, way).magnitude(), across = cross(b.axis, way).magnitude();
+  const OnAxis<1> along_b{shift(dot(b.axis, d).magnitude() - along), {{b.hx, uu}}};
+  const OnAxis<1> across_b{shift(cross(b.axis, d).magnitude() - across), {{b.hy, uu}}};
+  const OnAxis<2> across_s{shift(cross(way, d).magnitude()), {{b.hx, across}, {b.hy, along}}};
+  return no_gap<limbs>(both(shift.held(), b.is_valid()), along_b, across_b, across_s);
 }
 
 /// By how much the half sides of an AABB and a rectangle reach farther along a coordinate axis than d.
@@ -201,22 +220,25 @@ VESICA_INLINE constexpr OnUprightAxis upright(Integer64 d, Integer64 width, Inte
   const Integer64 between = shift(d.magnitude() - width);
   return {(hx * ux + hy * uy) - Residue128{0, static_cast<std::uint64_t>(between.n)}};
 }
+
+template <Limbs limbs>
 VESICA_INLINE constexpr Verdict<bool> by_axes(const Aabb<double>& box, const Rect<double>& r) noexcept {
-  BoxUnits<true> units(PlaceUnit(box.min_x, box.min_y, box.max_x, box.max_y, r.cx, r.cy), AxisUnit(r.ux, r.uy), SizeUnit(r.hx, r.hy));
-  if (!units.are_ordinary()) return {false, false};
+  const BoxUnits<true> units(Numbers{box.min_x, box.min_y, box.max_x, box.max_y, r.cx, r.cy}, Numbers{r.ux, r.uy},
+                             Numbers{r.hx, r.hy});
+  if (!units.fit) return {false, false};
   Shift shift(units.shift);
   const RectInUnits b(r, units);
-  const VectorInUnits centre = in_places(r.cx, r.cy, units), min = in_places(box.min_x, box.min_y, units),
-                      max = in_places(box.max_x, box.max_y, units);
+  const VectorInUnits centre = units.place(r.cx, r.cy), min = units.place(box.min_x, box.min_y),
+                      max = units.place(box.max_x, box.max_y);
   const VectorInUnits d = (centre - min) + (centre - max), size = max - min;
   const Integer64 ux = b.axis.x.magnitude(), uy = b.axis.y.magnitude();
-  const Residue128 uu = dot(b.axis, b.axis);
+  const Residue128 uu = dot(b.axis, b.axis), along = ux * size.x + uy * size.y, across = uy * size.x + ux * size.y;
+  const OnAxis<1> along_b{shift(dot(b.axis, d).magnitude() - along), {{b.hx, uu}}};
+  const OnAxis<1> across_b{shift(cross(b.axis, d).magnitude() - across), {{b.hy, uu}}};
+  const OnUprightAxis x = upright(d.x, size.x, b.hx, ux, b.hy, uy, shift);
+  const OnUprightAxis y = upright(d.y, size.y, b.hx, uy, b.hy, ux, shift);
   const bool valid = both(b.is_valid(), (size.x.n | size.y.n) >= 0);
-  return by_slack(units, shift, valid,
-                 OnAxis<1>{shift(dot(b.axis, d).magnitude() - (ux * size.x + uy * size.y)), {{b.hx, uu}}},
-                 OnAxis<1>{shift(cross(b.axis, d).magnitude() - (uy * size.x + ux * size.y)), {{b.hy, uu}}},
-                 upright(d.x, size.x, b.hx, ux, b.hy, uy, shift),
-                 upright(d.y, size.y, b.hx, uy, b.hy, ux, shift));
+  return no_gap<limbs>(both(shift.held(), valid), along_b, across_b, x, y);
 }
 
 /// Has one of an axis's two numbers more digits than these?
@@ -228,7 +250,7 @@ VESICA_INLINE constexpr bool has_long_axis(const Rect<double>& r, int digits) no
 /// Pairs that by_axes() knows.
 template <class A, class B>
 concept HasAxes = has_wide_products && requires(const A& a, const B& b) {
-  by_axes(a, b);
+  by_axes<Limbs::all>(a, b);
 };
 
 }  // namespace vesica::filter

@@ -1,62 +1,78 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Contact of a circle with a rectangle, in integers: exact for stored numbers of any length, unless the exponents of
-/// coordinates, of an axis or of sizes are far apart. For what the filter leaves open, one pair at a time.
+/// Contact of a circle with a rectangle, by squares of lengths in integers: exact for stored numbers of any length,
+/// unless the exponents of coordinates and radius, of an axis or of sizes are far apart. For what the filter leaves
+/// open, one pair at a time.
 ///
-/// With U = u.u and k = (|u.D|, |u x D|) the circle meets the rectangle iff x^2 + y^2 <= r^2 U, where x = max(k0 - hx U,
-/// 0) and y = max(k1 - hy U, 0), as in exact/disc.hpp.
+/// They overlap iff x^2 + y^2 <= r^2 U, where U = u.u, x = max(|u.D| - hx U, 0) and y = max(|u x D| - hy U, 0), as in
+/// exact/disc.hpp. The axis is a multiple of a unit A, sizes of H, the radius and the way D between centres of R = 2^64
+/// A H, coordinates of 2^s R with s >= 0. Then x is a multiple of A^2 H, and r^2 U is one of 2^128 A^4 H^2.
+///
+/// Proved: no number overflows.
+///
+///   - Up to the roundings of these sums, the magnitudes of the axis' numbers sum up to less than 2^63 A, sizes to less
+///     than 2^63 H, and radius and way, rounded, to less than 2^62 R. What Shift held is below 2^62.
+///   - So U is below 2^126 A^2, products of axis and way 2^125 A R, sizes times U 2^189 A^2 H.
+///   - Over 2^64 x and y are below 2^125 A^2 H, their squares' sum is below 2^251, and r^2 U below 2^250.
 #pragma once
 
 #include <vesica/filter/axes.hpp>
 
 namespace vesica::filter {
 
-/// How far the centre is beyond the half side along one axis, over 2^64, or 0.
+/// How far the centre is beyond a half side, over 2^64, or 0 if it is not.
 struct Beyond {
-  Residue128 leading;   // rounded down
-  std::uint64_t trailing;  // its last limb's opposite: 0 where nothing was rounded
+  Residue128 whole;    // rounded down
+  std::uint64_t rest;  // not 0 where it was
 
-  /// between, times 2^64, less size times uu.
+  /// between, over 2^64, less size times uu.
   VESICA_INLINE constexpr Beyond(const Residue128& between, Integer64 size, const Residue128& uu) noexcept {
     const auto h = static_cast<std::uint64_t>(size.n);
-    const Residue128 low = product(h, uu.low);
-    const Residue128 room = product(h, uu.high) + Residue128{low.high, 0} + Residue128{low.low != 0, 0};
-    const Residue128 beyond = between - room;
+    const Residue128 low = product(h, uu.low), reach = product(h, uu.high) + Residue128{low.high, 0};
+    const Residue128 beyond = between - reach - Residue128{low.low != 0, 0};
     const std::uint64_t kept = (beyond.high >> 63) - 1;
-    leading = {beyond.low & kept, beyond.high & kept};
-    trailing = low.low & kept;
+    whole = {beyond.low & kept, beyond.high & kept};
+    rest = low.low & kept;
   }
 };
 
+/// What was rounded down is less than 1 in x and in y. So squares are right where nothing was, and elsewhere unless the
+/// right side is less than 2 (x + y + 1) greater: only numbers of all digits that touch exactly, or nearly so, are left
+/// undecided.
+VESICA_INLINE constexpr Verdict<bool> compare_squares(const Beyond& x, const Beyond& y, const Residue256& reached,
+                                                      bool valid) noexcept {
+  const Residue256 room = reached - (square(x.whole) + square(y.whole));
+  const Residue128 sum = x.whole + y.whole + Residue128{1, 0};
+  const Residue256 least = room - Residue256{sum + sum, {0, 0}};
+  const bool disjoint = room.is_negative(), is_whole = (x.rest | y.rest) == 0;
+  return guarded(valid, either(both(is_whole, !disjoint), !least.is_negative()), disjoint);
+}
+
+/// Whether they overlap; undecided where exponents are too far apart for the units, or a shape is invalid.
 VESICA_INLINE constexpr Verdict<bool> by_squares(const Circle<double>& c, const Rect<double>& r) noexcept {
-  AxisUnit axes(r.ux, r.uy);
-  SizeUnit sizes(r.hx, r.hy);
-  PlaceUnit places(c.cx, c.cy, r.cx, r.cy);
-  NearUnit reaches(c.cx - r.cx, c.cy - r.cy, c.r);
-  reaches.raise(axes.exponent() + sizes.exponent() + 64);
-  sizes.raise(reaches.exponent() - axes.exponent() - 64);
-  places.raise(reaches.exponent());
-  const int places_off = places.exponent() - reaches.exponent();
-  if (!both(both(places.is_ordinary(), axes.is_ordinary()),
-            both(both(sizes.is_ordinary(), reaches.is_ordinary()), places_off <= 62))) {
+  const Numbers of_axis{r.ux, r.uy}, of_sizes{r.hx, r.hy};
+  const Numbers of_places{c.cx, c.cy, r.cx, r.cy};
+  AxisUnit axes(of_axis);
+  SizeUnit sizes(of_sizes);
+  UnitOfAll<62> lengths(Numbers{c.cx - r.cx, c.cy - r.cy, c.r}), places(of_places);
+  lengths.raise(axes.exponent() + sizes.exponent() + 64);
+  sizes.raise(lengths.exponent() - axes.exponent() - 64);
+  places.raise(lengths.exponent());
+  Shift shift(places.exponent() - lengths.exponent());
+  const bool ordinary = both(both(axes.is_ordinary(), sizes.is_ordinary()),
+                             both(lengths.is_ordinary(), both(places.is_ordinary(), shift.is_possible())));
+  if (!(ordinary && axes.divides(of_axis) && sizes.divides(of_sizes) && lengths.divides(Numbers{c.r}) &&
+        places.divides(of_places))) {
     return {false, false};
   }
-  Shift shift(places_off);
   const VectorInUnits u{axes.number(r.ux), axes.number(r.uy)};
-  const VectorInUnits d = shift(VectorInUnits{places.number(c.cx) - places.number(r.cx),
+  const VectorInUnits d = shift(VectorInUnits{places.number(c.cx) - places.number(r.cx),  //
                                               places.number(c.cy) - places.number(r.cy)});
-  const Integer64 hx = sizes.number(r.hx), hy = sizes.number(r.hy), radius = reaches.number(c.r);
+  const Integer64 hx = sizes.number(r.hx), hy = sizes.number(r.hy), radius = lengths.number(c.r);
   const Residue128 uu = dot(u, u);
+  const bool valid = both(shift.held(), both((hx.n | hy.n | radius.n) >= 0, (u.x.n | u.y.n) != 0));
   const Beyond x(dot(u, d).magnitude(), hx, uu), y(cross(u, d).magnitude(), hy, uu);
   const auto reach = static_cast<std::uint64_t>(radius.n);
-  const Residue256 reached = product(product(reach, reach), uu);
-  const Residue256 room = reached - (square(x.leading) + square(y.leading));
-  const bool held = both(places.holds_with(axes, sizes, reaches), shift.held());
-  const bool valid = both(held, both((hx.n | hy.n | radius.n) >= 0, (u.x.n | u.y.n) != 0));
-  const Residue128 sum = x.leading + y.leading + Residue128{1, 0};
-  const Residue256 least = room - Residue256{{sum.low << 1, sum.high << 1 | sum.low >> 63}, {0, 0}};
-  const bool whole = (x.trailing | y.trailing) == 0;
-  const bool disjoint = room.is_negative(), overlap = either(both(whole, !disjoint), !least.is_negative());
-  return guarded(valid, overlap, disjoint);
+  return compare_squares(x, y, product(product(reach, reach), uu), valid);
 }
 
 /// Pairs that by_squares() knows.

@@ -6,7 +6,9 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vesica/exact/limbs.hpp>
 #include <vesica/scalar.hpp>
 
@@ -161,12 +163,6 @@ class Unit {
   }
   /// Whether all numbers so far were multiples of G.
   VESICA_INLINE constexpr bool holds() const noexcept { return lost_ == 0; }
-  template <class... Units>
-  VESICA_INLINE constexpr bool holds_with(const Units&... units) const noexcept {
-    double lost = lost_;
-    ((lost = lane::or_bits(lost, units.lost_)), ...);
-    return lost == 0;
-  }
 
  protected:
   template <class... X>
@@ -188,8 +184,6 @@ class Unit {
   VESICA_INLINE constexpr void lose(double x) noexcept { lost_ = lane::or_bits(lost_, x); }
 
  private:
-  template <int>
-  friend class Unit;
   VESICA_INLINE static constexpr double power(int e) noexcept {
     return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + e) << 52);
   }
@@ -221,6 +215,42 @@ class UnitOf64 : public Unit<digits> {
 
 /// Differences have 64 bits too.
 using NearUnit = UnitOf64<62>;
+
+template <int n>
+struct Numbers {
+  double x[n];
+};
+template <class... X>
+Numbers(X...) -> Numbers<sizeof...(X)>;
+
+/// The same where numbers are checked together, at first: most are so large that one look at the least of them tells.
+template <int digits>
+class UnitOfAll : public Unit<digits> {
+ public:
+  template <int n>
+  VESICA_INLINE constexpr explicit UnitOfAll(const Numbers<n>& stored) noexcept
+      : UnitOfAll(stored, std::make_index_sequence<n>()) {}
+
+  /// Of a multiple of G that counted.
+  VESICA_INLINE constexpr Integer64 number(double x) const noexcept { return {this->take(x, 0)}; }
+  /// Whether all these are multiples of G. A number of at least 2^52 G is, as it has 53 digits.
+  template <int n>
+  VESICA_INLINE constexpr bool divides(const Numbers<n>& stored) const noexcept {
+    double least = lane::abs(stored.x[0]), lost = 0;
+    for (int i = 1; i < n; ++i) least = lane::min(least, lane::abs(stored.x[i]));
+    if (least >= this->scale(52)) return true;
+    for (double x : stored.x) {
+      this->take(x, 0);
+      lost = lane::or_bits(lost, x);
+    }
+    return lost == 0;
+  }
+
+ private:
+  template <int n, std::size_t... i>
+  VESICA_INLINE constexpr UnitOfAll(const Numbers<n>& stored, std::index_sequence<i...>) noexcept
+      : Unit<digits>(stored.x[i]...) {}
+};
 
 /// For others.
 class FarUnit : public Unit<86> {
