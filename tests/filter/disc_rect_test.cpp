@@ -52,21 +52,31 @@ Circle<double> circle_at(const Rect<double>& r, double s, double t, double radiu
 /// and its length, and those of another lead from a corner to the centre.
 Contact on_lattice(int digits, bool at_corner, Random& random) {
   const auto whole = [&](double digits_of_it) { return std::floor(std::exp2(digits_of_it) * random.unit()) + 1; };
-  const double part = digits / 3.0, n = whole(part / 2), m = n + whole(part / 2), q = whole(part / 2), p = q + whole(part / 2);
+  const double part = digits / 3.0, n = whole(part / 2), m = n + whole(part / 2), q = whole(part / 2),
+               p = q + whole(part / 2);
   const double size = whole(digits - part), hx = whole(digits), hy = whole(digits);
-  const Rect<double> r{random.sign() * whole(digits + part), whole(digits + part), random.sign() * (m * m - n * n),
-                       random.sign() * 2 * m * n, hx, hy};
+  const Rect<double> r{random.sign() * whole(digits + part),
+                       whole(digits + part),
+                       random.sign() * (m * m - n * n),
+                       random.sign() * 2 * m * n,
+                       hx,
+                       hy};
   const double length = m * m + n * n, sx = random.sign(), sy = random.sign();
   if (!at_corner) return {circle_at(r, sx * (hx + size), std::floor(hy * random.between(-1, 1)), size * length), r};
-  return {circle_at(r, sx * (hx + size * (p * p - q * q)), sy * (hy + size * 2 * p * q), size * (p * p + q * q) * length),
-          r};
+  return {
+      circle_at(r, sx * (hx + size * (p * p - q * q)), sy * (hy + size * 2 * p * q), size * (p * p + q * q) * length),
+      r};
 }
 
 /// Numbers of all digits; the radius as near to the distance as rounding lets it be.
 Contact anywhere(double thickness, double radius, double shift, Random& random) {
   const double angle = random.between(-4, 4), length = random.between(0.5, 2);
-  const Rect<double> r{random.between(-1, 1) + shift, random.between(-1, 1) + shift, length * std::cos(angle),
-                       length * std::sin(angle),      random.unit(),                thickness * random.unit()};
+  const Rect<double> r{random.between(-1, 1) + shift,
+                       random.between(-1, 1) + shift,
+                       length * std::cos(angle),
+                       length * std::sin(angle),
+                       random.unit(),
+                       thickness * random.unit()};
   const double x = radius * random.between(0.01, 1), y = random.chance(0.5) ? radius * random.unit() : 0;
   const double across = y == 0 ? r.hy * random.between(-1, 1) : r.hy + y;
   return {circle_at(r, random.sign() * (r.hx + x), random.sign() * across, length * std::hypot(x, y)), r};
@@ -168,12 +178,20 @@ TEST(DiscRect, DecideOnlyWhatIsRightAtTheEndsOfTheRange) {
   }
 }
 
-/// Where numbers have all digits a contact may be closer than what is looked at: exactly there it is left open.
-TEST(DiscRect, LeaveContactsOfAllDigits) {
-  const Rect<double> r{0, 0, 0.1, 0, 1, 1};
-  EXPECT_FALSE(decided(Circle<double>{0.2, 0, 0.1}, r));
-  EXPECT_TRUE(decided(Circle<double>{0.2, 0, std::nextafter(0.1, 0)}, r));
-  EXPECT_TRUE(decided(Circle<double>{0.2, 0, std::nextafter(0.1, 1)}, r));
+/// Rounded down to 9 from a little less than 10 the squares tell unless 81 <= r^2 U < 101.
+TEST(DiscRect, LeaveWhatRoundedSquaresCannotTell) {
+  const auto compared_with = [](std::uint64_t reached, const filter::Beyond& x) {
+    const filter::Beyond none({0, 0}, {1}, {0, 1});
+    return filter::compare_squares(x, none, {{reached, 0}, {0, 0}}, true);
+  };
+  const filter::Beyond rounded({10, 0}, {1}, {1, 0}), whole({10, 0}, {1}, {0, 1});
+  EXPECT_TRUE(compared_with(80, rounded).disjoint && !compared_with(80, rounded).overlap);
+  for (std::uint64_t reached = 81; reached < 101; ++reached) {
+    EXPECT_FALSE(compared_with(reached, rounded).disjoint || compared_with(reached, rounded).overlap);
+  }
+  EXPECT_TRUE(compared_with(101, rounded).overlap && !compared_with(101, rounded).disjoint);
+  EXPECT_TRUE(compared_with(80, whole).disjoint && !compared_with(80, whole).overlap);
+  EXPECT_TRUE(compared_with(81, whole).overlap && !compared_with(81, whole).disjoint);
 }
 
 TEST(DiscRect, LeaveInvalidShapes) {
@@ -183,12 +201,13 @@ TEST(DiscRect, LeaveInvalidShapes) {
   EXPECT_TRUE(decided(Circle<double>{0.5, 0.5, 0}, r));
   EXPECT_TRUE(decided(c, Rect<double>{0, 0, 1, 0, 0, 0}));
   for (const double bad : {nan, inf, -inf, -nan}) {
-    for (const auto& wrong : {Circle<double>{bad, 0.5, 1}, Circle<double>{0.5, bad, 1}, Circle<double>{0.5, 0.5, bad}}) {
+    for (const auto& wrong :
+         {Circle<double>{bad, 0.5, 1}, Circle<double>{0.5, bad, 1}, Circle<double>{0.5, 0.5, bad}}) {
       EXPECT_FALSE(decided(wrong, r));
     }
-    for (const auto& wrong : {Rect<double>{bad, 0, 1, 0.5, 1, 2}, Rect<double>{0, bad, 1, 0.5, 1, 2},
-                              Rect<double>{0, 0, bad, 0.5, 1, 2}, Rect<double>{0, 0, 1, bad, 1, 2},
-                              Rect<double>{0, 0, 1, 0.5, bad, 2}, Rect<double>{0, 0, 1, 0.5, 1, bad}}) {
+    for (const auto& wrong :
+         {Rect<double>{bad, 0, 1, 0.5, 1, 2}, Rect<double>{0, bad, 1, 0.5, 1, 2}, Rect<double>{0, 0, bad, 0.5, 1, 2},
+          Rect<double>{0, 0, 1, bad, 1, 2}, Rect<double>{0, 0, 1, 0.5, bad, 2}, Rect<double>{0, 0, 1, 0.5, 1, bad}}) {
       EXPECT_FALSE(decided(c, wrong));
     }
   }
