@@ -101,14 +101,21 @@ struct OnAxis {
   /// By how much half sides reach farther, over 2^64. Without the last limb of products it is too small, by less than
   /// 2^63.
   VESICA_INLINE constexpr Residue128 slack() const noexcept {
-    Residue128 sum{0, 0};
-    for (const auto& [size, along] : reach) sum = sum + product(static_cast<std::uint64_t>(size.n), along.high);
-    return sum - between;
+    return sum([](const Residue128& along) { return along.high; }) - between;
   }
   VESICA_INLINE constexpr bool has_gap() const noexcept {
-    Residue128 sum{0, 0};
-    for (const auto& [size, along] : reach) sum = sum + product(static_cast<std::uint64_t>(size.n), along.low);
-    return (slack() + Residue128{sum.high, 0}).is_negative();
+    const Residue128 last = sum([](const Residue128& along) { return along.low; });
+    return (slack() + Residue128{last.high, 0}).is_negative();
+  }
+
+ private:
+  /// Of sizes times a limb of what the axis is along half sides.
+  template <class Limb>
+  VESICA_INLINE constexpr Residue128 sum(Limb limb) const noexcept {
+    const auto term = [&](int i) { return product(static_cast<std::uint64_t>(reach[i].size.n), limb(reach[i].along)); };
+    if constexpr (count == 1) return term(0);
+    if constexpr (count == 2) return term(0) + term(1);
+    if constexpr (count == 3) return term(0) + term(1) + term(2);
   }
 };
 
@@ -130,12 +137,12 @@ VESICA_INLINE constexpr Verdict<bool> no_gap(bool valid, const Axis&... axis) no
   if constexpr (limbs == Limbs::all) {
     return compared(valid, !(axis.has_gap() || ...));
   } else {
-    const Residue128 slack[] = {axis.slack()...};
     bool possible = false, certain = false;
-    for (const Residue128& s : slack) {
-      possible = either(possible, s.is_negative());
-      certain = either(certain, (s + Residue128{0, 1}).is_negative());
-    }
+    const auto look = [&](const Residue128& slack) {
+      possible = either(possible, slack.is_negative());
+      certain = either(certain, (slack + Residue128{0, 1}).is_negative());
+    };
+    (look(axis.slack()), ...);
     return guarded(valid, !possible, certain);
   }
 }

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vesica/exact/limbs.hpp>
 #include <vesica/scalar.hpp>
@@ -236,20 +237,26 @@ class UnitOfAll : public Unit<digits> {
   /// Whether all these are multiples of G. A number of at least 2^52 G is, as it has 53 digits.
   template <int n>
   VESICA_INLINE constexpr bool divides(const Numbers<n>& stored) const noexcept {
-    double least = lane::abs(stored.x[0]), lost = 0;
-    for (int i = 1; i < n; ++i) least = lane::min(least, lane::abs(stored.x[i]));
-    if (least >= this->scale(52)) return true;
-    for (double x : stored.x) {
-      this->take(x, 0);
-      lost = lane::or_bits(lost, x);
-    }
-    return lost == 0;
+    return divides(stored, std::make_index_sequence<n>());
   }
 
  private:
   template <int n, std::size_t... i>
   VESICA_INLINE constexpr UnitOfAll(const Numbers<n>& stored, std::index_sequence<i...>) noexcept
       : Unit<digits>(stored.x[i]...) {}
+
+  template <int n, std::size_t... i>
+  VESICA_INLINE constexpr bool divides(const Numbers<n>& stored, std::index_sequence<i...>) const noexcept {
+    double least = std::numeric_limits<double>::max(), lost = 0;
+    ((least = lane::min(lane::abs(stored.x[i]), least)), ...);
+    if (least >= this->scale(52)) return true;
+    ((lost = lane::or_bits(lost, rest(stored.x[i]))), ...);
+    return lost == 0;
+  }
+  VESICA_INLINE constexpr double rest(double x) const noexcept {
+    this->take(x, 0);
+    return x;
+  }
 };
 
 /// For others.
