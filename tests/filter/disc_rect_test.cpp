@@ -178,20 +178,23 @@ TEST(DiscRect, DecideOnlyWhatIsRightAtTheEndsOfTheRange) {
   }
 }
 
-/// Rounded down to 9 from a little less than 10 the squares tell unless 81 <= r^2 U < 101.
+/// Rounded down to 9 from a little less than 10 the squares tell of r^2 U below 81, and from 81 + 2^128 on.
 TEST(DiscRect, LeaveWhatRoundedSquaresCannotTell) {
-  const auto compared_with = [](std::uint64_t reached, const filter::Beyond& x) {
+  const auto compared_with = [](const filter::Residue256& reached, const filter::Beyond& x) {
     const filter::Beyond none({0, 0}, {1}, {0, 1});
-    return filter::compare_squares(x, none, {{reached, 0}, {0, 0}}, true);
+    return filter::compare_squares(x, none, reached, true);
   };
-  const filter::Beyond rounded({10, 0}, {1}, {1, 0}), whole({10, 0}, {1}, {0, 1});
-  EXPECT_TRUE(compared_with(80, rounded).disjoint && !compared_with(80, rounded).overlap);
-  for (std::uint64_t reached = 81; reached < 101; ++reached) {
+  const auto is_overlap = [](const filter::Verdict<bool>& v) { return v.overlap && !v.disjoint; };
+  const auto is_disjoint = [](const filter::Verdict<bool>& v) { return v.disjoint && !v.overlap; };
+  const filter::Beyond rounded({10, 0}, {1}, {1, 0}), whole({9, 0}, {1}, {0, 0});
+  const filter::Residue256 less{{80, 0}, {0, 0}}, equal{{81, 0}, {0, 0}}, most{{80, 0}, {1, 0}}, more{{81, 0}, {1, 0}};
+  EXPECT_TRUE(is_disjoint(compared_with(less, rounded)));
+  EXPECT_TRUE(is_overlap(compared_with(more, rounded)));
+  for (const auto& reached : {equal, most}) {
     EXPECT_FALSE(compared_with(reached, rounded).disjoint || compared_with(reached, rounded).overlap);
+    EXPECT_TRUE(is_overlap(compared_with(reached, whole)));
   }
-  EXPECT_TRUE(compared_with(101, rounded).overlap && !compared_with(101, rounded).disjoint);
-  EXPECT_TRUE(compared_with(80, whole).disjoint && !compared_with(80, whole).overlap);
-  EXPECT_TRUE(compared_with(81, whole).overlap && !compared_with(81, whole).disjoint);
+  EXPECT_TRUE(is_disjoint(compared_with(less, whole)));
 }
 
 TEST(DiscRect, LeaveInvalidShapes) {

@@ -35,16 +35,14 @@ struct Beyond {
   }
 };
 
-/// What was rounded down is less than 1 in x and in y. So squares are right where nothing was, and elsewhere unless the
-/// right side is less than 2 (x + y + 1) greater: only numbers of all digits that touch exactly, or nearly so, are left
-/// undecided.
+/// What was rounded down is less than 1 in x and in y, so their squares' sum is too small by less than 2 (x + y + 1), and
+/// that is below 2^128: only numbers of all digits that touch exactly, or nearly so, are left undecided.
 VESICA_INLINE constexpr Verdict<bool> compare_squares(const Beyond& x, const Beyond& y, const Residue256& reached,
                                                       bool valid) noexcept {
   const Residue256 room = reached - (square(x.whole) + square(y.whole));
-  const Residue128 sum = x.whole + y.whole + Residue128{1, 0};
-  const Residue256 least = room - Residue256{sum + sum, {0, 0}};
   const bool disjoint = room.is_negative(), is_whole = (x.rest | y.rest) == 0;
-  return guarded(valid, either(both(is_whole, !disjoint), !least.is_negative()), disjoint);
+  const bool is_far = (room.high.low | room.high.high) != 0;
+  return guarded(valid, and_not(either(is_whole, is_far), disjoint), disjoint);
 }
 
 /// Whether they overlap; undecided where exponents are too far apart for the units, or a shape is invalid.

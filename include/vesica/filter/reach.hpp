@@ -62,7 +62,7 @@ requires std::is_same_v<Unit, NearUnit> VESICA_INLINE constexpr Verdict<bool> by
   if (sign(dot(along, from_start)) <= 0) return compared(valid, sign(dot(from_start, from_start) - reached) <= 0);
   if (sign(dot(along, from_end)) >= 0) return compared(valid, sign(dot(from_end, from_end) - reached) <= 0);
   const Residue128 aside = cross(along, from_start).in_units.magnitude();
-  return compared(valid, !(product(reached.in_units, dot(along, along).in_units) - square(aside)).is_negative());
+  return compared(valid, product(aside, aside) <= product(reached.in_units, dot(along, along).in_units));
 }
 
 /// Pairs that by_residues() knows in such units.

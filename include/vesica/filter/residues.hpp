@@ -98,6 +98,12 @@ VESICA_INLINE constexpr Residue256 operator-(const Residue256& a, const Residue2
   return {a.low - b.low, a.high - b.high - Residue128{is_less(a.low, b.low), 0}};
 }
 
+/// Of natural numbers.
+VESICA_INLINE constexpr bool operator<=(const Residue256& a, const Residue256& b) noexcept {
+  if (a.high.high != b.high.high || a.high.low != b.high.low) return is_less(a.high, b.high);
+  return !is_less(b.low, a.low);
+}
+
 // Products of natural numbers.
 VESICA_INLINE constexpr Residue128 product(std::uint64_t a, std::uint64_t b) noexcept {
   const exact::detail::LimbPair product = exact::detail::multiply_add(a, b, 0, 0);
