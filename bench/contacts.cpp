@@ -100,6 +100,36 @@ EllipseAndPoint ellipse_with_normal(Random& random, Vector normal) {
           p_size * angle.leg1 * angle.hypotenuse};
 }
 
+Numbers segment(Vector from, Vector to) { return {from.x, from.y, to.x, to.y}; }
+
+/// A shape on the line through `contact` across `outward`, or on the other side of it. `length` is outward's.
+Numbers short_shape(Random& random, std::int32_t kind, Vector contact, Vector outward, double length) {
+  const Vector along = perp(outward);
+  const auto small = [&] { return random.integer(1, 31); };
+  switch (kind) {
+    case VESICA_POINT:
+      return {contact.x, contact.y};
+    case VESICA_SEGMENT:
+      if (random.chance(0.5)) return segment(contact + small() * along, contact - small() * along);
+      return segment(contact, contact - small() * outward + random.integer(-31, 31) * along);
+    case VESICA_CIRCLE: {
+      const double times = small();
+      const Vector centre = contact - times * outward;
+      return {centre.x, centre.y, times * length};
+    }
+    case VESICA_AABB: {
+      const double x = contact.x - sign(outward.x) * small(), y = contact.y - sign(outward.y) * small();
+      return {std::fmin(x, contact.x), std::fmin(y, contact.y), std::fmax(x, contact.x), std::fmax(y, contact.y)};
+    }
+    default:
+      if (random.chance(0.5)) {
+        return rect_on_corner(contact, -1.0 * outward, random_axis(random, 31), small(), small());
+      }
+      const double hx = small(), hy = small();
+      return shape(contact - hx * outward + random.integer(-hy, hy) * along, outward, hx, hy);
+  }
+}
+
 }  // namespace
 
 std::pair<Numbers, Numbers> rect_rect_contact(Random& random) {
@@ -123,6 +153,15 @@ std::pair<Numbers, Numbers> ellipse_ellipse_contact(Random& random) {
   const Vector centre = random_centre(random);
   const Vector other = centre + first.point - second.point;
   return {shape(centre, first.axis, first.a, first.b), shape(other, second.axis, second.a, second.b)};
+}
+
+std::pair<Numbers, Numbers> short_contact(Random& random, std::int32_t kind_a, std::int32_t kind_b) {
+  const PythagoreanAngle angle = random_angle(random, 7);
+  const auto flip = [&] { return random.chance(0.5) ? 1.0 : -1.0; };
+  const Vector outward{flip() * angle.leg0, flip() * angle.leg1};
+  const Vector contact{random.integer(-1000, 1000), random.integer(-1000, 1000)};
+  return {short_shape(random, kind_a, contact, outward, angle.hypotenuse),
+          short_shape(random, kind_b, contact, -1.0 * outward, angle.hypotenuse)};
 }
 
 }  // namespace vesica::bench

@@ -19,4 +19,7 @@ std::pair<Numbers, Numbers> rect_ellipse_contact(Random& random);
 /// Two ellipses of unrelated axes and proportions with a common normal.
 std::pair<Numbers, Numbers> ellipse_ellipse_contact(Random& random);
 
+/// Two shapes other than ellipses that touch, of numbers of few digits. By turns a corner or a face of a rectangle.
+std::pair<Numbers, Numbers> short_contact(Random& random, std::int32_t kind_a, std::int32_t kind_b);
+
 }  // namespace vesica::bench

@@ -32,6 +32,12 @@ bool has_area(std::int32_t kind) { return kind != VESICA_POINT && kind != VESICA
 /// Points on points or segments meet with probability 0 wherever they are scattered.
 bool meets_by_chance(Kinds kinds) { return kinds.a != VESICA_POINT || has_area(kinds.b); }
 
+/// Points and AABBs: comparisons of stored numbers decide.
+bool by_comparison(Kinds kinds) {
+  const auto upright = [](std::int32_t kind) { return kind == VESICA_POINT || kind == VESICA_AABB; };
+  return upright(kinds.a) && upright(kinds.b);
+}
+
 /// Half sizes from 1/4 to 1, evenly on a logarithmic scale: rectangles and ellipses of aspects up to 4.
 double random_half_size(Random& random) { return std::exp2(random.between(-2, 0)); }
 
@@ -217,6 +223,11 @@ Pool incident(Kinds kinds, std::uint64_t seed) {
   });
 }
 
+Pool few_digits(Kinds kinds, std::uint64_t seed) {
+  Random random(seed);
+  return matched(exact_pool_size, [&] { return short_contact(random, kinds.a, kinds.b); });
+}
+
 Pool tangent(Kinds kinds, std::uint64_t seed) {
   Random random(seed);
   return matched(exact_pool_size, [&] {
@@ -284,6 +295,8 @@ const char* name_of(Workload workload) {
       return "hundredths";
     case Workload::incident:
       return "incident";
+    case Workload::few_digits:
+      return "few_digits";
     case Workload::tangent:
       return "tangent";
     case Workload::last_ulp:
@@ -305,13 +318,16 @@ bool has_workload(std::int32_t kind_a, std::int32_t kind_b, Workload workload) {
     case Workload::clusters:
       return true;
     case Workload::near:
-    case Workload::last_ulp:
       return meets_by_chance({kind_a, kind_b});
+    case Workload::last_ulp:
+      return meets_by_chance({kind_a, kind_b}) && !by_comparison({kind_a, kind_b});
     case Workload::pixels:
     case Workload::hundredths:
       return kind_a == VESICA_RECT && kind_b == VESICA_RECT;
     case Workload::incident:
       return kind_b == VESICA_SEGMENT || (kind_a == VESICA_SEGMENT && kind_b == VESICA_AABB);
+    case Workload::few_digits:
+      return kind_b != VESICA_ELLIPSE && !by_comparison({kind_a, kind_b});
     case Workload::tangent:
     case Workload::exponents:
       return kind_a >= VESICA_RECT && kind_b >= VESICA_RECT;
@@ -342,6 +358,8 @@ Pool make_pool(std::int32_t kind_a, std::int32_t kind_b, Workload workload, std:
       return lattice(100, seed);
     case Workload::incident:
       return incident(kinds, seed);
+    case Workload::few_digits:
+      return few_digits(kinds, seed);
     case Workload::tangent:
       return tangent(kinds, seed);
     case Workload::last_ulp:

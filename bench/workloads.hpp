@@ -22,6 +22,7 @@ enum class Workload {
   hundredths,  ///< the same at multiples of 0.01, which are rounded: they touch, miss or overlap by a place
   incident,    ///< a point, a segment's end or a box's corner on a segment exactly, of numbers of 52 digits
   tangent,     ///< integers that touch exactly: no bound on an error can decide
+  few_digits,  ///< small integers that touch exactly, ellipses left out
   last_ulp,    ///< pairs within the last unit in the last place of touching, all mantissas full
   exponents,   ///< random exponents over the whole finite range, a field each; the slowest few of many
 };

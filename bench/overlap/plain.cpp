@@ -26,7 +26,9 @@ bool add() {
     const bool is_round = a == VESICA_CIRCLE && b == VESICA_ELLIPSE;
     return add_rates<f64, yardstick<f64>, f32, yardstick<f32>>(is_round ? ratio_at_most(0.6)
                                                                         : nanoseconds_above(2.5)) &&
-           add_rows<f64>({{Workload::incident, nanoseconds_at_most(40)}});
+           add_rows<f64>(
+               {{Workload::incident, nanoseconds_at_most(40)}, {Workload::few_digits, nanoseconds_at_most(40)}}) &&
+           (b == VESICA_ELLIPSE || add_rows<f64>({{Workload::last_ulp, nanoseconds_at_most(40)}}));
   }
 }
 

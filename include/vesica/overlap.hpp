@@ -12,6 +12,7 @@
 
 #include <vesica/check.hpp>
 #include <vesica/filter/axes.hpp>
+#include <vesica/filter/disc_rect.hpp>
 #include <vesica/filter/error_free.hpp>
 #include <vesica/filter/reach.hpp>
 #include <vesica/filter/short_numbers.hpp>
@@ -59,32 +60,40 @@ VESICA_INLINE constexpr std::int32_t decide_short_tie(const A& a, const B& b) no
   if constexpr (filter::HasResidues<A, B>) {
     return answer_of(filter::by_residues<filter::NearUnit>(a, b));
   } else if constexpr (filter::HasShortNumbers<A, B>) {
+    if constexpr (filter::HasAxes<A, B> || filter::HasSquares<A, B>) {
+      if (filter::has_long_axis(b, filter::most_digits<A, B>)) return -1;
+    }
     return answer_of(filter::short_numbers(a, b));
   } else {
     return -1;
   }
 }
-/// Other contacts, by evaluations that detect that no digit that matters was rounded away.
+/// Other contacts, in integers of any length.
 template <class A, class B>
 VESICA_INLINE constexpr std::int32_t decide_long_tie(const A& a, const B& b) noexcept {
   if constexpr (filter::has_wide_products && filter::HasResidues<A, B, filter::FarUnit>) {
-    const std::int32_t answer = answer_of(filter::by_residues<filter::FarUnit>(a, b));
-    if (answer >= 0) return answer;
-  }
-  if constexpr (filter::HasAxes<A, B>) {
-    if (filter::has_long_axis(b)) return -1;
-  }
-  if constexpr (filter::HasErrorFree<A, B>) {
-    return answer_of(filter::error_free(a, b));
+    return answer_of(filter::by_residues<filter::FarUnit>(a, b));
+  } else if constexpr (filter::HasAxes<A, B>) {
+    return answer_of(filter::by_axes<filter::Limbs::leading>(a, b));
+  } else if constexpr (filter::HasSquares<A, B>) {
+    return answer_of(filter::by_squares(a, b));
   } else {
     return -1;
   }
 }
-/// Contacts of rectangles whose numbers are longer still.
+/// Contacts of numbers of all digits, or whose exponents are far apart: there by an evaluation that detects that nothing
+/// was rounded.
 template <class A, class B>
 VESICA_INLINE constexpr std::int32_t decide_longest_tie(const A& a, const B& b) noexcept {
   if constexpr (filter::HasAxes<A, B>) {
-    return answer_of(filter::by_axes(a, b));
+    const std::int32_t answer = answer_of(filter::by_axes<filter::Limbs::all>(a, b));
+    if (answer >= 0) return answer;
+  }
+  if constexpr (filter::HasAxes<A, B> || filter::HasSquares<A, B>) {
+    if (filter::has_long_axis(b, 28)) return -1;  // its square has 57 digits or more
+  }
+  if constexpr (filter::HasErrorFree<A, B>) {
+    return answer_of(filter::error_free(a, b));
   } else {
     return -1;
   }
@@ -108,7 +117,7 @@ VESICA_COLD constexpr std::int32_t decide_exactly(const A& a, const B& b) noexce
 }
 
 template <class A, class B>
-VESICA_COLD constexpr std::int32_t decide_long(const A& a, const B& b) noexcept {
+VESICA_CALLED constexpr std::int32_t decide_long(const A& a, const B& b) noexcept {
   if (!std::is_constant_evaluated()) {
     const std::int32_t answer = decide_long_tie(a, b);
     if (answer >= 0) return answer;

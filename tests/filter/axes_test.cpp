@@ -187,16 +187,16 @@ TEST(Axes, DecideOnlyWhatIsRightAtTheEndsOfTheRange) {
 
 /// Where an axis is long, error-free sums decide nothing, so that they need not be asked.
 TEST(Axes, AreLongWhereErrorFreeSumsCannotHold) {
-  EXPECT_FALSE(filter::has_long_axis({0, 0, 0x1p28 - 1, 1, 1, 1}));
-  EXPECT_TRUE(filter::has_long_axis({0, 0, 0x1p29 - 1, 1, 1, 1}));
-  EXPECT_TRUE(filter::has_long_axis({0, 0, 1, 0.1, 1, 1}));
+  EXPECT_FALSE(filter::has_long_axis({0, 0, 0x1p28 - 1, 1, 1, 1}, 28));
+  EXPECT_TRUE(filter::has_long_axis({0, 0, 0x1p29 - 1, 1, 1, 1}, 28));
+  EXPECT_TRUE(filter::has_long_axis({0, 0, 1, 0.1, 1, 1}, 28));
   Random random(properties::seed());
   int long_ones = 0;
   for (int i = 0; i < 2000 * properties::repeat(); ++i) {
     const int digits = random.integer(20, 53);
     const auto whole = [&] { return std::floor(std::ldexp(random.between(-1, 1), digits)) + 1; };
     const Rect<double> r{1, 0, whole(), random.chance(0.5) ? whole() : 0, 1, 1};
-    if (!filter::has_long_axis(r)) continue;
+    if (!filter::has_long_axis(r, 28)) continue;
     ++long_ones;
     const auto verdict = filter::error_free(Rect<double>{0, 0, 1, 0, 1, 1}, r);
     EXPECT_FALSE(verdict.overlap || verdict.disjoint);

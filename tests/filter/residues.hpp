@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What contacts in integers decide, in near and in far units or by axes, and how often they are wrong.
+/// What contacts in integers decide, in near and in far units, or by leading and by all limbs, and how often they are
+/// wrong.
 #pragma once
 
 #include <cmath>
@@ -16,11 +17,13 @@ struct Counts {
   int asked = 0, near = 0, far = 0, wrong = 0, overlap = 0;
 };
 
-/// The second is no answer where the pair is not known in far units.
+/// The second is no answer where the pair is known in one way alone.
 template <class A, class B>
 std::pair<filter::Verdict<bool>, filter::Verdict<bool>> both_verdicts(const A& a, const B& b) {
   if constexpr (filter::HasAxes<A, B>) {
-    return {filter::by_axes(a, b), {false, false}};
+    return {filter::by_axes<filter::Limbs::leading>(a, b), filter::by_axes<filter::Limbs::all>(a, b)};
+  } else if constexpr (filter::HasSquares<A, B>) {
+    return {filter::by_squares(a, b), {false, false}};
   } else if constexpr (filter::HasResidues<A, B, filter::FarUnit>) {
     return {filter::by_residues<filter::NearUnit>(a, b), filter::by_residues<filter::FarUnit>(a, b)};
   } else {

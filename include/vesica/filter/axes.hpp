@@ -3,8 +3,18 @@
 /// numbers of any length, unless the exponents of coordinates, of axes or of sizes are far apart. For what the filters
 /// leave open, one pair at a time.
 ///
-/// Twice a coordinate is a multiple of a unit C, an axis of U, a size of H. So twice a rectangle's half side, size
-/// times axis, is one of 2 U H. Lengths are of a like magnitude, so that this is finer: C = 2^e U H with e >= 1.
+/// Stored numbers are multiples of units: coordinates of P, axes of U, sizes of H, with P = 2^(64 + s) U H and s >= 0.
+/// So how far centres are apart along an axis is a multiple of 2^64 of what half sides reach along it, sizes times axes.
+///
+/// Proved: no number overflows.
+///
+///   - Up to the roundings of these sums, the magnitudes of all axes' numbers sum up to less than 2^63 U, those of sizes
+///     to less than 2^63 H, and those of coordinates to less than 2^62 P, of shapes with corners 2^61 P. So twice a way
+///     between centres is below 2^62 P.
+///   - |a.b| is at most the sum of a's magnitudes times the greater of b's. So dot and cross products are below 2^126,
+///     and less another they are below 2^127.
+///   - What Shift held is below 2^126.
+///   - Sizes times products without their last limb are together below 2^63 2^62, and sizes times last limbs 2^127.
 #pragma once
 
 #include <vesica/filter/box.hpp>
@@ -13,140 +23,241 @@
 
 namespace vesica::filter {
 
-/// A vector: what is a multiple of C, in units of C, and the rest in units of 2 U H.
-struct SplitVector {
+using AxisUnit = UnitOfAll<63>;
+using SizeUnit = UnitOfAll<63>;
+template <bool has_corners>
+using PlaceUnit = UnitOfAll<has_corners ? 61 : 62>;
+
+/// A vector in units.
+struct VectorInUnits {
   Integer64 x, y;
-  Residue128 fine_x, fine_y;
 
-  VESICA_INLINE constexpr SplitVector operator-(const SplitVector& v) const noexcept {
-    return {x - v.x, y - v.y, fine_x - v.fine_x, fine_y - v.fine_y};
+  VESICA_INLINE constexpr VectorInUnits operator+(const VectorInUnits& v) const noexcept { return {x + v.x, y + v.y}; }
+  VESICA_INLINE constexpr VectorInUnits operator-(const VectorInUnits& v) const noexcept { return {x - v.x, y - v.y}; }
+};
+VESICA_INLINE constexpr Residue128 dot(const VectorInUnits& a, const VectorInUnits& b) noexcept {
+  return a.x * b.x + a.y * b.y;
+}
+VESICA_INLINE constexpr Residue128 cross(const VectorInUnits& a, const VectorInUnits& b) noexcept {
+  return a.x * b.y - a.y * b.x;
+}
+
+/// The units of a pair. Of shapes with corners twice the coordinates are taken: there P = 2^(65 + s) U H.
+template <bool has_corners>
+struct BoxUnits {
+  PlaceUnit<has_corners> places;
+  AxisUnit axes;
+  SizeUnit sizes;
+  int shift;  // s
+  bool fit;   // all numbers are multiples
+
+  static constexpr int most_shift = 48;
+
+  /// Sizes may be small, or 0, beside coordinates: then their unit is coarser than they themselves would have it.
+  template <int m, int n>
+  VESICA_INLINE constexpr BoxUnits(const Numbers<m>& of_places, const Numbers<n>& of_axes,
+                                   const Numbers<n>& of_sizes) noexcept
+      : places(of_places), axes(of_axes), sizes(of_sizes) {
+    constexpr int limb = has_corners ? 65 : 64;
+    sizes.raise(places.exponent() - axes.exponent() - limb - most_shift);
+    const int least = axes.exponent() + sizes.exponent() + limb;
+    places.raise(least);
+    shift = places.exponent() - least;
+    fit = both(places.is_ordinary(), both(axes.is_ordinary(), sizes.is_ordinary())) && places.divides(of_places) &&
+          axes.divides(of_axes) && sizes.divides(of_sizes);
   }
-  /// Its opposite where the mask is of ones, itself where it is 0.
-  VESICA_INLINE constexpr SplitVector flipped(std::uint64_t mask) const noexcept {
-    return {x.flipped(mask), y.flipped(mask), fine_x.flipped(mask), fine_y.flipped(mask)};
+  VESICA_INLINE constexpr VectorInUnits place(double x, double y) const noexcept {
+    return {places.number(x), places.number(y)};
   }
 };
 
-/// A box in units: its axis in any, and twice its half sides, along the axis and across it.
-struct BoxInUnits {
-  Integer64 ux, uy;
-  SplitVector along, across;
+/// Sizes are multiples of H, the axis of U.
+struct RectInUnits {
+  VectorInUnits axis;
+  Integer64 hx, hy;
+
+  template <class Units>
+  VESICA_INLINE constexpr RectInUnits(const Rect<double>& r, const Units& units) noexcept
+      : axis{units.axes.number(r.ux), units.axes.number(r.uy)},
+        hx(units.sizes.number(r.hx)),
+        hy(units.sizes.number(r.hy)) {}
+  VESICA_INLINE constexpr bool is_valid() const noexcept {
+    return both((hx.n | hy.n) >= 0, (axis.x.n | axis.y.n) != 0);
+  }
 };
 
-/// What separates two boxes along an axis n: |n.D| less |n.s| for all half sides s. It is n.V, where V is the sum of D
-/// and all s, each with the sign by which it counts. All are whole numbers, and none is rounded.
-///
-/// In the part of V in units of C each coordinate counts twice at most: it is below 2^63. Where held(), it is below
-/// 2^126 U H, too; else boxes are far apart. The other part is at most all sizes' sum times all axes' sum, below 2^125.
-/// So V is below 2^127, and n.V below 2^190, as |n_x| + |n_y| is at most 2^62, but for a last place.
-class AxisGaps {
- public:
-  /// D twice, in units of C = 2^e (2 U H).
-  VESICA_INLINE constexpr AxisGaps(Integer64 dx, Integer64 dy, int e) noexcept
-      : offset_{dx, dy, {0, 0}, {0, 0}}, e_(e) {}
+/// A half size, and what an axis is along the half side: a dot or cross product.
+struct Reach {
+  Integer64 size;
+  Residue128 along;
+};
 
-  /// Whether a gap parts the boxes along the axis of `a` or across it.
-  VESICA_INLINE constexpr bool part(const BoxInUnits& a, const BoxInUnits& b) noexcept {
-    const bool along = part(a.ux, a.uy, a.along, b), across = part(-a.uy, a.ux, a.across, b);
-    return either(along, across);
+/// Along an axis: how far centres are apart, over 2^64, and how far half sides reach.
+template <int count>
+struct OnAxis {
+  Residue128 between;
+  Reach reach[count];
+
+  /// By how much half sides reach farther, over 2^64. Without the last limb of products it is too small, by less than
+  /// 2^63.
+  VESICA_INLINE constexpr Residue128 slack() const noexcept {
+    return sum([](const Residue128& along) { return along.high; }) - between;
   }
-  VESICA_INLINE constexpr bool held() const noexcept { return !lost_; }
+  VESICA_INLINE constexpr bool has_gap() const noexcept {
+    const Residue128 last = sum([](const Residue128& along) { return along.low; });
+    return (slack() + Residue128{last.high, 0}).is_negative();
+  }
 
  private:
-  VESICA_INLINE constexpr bool part(Integer64 nx, Integer64 ny, const SplitVector& own,
-                                    const BoxInUnits& other) noexcept {
-    const auto sign = [&](Integer64 x, Integer64 y) { return std::uint64_t{0} - ((nx * x + ny * y).high >> 63); };
-    const SplitVector v = offset_.flipped(sign(offset_.x, offset_.y)) - own -
-                          other.along.flipped(sign(other.ux, other.uy)) -
-                          other.across.flipped(sign(-other.uy, other.ux));
-    const int room = 126 - e_ < 63 ? 126 - e_ : 63;
-    lost_ = either(lost_, either(v.x.n >> room != v.x.n >> 63, v.y.n >> room != v.y.n >> 63));
-    return (nx * (v.x.shifted(e_) + v.fine_x) + ny * (v.y.shifted(e_) + v.fine_y)).is_positive();
+  /// Of sizes times a limb of what the axis is along half sides.
+  template <class Limb>
+  VESICA_INLINE constexpr Residue128 sum(Limb limb) const noexcept {
+    const auto term = [&](int i) { return product(static_cast<std::uint64_t>(reach[i].size.n), limb(reach[i].along)); };
+    if constexpr (count == 1) return term(0);
+    if constexpr (count == 2) return term(0) + term(1);
+    if constexpr (count == 3) return term(0) + term(1) + term(2);
   }
-
-  SplitVector offset_;
-  int e_;
-  bool lost_ = false;
 };
 
-using AxisUnit = NearUnit;
-using SizeUnit = NearUnit;
-using PlaceUnit = UnitOf64<61>;
+/// The same along a coordinate axis, where an AABB's sides have no factor U: all of it, not over 2^64.
+struct OnUprightAxis {
+  Residue128 all;
 
-VESICA_INLINE constexpr BoxInUnits in_units(const Rect<double>& r, PlaceUnit&, AxisUnit& axes,
-                                            SizeUnit& sizes) noexcept {
-  const Integer64 ux = axes.number(r.ux), uy = axes.number(r.uy), hx = sizes.number(r.hx), hy = sizes.number(r.hy);
-  return {ux, uy, {{0}, {0}, hx * ux, hx * uy}, {{0}, {0}, hy * -uy, hy * ux}};
-}
-VESICA_INLINE constexpr BoxInUnits in_units(const Segment<double>& s, PlaceUnit& places, AxisUnit&,
-                                            SizeUnit&) noexcept {
-  const Integer64 x = places.number(s.x1) - places.number(s.x0), y = places.number(s.y1) - places.number(s.y0);
-  return {x, y, {x, y, {0, 0}, {0, 0}}, {}};
-}
-VESICA_INLINE constexpr BoxInUnits in_units(const Aabb<double>& box, PlaceUnit& places, AxisUnit&, SizeUnit&) noexcept {
-  const Integer64 width = places.number(box.max_x) - places.number(box.min_x);
-  const Integer64 height = places.number(box.max_y) - places.number(box.min_y);
-  return {{1}, {0}, {width, {0}, {0, 0}, {0, 0}}, {{0}, height, {0, 0}, {0, 0}}};
-}
-VESICA_INLINE constexpr BoxInUnits in_units(const Point<double>&, PlaceUnit&, AxisUnit&, SizeUnit&) noexcept {
-  return {{1}, {0}, {}, {}};
-}
+  VESICA_INLINE constexpr Residue128 slack() const noexcept { return all; }
+  VESICA_INLINE constexpr bool has_gap() const noexcept { return all.is_negative(); }
+};
 
-VESICA_INLINE constexpr bool valid_if_finite(const Point<double>&) noexcept { return true; }
-VESICA_INLINE constexpr bool valid_if_finite(const Segment<double>&) noexcept { return true; }
-VESICA_INLINE constexpr bool valid_if_finite(const Aabb<double>& box) noexcept {
-  return both(box.min_x <= box.max_x, box.min_y <= box.max_y);
-}
-VESICA_INLINE constexpr bool valid_if_finite(const Rect<double>& r) noexcept {
-  return both(both(r.hx >= 0, r.hy >= 0), either(r.ux != 0, r.uy != 0));
-}
+/// How much of products is looked at.
+enum class Limbs { leading, all };
 
-/// By the units of a pair. A segment of no length has no axis, along which nothing then parts the boxes.
-template <class A>
-VESICA_INLINE constexpr Verdict<bool> by_axes(const A& a, const Rect<double>& b, PlaceUnit places, AxisUnit axes,
-                                              SizeUnit sizes) noexcept {
-  const int e = places.exponent() - axes.exponent() - sizes.exponent() - 1;
-  if (!(both(both(places.is_ordinary(), axes.is_ordinary()), both(sizes.is_ordinary(), in_range(e, 0, 125))))) {
-    return {false, false};
+/// Whether there is no gap along any axis. By leading limbs slack's sign is certain unless it is from -2^64 to 0: only
+/// numbers of all digits that touch, exactly or nearly so, are left undecided.
+template <Limbs limbs, class... Axis>
+VESICA_INLINE constexpr Verdict<bool> no_gap(bool valid, const Axis&... axis) noexcept {
+  if constexpr (limbs == Limbs::all) {
+    return compared(valid, !(axis.has_gap() || ...));
+  } else {
+    bool possible = false, certain = false;
+    const auto look = [&](const Residue128& slack) {
+      possible = either(possible, slack.is_negative());
+      certain = either(certain, (slack + Residue128{0, 1}).is_negative());
+    };
+    (look(axis.slack()), ...);
+    return guarded(valid, !possible, certain);
   }
-  const BoxInUnits box_a = in_units(a, places, axes, sizes), box_b = in_units(b, places, axes, sizes);
-  const Corners<double> from = detail::form::corners(place(a));
-  const Integer64 x = places.number(b.cx), y = places.number(b.cy);
-  AxisGaps gaps((x - places.number(from.x0)) + (x - places.number(from.x1)),
-                (y - places.number(from.y0)) + (y - places.number(from.y1)), e);
-  bool apart = gaps.part(box_b, box_a);
-  if constexpr (!std::is_same_v<A, Point<double>>) apart = either(apart, gaps.part(box_a, box_b));
-  const bool held = both(both(places.holds(), axes.holds()), both(sizes.holds(), gaps.held()));
-  return compared(both(held, both(valid_if_finite(a), valid_if_finite(b))), !apart);
 }
+
+/// Shifts by a pair's s, and remembers whether anything was too large for that.
+class Shift {
+ public:
+  VESICA_INLINE constexpr explicit Shift(int places) noexcept : places_(places) {}
+  VESICA_INLINE constexpr bool is_possible() const noexcept { return places_ <= 62; }
+
+  VESICA_INLINE constexpr Integer64 operator()(Integer64 a) noexcept {
+    lost_ |= beyond(a.n);
+    return {static_cast<std::int64_t>(static_cast<std::uint64_t>(a.n) << places_)};
+  }
+  VESICA_INLINE constexpr VectorInUnits operator()(const VectorInUnits& v) noexcept {
+    return {(*this)(v.x), (*this)(v.y)};
+  }
+  VESICA_INLINE constexpr Residue128 operator()(const Residue128& a) noexcept {
+    lost_ |= beyond(static_cast<std::int64_t>(a.high));
+    return a.shifted(places_);
+  }
+  VESICA_INLINE constexpr bool held() const noexcept { return lost_ == 0; }
+
+ private:
+  VESICA_INLINE constexpr std::int64_t beyond(std::int64_t a) const noexcept { return (a ^ a >> 63) >> (62 - places_); }
+  int places_;
+  std::int64_t lost_ = 0;
+};
 
 // Whether two shapes overlap; undecided where exponents are too far apart for the units, or a shape is invalid.
 
-VESICA_INLINE constexpr Verdict<bool> by_axes(const Point<double>& a, const Rect<double>& b) noexcept {
-  return by_axes(a, b, PlaceUnit(a.x, a.y, b.cx, b.cy), AxisUnit(b.ux, b.uy), SizeUnit(b.hx, b.hy));
-}
-VESICA_INLINE constexpr Verdict<bool> by_axes(const Segment<double>& a, const Rect<double>& b) noexcept {
-  return by_axes(a, b, PlaceUnit(a.x0, a.y0, a.x1, a.y1, b.cx, b.cy), AxisUnit(b.ux, b.uy), SizeUnit(b.hx, b.hy));
-}
-VESICA_INLINE constexpr Verdict<bool> by_axes(const Aabb<double>& a, const Rect<double>& b) noexcept {
-  return by_axes(a, b, PlaceUnit(a.min_x, a.min_y, a.max_x, a.max_y, b.cx, b.cy), AxisUnit(b.ux, b.uy),
-                 SizeUnit(b.hx, b.hy));
-}
-VESICA_INLINE constexpr Verdict<bool> by_axes(const Rect<double>& a, const Rect<double>& b) noexcept {
-  return by_axes(a, b, PlaceUnit(a.cx, a.cy, b.cx, b.cy), AxisUnit(a.ux, a.uy, b.ux, b.uy),
-                 SizeUnit(a.hx, a.hy, b.hx, b.hy));
+template <Limbs limbs>
+VESICA_INLINE constexpr Verdict<bool> by_axes(const Point<double>& p, const Rect<double>& r) noexcept {
+  const BoxUnits<false> units(Numbers{p.x, p.y, r.cx, r.cy}, Numbers{r.ux, r.uy}, Numbers{r.hx, r.hy});
+  if (!units.fit) return {false, false};
+  Shift shift(units.shift);
+  const RectInUnits b(r, units);
+  const VectorInUnits d = shift(units.place(p.x, p.y) - units.place(r.cx, r.cy));
+  const Residue128 uu = dot(b.axis, b.axis);
+  return no_gap<limbs>(both(shift.held(), b.is_valid()),  //
+                       OnAxis<1>{dot(b.axis, d).magnitude(), {{b.hx, uu}}},
+                       OnAxis<1>{cross(b.axis, d).magnitude(), {{b.hy, uu}}});
 }
 
-/// Where this is so, error_free() cannot hold: the square of a number of 29 digits or more has at least 57.
-VESICA_INLINE constexpr bool has_long_axis(const Rect<double>& r) noexcept {
+template <Limbs limbs>
+VESICA_INLINE constexpr Verdict<bool> by_axes(const Rect<double>& r, const Rect<double>& t) noexcept {
+  const BoxUnits<false> units(Numbers{r.cx, r.cy, t.cx, t.cy}, Numbers{r.ux, r.uy, t.ux, t.uy},
+                              Numbers{r.hx, r.hy, t.hx, t.hy});
+  if (!units.fit) return {false, false};
+  Shift shift(units.shift);
+  const RectInUnits a(r, units), b(t, units);
+  const VectorInUnits d = shift(units.place(t.cx, t.cy) - units.place(r.cx, r.cy));
+  const Residue128 uu = dot(a.axis, a.axis), ww = dot(b.axis, b.axis);
+  const Residue128 c = dot(a.axis, b.axis).magnitude(), s = cross(a.axis, b.axis).magnitude();
+  return no_gap<limbs>(both(shift.held(), both(a.is_valid(), b.is_valid())),
+                       OnAxis<3>{dot(a.axis, d).magnitude(), {{a.hx, uu}, {b.hx, c}, {b.hy, s}}},
+                       OnAxis<3>{cross(a.axis, d).magnitude(), {{a.hy, uu}, {b.hx, s}, {b.hy, c}}},
+                       OnAxis<3>{dot(b.axis, d).magnitude(), {{b.hx, ww}, {a.hx, c}, {a.hy, s}}},
+                       OnAxis<3>{cross(b.axis, d).magnitude(), {{b.hy, ww}, {a.hx, s}, {a.hy, c}}});
+}
+
+/// The axes of the rectangle and the segment's normal; where it has no length nothing parts the shapes along that.
+template <Limbs limbs>
+VESICA_INLINE constexpr Verdict<bool> by_axes(const Segment<double>& s, const Rect<double>& r) noexcept {
+  const BoxUnits<true> units(Numbers{s.x0, s.y0, s.x1, s.y1, r.cx, r.cy}, Numbers{r.ux, r.uy}, Numbers{r.hx, r.hy});
+  if (!units.fit) return {false, false};
+  Shift shift(units.shift);
+  const RectInUnits b(r, units);
+  const VectorInUnits centre = units.place(r.cx, r.cy), start = units.place(s.x0, s.y0), end = units.place(s.x1, s.y1);
+  const VectorInUnits d = (centre - start) + (centre - end), way = end - start;
+  const Residue128 uu = dot(b.axis, b.axis);
+  const Residue128 along = dot(b.axis, way).magnitude(), across = cross(b.axis, way).magnitude();
+  const OnAxis<1> along_b{shift(dot(b.axis, d).magnitude() - along), {{b.hx, uu}}};
+  const OnAxis<1> across_b{shift(cross(b.axis, d).magnitude() - across), {{b.hy, uu}}};
+  const OnAxis<2> across_s{shift(cross(way, d).magnitude()), {{b.hx, across}, {b.hy, along}}};
+  return no_gap<limbs>(both(shift.held(), b.is_valid()), along_b, across_b, across_s);
+}
+
+/// By how much the half sides of an AABB and a rectangle reach farther along a coordinate axis than d.
+VESICA_INLINE constexpr OnUprightAxis upright(Integer64 d, Integer64 width, Integer64 hx, Integer64 ux, Integer64 hy,
+                                              Integer64 uy, Shift& shift) noexcept {
+  const Integer64 between = shift(d.magnitude() - width);
+  return {(hx * ux + hy * uy) - Residue128{0, static_cast<std::uint64_t>(between.n)}};
+}
+
+template <Limbs limbs>
+VESICA_INLINE constexpr Verdict<bool> by_axes(const Aabb<double>& box, const Rect<double>& r) noexcept {
+  const BoxUnits<true> units(Numbers{box.min_x, box.min_y, box.max_x, box.max_y, r.cx, r.cy}, Numbers{r.ux, r.uy},
+                             Numbers{r.hx, r.hy});
+  if (!units.fit) return {false, false};
+  Shift shift(units.shift);
+  const RectInUnits b(r, units);
+  const VectorInUnits centre = units.place(r.cx, r.cy), min = units.place(box.min_x, box.min_y),
+                      max = units.place(box.max_x, box.max_y);
+  const VectorInUnits d = (centre - min) + (centre - max), size = max - min;
+  const Integer64 ux = b.axis.x.magnitude(), uy = b.axis.y.magnitude();
+  const Residue128 uu = dot(b.axis, b.axis), along = ux * size.x + uy * size.y, across = uy * size.x + ux * size.y;
+  const OnAxis<1> along_b{shift(dot(b.axis, d).magnitude() - along), {{b.hx, uu}}};
+  const OnAxis<1> across_b{shift(cross(b.axis, d).magnitude() - across), {{b.hy, uu}}};
+  const OnUprightAxis x = upright(d.x, size.x, b.hx, ux, b.hy, uy, shift);
+  const OnUprightAxis y = upright(d.y, size.y, b.hx, uy, b.hy, ux, shift);
+  const bool valid = both(b.is_valid(), (size.x.n | size.y.n) >= 0);
+  return no_gap<limbs>(both(shift.held(), valid), along_b, across_b, x, y);
+}
+
+/// Has one of an axis's two numbers more digits than these?
+VESICA_INLINE constexpr bool has_long_axis(const Rect<double>& r, int digits) noexcept {
   const auto bits = std::bit_cast<std::uint64_t>(r.ux) | std::bit_cast<std::uint64_t>(r.uy);
-  return (bits & 0x1ffffff) != 0;
+  return bits << (11 + digits) != 0;
 }
 
 /// Pairs that by_axes() knows.
 template <class A, class B>
 concept HasAxes = has_wide_products && requires(const A& a, const B& b) {
-  by_axes(a, b);
+  by_axes<Limbs::all>(a, b);
 };
 
 }  // namespace vesica::filter

@@ -6,7 +6,10 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <utility>
 #include <vesica/exact/limbs.hpp>
 #include <vesica/scalar.hpp>
 
@@ -28,15 +31,39 @@ struct Residue128 {
   VESICA_INLINE constexpr std::int64_t sign() const noexcept {
     return static_cast<std::int64_t>(high | std::uint64_t{low != 0});
   }
-  /// Its opposite where the mask is of ones, itself where it is 0.
-  VESICA_INLINE constexpr Residue128 flipped(std::uint64_t mask) const noexcept {
-    const std::uint64_t inverted = low ^ mask, opposite = inverted - mask;
-    return {opposite, (high ^ mask) + (opposite < inverted)};
+  VESICA_INLINE constexpr bool is_negative() const noexcept { return high >> 63 != 0; }
+  /// By less than 64 places.
+  VESICA_INLINE constexpr Residue128 shifted(int places) const noexcept {
+    return {low << places, high << places | low >> 1 >> (63 - places)};
   }
   /// The magnitude of the integer of least magnitude that has this residue.
-  VESICA_INLINE constexpr Residue128 magnitude() const noexcept { return flipped(std::uint64_t{0} - (high >> 63)); }
+  VESICA_INLINE constexpr Residue128 magnitude() const noexcept;
 };
 
+// Where the compiler knows of 128 bits it has instructions that carry.
+#if defined(__SIZEOF_INT128__)
+namespace wide {
+__extension__ using Integer = __int128;
+__extension__ using Natural = unsigned __int128;
+VESICA_INLINE constexpr Natural of(const Residue128& a) noexcept { return Natural{a.high} << 64 | a.low; }
+VESICA_INLINE constexpr Residue128 residue(Natural n) noexcept {
+  return {static_cast<std::uint64_t>(n), static_cast<std::uint64_t>(n >> 64)};
+}
+}  // namespace wide
+VESICA_INLINE constexpr Residue128 operator+(const Residue128& a, const Residue128& b) noexcept {
+  return wide::residue(wide::of(a) + wide::of(b));
+}
+VESICA_INLINE constexpr Residue128 operator-(const Residue128& a, const Residue128& b) noexcept {
+  return wide::residue(wide::of(a) - wide::of(b));
+}
+VESICA_INLINE constexpr bool is_less(const Residue128& a, const Residue128& b) noexcept {
+  return wide::of(a) < wide::of(b);
+}
+VESICA_INLINE constexpr Residue128 Residue128::magnitude() const noexcept {
+  const auto n = static_cast<wide::Integer>(wide::of(*this)), mask = n >> 127;
+  return wide::residue(static_cast<wide::Natural>((n ^ mask) - mask));
+}
+#else
 VESICA_INLINE constexpr Residue128 operator+(const Residue128& a, const Residue128& b) noexcept {
   const std::uint64_t low = a.low + b.low;
   return {low, a.high + b.high + (low < a.low)};
@@ -44,30 +71,56 @@ VESICA_INLINE constexpr Residue128 operator+(const Residue128& a, const Residue1
 VESICA_INLINE constexpr Residue128 operator-(const Residue128& a, const Residue128& b) noexcept {
   return {a.low - b.low, a.high - b.high - (a.low < b.low)};
 }
+VESICA_INLINE constexpr Residue128 Residue128::magnitude() const noexcept {
+  const std::uint64_t mask = std::uint64_t{0} - (high >> 63);
+  return Residue128{low ^ mask, high ^ mask} - Residue128{mask, mask};
+}
+VESICA_INLINE constexpr bool is_less(const Residue128& a, const Residue128& b) noexcept {
+  return a.high != b.high ? a.high < b.high : a.low < b.low;
+}
+#endif
 VESICA_INLINE constexpr Residue128 operator*(const Residue128& a, const Residue128& b) noexcept {
   const exact::detail::LimbPair product = exact::detail::multiply_add(a.low, b.low, 0, 0);
   return {product.low, product.high + a.low * b.high + a.high * b.low};
 }
+/// An integer modulo 2^256.
+struct Residue256 {
+  Residue128 low, high;
 
-/// A natural number of 256 bits, the least significant limb first.
-struct Natural256 {
-  std::uint64_t limb[4];
+  VESICA_INLINE constexpr bool is_negative() const noexcept { return high.is_negative(); }
 };
 
+VESICA_INLINE constexpr Residue256 operator+(const Residue256& a, const Residue256& b) noexcept {
+  const Residue128 low = a.low + b.low;
+  return {low, a.high + b.high + Residue128{is_less(low, a.low), 0}};
+}
+VESICA_INLINE constexpr Residue256 operator-(const Residue256& a, const Residue256& b) noexcept {
+  return {a.low - b.low, a.high - b.high - Residue128{is_less(a.low, b.low), 0}};
+}
+
 /// Of natural numbers.
-VESICA_INLINE constexpr Natural256 product(const Residue128& a, const Residue128& b) noexcept {
+VESICA_INLINE constexpr bool operator<=(const Residue256& a, const Residue256& b) noexcept {
+  if (a.high.high != b.high.high || a.high.low != b.high.low) return is_less(a.high, b.high);
+  return !is_less(b.low, a.low);
+}
+
+// Products of natural numbers.
+VESICA_INLINE constexpr Residue128 product(std::uint64_t a, std::uint64_t b) noexcept {
+  const exact::detail::LimbPair product = exact::detail::multiply_add(a, b, 0, 0);
+  return {product.low, product.high};
+}
+VESICA_INLINE constexpr Residue256 product(const Residue128& a, const Residue128& b) noexcept {
   using exact::detail::LimbPair;
   using exact::detail::multiply_add;
   const LimbPair low = multiply_add(a.low, b.low, 0, 0), across = multiply_add(a.low, b.high, low.high, 0);
   const LimbPair other = multiply_add(a.high, b.low, across.low, 0);
   const LimbPair high = multiply_add(a.high, b.high, across.high, other.high);
-  return {{low.low, other.low, high.low, high.high}};
+  return {{low.low, other.low}, {high.low, high.high}};
 }
-VESICA_INLINE constexpr bool operator<=(const Natural256& a, const Natural256& b) noexcept {
-  for (int i = 3; i > 0; --i) {
-    if (a.limb[i] != b.limb[i]) return a.limb[i] < b.limb[i];
-  }
-  return a.limb[0] <= b.limb[0];
+/// Of a number below 2^127.
+VESICA_INLINE constexpr Residue256 square(const Residue128& a) noexcept {
+  const Residue128 low = product(a.low, a.low), across = product(a.low, a.high << 1), high = product(a.high, a.high);
+  return Residue256{low, high} + Residue256{{0, across.low}, {across.high, 0}};
 }
 
 /// An integer of 64 bits, of either sign.
@@ -77,12 +130,8 @@ struct Integer64 {
   VESICA_INLINE constexpr Residue128 extended(int places) const noexcept {
     return {static_cast<std::uint64_t>(n) << places, static_cast<std::uint64_t>(n >> 32 >> (32 - places))};
   }
-  /// By less than 128 places.
-  VESICA_INLINE constexpr Residue128 shifted(int places) const noexcept {
-    const auto bits = static_cast<std::uint64_t>(n);
-    if (places >= 64) return {0, bits << (places - 64)};
-    return {bits << places, static_cast<std::uint64_t>(n >> 1 >> (63 - places))};
-  }
+  VESICA_INLINE constexpr Integer64 magnitude() const noexcept { return {n < 0 ? -n : n}; }
+  /// Its opposite where the mask is of ones, itself where it is 0.
   VESICA_INLINE constexpr Integer64 flipped(std::uint64_t mask) const noexcept {
     return {static_cast<std::int64_t>((static_cast<std::uint64_t>(n) ^ mask) - mask)};
   }
@@ -94,42 +143,13 @@ VESICA_INLINE constexpr Integer64 operator-(Integer64 a) noexcept { return {-a.n
 /// The product itself.
 VESICA_INLINE constexpr Residue128 operator*(Integer64 a, Integer64 b) noexcept {
 #if defined(__SIZEOF_INT128__)
-  __extension__ using Wide = __int128;
-  const Wide product = Wide{a.n} * b.n;
-  return {static_cast<std::uint64_t>(product), static_cast<std::uint64_t>(product >> 64)};
+  return wide::residue(static_cast<wide::Natural>(wide::Integer{a.n} * b.n));
 #else
   const auto p = static_cast<std::uint64_t>(a.n), q = static_cast<std::uint64_t>(b.n);
   const exact::detail::LimbPair product = exact::detail::multiply_add(p, q, 0, 0);
   return {product.low,
           product.high - (static_cast<std::uint64_t>(a.n >> 63) & q) - (static_cast<std::uint64_t>(b.n >> 63) & p)};
 #endif
-}
-
-/// An integer modulo 2^192, the least significant limb first.
-struct Residue192 {
-  std::uint64_t low, middle, high;
-
-  /// Is the integer of least magnitude that has this residue positive?
-  VESICA_INLINE constexpr bool is_positive() const noexcept {
-    return both(static_cast<std::int64_t>(high) >= 0, (low | middle | high) != 0);
-  }
-};
-
-VESICA_INLINE constexpr Residue192 operator+(const Residue192& a, const Residue192& b) noexcept {
-  const Residue128 low = Residue128{a.low, 0} + Residue128{b.low, 0};
-  const Residue128 high = Residue128{a.middle, a.high} + Residue128{b.middle, b.high} + Residue128{low.high, 0};
-  return {low.low, high.low, high.high};
-}
-/// The product of integers, of which b is the one of least magnitude that has its residue. The stored limbs are a +
-/// 2^64 and b + 2^128 where a and b are negative: what they add is taken away.
-VESICA_INLINE constexpr Residue192 operator*(Integer64 a, const Residue128& b) noexcept {
-  using exact::detail::LimbPair;
-  using exact::detail::multiply_add;
-  const auto n = static_cast<std::uint64_t>(a.n), of_a = static_cast<std::uint64_t>(a.n >> 63);
-  const LimbPair low = multiply_add(n, b.low, 0, 0), high = multiply_add(n, b.high, low.high, 0);
-  const Residue128 upper = Residue128{high.low, high.high - ((std::uint64_t{0} - (b.high >> 63)) & n)} -
-                           Residue128{b.low & of_a, b.high & of_a};
-  return {low.low, upper.low, upper.high};
 }
 
 /// Numbers as multiples of a power of two, G, chosen such that their absolute values, summed and rounded, are from
@@ -143,6 +163,11 @@ class Unit {
   }
   /// log2 G.
   VESICA_INLINE constexpr int exponent() const noexcept { return exponent_ - 1023 - digits + 1; }
+  /// Makes G at least 2^least.
+  VESICA_INLINE constexpr void raise(int least) noexcept {
+    const int exponent = least + 1023 + digits - 1;
+    exponent_ = exponent_ > exponent ? exponent_ : exponent;
+  }
   /// Whether all numbers so far were multiples of G.
   VESICA_INLINE constexpr bool holds() const noexcept { return lost_ == 0; }
 
@@ -197,6 +222,48 @@ class UnitOf64 : public Unit<digits> {
 
 /// Differences have 64 bits too.
 using NearUnit = UnitOf64<62>;
+
+template <int n>
+struct Numbers {
+  double x[n];
+};
+template <class... X>
+Numbers(X...) -> Numbers<sizeof...(X)>;
+
+/// The same where numbers are checked together, at first: most are so large that one look at the least of them tells.
+template <int digits>
+class UnitOfAll : public Unit<digits> {
+ public:
+  template <int n>
+  VESICA_INLINE constexpr explicit UnitOfAll(const Numbers<n>& stored) noexcept
+      : UnitOfAll(stored, std::make_index_sequence<n>()) {}
+
+  /// Of a multiple of G that counted.
+  VESICA_INLINE constexpr Integer64 number(double x) const noexcept { return {this->take(x, 0)}; }
+  /// Whether all these are multiples of G. A number of at least 2^52 G is, as it has 53 digits.
+  template <int n>
+  VESICA_INLINE constexpr bool divides(const Numbers<n>& stored) const noexcept {
+    return divides(stored, std::make_index_sequence<n>());
+  }
+
+ private:
+  template <int n, std::size_t... i>
+  VESICA_INLINE constexpr UnitOfAll(const Numbers<n>& stored, std::index_sequence<i...>) noexcept
+      : Unit<digits>(stored.x[i]...) {}
+
+  template <int n, std::size_t... i>
+  VESICA_INLINE constexpr bool divides(const Numbers<n>& stored, std::index_sequence<i...>) const noexcept {
+    double least = std::numeric_limits<double>::max(), lost = 0;
+    ((least = lane::min(lane::abs(stored.x[i]), least)), ...);
+    if (least >= this->scale(52)) return true;
+    ((lost = lane::or_bits(lost, rest(stored.x[i]))), ...);
+    return lost == 0;
+  }
+  VESICA_INLINE constexpr double rest(double x) const noexcept {
+    this->take(x, 0);
+    return x;
+  }
+};
 
 /// For others.
 class FarUnit : public Unit<86> {
