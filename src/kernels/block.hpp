@@ -44,6 +44,25 @@ consteval void fill_pairs(ScalarKernels<T>& kernels) noexcept {
   fill_unit_pair<Ellipse, Ellipse>(kernels);
 }
 
+template <class Filter, template <class> class Shape, class T>
+consteval void fill_packed_kind(PackedKernels<T>& kernels) noexcept {
+  auto& kernel = kernels[static_cast<int>(ShapeTraits<Shape<T>>::kind)];
+  kernel[static_cast<int>(Repeat::none)] = answer_packed<Filter, Shape, T, Repeat::none>;
+  kernel[static_cast<int>(Repeat::first)] = answer_packed<Filter, Shape, T, Repeat::first>;
+}
+
+/// For the kinds that most often are records, on long vectors: others would take more space than they gain time. Two
+/// ellipses of floats do not gain with the 16 registers of AVX2.
+template <class T>
+consteval void fill_packed(PackedKernels<T>& kernels) noexcept {
+  if constexpr (sizeof(Floats) >= 32) {
+    fill_packed_kind<General, Circle>(kernels);
+    fill_packed_kind<General, Aabb>(kernels);
+    fill_packed_kind<UnitAxes, Rect>(kernels);
+    if constexpr (sizeof(Floats) == 64 || sizeof(T) == 8) fill_packed_kind<UnitAxes, Ellipse>(kernels);
+  }
+}
+
 /// Floats as doubles, exactly.
 VESICA_KERNEL void widen_column(Unaligned<float> from, std::int32_t n, double* to) noexcept {
   std::int32_t i = 0;
@@ -66,6 +85,8 @@ consteval KernelTable make_table(const char* name, const QueryTable& queries, co
   fill_pairs<double>(table.f64);
   table.checked_f32 = make_checked_kernels<float>();
   table.checked_f64 = make_checked_kernels<double>();
+  fill_packed(table.packed_f32);
+  fill_packed(table.packed_f64);
   return table;
 }
 
