@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arrays of boxes, corners and bounds: one loop, an element at a time.
+// Arrays of boxes, corners and bounds: an element at a time, or a block by a kernel where there is one.
 #include <algorithm>
 #include <limits>
 #include <vesica/bounds.hpp>
@@ -7,6 +7,8 @@
 
 #include "arrays.hpp"
 #include "environment.hpp"
+#include "kernels/query_table.hpp"
+#include "number_columns.hpp"
 #include "vesica_boxes.h"
 
 namespace {
@@ -23,18 +25,77 @@ bool unit_of(int32_t angle, AngleUnit& out) noexcept {
 }
 
 /// Writes element i, `width` numbers, by make(i, numbers), which returns 0 or an error. Other errors than
-/// VESICA_E_RANGE are those of a shape.
+/// VESICA_E_RANGE are those of a shape. `result` is the array's.
 template <int width, class T, class Make>
-int64_t each(int64_t count, T* out, Make make) noexcept {
+void put(int64_t i, T* out, const Make& make, int64_t& result) noexcept {
+  T numbers[width];
+  const int32_t error = make(i, numbers);
+  if (error != 0) {
+    std::fill_n(numbers, width, std::numeric_limits<T>::quiet_NaN());
+    if (result != VESICA_E_SHAPE) result = error == VESICA_E_RANGE ? VESICA_E_RANGE : VESICA_E_SHAPE;
+  }
+  std::copy_n(numbers, width, out + i * width);
+}
+
+template <int width, class T, class Make>
+int64_t each(int64_t count, T* out, const Make& make) noexcept {
   int64_t result = 0;
-  for (int64_t i = 0; i < count; ++i) {
-    T numbers[width];
-    const int32_t error = make(i, numbers);
-    if (error != 0) {
-      std::fill_n(numbers, width, std::numeric_limits<T>::quiet_NaN());
-      if (result != VESICA_E_SHAPE) result = error == VESICA_E_RANGE ? VESICA_E_RANGE : VESICA_E_SHAPE;
+  for (int64_t i = 0; i < count; ++i) put<width>(i, out, make, result);
+  return result;
+}
+
+/// A block of rectangles, ellipses or circles as columns of six numbers: a circle has the axis (1, 0) and its radius
+/// twice.
+class BoxColumns {
+ public:
+  BoxColumns() noexcept {
+    std::fill_n(one_, vesica::query_block, 1.0);
+    std::fill_n(zero_, vesica::query_block, 0.0);
+  }
+
+  template <class T>
+  void set(const vesica::batch::Shapes<T>& shapes, int64_t begin, int32_t n) noexcept {
+    columns_.set(shapes, begin, n, vesica::kernels());
+    const double* const* const from = columns_.numbers();
+    std::copy_n(from, vesica::max_fields, number_);
+    if (shapes.kind != VESICA_CIRCLE) return;
+    const double* const of_circle[] = {from[0], from[1], one_, zero_, from[2], from[2]};
+    std::copy_n(of_circle, vesica::max_fields, number_);
+  }
+  const double* const* numbers() const noexcept { return number_; }
+
+ private:
+  vesica::batch::NumberColumns columns_;
+  const double* number_[vesica::max_fields];
+  double one_[vesica::query_block], zero_[vesica::query_block];
+};
+
+/// The same as each() for shapes, by a kernel unless it is null. take(wide, numbers) makes an element of a kernel's
+/// results, or returns false; then and where the kernel found none, make() is asked.
+template <int width, class T, class Take, class Make>
+int64_t each_shape(const vesica::batch::Shapes<T>& shapes, vesica::BoxKernel kernel, T* out, const Take& take,
+                   const Make& make) noexcept {
+  if (kernel == nullptr || shapes.stride == 0) return each<width>(shapes.count, out, make);
+  constexpr int64_t block = vesica::query_block;
+  BoxColumns columns;
+  double results[width][block];
+  double* column[width];
+  for (int k = 0; k < width; ++k) column[k] = results[k];
+  int64_t result = 0;
+  for (int64_t begin = 0; begin < shapes.count; begin += block) {
+    const auto n = static_cast<int32_t>(std::min(shapes.count - begin, block));
+    columns.set(shapes, begin, n);
+    kernel(columns.numbers(), vesica::batch::whole_vectors(n), column);
+    for (int32_t i = 0; i < n; ++i) {
+      double wide[width];
+      for (int k = 0; k < width; ++k) wide[k] = results[k][i];
+      T numbers[width];
+      if (wide[0] == wide[0] && take(wide, numbers)) [[likely]] {
+        std::copy_n(numbers, width, out + (begin + i) * width);
+      } else {
+        put<width>(begin + i, out, make, result);
+      }
     }
-    std::copy_n(numbers, width, out + i * width);
   }
   return result;
 }
@@ -105,8 +166,29 @@ int64_t corners_of_shapes(const CShapesOf<T>* shapes, T* corners) noexcept {
   if (error != 0) return error;
   if (!has_box(shapes->kind)) return VESICA_E_KIND;
   const auto v = view<T>(*shapes);
-  return each<8>(v.count, corners,
-                 [&](int64_t i, T(&numbers)[8]) { return vesica::corners(Element<T>(v, i).rect(), numbers); });
+  return each_shape<8>(
+      v, vesica::kernels().queries->boxes.corners, corners,
+      [](const double(&wide)[8], T(&numbers)[8]) { return vesica::detail::narrow_corners(wide, numbers); },
+      [&](int64_t i, T(&numbers)[8]) { return vesica::corners(Element<T>(v, i).rect(), numbers); });
+}
+
+/// Null for kinds whose bounds take no arithmetic.
+vesica::BoxKernel bounds_kernel(int32_t kind) noexcept {
+  const vesica::BoxKernels& kernels = vesica::kernels().queries->boxes;
+  if (kind == VESICA_RECT || kind == VESICA_CIRCLE) return kernels.rect_bounds;
+  return kind == VESICA_ELLIPSE ? kernels.ellipse_bounds : nullptr;
+}
+
+/// Bounds among doubles as those of the shape's own type.
+bool take_bounds(const double (&wide)[4], double (&out)[4]) noexcept {
+  std::copy_n(wide, 4, out);
+  return true;
+}
+bool take_bounds(const double (&wide)[4], float (&out)[4]) noexcept {
+  vesica::Aabb<float> box;
+  if (vesica::narrow_bounds({wide[0], wide[1], wide[2], wide[3]}, box) != 0) return false;
+  flatten(box, out);
+  return true;
 }
 
 template <class T>
@@ -115,14 +197,17 @@ int64_t bounds_many(const CShapesOf<T>* shapes, T* out) noexcept {
   const int32_t error = check_shapes<T>(shapes, out);
   if (error != 0) return error;
   const auto v = view<T>(*shapes);
-  return each<4>(v.count, out, [&](int64_t i, T(&numbers)[4]) {
+  const auto bounds_of = [&](int64_t i, T(&numbers)[4]) {
     const Element<T> element(v, i);
     vesica::Aabb<T> box;
     const int32_t code = vesica::with_shape(
         v.kind, element.numbers, [&](const vesica::HasForm auto& shape) { return vesica::bounds(shape, box); });
     if (code == 0) flatten(box, numbers);
     return code;
-  });
+  };
+  return each_shape<4>(
+      v, bounds_kernel(v.kind), out, [](const double(&wide)[4], T(&numbers)[4]) { return take_bounds(wide, numbers); },
+      bounds_of);
 }
 
 /// An array of structs as its numbers.

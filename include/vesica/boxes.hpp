@@ -22,40 +22,67 @@ int check_box(const TurnedBox<T>& box) noexcept {
 }
 
 /// The corners of a rectangle: each coordinate to 1 roundoff of itself plus 2^-98 of the largest of its three terms.
+template <class V>
 class RectCorners {
  public:
-  template <class T>
-  explicit RectCorners(const Rect<T>& s) noexcept
-      : cx_(static_cast<double>(s.cx)),
-        cy_(static_cast<double>(s.cy)),
+  struct Corner {
+    V x, y;
+  };
+
+  VESICA_INLINE explicit RectCorners(const Rect<V>& s) noexcept
+      : cx_(s.cx),
+        cy_(s.cy),
         along_x_(product(s.hx, s.ux)),
         along_y_(product(s.hx, s.uy)),
         across_x_(product(-s.hy, s.uy)),
         across_y_(product(s.hy, s.ux)) {}
 
   /// C +- hx u +- hy perp(u)
-  VESICA_INLINE arithmetic::Direction at(bool along, bool across) const noexcept {
+  VESICA_INLINE Corner at(bool along, bool across) const noexcept {
     return {sum(cx_, turned(along_x_, along), turned(across_x_, across)),
             sum(cy_, turned(along_y_, along), turned(across_y_, across))};
   }
 
  private:
-  using Product = arithmetic::Pair<double>;
+  using Product = arithmetic::Pair<V>;
 
-  template <class T>
-  VESICA_INLINE static Product product(T h, T u) noexcept {
-    return arithmetic::two_product_fused(static_cast<double>(h), static_cast<double>(u));
+  VESICA_INLINE static Product product(V h, V u) noexcept {
+    using arithmetic::two_product_fused;
+    return two_product_fused(h, u);
   }
   VESICA_INLINE static Product turned(const Product& p, bool keep) noexcept {
-    return keep ? p : Product{-p.high, 0 - p.low};
+    return keep ? p : Product{-p.high, V(0.0) - p.low};
   }
-  VESICA_INLINE static double sum(double x, const Product& p, const Product& q) noexcept {
+  VESICA_INLINE static V sum(V x, const Product& p, const Product& q) noexcept {
     return sum_of_four(x, p.high, q.high, p.low + q.low);
   }
 
-  double cx_, cy_;
+  V cx_, cy_;
   Product along_x_, along_y_, across_x_, across_y_;
 };
+
+/// In the order of vesica_corners_of_shapes_f64. One after the other with known signs: a loop would choose them anew
+/// for each.
+template <class V>
+VESICA_INLINE void corners_in_turn(const Rect<V>& s, V (&out)[8]) noexcept {
+  const RectCorners<V> of(s);
+  const auto put = [&](int i, const typename RectCorners<V>::Corner& corner) {
+    out[2 * i] = corner.x;
+    out[2 * i + 1] = corner.y;
+  };
+  put(0, of.at(false, false));
+  put(1, of.at(true, false));
+  put(2, of.at(true, true));
+  put(3, of.at(false, true));
+}
+
+/// Corners as numbers of the shape's own type. False where one is beyond the finite ones.
+template <class T>
+bool narrow_corners(const double (&from)[8], T (&out)[8]) noexcept {
+  for (int i = 0; i < 8; ++i) out[i] = static_cast<T>(from[i]);
+  const auto [x0, y0, x1, y1, x2, y2, x3, y3] = out;
+  return all_finite(x0, y0, x1, y1, x2, y2, x3, y3);
+}
 
 }  // namespace detail
 
@@ -99,17 +126,10 @@ int box_from_rect(const Rect<T>& s, AngleUnit unit, TurnedBox<T>& out) noexcept 
 template <class T>
 int corners(const Rect<T>& s, T (&out)[8]) noexcept {
   if (check(s) != 0) return error_shape;
-  const detail::RectCorners of(s);
-  // One after the other with known signs: a loop would choose them anew for each.
-  const detail::arithmetic::Direction c[] = {of.at(false, false), of.at(true, false), of.at(true, true),
-                                             of.at(false, true)};
+  double wide[8];
   T result[8];
-  for (int i = 0; i < 4; ++i) {
-    result[2 * i] = static_cast<T>(c[i].x);
-    result[2 * i + 1] = static_cast<T>(c[i].y);
-  }
-  const auto [x0, y0, x1, y1, x2, y2, x3, y3] = result;
-  if (!detail::all_finite(x0, y0, x1, y1, x2, y2, x3, y3)) return error_range;
+  detail::corners_in_turn<double>(widen(s), wide);
+  if (!detail::narrow_corners(wide, result)) return error_range;
   for (int i = 0; i < 8; ++i) out[i] = result[i];
   return 0;
 }

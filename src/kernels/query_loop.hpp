@@ -54,6 +54,14 @@ VESICA_INLINE MaskOf<V> valid(const Ellipse<V>& s) noexcept {
   return valid(Rect<V>{s.cx, s.cy, s.ux, s.uy, s.a, s.b});
 }
 
+}  // namespace
+}  // namespace vesica
+
+#include "kernels/box_kernels.hpp"
+
+namespace vesica {
+namespace {
+
 /// Whether the core continues from results that an earlier kernel wrote.
 template <class Core>
 inline constexpr bool goes_on = std::is_same_v<Core, NestedCore>;
@@ -179,6 +187,7 @@ consteval QueryTable make_query_table() noexcept {
   fill<AreaCore, Rect, Rect>(table.area);
   fill<IouCore, Rect, Rect>(table.iou);
   table.cast = casts;
+  table.boxes = make_box_kernels<Doubles>();
   return table;
 }
 

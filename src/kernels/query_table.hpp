@@ -74,6 +74,16 @@ inline constexpr bool casts_in_lanes = true;
 inline constexpr bool casts_in_lanes = false;
 #endif
 
+/// What each of n rectangles or ellipses has for itself, n as above, by columns of six numbers: the bits of the scalar
+/// function. results[0][i] is NaN where it must be asked, as for invalid shapes.
+using BoxKernel = void (*)(const double* const* number, std::int32_t n, double* const* results) noexcept;
+
+/// Null where the scalar functions do it all.
+struct BoxKernels {
+  BoxKernel rect_bounds, ellipse_bounds;  // min_x, min_y, max_x, max_y
+  BoxKernel corners;                      // x0, y0 and so on to y3; one may be infinite
+};
+
 struct QueryTable {
   QueryKernels relation;
   QueryKernels nearest;
@@ -83,6 +93,7 @@ struct QueryTable {
   QueryKernels iou;
   ApartKernel apart;
   const CastTable* cast;  // null where there are no kernels
+  BoxKernels boxes;
 };
 
 extern const QueryTable kernels_portable_queries;
