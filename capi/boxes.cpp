@@ -27,7 +27,7 @@ bool unit_of(int32_t angle, AngleUnit& out) noexcept {
 /// Writes element i, `width` numbers, by make(i, numbers), which returns 0 or an error. Other errors than
 /// VESICA_E_RANGE are those of a shape. `result` is the array's.
 template <int width, class T, class Make>
-void put(int64_t i, T* out, const Make& make, int64_t& result) noexcept {
+[[gnu::noinline]] void put(int64_t i, T* out, const Make& make, int64_t& result) noexcept {
   T numbers[width];
   const int32_t error = make(i, numbers);
   if (error != 0) {
@@ -70,12 +70,11 @@ class BoxColumns {
   double one_[vesica::query_block], zero_[vesica::query_block];
 };
 
-/// The same as each() for shapes, by a kernel unless it is null. take(wide, numbers) makes an element of a kernel's
-/// results, or returns false; then and where the kernel found none, make() is asked.
-template <int width, class T, class Take, class Make>
-int64_t each_shape(const vesica::batch::Shapes<T>& shapes, vesica::BoxKernel kernel, T* out, const Take& take,
-                   const Make& make) noexcept {
-  if (kernel == nullptr || shapes.stride == 0) return each<width>(shapes.count, out, make);
+/// The same for shapes in blocks: find(numbers, n, columns) finds `width` columns for n shapes, and take(wide, numbers)
+/// makes an element of one row. Where that returns false, or find() found no number, make() is asked.
+template <int width, class T, class Find, class Take, class Make>
+int64_t each_in_blocks(const vesica::batch::Shapes<T>& shapes, T* out, const Find& find, const Take& take,
+                       const Make& make) noexcept {
   constexpr int64_t block = vesica::query_block;
   BoxColumns columns;
   double results[width][block];
@@ -85,7 +84,7 @@ int64_t each_shape(const vesica::batch::Shapes<T>& shapes, vesica::BoxKernel ker
   for (int64_t begin = 0; begin < shapes.count; begin += block) {
     const auto n = static_cast<int32_t>(std::min(shapes.count - begin, block));
     columns.set(shapes, begin, n);
-    kernel(columns.numbers(), vesica::batch::whole_vectors(n), column);
+    find(columns.numbers(), vesica::batch::whole_vectors(n), column);
     for (int32_t i = 0; i < n; ++i) {
       double wide[width];
       for (int k = 0; k < width; ++k) wide[k] = results[k][i];
@@ -98,6 +97,12 @@ int64_t each_shape(const vesica::batch::Shapes<T>& shapes, vesica::BoxKernel ker
     }
   }
   return result;
+}
+
+/// Kernels for an array of shapes, or null. One shape that repeats needs none.
+template <class T>
+const vesica::BoxKernels* box_kernels(const vesica::batch::Shapes<T>& shapes) noexcept {
+  return shapes.stride == 0 ? nullptr : vesica::kernels().queries->boxes;
 }
 
 template <class Shape, class T>
@@ -166,17 +171,14 @@ int64_t corners_of_shapes(const CShapesOf<T>* shapes, T* corners) noexcept {
   if (error != 0) return error;
   if (!has_box(shapes->kind)) return VESICA_E_KIND;
   const auto v = view<T>(*shapes);
-  return each_shape<8>(
-      v, vesica::kernels().queries->boxes.corners, corners,
-      [](const double(&wide)[8], T(&numbers)[8]) { return vesica::detail::narrow_corners(wide, numbers); },
-      [&](int64_t i, T(&numbers)[8]) { return vesica::corners(Element<T>(v, i).rect(), numbers); });
-}
-
-/// Null for kinds whose bounds take no arithmetic.
-vesica::BoxKernel bounds_kernel(int32_t kind) noexcept {
-  const vesica::BoxKernels& kernels = vesica::kernels().queries->boxes;
-  if (kind == VESICA_RECT || kind == VESICA_CIRCLE) return kernels.rect_bounds;
-  return kind == VESICA_ELLIPSE ? kernels.ellipse_bounds : nullptr;
+  const auto corners_of = [&](int64_t i, T(&numbers)[8]) {
+    return vesica::corners(Element<T>(v, i).rect(), numbers);
+  };
+  const vesica::BoxKernels* const kernels = box_kernels(v);
+  if (kernels == nullptr) return each<8>(v.count, corners, corners_of);
+  return each_in_blocks<8>(
+      v, corners, kernels->corners,
+      [](const double(&wide)[8], T(&numbers)[8]) { return vesica::detail::narrow_corners(wide, numbers); }, corners_of);
 }
 
 /// Bounds among doubles as those of the shape's own type.
@@ -205,9 +207,16 @@ int64_t bounds_many(const CShapesOf<T>* shapes, T* out) noexcept {
     if (code == 0) flatten(box, numbers);
     return code;
   };
-  return each_shape<4>(
-      v, bounds_kernel(v.kind), out, [](const double(&wide)[4], T(&numbers)[4]) { return take_bounds(wide, numbers); },
-      bounds_of);
+  const vesica::BoxKernels* const kernels = box_kernels(v);
+  // Of other kinds bounds take no arithmetic.
+  const bool has_axis_or_radius = has_box(v.kind) || v.kind == VESICA_CIRCLE;
+  if (kernels == nullptr || !has_axis_or_radius) return each<4>(v.count, out, bounds_of);
+  const bool is_ellipse = v.kind == VESICA_ELLIPSE;
+  const auto find = [&](const double* const* numbers, int32_t n, double* const* results) {
+    kernels->bounds(numbers, is_ellipse, n, results);
+  };
+  return each_in_blocks<4>(
+      v, out, find, [](const double(&wide)[4], T(&numbers)[4]) { return take_bounds(wide, numbers); }, bounds_of);
 }
 
 /// An array of structs as its numbers.

@@ -210,7 +210,7 @@ struct Answerer {
   }
 
   /// Answers the elements that a kernel left undecided. `final`: double lanes would not decide more.
-  void finish(const Block<T>& block, std::int32_t undecided, bool final) noexcept {
+  [[gnu::noinline]] void finish(const Block<T>& block, std::int32_t undecided, bool final) noexcept {
     if (undecided <= few || final) {
       for (std::int32_t i = 0; i < undecided; ++i) resolve(block, block.undecided[i]);
       return;
@@ -369,8 +369,8 @@ class PackedRecords {
   }
 
   /// Answers the first of n pairs, those of whole vectors, and returns how many. None once much stayed undecided.
-  std::int32_t answer(Answerer<T>& answerer, std::int64_t begin, std::int32_t n, std::uint8_t* out,
-                      std::int32_t* undecided) noexcept {
+  [[gnu::noinline]] std::int32_t answer(Answerer<T>& answerer, std::int64_t begin, std::int32_t n, std::uint8_t* out,
+                                        std::int32_t* undecided) noexcept {
     if (kernel_ == nullptr || n < width_) return 0;
     Block<T> block{};
     for (int k = 0; k < fields_; ++k) {

@@ -21,26 +21,18 @@ int check_box(const TurnedBox<T>& box) noexcept {
   return box.width < 0 || box.height < 0 ? error_negative_size : 0;
 }
 
-/// The corners of a rectangle: each coordinate to 1 roundoff of itself plus 2^-98 of the largest of its three terms.
+/// One coordinate of a rectangle's corners, c +- h0 u0 +- h1 u1: to 1 roundoff of itself plus 2^-98 of the largest of
+/// its three terms.
 template <class V>
-class RectCorners {
+class CornerCoordinate {
  public:
-  struct Corner {
-    V x, y;
-  };
+  VESICA_INLINE CornerCoordinate(V c, V h0, V u0, V h1, V u1) noexcept
+      : c_(c), along_(product(h0, u0)), across_(product(h1, u1)) {}
 
-  VESICA_INLINE explicit RectCorners(const Rect<V>& s) noexcept
-      : cx_(s.cx),
-        cy_(s.cy),
-        along_x_(product(s.hx, s.ux)),
-        along_y_(product(s.hx, s.uy)),
-        across_x_(product(-s.hy, s.uy)),
-        across_y_(product(s.hy, s.ux)) {}
-
-  /// C +- hx u +- hy perp(u)
-  VESICA_INLINE Corner at(bool along, bool across) const noexcept {
-    return {sum(cx_, turned(along_x_, along), turned(across_x_, across)),
-            sum(cy_, turned(along_y_, along), turned(across_y_, across))};
+  /// Each product is added where its argument is set, and else subtracted.
+  VESICA_INLINE V at(bool along, bool across) const noexcept {
+    const Product p = turned(along_, along), q = turned(across_, across);
+    return sum_of_four(c_, p.high, q.high, p.low + q.low);
   }
 
  private:
@@ -53,28 +45,24 @@ class RectCorners {
   VESICA_INLINE static Product turned(const Product& p, bool keep) noexcept {
     return keep ? p : Product{-p.high, V(0.0) - p.low};
   }
-  VESICA_INLINE static V sum(V x, const Product& p, const Product& q) noexcept {
-    return sum_of_four(x, p.high, q.high, p.low + q.low);
-  }
 
-  V cx_, cy_;
-  Product along_x_, along_y_, across_x_, across_y_;
+  V c_;
+  Product along_, across_;
 };
 
-/// In the order of vesica_corners_of_shapes_f64. One after the other with known signs: a loop would choose them anew
-/// for each.
-template <class V>
-VESICA_INLINE void corners_in_turn(const Rect<V>& s, V (&out)[8]) noexcept {
-  const RectCorners<V> of(s);
-  const auto put = [&](int i, const typename RectCorners<V>::Corner& corner) {
-    out[2 * i] = corner.x;
-    out[2 * i + 1] = corner.y;
-  };
-  put(0, of.at(false, false));
-  put(1, of.at(true, false));
-  put(2, of.at(true, true));
-  put(3, of.at(false, true));
-}
+/// C +- hx u +- hy perp(u)
+class RectCorners {
+ public:
+  explicit RectCorners(const Rect<double>& s) noexcept
+      : x_(s.cx, s.hx, s.ux, -s.hy, s.uy), y_(s.cy, s.hx, s.uy, s.hy, s.ux) {}
+
+  VESICA_INLINE arithmetic::Direction at(bool along, bool across) const noexcept {
+    return {x_.at(along, across), y_.at(along, across)};
+  }
+
+ private:
+  CornerCoordinate<double> x_, y_;
+};
 
 /// Corners as numbers of the shape's own type. False where one is beyond the finite ones.
 template <class T>
@@ -126,9 +114,12 @@ int box_from_rect(const Rect<T>& s, AngleUnit unit, TurnedBox<T>& out) noexcept 
 template <class T>
 int corners(const Rect<T>& s, T (&out)[8]) noexcept {
   if (check(s) != 0) return error_shape;
-  double wide[8];
+  const detail::RectCorners of(widen(s));
+  // One after the other with known signs: a loop would choose them anew for each.
+  const detail::arithmetic::Direction c[] = {of.at(false, false), of.at(true, false), of.at(true, true),
+                                             of.at(false, true)};
+  const double wide[] = {c[0].x, c[0].y, c[1].x, c[1].y, c[2].x, c[2].y, c[3].x, c[3].y};
   T result[8];
-  detail::corners_in_turn<double>(widen(s), wide);
   if (!detail::narrow_corners(wide, result)) return error_range;
   for (int i = 0; i < 8; ++i) out[i] = result[i];
   return 0;

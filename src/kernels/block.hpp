@@ -44,22 +44,23 @@ consteval void fill_pairs(ScalarKernels<T>& kernels) noexcept {
   fill_unit_pair<Ellipse, Ellipse>(kernels);
 }
 
-template <class Filter, template <class> class Shape, class T>
-consteval void fill_packed_kind(PackedKernels<T>& kernels) noexcept {
-  auto& kernel = kernels[static_cast<int>(ShapeTraits<Shape<T>>::kind)];
-  kernel[static_cast<int>(Repeat::none)] = answer_packed<Filter, Shape, T, Repeat::none>;
-  kernel[static_cast<int>(Repeat::first)] = answer_packed<Filter, Shape, T, Repeat::first>;
+template <class Filter, template <class> class Shape, Repeat repeat, class T>
+consteval void enter_packed(PackedKernels<T>& kernels) noexcept {
+  kernels[static_cast<int>(ShapeTraits<Shape<T>>::kind)][static_cast<int>(repeat)] =
+      answer_packed<Filter, Shape, T, repeat>;
 }
 
 /// For the kinds that most often are records, on long vectors: others would take more space than they gain time. Two
-/// ellipses of floats do not gain with the 16 registers of AVX2.
+/// ellipses gain little with the 16 registers of AVX2.
 template <class T>
 consteval void fill_packed(PackedKernels<T>& kernels) noexcept {
-  if constexpr (sizeof(Floats) >= 32) {
-    fill_packed_kind<General, Circle>(kernels);
-    fill_packed_kind<General, Aabb>(kernels);
-    fill_packed_kind<UnitAxes, Rect>(kernels);
-    if constexpr (sizeof(Floats) == 64 || sizeof(T) == 8) fill_packed_kind<UnitAxes, Ellipse>(kernels);
+  if constexpr (has_long_vectors) {
+    enter_packed<General, Circle, Repeat::none>(kernels);
+    enter_packed<General, Aabb, Repeat::none>(kernels);
+    enter_packed<General, Aabb, Repeat::first>(kernels);
+    enter_packed<UnitAxes, Rect, Repeat::none>(kernels);
+    enter_packed<UnitAxes, Rect, Repeat::first>(kernels);
+    if constexpr (sizeof(Floats) == 64) enter_packed<UnitAxes, Ellipse, Repeat::none>(kernels);
   }
 }
 

@@ -14,6 +14,9 @@
 namespace vesica {
 namespace {
 
+/// Beyond 16 bytes.
+inline constexpr bool has_long_vectors = sizeof(Floats) >= 32;
+
 template <class T, int length>
 using NumberVector [[gnu::vector_size(length * sizeof(T))]] = T;
 

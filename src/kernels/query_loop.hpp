@@ -54,14 +54,6 @@ VESICA_INLINE MaskOf<V> valid(const Ellipse<V>& s) noexcept {
   return valid(Rect<V>{s.cx, s.cy, s.ux, s.uy, s.a, s.b});
 }
 
-}  // namespace
-}  // namespace vesica
-
-#include "kernels/box_kernels.hpp"
-
-namespace vesica {
-namespace {
-
 /// Whether the core continues from results that an earlier kernel wrote.
 template <class Core>
 inline constexpr bool goes_on = std::is_same_v<Core, NestedCore>;
@@ -168,8 +160,10 @@ consteval QueryTable make_relation_table() noexcept {
 #if defined(__AVX__)
 constinit const CastTable cast_table = make_cast_table();
 constexpr const CastTable* casts = &cast_table;
+constexpr const BoxKernels* boxes = &kernels_avx2_boxes;
 #else
 constexpr const CastTable* casts = nullptr;
+constexpr const BoxKernels* boxes = nullptr;
 #endif
 
 /// The tables of this instruction set, as constants.
@@ -187,7 +181,7 @@ consteval QueryTable make_query_table() noexcept {
   fill<AreaCore, Rect, Rect>(table.area);
   fill<IouCore, Rect, Rect>(table.iou);
   table.cast = casts;
-  table.boxes = make_box_kernels<Doubles>();
+  table.boxes = boxes;
   return table;
 }
 

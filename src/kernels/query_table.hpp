@@ -76,12 +76,11 @@ inline constexpr bool casts_in_lanes = false;
 
 /// What each of n rectangles or ellipses has for itself, n as above, by columns of six numbers: the bits of the scalar
 /// function. results[0][i] is NaN where it must be asked, as for invalid shapes.
-using BoxKernel = void (*)(const double* const* number, std::int32_t n, double* const* results) noexcept;
-
-/// Null where the scalar functions do it all.
 struct BoxKernels {
-  BoxKernel rect_bounds, ellipse_bounds;  // min_x, min_y, max_x, max_y
-  BoxKernel corners;                      // x0, y0 and so on to y3; one may be infinite
+  /// min_x, min_y, max_x, max_y.
+  void (*bounds)(const double* const* number, bool is_ellipse, std::int32_t n, double* const* results) noexcept;
+  /// x0, y0 and so on to y3, any of which may be infinite.
+  void (*corners)(const double* const* number, std::int32_t n, double* const* results) noexcept;
 };
 
 struct QueryTable {
@@ -93,12 +92,13 @@ struct QueryTable {
   QueryKernels iou;
   ApartKernel apart;
   const CastTable* cast;  // null where there are no kernels
-  BoxKernels boxes;
+  const BoxKernels* boxes;  // likewise
 };
 
 extern const QueryTable kernels_portable_queries;
 #if defined(__x86_64__)
 extern const QueryTable kernels_sse2_queries, kernels_avx2_queries, kernels_avx512_queries;
+extern const BoxKernels kernels_avx2_boxes;
 #elif defined(__aarch64__)
 extern const QueryTable kernels_neon_queries;
 #elif defined(__wasm_simd128__)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Copies records to columns: those that follow each other without gaps a vector of records at a time, others two fields
-// at a time. Included once by each source in src/isa, after the lanes of its instruction set.
+// Copies records to columns: those that follow each other without gaps a long vector of records at a time, others two
+// fields at a time. Included once by each source in src/isa, after the lanes of its instruction set.
 #pragma once
 
 #include <algorithm>
@@ -81,7 +81,8 @@ void copy_packed(Unaligned<T> from, std::int32_t n, T* columns, std::int32_t col
 template <class T>
 std::int32_t copy_whole_vectors(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
                                 std::int32_t column_length) noexcept {
-  if (stride == fields * static_cast<std::ptrdiff_t>(sizeof(T))) {
+  const bool has_no_gaps = stride == fields * static_cast<std::ptrdiff_t>(sizeof(T));
+  if (has_long_vectors && has_no_gaps) {
     const std::int32_t whole = n - n % packed_length<T>;
     if (fields == 2) copy_packed<2>(from, whole, columns, column_length);
     if (fields == 3) copy_packed<3>(from, whole, columns, column_length);
