@@ -48,7 +48,8 @@ int64_t each(int64_t count, T* out, const Make& make) noexcept {
 /// twice.
 class BoxColumns {
  public:
-  BoxColumns() noexcept {
+  explicit BoxColumns(int32_t kind) noexcept {
+    if (kind != VESICA_CIRCLE) return;
     std::fill_n(one_, vesica::query_block, 1.0);
     std::fill_n(zero_, vesica::query_block, 0.0);
   }
@@ -76,7 +77,7 @@ template <int width, class T, class Find, class Take, class Make>
 int64_t each_in_blocks(const vesica::batch::Shapes<T>& shapes, T* out, const Find& find, const Take& take,
                        const Make& make) noexcept {
   constexpr int64_t block = vesica::query_block;
-  BoxColumns columns;
+  BoxColumns columns(shapes.kind);
   double results[width][block];
   double* column[width];
   for (int k = 0; k < width; ++k) column[k] = results[k];
@@ -99,10 +100,11 @@ int64_t each_in_blocks(const vesica::batch::Shapes<T>& shapes, T* out, const Fin
   return result;
 }
 
-/// Kernels for an array of shapes, or null. One shape that repeats needs none.
+/// Kernels for an array of shapes, or null. A few shapes, or one that repeats, are not worth a block.
 template <class T>
 const vesica::BoxKernels* box_kernels(const vesica::batch::Shapes<T>& shapes) noexcept {
-  return shapes.stride == 0 ? nullptr : vesica::kernels().queries->boxes;
+  constexpr int64_t few = 4;
+  return shapes.stride == 0 || shapes.count <= few ? nullptr : vesica::kernels().queries->boxes;
 }
 
 template <class Shape, class T>
