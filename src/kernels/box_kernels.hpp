@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bounds and corners of rectangles and ellipses, a vector of shapes at a time, by the functions of vesica/bounds.hpp and
-// vesica/boxes.hpp. Included after query_loop.hpp, for AVX2, whose kernels serve AVX-512 too: there twice the lanes would take
-// twice the space, and most of the time goes to reading and writing records.
+// vesica/boxes.hpp. Included by query_loop.hpp, for lanes that have a fused multiply-add.
 #pragma once
 
 #include <limits>
@@ -99,6 +98,8 @@ VESICA_KERNEL void find_corners(const double* const* number, std::int32_t n, dou
     }
   }
 }
+
+constinit const BoxKernels box_kernels{find_bounds<Doubles>, find_corners<Doubles>};
 
 }  // namespace
 }  // namespace vesica

@@ -98,7 +98,6 @@ struct QueryTable {
 extern const QueryTable kernels_portable_queries;
 #if defined(__x86_64__)
 extern const QueryTable kernels_sse2_queries, kernels_avx2_queries, kernels_avx512_queries;
-extern const BoxKernels kernels_avx2_boxes;
 #elif defined(__aarch64__)
 extern const QueryTable kernels_neon_queries;
 #elif defined(__wasm_simd128__)
