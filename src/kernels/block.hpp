@@ -55,7 +55,6 @@ consteval void enter_packed(PackedKernels<T>& kernels) noexcept {
 template <class T>
 consteval void fill_packed(PackedKernels<T>& kernels) noexcept {
   if constexpr (has_long_vectors) {
-    enter_packed<General, Circle, Repeat::none>(kernels);
     enter_packed<General, Aabb, Repeat::none>(kernels);
     enter_packed<General, Aabb, Repeat::first>(kernels);
     enter_packed<UnitAxes, Rect, Repeat::none>(kernels);
