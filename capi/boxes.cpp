@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Arrays of boxes, corners and bounds: an element at a time, or a block by a kernel where there is one.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vesica/bounds.hpp>
 #include <vesica/boxes.hpp>
@@ -71,8 +72,8 @@ class BoxColumns {
   double one_[vesica::query_block], zero_[vesica::query_block];
 };
 
-/// The same for shapes in blocks: find(numbers, n, columns) finds `width` columns for n shapes, and take(wide, numbers)
-/// makes an element of one row. Where that returns false, or find() found no number, make() is asked.
+/// The same for shapes in blocks: find(numbers, n, columns) finds `width` columns for n shapes, and take(columns, i, to)
+/// writes element i of them. Where that returns false, or find() found no number, make() is asked.
 template <int width, class T, class Find, class Take, class Make>
 int64_t each_in_blocks(const vesica::batch::Shapes<T>& shapes, T* out, const Find& find, const Take& take,
                        const Make& make) noexcept {
@@ -87,14 +88,8 @@ int64_t each_in_blocks(const vesica::batch::Shapes<T>& shapes, T* out, const Fin
     columns.set(shapes, begin, n);
     find(columns.numbers(), vesica::batch::whole_vectors(n), column);
     for (int32_t i = 0; i < n; ++i) {
-      double wide[width];
-      for (int k = 0; k < width; ++k) wide[k] = results[k][i];
-      T numbers[width];
-      if (wide[0] == wide[0] && take(wide, numbers)) [[likely]] {
-        std::copy_n(numbers, width, out + (begin + i) * width);
-      } else {
-        put<width>(begin + i, out, make, result);
-      }
+      const bool found = results[0][i] == results[0][i] && take(column, i, out + (begin + i) * width);
+      if (!found) [[unlikely]] put<width>(begin + i, out, make, result);
     }
   }
   return result;
@@ -166,6 +161,17 @@ int64_t boxes_from_shapes(const CShapesOf<T>* shapes, int32_t angle, T* boxes) n
   });
 }
 
+/// Corners as numbers of the shape's own type. False where one is beyond the finite ones.
+template <class T>
+bool take_corners(const double* const* columns, int32_t i, T* to) noexcept {
+  bool finite = true;
+  for (int k = 0; k < 8; ++k) {
+    to[k] = static_cast<T>(columns[k][i]);
+    finite &= std::fabs(to[k]) <= std::numeric_limits<T>::max();
+  }
+  return finite;
+}
+
 template <class T>
 int64_t corners_of_shapes(const CShapesOf<T>* shapes, T* corners) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(corners_of_shapes<T>, shapes, corners);
@@ -178,20 +184,21 @@ int64_t corners_of_shapes(const CShapesOf<T>* shapes, T* corners) noexcept {
   };
   const vesica::BoxKernels* const kernels = box_kernels(v);
   if (kernels == nullptr) return each<8>(v.count, corners, corners_of);
-  return each_in_blocks<8>(
-      v, corners, kernels->corners,
-      [](const double(&wide)[8], T(&numbers)[8]) { return vesica::detail::narrow_corners(wide, numbers); }, corners_of);
+  return each_in_blocks<8>(v, corners, kernels->corners, take_corners<T>, corners_of);
 }
 
-/// Bounds among doubles as those of the shape's own type.
-bool take_bounds(const double (&wide)[4], double (&out)[4]) noexcept {
-  std::copy_n(wide, 4, out);
+/// Bounds as numbers of the shape's own type. False where one is beyond the finite ones.
+bool take_bounds(const double* const* columns, int32_t i, double* to) noexcept {
+  for (int k = 0; k < 4; ++k) to[k] = columns[k][i];
   return true;
 }
-bool take_bounds(const double (&wide)[4], float (&out)[4]) noexcept {
+bool take_bounds(const double* const* columns, int32_t i, float* to) noexcept {
   vesica::Aabb<float> box;
-  if (vesica::narrow_bounds({wide[0], wide[1], wide[2], wide[3]}, box) != 0) return false;
-  flatten(box, out);
+  if (vesica::narrow_bounds({columns[0][i], columns[1][i], columns[2][i], columns[3][i]}, box) != 0) return false;
+  to[0] = box.min_x;
+  to[1] = box.min_y;
+  to[2] = box.max_x;
+  to[3] = box.max_y;
   return true;
 }
 
@@ -217,8 +224,8 @@ int64_t bounds_many(const CShapesOf<T>* shapes, T* out) noexcept {
   const auto find = [&](const double* const* numbers, int32_t n, double* const* results) {
     kernels->bounds(numbers, is_ellipse, n, results);
   };
-  return each_in_blocks<4>(
-      v, out, find, [](const double(&wide)[4], T(&numbers)[4]) { return take_bounds(wide, numbers); }, bounds_of);
+  const auto take = [](const double* const* columns, int32_t i, T* to) { return take_bounds(columns, i, to); };
+  return each_in_blocks<4>(v, out, find, take, bounds_of);
 }
 
 /// An array of structs as its numbers.
