@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arrays of boxes, corners and bounds: one loop, an element at a time.
+// Arrays of boxes, corners and bounds: an element at a time, or a block by a kernel where there is one.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vesica/bounds.hpp>
 #include <vesica/boxes.hpp>
 
 #include "arrays.hpp"
 #include "environment.hpp"
+#include "kernels/query_table.hpp"
+#include "number_columns.hpp"
 #include "vesica_boxes.h"
 
 namespace {
@@ -23,20 +26,80 @@ bool unit_of(int32_t angle, AngleUnit& out) noexcept {
 }
 
 /// Writes element i, `width` numbers, by make(i, numbers), which returns 0 or an error. Other errors than
-/// VESICA_E_RANGE are those of a shape.
+/// VESICA_E_RANGE are those of a shape. `result` is the array's.
 template <int width, class T, class Make>
-int64_t each(int64_t count, T* out, Make make) noexcept {
+[[gnu::noinline]] void put(int64_t i, T* out, const Make& make, int64_t& result) noexcept {
+  T numbers[width];
+  const int32_t error = make(i, numbers);
+  if (error != 0) {
+    std::fill_n(numbers, width, std::numeric_limits<T>::quiet_NaN());
+    if (result != VESICA_E_SHAPE) result = error == VESICA_E_RANGE ? VESICA_E_RANGE : VESICA_E_SHAPE;
+  }
+  std::copy_n(numbers, width, out + i * width);
+}
+
+template <int width, class T, class Make>
+int64_t each(int64_t count, T* out, const Make& make) noexcept {
   int64_t result = 0;
-  for (int64_t i = 0; i < count; ++i) {
-    T numbers[width];
-    const int32_t error = make(i, numbers);
-    if (error != 0) {
-      std::fill_n(numbers, width, std::numeric_limits<T>::quiet_NaN());
-      if (result != VESICA_E_SHAPE) result = error == VESICA_E_RANGE ? VESICA_E_RANGE : VESICA_E_SHAPE;
+  for (int64_t i = 0; i < count; ++i) put<width>(i, out, make, result);
+  return result;
+}
+
+/// A block of rectangles, ellipses or circles as columns of six numbers: a circle has the axis (1, 0) and its radius
+/// twice.
+class BoxColumns {
+ public:
+  explicit BoxColumns(int32_t kind) noexcept {
+    if (kind != VESICA_CIRCLE) return;
+    std::fill_n(one_, vesica::query_block, 1.0);
+    std::fill_n(zero_, vesica::query_block, 0.0);
+  }
+
+  template <class T>
+  void set(const vesica::batch::Shapes<T>& shapes, int64_t begin, int32_t n) noexcept {
+    columns_.set(shapes, begin, n, vesica::kernels());
+    const double* const* const from = columns_.numbers();
+    std::copy_n(from, vesica::max_fields, number_);
+    if (shapes.kind != VESICA_CIRCLE) return;
+    const double* const of_circle[] = {from[0], from[1], one_, zero_, from[2], from[2]};
+    std::copy_n(of_circle, vesica::max_fields, number_);
+  }
+  const double* const* numbers() const noexcept { return number_; }
+
+ private:
+  vesica::batch::NumberColumns columns_;
+  const double* number_[vesica::max_fields];
+  double one_[vesica::query_block], zero_[vesica::query_block];
+};
+
+/// The same for shapes in blocks: find(numbers, n, columns) finds `width` columns for n shapes, and take(columns, i, to)
+/// writes element i of them. Where that returns false, or find() found no number, make() is asked.
+template <int width, class T, class Find, class Take, class Make>
+int64_t each_in_blocks(const vesica::batch::Shapes<T>& shapes, T* out, const Find& find, const Take& take,
+                       const Make& make) noexcept {
+  constexpr int64_t block = vesica::query_block;
+  BoxColumns columns(shapes.kind);
+  double results[width][block];
+  double* column[width];
+  for (int k = 0; k < width; ++k) column[k] = results[k];
+  int64_t result = 0;
+  for (int64_t begin = 0; begin < shapes.count; begin += block) {
+    const auto n = static_cast<int32_t>(std::min(shapes.count - begin, block));
+    columns.set(shapes, begin, n);
+    find(columns.numbers(), vesica::batch::whole_vectors(n), column);
+    for (int32_t i = 0; i < n; ++i) {
+      const bool found = results[0][i] == results[0][i] && take(column, i, out + (begin + i) * width);
+      if (!found) [[unlikely]] put<width>(begin + i, out, make, result);
     }
-    std::copy_n(numbers, width, out + i * width);
   }
   return result;
+}
+
+/// Kernels for an array of shapes, or null. A few shapes, or one that repeats, are not worth a block.
+template <class T>
+const vesica::BoxKernels* box_kernels(const vesica::batch::Shapes<T>& shapes) noexcept {
+  constexpr int64_t few = 4;
+  return shapes.stride == 0 || shapes.count <= few ? nullptr : vesica::kernels().queries->boxes;
 }
 
 template <class Shape, class T>
@@ -98,6 +161,17 @@ int64_t boxes_from_shapes(const CShapesOf<T>* shapes, int32_t angle, T* boxes) n
   });
 }
 
+/// Corners as numbers of the shape's own type. False where one is beyond the finite ones.
+template <class T>
+bool take_corners(const double* const* columns, int32_t i, T* to) noexcept {
+  bool finite = true;
+  for (int k = 0; k < 8; ++k) {
+    to[k] = static_cast<T>(columns[k][i]);
+    finite &= std::fabs(to[k]) <= std::numeric_limits<T>::max();
+  }
+  return finite;
+}
+
 template <class T>
 int64_t corners_of_shapes(const CShapesOf<T>* shapes, T* corners) noexcept {
   VESICA_DEFAULT_ENVIRONMENT(corners_of_shapes<T>, shapes, corners);
@@ -105,8 +179,27 @@ int64_t corners_of_shapes(const CShapesOf<T>* shapes, T* corners) noexcept {
   if (error != 0) return error;
   if (!has_box(shapes->kind)) return VESICA_E_KIND;
   const auto v = view<T>(*shapes);
-  return each<8>(v.count, corners,
-                 [&](int64_t i, T(&numbers)[8]) { return vesica::corners(Element<T>(v, i).rect(), numbers); });
+  const auto corners_of = [&](int64_t i, T(&numbers)[8]) {
+    return vesica::corners(Element<T>(v, i).rect(), numbers);
+  };
+  const vesica::BoxKernels* const kernels = box_kernels(v);
+  if (kernels == nullptr) return each<8>(v.count, corners, corners_of);
+  return each_in_blocks<8>(v, corners, kernels->corners, take_corners<T>, corners_of);
+}
+
+/// Bounds as numbers of the shape's own type. False where one is beyond the finite ones.
+bool take_bounds(const double* const* columns, int32_t i, double* to) noexcept {
+  for (int k = 0; k < 4; ++k) to[k] = columns[k][i];
+  return true;
+}
+bool take_bounds(const double* const* columns, int32_t i, float* to) noexcept {
+  vesica::Aabb<float> box;
+  if (vesica::narrow_bounds({columns[0][i], columns[1][i], columns[2][i], columns[3][i]}, box) != 0) return false;
+  to[0] = box.min_x;
+  to[1] = box.min_y;
+  to[2] = box.max_x;
+  to[3] = box.max_y;
+  return true;
 }
 
 template <class T>
@@ -115,14 +208,24 @@ int64_t bounds_many(const CShapesOf<T>* shapes, T* out) noexcept {
   const int32_t error = check_shapes<T>(shapes, out);
   if (error != 0) return error;
   const auto v = view<T>(*shapes);
-  return each<4>(v.count, out, [&](int64_t i, T(&numbers)[4]) {
+  const auto bounds_of = [&](int64_t i, T(&numbers)[4]) {
     const Element<T> element(v, i);
     vesica::Aabb<T> box;
     const int32_t code = vesica::with_shape(
         v.kind, element.numbers, [&](const vesica::HasForm auto& shape) { return vesica::bounds(shape, box); });
     if (code == 0) flatten(box, numbers);
     return code;
-  });
+  };
+  const vesica::BoxKernels* const kernels = box_kernels(v);
+  // Of other kinds bounds take no arithmetic.
+  const bool has_axis_or_radius = has_box(v.kind) || v.kind == VESICA_CIRCLE;
+  if (kernels == nullptr || !has_axis_or_radius) return each<4>(v.count, out, bounds_of);
+  const bool is_ellipse = v.kind == VESICA_ELLIPSE;
+  const auto find = [&](const double* const* numbers, int32_t n, double* const* results) {
+    kernels->bounds(numbers, is_ellipse, n, results);
+  };
+  const auto take = [](const double* const* columns, int32_t i, T* to) { return take_bounds(columns, i, to); };
+  return each_in_blocks<4>(v, out, find, take, bounds_of);
 }
 
 /// An array of structs as its numbers.

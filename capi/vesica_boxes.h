@@ -72,7 +72,7 @@ VESICA_API int64_t vesica_boxes_from_shapes_f64(const vesica_shapes_f64 *shapes,
  * The first corner is C - hx u - hy perp(u), the next C + hx u - hy perp(u), and so on round the outline.
  * Requires: shapes, of kind VESICA_RECT or VESICA_ELLIPSE; corners, room for `count` rows of eight numbers.
  * Accuracy: a coordinate is right to 1 unit in its last place plus 2^-98 times the largest of its three terms.
- * Cost: about 70 ns a shape.
+ * Cost: about 50 ns a shape; 20 ns with AVX2 or AVX-512.
  */
 VESICA_API int64_t vesica_corners_of_shapes_f64(const vesica_shapes_f64 *shapes, double *corners);
 
@@ -80,7 +80,7 @@ VESICA_API int64_t vesica_corners_of_shapes_f64(const vesica_shapes_f64 *shapes,
  * Bounding boxes of an array of any kind: out[i] is the result of vesica_bounds_f64.
  * Requires: out, room for `count`.
  * Accuracy: that of vesica_bounds_f64.
- * Cost: that of vesica_bounds_f64.
+ * Cost: that of vesica_bounds_f64; with AVX2 or AVX-512 about 10 ns for shapes of which that takes up to 80.
  */
 VESICA_API int64_t vesica_bounds_many_f64(const vesica_shapes_f64 *shapes, vesica_aabb_f64 *out);
 

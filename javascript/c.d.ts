@@ -1522,7 +1522,8 @@ export interface C {
    * numbers of that result are NaN, and all other results are written as usual. Before anything is written:
    * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
    * that exceeds the address space, an unknown unit of angles). Accuracy: a coordinate is right to 1 unit in its last
-   * place plus 2^-98 times the largest of its three terms. Cost: about 70 ns a shape. Since: 0.1.
+   * place plus 2^-98 times the largest of its three terms. Cost: about 50 ns a shape; 20 ns with AVX2 or AVX-512.
+   * Since: 0.1.
    */
   vesica_corners_of_shapes_f64(shapes: number, corners: number): bigint;
   /**
@@ -1532,7 +1533,8 @@ export interface C {
    * a number of its result would overflow: all numbers of that result are NaN, and all other results are written as
    * usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND,
    * VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an unknown unit of angles). Accuracy:
-   * that of vesica_bounds_f64. Cost: that of vesica_bounds_f64. Since: 0.1.
+   * that of vesica_bounds_f64. Cost: that of vesica_bounds_f64; with AVX2 or AVX-512 about 10 ns for shapes of which
+   * that takes up to 80. Since: 0.1.
    */
   vesica_bounds_many_f64(shapes: number, out: number): bigint;
   /**
@@ -1585,7 +1587,7 @@ export interface C {
    * VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative count, an array
    * that exceeds the address space, an unknown unit of angles). Accuracy: a coordinate is right to 1 unit in its last
    * place plus 2^-98 times the largest of its three terms. Each number is computed in double, within these bounds, and
-   * then rounded to float once. Cost: about 70 ns a shape. Since: 0.1.
+   * then rounded to float once. Cost: about 50 ns a shape; 20 ns with AVX2 or AVX-512. Since: 0.1.
    */
   vesica_corners_of_shapes_f32(shapes: number, corners: number): bigint;
   /**
@@ -1595,7 +1597,8 @@ export interface C {
    * a number of its result would overflow: all numbers of that result are NaN, and all other results are written as
    * usual. Before anything is written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND,
    * VESICA_E_ARGUMENT (a negative count, an array that exceeds the address space, an unknown unit of angles). Accuracy:
-   * that of vesica_bounds_f32. Cost: that of vesica_bounds_f32. Since: 0.1.
+   * that of vesica_bounds_f32. Cost: that of vesica_bounds_f32; with AVX2 or AVX-512 about 10 ns for shapes of which
+   * that takes up to 80. Since: 0.1.
    */
   vesica_bounds_many_f32(shapes: number, out: number): bigint;
   /**

@@ -155,10 +155,10 @@ struct Answerer {
 
   /// The numbers of n elements, exact as doubles.
   template <int Chunk>
-  static void gather(const Unaligned<T>* field, int fields, bool repeated, const std::int32_t* index, std::int32_t n,
-                     double (&out)[max_fields][Chunk]) noexcept {
+  static void gather(const Unaligned<T>* field, int fields, std::ptrdiff_t stride, const std::int32_t* index,
+                     std::int32_t n, double (&out)[max_fields][Chunk]) noexcept {
     for (int k = 0; k < fields; ++k) {
-      for (std::int32_t i = 0; i < n; ++i) out[k][i] = static_cast<double>(field[k][repeated ? 0 : index[i]]);
+      for (std::int32_t i = 0; i < n; ++i) out[k][i] = static_cast<double>(field[k].advanced(index[i] * stride)[0]);
     }
   }
 
@@ -169,23 +169,23 @@ struct Answerer {
   }
 
   /// One element by the scalar function.
-  void resolve(const Block<T>& block, Repeat repeat, std::int32_t i) noexcept {
+  void resolve(const Block<T>& block, std::int32_t i) noexcept {
     double a[max_fields][1], b[max_fields][1];
-    gather(block.first, question.fields_first, repeat == Repeat::first, &i, 1, a);
-    gather(block.second, question.fields_second, repeat == Repeat::second, &i, 1, b);
+    gather(block.first, question.fields_first, block.stride_first, &i, 1, a);
+    gather(block.second, question.fields_second, block.stride_second, &i, 1, b);
     settle(queries::overlap.doubles.of[question.kind_first][question.kind_second](a, b, nullptr), block.out + i);
   }
 
   /// Answers elements that a quick kernel or float lanes left undecided, in double lanes. Those that double lanes leave
   /// undecided too go to the scalar function.
-  void retry(const Block<T>& block, Repeat repeat, const std::int32_t* index, std::int32_t n) noexcept {
+  void retry(const Block<T>& block, const std::int32_t* index, std::int32_t n) noexcept {
     RetryBlock retry(n);
-    gather(block.first, question.fields_first, repeat == Repeat::first, index, n, retry.first);
-    gather(block.second, question.fields_second, repeat == Repeat::second, index, n, retry.second);
+    gather(block.first, question.fields_first, block.stride_first, index, n, retry.first);
+    gather(block.second, question.fields_second, block.stride_second, index, n, retry.second);
     const BlockResult result = retry.answer(question.in_double(), Repeat::none);
     tally.overlaps += result.overlaps;
     for (std::int32_t i = 0; i < n; ++i) block.out[index[i]] = retry.answers[i];
-    for (std::int32_t i = 0; i < result.undecided; ++i) resolve(block, repeat, index[retry.open[i]]);
+    for (std::int32_t i = 0; i < result.undecided; ++i) resolve(block, index[retry.open[i]]);
   }
 
   /// Answers a whole block in double lanes, after float lanes left much of it undecided, as happens near contact.
@@ -199,7 +199,7 @@ struct Answerer {
       const BlockResult result = retry.answer(in_double, repeat);
       tally.overlaps += result.overlaps;
       std::memcpy(block.out + begin, retry.answers, static_cast<std::size_t>(n));
-      for (std::int32_t i = 0; i < result.undecided; ++i) resolve(block, repeat, begin + retry.open[i]);
+      for (std::int32_t i = 0; i < result.undecided; ++i) resolve(block, begin + retry.open[i]);
     }
   }
 
@@ -211,13 +211,13 @@ struct Answerer {
   }
 
   /// Answers the elements that a kernel left undecided. `final`: double lanes would not decide more.
-  void finish(const Block<T>& block, Repeat repeat, std::int32_t undecided, bool final) noexcept {
+  [[gnu::noinline]] void finish(const Block<T>& block, std::int32_t undecided, bool final) noexcept {
     if (undecided <= few || final) {
-      for (std::int32_t i = 0; i < undecided; ++i) resolve(block, repeat, block.undecided[i]);
+      for (std::int32_t i = 0; i < undecided; ++i) resolve(block, block.undecided[i]);
       return;
     }
     for (std::int32_t begin = 0; begin < undecided; begin += retry_chunk) {
-      retry(block, repeat, block.undecided + begin, block_length(undecided - begin, retry_chunk));
+      retry(block, block.undecided + begin, block_length(undecided - begin, retry_chunk));
     }
   }
 
@@ -236,14 +236,14 @@ struct Answerer {
       return;
     }
     tally.overlaps += result.overlaps;
-    finish(block, repeat, result.undecided, !is_float && question.ties == nullptr);
+    finish(block, result.undecided, !is_float && question.ties == nullptr);
   }
 
   void answer_with_ties(Block<double>& block) noexcept {
     block.give_up = block.count;
     const BlockResult result = answer_block(question, Repeat::none, question.ties, block);
     tally.overlaps += result.overlaps;
-    finish(block, Repeat::none, result.undecided, true);
+    finish(block, result.undecided, true);
   }
 
   /// Answers a block by the kernel for unit axes. If it leaves too much undecided to pay, other kernels take over.
@@ -259,7 +259,7 @@ struct Answerer {
       return answer_generally(block, repeat);
     }
     tally.overlaps += result.overlaps;
-    finish(block, repeat, result.undecided, false);
+    finish(block, result.undecided, false);
   }
 
   /// Whether the general kernel decides the first element that the kernel for unit axes left undecided. It does where
@@ -283,9 +283,11 @@ struct Answerer {
 
 /// A block of the columns of both operands.
 template <class T, class Numbers>
-Block<T> make_block(const Numbers* first, const Numbers* second, std::int32_t n, std::uint8_t* out,
+Block<T> make_block(const Numbers* first, const Numbers* second, Repeat repeat, std::int32_t n, std::uint8_t* out,
                     std::int32_t* undecided) noexcept {
   Block<T> block{};
+  block.stride_first = repeat == Repeat::first ? 0 : sizeof(T);
+  block.stride_second = repeat == Repeat::second ? 0 : sizeof(T);
   for (int k = 0; k < max_fields; ++k) {
     block.first[k] = first[k];
     block.second[k] = second[k];
@@ -364,9 +366,57 @@ class Rows {
     answerer_.tally.overlaps += result.overlaps;
     if (result.undecided > 0) {
       set_row(block_, shape, out);
-      answerer_.finish(block_, repeat_, result.undecided, false);
+      answerer_.finish(block_, result.undecided, false);
     }
     return true;
+  }
+};
+
+/// Pairs of records without gaps, or one shape against such records, by a kernel that takes them as they are.
+template <class T>
+class PackedRecords {
+ public:
+  PackedRecords(const Question<T>& question, Repeat repeat, const Shapes<T>& first, const Shapes<T>& second) noexcept
+      : first_(first), second_(second), width_(question.kernels.width(T{})), fields_(question.fields_first) {
+    if (first.kind != second.kind || !has_no_gaps(second)) return;
+    if (repeat == Repeat::first || has_no_gaps(first)) {
+      kernel_ = question.kernels.packed(T{})[first.kind][static_cast<int>(repeat)];
+    }
+  }
+
+  /// Answers the first of n pairs, those of whole vectors, and returns how many. None once much stayed undecided.
+  [[gnu::noinline]] std::int32_t answer(Answerer<T>& answerer, std::int64_t begin, std::int32_t n, std::uint8_t* out,
+                                        std::int32_t* undecided) noexcept {
+    if (kernel_ == nullptr || n < width_) return 0;
+    Block<T> block{};
+    for (int k = 0; k < fields_; ++k) {
+      block.first[k] = first_.field[k].advanced(begin * first_.stride);
+      block.second[k] = second_.field[k].advanced(begin * second_.stride);
+    }
+    block.count = n - n % width_;
+    block.out = out;
+    block.undecided = undecided;
+    block.give_up = block.count / 32;
+    block.stride_first = first_.stride;
+    block.stride_second = second_.stride;
+    const BlockResult result = kernel_(block);
+    if (result.undecided > block.give_up) {
+      kernel_ = nullptr;
+      return 0;
+    }
+    answerer.tally.overlaps += result.overlaps;
+    answerer.finish(block, result.undecided, false);
+    return block.count;
+  }
+
+ private:
+  const Shapes<T>&first_, &second_;
+  std::int32_t width_;
+  int fields_;
+  BlockKernel<T> kernel_ = nullptr;
+
+  bool has_no_gaps(const Shapes<T>& shapes) const noexcept {
+    return shapes.stride == fields_ * static_cast<std::ptrdiff_t>(sizeof(T)) && lies_in_records(shapes, fields_);
   }
 };
 
@@ -381,18 +431,25 @@ Tally in_step(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b
   const Question<T> question(kernels, first.kind, second.kind);
   const Repeat repeat = first.stride == 0 ? Repeat::first : second.stride == 0 ? Repeat::second : Repeat::none;
   Answerer<T> answerer{question, {}};
+  PackedRecords<T> packed(question, repeat, first, second);
   Columns<T, copied_block_size<T>> columns_first, columns_second;
   std::int32_t undecided[long_block_size];
   const bool in_place =
       (repeat == Repeat::first || lies_in_columns(first)) && (repeat == Repeat::second || lies_in_columns(second));
   const std::int32_t size = in_place ? long_block_size : copied_block_size<T>;
-  for (std::int64_t begin = 0; begin < n; begin += size) {
-    const std::int32_t length = block_length(n - begin, size);
-    columns_first.set(kernels, first, begin, repeat == Repeat::first ? 1 : length);
-    columns_second.set(kernels, second, begin, repeat == Repeat::second ? 1 : length);
-    std::uint8_t* out = place(begin);
-    Block<T> block = make_block<T>(columns_first.field, columns_second.field, length, out, undecided);
-    answerer.answer(block, repeat);
+  for (std::int64_t begin = 0; begin < n; begin += long_block_size) {
+    const std::int32_t length = block_length(n - begin, long_block_size);
+    std::uint8_t* const out = place(begin);
+    std::int32_t answered = packed.answer(answerer, begin, length, out, undecided);
+    while (answered < length) {
+      const std::int32_t part = block_length(length - answered, size);
+      columns_first.set(kernels, first, begin + answered, repeat == Repeat::first ? 1 : part);
+      columns_second.set(kernels, second, begin + answered, repeat == Repeat::second ? 1 : part);
+      Block<T> block =
+          make_block<T>(columns_first.field, columns_second.field, repeat, part, out + answered, undecided);
+      answerer.answer(block, repeat);
+      answered += part;
+    }
     done(begin, length, out);
   }
   return answerer.tally;
@@ -430,7 +487,8 @@ Tally matrix(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b,
              std::ptrdiff_t row_stride) noexcept {
   const bool in_order = a.kind <= b.kind;
   const Question<T> question(kernels, in_order ? a.kind : b.kind, in_order ? b.kind : a.kind);
-  Rows<T> rows(question, in_order ? Repeat::first : Repeat::second, kernels.checked(T{}).pair(a.kind, b.kind));
+  const Repeat repeat = in_order ? Repeat::first : Repeat::second;
+  Rows<T> rows(question, repeat, kernels.checked(T{}).pair(a.kind, b.kind));
   Columns<T, block_size<T>> row, columns;
   std::int32_t undecided[block_size<T>];
   Tiles<T> tiles(kernels, a, b);
@@ -439,8 +497,8 @@ Tally matrix(const KernelTable& kernels, const Shapes<T>& a, const Shapes<T>& b,
     const std::int32_t length = block_length(b.count - begin, block_size<T>);
     columns.set(kernels, b, begin, length);
     row.set(kernels, a, 0, 1);
-    rows.begin(make_block<T>(in_order ? row.field : columns.field, in_order ? columns.field : row.field, length, out,
-                             undecided),
+    rows.begin(make_block<T>(in_order ? row.field : columns.field, in_order ? columns.field : row.field, repeat, length,
+                             out, undecided),
                a.count, row.copy[0]);  // one shape needs no copy: there is room
     tiles.begin(begin, length);
     for (std::int64_t first = 0; first < a.count; first += Tiles<T>::rows) {
@@ -467,7 +525,7 @@ Tally overlap_block(const KernelTable& kernels, std::int32_t kind_first, const d
   std::int32_t undecided[block_size<double>];
   const Question<double> question(kernels, kind_first, kind_second);
   Answerer<double> answerer{question, {}};
-  Block<double> block = make_block<double>(first, second, n, out, undecided);
+  Block<double> block = make_block<double>(first, second, Repeat::none, n, out, undecided);
   answerer.answer(block, Repeat::none);
   return answerer.tally;
 }

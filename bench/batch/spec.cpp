@@ -176,6 +176,9 @@ std::vector<Spec> all_specs() {
       if (is_main({a, b})) continue;
       specs.everywhere({a, b}, Layout::one_many, Workload::mixed);
       specs.everywhere({a, b}, Layout::in_step, Workload::mixed);
+      if (a != b) continue;
+      specs.everywhere({a, b}, Layout::one_records, Workload::mixed);
+      specs.everywhere({a, b}, Layout::records, Workload::mixed);
     }
   }
   return specs.take();

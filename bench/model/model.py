@@ -17,6 +17,7 @@ PAIRS = (('Rect', 'Rect'), ('Rect', 'Ellipse'), ('Circle', 'Ellipse'), ('Ellipse
 SCALARS = (('float', 'f32'), ('double', 'f64'))
 KERNEL = re.compile(r'answer_vectors<.*?(\w+), vesica::(\w+), vesica::(\w+), (\w+), \(vesica::Repeat\)(\d)>')
 CHECKED = re.compile(r'answer_checked<vesica::(\w+), vesica::(\w+), (\w+)>')
+PACKED = re.compile(r'answer_packed<.*?(\w+), vesica::(\w+), (\w+), \(vesica::Repeat\)(\d)>')
 YARDSTICK = re.compile(r'answer<vesica::(\w+), vesica::(\w+), (\w+), (\w+)>')
 INSTRUCTION = re.compile(r'^\s*([0-9a-f]+):\s+(\S.*)$')
 JUMP = re.compile(r'^(?:j\w+|b|b\.\w+|cbn?z|tbn?z)\s.*?\b([0-9a-f]+) <')
@@ -82,6 +83,9 @@ def main(mca, objdump, kernels, yardsticks, *processors):
             library[match.groups()] = hot_loop(code)
         elif match := CHECKED.search(name):
             library['Checked', *match.groups(), '1'] = hot_loop(code)
+        elif match := PACKED.search(name):
+            _, shape, scalar, repeat = match.groups()
+            library['Packed', shape, shape, scalar, repeat] = hot_loop(code)
     for name, code in functions(objdump, yardsticks).items():
         if match := YARDSTICK.search(name):
             plain[match.groups()] = hot_loop(code)
@@ -92,7 +96,7 @@ def main(mca, objdump, kernels, yardsticks, *processors):
                     # Yardsticks take two vectors an iteration where there are registers: bench/batch/unfiltered/loop.hpp.
                     vectors = 2 if many_registers and (one == 'true' or b == 'Ellipse') else 1
                     base, _ = cycles(mca, architecture, processor, plain[a, b, scalar, one])
-                    for policy in ('Checked', 'UnitAxes', 'General'):
+                    for policy in ('Checked', 'UnitAxes', 'Packed', 'General'):
                         loop = library.get((policy, a, b, scalar, repeat))
                         if loop is None:
                             continue

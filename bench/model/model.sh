@@ -12,7 +12,8 @@ mca=$(command -v llvm-mca-19)
 model() { python3 -B "$root/bench/model/model.py" "$mca" "$@"; }
 
 echo 'Cycles a vector and the ratio of the unfiltered kernel to the library'"'"'s; UnitAxes is the usual kernel, General'
-echo 'that of axes that are no unit vectors, Checked that of matrices. No caches, every jump predicted. The last column is the busiest unit.'
+echo 'that of axes that are no unit vectors, Checked that of matrices, Packed that of records without gaps. No caches, every'
+echo 'jump predicted. The last column is the busiest unit.'
 printf '%-16s %-16s %-21s %-9s %7s %7s %6s\n' processor pair layout kernel vesica plain ratio
 library=$build/src/CMakeFiles/vesica_batch.dir/isa
 plain=$build/bench/batch/CMakeFiles/vesica_bench_batch.dir/unfiltered

@@ -1347,7 +1347,7 @@ namespace Vesica
         /// count, an array that exceeds the address space, an unknown unit of angles).</para>
         /// <para>Accuracy: a coordinate is right to 1 unit in its last place plus 2^-98 times the largest of its three
         /// terms.</para>
-        /// <para>Cost: about 70 ns a shape.</para>
+        /// <para>Cost: about 50 ns a shape; 20 ns with AVX2 or AVX-512.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1362,7 +1362,8 @@ namespace Vesica
         /// written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
         /// count, an array that exceeds the address space, an unknown unit of angles).</para>
         /// <para>Accuracy: that of vesica_bounds_f64.</para>
-        /// <para>Cost: that of vesica_bounds_f64.</para>
+        /// <para>Cost: that of vesica_bounds_f64; with AVX2 or AVX-512 about 10 ns for shapes of which that takes up to
+        /// 80.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1436,7 +1437,7 @@ namespace Vesica
         /// count, an array that exceeds the address space, an unknown unit of angles).</para>
         /// <para>Accuracy: a coordinate is right to 1 unit in its last place plus 2^-98 times the largest of its three
         /// terms. Each number is computed in double, within these bounds, and then rounded to float once.</para>
-        /// <para>Cost: about 70 ns a shape.</para>
+        /// <para>Cost: about 50 ns a shape; 20 ns with AVX2 or AVX-512.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1451,7 +1452,8 @@ namespace Vesica
         /// written: VESICA_E_NULL (if count is 0, arrays may be NULL), VESICA_E_KIND, VESICA_E_ARGUMENT (a negative
         /// count, an array that exceeds the address space, an unknown unit of angles).</para>
         /// <para>Accuracy: that of vesica_bounds_f32.</para>
-        /// <para>Cost: that of vesica_bounds_f32.</para>
+        /// <para>Cost: that of vesica_bounds_f32; with AVX2 or AVX-512 about 10 ns for shapes of which that takes up to
+        /// 80.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -22,41 +22,48 @@ struct Reach {
 };
 
 /// No estimate: the exact stage must decide.
-inline constexpr arithmetic::Estimate unknown{0, 0, std::numeric_limits<double>::infinity()};
+inline constexpr arithmetic::Estimate<double> unknown{0, 0, std::numeric_limits<double>::infinity()};
 
 /// Whether the product of p and q is 0 exactly, or lies where its square and the remainders have full precision.
-VESICA_INLINE bool in_range(double p, double q, double product) noexcept {
-  return p == 0 || q == 0 || (product >= 0x1p-400 && product <= 0x1p400);
+template <class V>
+VESICA_INLINE auto in_range(V p, V q, V product) noexcept {
+  using lane::both, lane::either;
+  const V zero(0.0);
+  return either(either(p == zero, q == zero), both(product >= V(0x1p-400), product <= V(0x1p400)));
 }
 
 /// |p0 q0| + |p1 q1|. The error is 0 when high + low is all of it, as it is for numbers of few digits.
-VESICA_INLINE arithmetic::Estimate estimate_sum(const arithmetic::Pair<double>& x,
-                                                const arithmetic::Pair<double>& y) noexcept {
+template <class V>
+VESICA_INLINE arithmetic::Estimate<V> estimate_sum(const arithmetic::Pair<V>& x,
+                                                   const arithmetic::Pair<V>& y) noexcept {
+  using lane::abs;
   const auto [high, a] = arithmetic::two_sum(x.high, y.high);
   const auto [b, c] = arithmetic::two_sum(x.low, y.low);
   const auto [low, d] = arithmetic::two_sum(a, b);
-  return {high, low, (std::fabs(c) + std::fabs(d)) * (1 + 0x1p-50)};
+  return {high, low, (abs(c) + abs(d)) * V(1 + 0x1p-50)};
 }
 
 /// sqrt(x^2 + y^2): a rounded root and one Newton step. The root h is off by at most 2u h (u = 2^-53), so the residual
 /// x^2 + y^2 - h^2 is a sum of seven terms of together at most 11u h^2; their rounding and the two squares left out
 /// cost 82u^2 h^2, the division and Newton's own error 21u^2 h more: below 64u^2 h altogether, and 128u^2 is claimed.
-VESICA_INLINE arithmetic::Estimate estimate_root(const arithmetic::Pair<double>& x,
-                                                 const arithmetic::Pair<double>& y) noexcept {
-  const auto xx = arithmetic::two_product_fused(x.high, x.high), yy = arithmetic::two_product_fused(y.high, y.high);
+template <class V>
+VESICA_INLINE arithmetic::Estimate<V> estimate_root(const arithmetic::Pair<V>& x,
+                                                    const arithmetic::Pair<V>& y) noexcept {
+  using arithmetic::two_product_fused, lane::sqrt;
+  const auto xx = two_product_fused(x.high, x.high), yy = two_product_fused(y.high, y.high);
   const auto squares = arithmetic::two_sum(xx.high, yy.high);
-  const double root = std::sqrt(squares.high);
-  const auto rr = arithmetic::two_product_fused(root, root);
-  const double lows = ((xx.low + yy.low) - rr.low) + squares.low;
-  const double residual = (squares.high - rr.high) + (lows + 2 * (x.high * x.low + y.high * y.low));
-  return {root, residual / (2 * root), root * 0x1p-99};
+  const V root = sqrt(squares.high), two(2.0);
+  const auto rr = two_product_fused(root, root);
+  const V lows = ((xx.low + yy.low) - rr.low) + squares.low;
+  const V residual = (squares.high - rr.high) + (lows + two * (x.high * x.low + y.high * y.low));
+  return {root, residual / (two * root), root * V(0x1p-99)};
 }
 
-VESICA_INLINE arithmetic::Estimate estimate(const Rect<double>&, const arithmetic::Pair<double>& x,
+VESICA_INLINE arithmetic::Estimate<double> estimate(const Rect<double>&, const arithmetic::Pair<double>& x,
                                             const arithmetic::Pair<double>& y) noexcept {
   return estimate_sum(x, y);
 }
-VESICA_INLINE arithmetic::Estimate estimate(const Ellipse<double>&, const arithmetic::Pair<double>& x,
+VESICA_INLINE arithmetic::Estimate<double> estimate(const Ellipse<double>&, const arithmetic::Pair<double>& x,
                                             const arithmetic::Pair<double>& y) noexcept {
   return x.high == 0 || y.high == 0 ? estimate_sum(x, y) : estimate_root(x, y);
 }
@@ -103,7 +110,7 @@ VESICA_COLD constexpr bool exact_upper(const Ellipse<double>&, const Reach& r, d
 
 /// The shape's extent along one coordinate as far as double-doubles tell.
 template <class Shape>
-VESICA_INLINE arithmetic::Estimate extent_estimate(const Shape& s, const Reach& r) noexcept {
+VESICA_INLINE arithmetic::Estimate<double> extent_estimate(const Shape& s, const Reach& r) noexcept {
   const auto x = arithmetic::two_product_fused(std::fabs(r.p0), r.q0),
              y = arithmetic::two_product_fused(std::fabs(r.p1), r.q1);
   const bool usable = in_range(r.p0, r.q0, x.high) && in_range(r.p1, r.q1, y.high) && std::fabs(r.c) <= 0x1p400;
@@ -171,12 +178,9 @@ constexpr int bounds(const Shape<double>& s, Aabb<double>& out) noexcept {
   return detail::bounds::bounds_of_valid(s, out);
 }
 
-/// The same among floats: the smallest double at or above a number, rounded up to a float, is the smallest float.
-template <template <class> class Shape>
-constexpr int bounds(const Shape<float>& s, Aabb<float>& out) noexcept {
-  Aabb<double> wide;
-  const int error = bounds(widen(s), wide);
-  if (error != 0) return error;
+/// The same among floats, of bounds among doubles: the smallest double at or above a number, rounded up to a float, is
+/// the smallest float.
+constexpr int narrow_bounds(const Aabb<double>& wide, Aabb<float>& out) noexcept {
   Aabb<float> box;
   if (!detail::arithmetic::round_up_to(-wide.min_x, box.min_x) ||
       !detail::arithmetic::round_up_to(-wide.min_y, box.min_y) ||
@@ -186,6 +190,14 @@ constexpr int bounds(const Shape<float>& s, Aabb<float>& out) noexcept {
   }
   out = {0 - box.min_x, 0 - box.min_y, box.max_x, box.max_y};
   return 0;
+}
+
+/// Smallest box of floats that contains the shape.
+template <template <class> class Shape>
+constexpr int bounds(const Shape<float>& s, Aabb<float>& out) noexcept {
+  Aabb<double> wide;
+  const int error = bounds(widen(s), wide);
+  return error != 0 ? error : narrow_bounds(wide, out);
 }
 
 }  // namespace vesica

@@ -21,41 +21,56 @@ int check_box(const TurnedBox<T>& box) noexcept {
   return box.width < 0 || box.height < 0 ? error_negative_size : 0;
 }
 
-/// The corners of a rectangle: each coordinate to 1 roundoff of itself plus 2^-98 of the largest of its three terms.
-class RectCorners {
+/// One coordinate of a rectangle's corners, c +- h0 u0 +- h1 u1: to 1 roundoff of itself plus 2^-98 of the largest of
+/// its three terms.
+template <class V>
+class CornerCoordinate {
  public:
-  template <class T>
-  explicit RectCorners(const Rect<T>& s) noexcept
-      : cx_(static_cast<double>(s.cx)),
-        cy_(static_cast<double>(s.cy)),
-        along_x_(product(s.hx, s.ux)),
-        along_y_(product(s.hx, s.uy)),
-        across_x_(product(-s.hy, s.uy)),
-        across_y_(product(s.hy, s.ux)) {}
+  VESICA_INLINE CornerCoordinate(V c, V h0, V u0, V h1, V u1) noexcept
+      : c_(c), along_(product(h0, u0)), across_(product(h1, u1)) {}
 
-  /// C +- hx u +- hy perp(u)
-  VESICA_INLINE arithmetic::Direction at(bool along, bool across) const noexcept {
-    return {sum(cx_, turned(along_x_, along), turned(across_x_, across)),
-            sum(cy_, turned(along_y_, along), turned(across_y_, across))};
+  /// Each product is added where its argument is set, and else subtracted.
+  VESICA_INLINE V at(bool along, bool across) const noexcept {
+    const Product p = turned(along_, along), q = turned(across_, across);
+    return sum_of_four(c_, p.high, q.high, p.low + q.low);
   }
 
  private:
-  using Product = arithmetic::Pair<double>;
+  using Product = arithmetic::Pair<V>;
 
-  template <class T>
-  VESICA_INLINE static Product product(T h, T u) noexcept {
-    return arithmetic::two_product_fused(static_cast<double>(h), static_cast<double>(u));
+  VESICA_INLINE static Product product(V h, V u) noexcept {
+    using arithmetic::two_product_fused;
+    return two_product_fused(h, u);
   }
   VESICA_INLINE static Product turned(const Product& p, bool keep) noexcept {
-    return keep ? p : Product{-p.high, 0 - p.low};
-  }
-  VESICA_INLINE static double sum(double x, const Product& p, const Product& q) noexcept {
-    return sum_of_four(x, p.high, q.high, p.low + q.low);
+    return keep ? p : Product{-p.high, V(0.0) - p.low};
   }
 
-  double cx_, cy_;
-  Product along_x_, along_y_, across_x_, across_y_;
+  V c_;
+  Product along_, across_;
 };
+
+/// C +- hx u +- hy perp(u)
+class RectCorners {
+ public:
+  explicit RectCorners(const Rect<double>& s) noexcept
+      : x_(s.cx, s.hx, s.ux, -s.hy, s.uy), y_(s.cy, s.hx, s.uy, s.hy, s.ux) {}
+
+  VESICA_INLINE arithmetic::Direction at(bool along, bool across) const noexcept {
+    return {x_.at(along, across), y_.at(along, across)};
+  }
+
+ private:
+  CornerCoordinate<double> x_, y_;
+};
+
+/// Corners as numbers of the shape's own type. False where one is beyond the finite ones.
+template <class T>
+bool narrow_corners(const double (&from)[8], T (&out)[8]) noexcept {
+  for (int i = 0; i < 8; ++i) out[i] = static_cast<T>(from[i]);
+  const auto [x0, y0, x1, y1, x2, y2, x3, y3] = out;
+  return all_finite(x0, y0, x1, y1, x2, y2, x3, y3);
+}
 
 }  // namespace detail
 
@@ -99,17 +114,13 @@ int box_from_rect(const Rect<T>& s, AngleUnit unit, TurnedBox<T>& out) noexcept 
 template <class T>
 int corners(const Rect<T>& s, T (&out)[8]) noexcept {
   if (check(s) != 0) return error_shape;
-  const detail::RectCorners of(s);
+  const detail::RectCorners of(widen(s));
   // One after the other with known signs: a loop would choose them anew for each.
   const detail::arithmetic::Direction c[] = {of.at(false, false), of.at(true, false), of.at(true, true),
                                              of.at(false, true)};
+  const double wide[] = {c[0].x, c[0].y, c[1].x, c[1].y, c[2].x, c[2].y, c[3].x, c[3].y};
   T result[8];
-  for (int i = 0; i < 4; ++i) {
-    result[2 * i] = static_cast<T>(c[i].x);
-    result[2 * i + 1] = static_cast<T>(c[i].y);
-  }
-  const auto [x0, y0, x1, y1, x2, y2, x3, y3] = result;
-  if (!detail::all_finite(x0, y0, x1, y1, x2, y2, x3, y3)) return error_range;
+  if (!detail::narrow_corners(wide, result)) return error_range;
   for (int i = 0; i < 8; ++i) out[i] = result[i];
   return 0;
 }

@@ -48,7 +48,8 @@ inline arithmetic::Scaled take_apart(double x) noexcept {
 }
 
 /// a + b + c + d to 1 roundoff of itself plus 2^-100 of the largest term.
-inline double sum_of_four(double a, double b, double c, double d) noexcept {
+template <class V>
+VESICA_INLINE V sum_of_four(V a, V b, V c, V d) noexcept {
   const auto ab = arithmetic::two_sum(a, b), cd = arithmetic::two_sum(c, d),
              all = arithmetic::two_sum(ab.high, cd.high);
   return all.high + (all.low + (ab.low + cd.low));

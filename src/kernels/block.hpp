@@ -44,6 +44,25 @@ consteval void fill_pairs(ScalarKernels<T>& kernels) noexcept {
   fill_unit_pair<Ellipse, Ellipse>(kernels);
 }
 
+template <class Filter, template <class> class Shape, Repeat repeat, class T>
+consteval void enter_packed(PackedKernels<T>& kernels) noexcept {
+  kernels[static_cast<int>(ShapeTraits<Shape<T>>::kind)][static_cast<int>(repeat)] =
+      answer_packed<Filter, Shape, T, repeat>;
+}
+
+/// For the kinds that most often are records, on long vectors: others would take more space than they gain time. Two
+/// ellipses gain little with the 16 registers of AVX2.
+template <class T>
+consteval void fill_packed(PackedKernels<T>& kernels) noexcept {
+  if constexpr (has_long_vectors) {
+    enter_packed<General, Aabb, Repeat::none>(kernels);
+    enter_packed<General, Aabb, Repeat::first>(kernels);
+    enter_packed<UnitAxes, Rect, Repeat::none>(kernels);
+    enter_packed<UnitAxes, Rect, Repeat::first>(kernels);
+    if constexpr (sizeof(Floats) == 64) enter_packed<UnitAxes, Ellipse, Repeat::none>(kernels);
+  }
+}
+
 /// Floats as doubles, exactly.
 VESICA_KERNEL void widen_column(Unaligned<float> from, std::int32_t n, double* to) noexcept {
   std::int32_t i = 0;
@@ -66,6 +85,8 @@ consteval KernelTable make_table(const char* name, const QueryTable& queries, co
   fill_pairs<double>(table.f64);
   table.checked_f32 = make_checked_kernels<float>();
   table.checked_f64 = make_checked_kernels<double>();
+  fill_packed(table.packed_f32);
+  fill_packed(table.packed_f64);
   return table;
 }
 

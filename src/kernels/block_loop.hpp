@@ -9,6 +9,7 @@
 #include <vesica/overlap.hpp>
 
 #include "kernels/filters.hpp"
+#include "kernels/packed_records.hpp"
 #include "kernels/table.hpp"
 
 namespace vesica {
@@ -50,6 +51,23 @@ struct LaneOperand<Shape, T, true> {
   VESICA_INLINE explicit LaneOperand(const Unaligned<T>* from) noexcept
       : shape(broadcast<Shape>(from, std::make_index_sequence<ShapeTraits<Shape<T>>::fields>{})) {}
   VESICA_INLINE const Shape<LanesOf<T>>& at(std::int32_t) const noexcept { return shape; }
+};
+
+/// Records without gaps as an operand: they become lanes in registers. Where lanes are vectors.
+template <template <class> class Shape, class T>
+struct PackedOperand {
+  Unaligned<T> from;
+
+  VESICA_INLINE Shape<LanesOf<T>> at(std::int32_t i) const noexcept {
+    constexpr int fields = ShapeTraits<Shape<T>>::fields;
+    NumberVector<T, LanesOf<T>::width> number[fields];
+    load_packed<fields>(from + i * fields, number);
+    return [&]<std::size_t... field>(std::index_sequence<field...>) {
+      using Register = decltype(LanesOf<T>::v);
+      return Shape<LanesOf<T>>{LanesOf<T>(static_cast<Register>(number[field]))...};
+    }
+    (std::make_index_sequence<fields>{});
+  }
 };
 
 /// The verdicts on n elements, a vector at a time, in order.
@@ -127,6 +145,17 @@ template <class Filter, template <class> class A, template <class> class B, clas
   const LaneOperand<A, T, repeat == Repeat::first> first(block.first);
   const LaneOperand<B, T, repeat == Repeat::second> second(block.second);
   return answer_whole(Filter{}, first, second, block);
+}
+
+/// The same for two shapes of one kind, of records without gaps.
+template <class Filter, template <class> class Shape, class T, Repeat repeat>
+[[gnu::noinline]] VESICA_KERNEL BlockResult answer_packed(const Block<T>& block) noexcept {
+  const PackedOperand<Shape, T> second{block.second[0]};
+  if constexpr (repeat == Repeat::first) {
+    return answer_whole(Filter{}, LaneOperand<Shape, T, true>(block.first), second, block);
+  } else {
+    return answer_whole(Filter{}, PackedOperand<Shape, T>{block.first[0]}, second, block);
+  }
 }
 
 }  // namespace

@@ -54,6 +54,16 @@ VESICA_INLINE MaskOf<V> valid(const Ellipse<V>& s) noexcept {
   return valid(Rect<V>{s.cx, s.cy, s.ux, s.uy, s.a, s.b});
 }
 
+}  // namespace
+}  // namespace vesica
+
+#if defined(__AVX__)
+#include "kernels/box_kernels.hpp"
+#endif
+
+namespace vesica {
+namespace {
+
 /// Whether the core continues from results that an earlier kernel wrote.
 template <class Core>
 inline constexpr bool goes_on = std::is_same_v<Core, NestedCore>;
@@ -160,8 +170,10 @@ consteval QueryTable make_relation_table() noexcept {
 #if defined(__AVX__)
 constinit const CastTable cast_table = make_cast_table();
 constexpr const CastTable* casts = &cast_table;
+constexpr const BoxKernels* boxes = &box_kernels;
 #else
 constexpr const CastTable* casts = nullptr;
+constexpr const BoxKernels* boxes = nullptr;
 #endif
 
 /// The tables of this instruction set, as constants.
@@ -179,6 +191,7 @@ consteval QueryTable make_query_table() noexcept {
   fill<AreaCore, Rect, Rect>(table.area);
   fill<IouCore, Rect, Rect>(table.iou);
   table.cast = casts;
+  table.boxes = boxes;
   return table;
 }
 

@@ -75,6 +75,15 @@ inline constexpr bool casts_in_lanes = true;
 inline constexpr bool casts_in_lanes = false;
 #endif
 
+/// What each of n rectangles or ellipses has for itself, n as above, by columns of six numbers: the bits of the scalar
+/// function. results[0][i] is NaN where it must be asked, as for invalid shapes.
+struct BoxKernels {
+  /// min_x, min_y, max_x, max_y.
+  void (*bounds)(const double* const* number, bool is_ellipse, std::int32_t n, double* const* results) noexcept;
+  /// x0, y0 and so on to y3, any of which may be infinite.
+  void (*corners)(const double* const* number, std::int32_t n, double* const* results) noexcept;
+};
+
 struct QueryTable {
   QueryKernels relation;
   QueryKernels nearest;
@@ -84,6 +93,7 @@ struct QueryTable {
   QueryKernels iou;
   ApartKernel apart;
   const CastTable* cast;  // null where there are no kernels
+  const BoxKernels* boxes;  // likewise
 };
 
 extern const QueryTable kernels_portable_queries;

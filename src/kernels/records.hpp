@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Copies records to columns, two fields at a time. Included once by each source in src/isa, after the lanes of its
-// instruction set.
+// Copies records to columns: those that follow each other without gaps a long vector of records at a time, others two
+// fields at a time. Included once by each source in src/isa, after the lanes of its instruction set.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,10 @@
 #include <cstring>
 #include <utility>
 
-#include "unaligned.hpp"
+#include "kernels/packed_records.hpp"
 
 namespace vesica {
 namespace {
-
-template <class T, int length>
-using NumberVector [[gnu::vector_size(length * sizeof(T))]] = T;
 
 /// Numbers of 16 bytes, within which processors shuffle quickly.
 template <class T>
@@ -67,17 +64,47 @@ void copy_two_fields(Unaligned<T> from, std::ptrdiff_t stride, std::int32_t n, T
   }
 }
 
-/// Copies n records, `stride` bytes apart, of at least two adjacent numbers to columns, `column_length` numbers apart.
-/// Of an odd number of fields the last two overlap the two before.
+/// Copies n records of all fields, a whole number of vectors, without gaps between them.
+template <int fields, class T>
+void copy_packed(Unaligned<T> from, std::int32_t n, T* columns, std::int32_t column_length) noexcept {
+  for (std::int32_t i = 0; i < n; i += packed_length<T>) {
+    NumberVector<T, packed_length<T>> number[fields];
+    load_packed<fields>(from + i * fields, number);
+    [&]<int... k>(std::integer_sequence<int, k...>) {
+      (std::memcpy(columns + k * column_length + i, &number[k], sizeof number[k]), ...);
+    }
+    (std::make_integer_sequence<int, fields>{});
+  }
+}
+
+/// Copies the first of n records to columns, and returns how many.
 template <class T>
-VESICA_KERNEL void records_to_columns(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
-                                      std::int32_t column_length) noexcept {
+std::int32_t copy_whole_vectors(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
+                                std::int32_t column_length) noexcept {
+  const bool has_no_gaps = stride == fields * static_cast<std::ptrdiff_t>(sizeof(T));
+  if (has_long_vectors && has_no_gaps) {
+    const std::int32_t whole = n - n % packed_length<T>;
+    if (fields == 2) copy_packed<2>(from, whole, columns, column_length);
+    if (fields == 3) copy_packed<3>(from, whole, columns, column_length);
+    if (fields == 4) copy_packed<4>(from, whole, columns, column_length);
+    if (fields == 6) copy_packed<6>(from, whole, columns, column_length);
+    return whole;
+  }
   const std::int32_t whole = n - n % record_vector<T>;
+  // Of an odd number of fields the last two overlap the two before.
   for (int k = 0; k < fields; k += 2) {
     const int field = k + 2 <= fields ? k : fields - 2;
     T* const column = columns + field * column_length;
     copy_two_fields(from + field, stride, whole, column, column + column_length);
   }
+  return whole;
+}
+
+/// Copies n records, `stride` bytes apart, of 2, 3, 4 or 6 adjacent numbers to columns, `column_length` numbers apart.
+template <class T>
+VESICA_KERNEL void records_to_columns(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
+                                      std::int32_t column_length) noexcept {
+  const std::int32_t whole = copy_whole_vectors(from, stride, fields, n, columns, column_length);
   for (std::int32_t i = whole; i < n; ++i) {
     for (int k = 0; k < fields; ++k) columns[k * column_length + i] = from.advanced(i * stride)[k];
   }

@@ -28,6 +28,8 @@ struct Block {
   std::int32_t* undecided;  // room for count indices, ascending
   std::int32_t give_up;     // more undecided than this, and the kernel stops: the caller then asks another way
   T extent;                 // for checked kernels: what check_block() found
+  // Bytes from one element's number to the next one's, 0 for a repeated shape. Kernels know them.
+  std::ptrdiff_t stride_first, stride_second;
 };
 
 struct BlockResult {
@@ -60,6 +62,11 @@ struct TieKernels {
   BlockKernel<double> of[kind_count][kind_count];
 };
 
+/// Kernels for two shapes of one kind where the second, and unless it is repeated the first, are records without gaps:
+/// in step, and one against many. They do what those of `unit` do for columns. Null where there are none.
+template <class T>
+using PackedKernels = BlockKernel<T>[kind_count][2];
+
 /// Checked kernels: for the shape of a row against a block of columns that was checked before, by the two kinds,
 /// rectangle and ellipse. Null where there are none.
 template <class T>
@@ -79,7 +86,7 @@ struct CheckedKernels {
 };
 inline constexpr std::int32_t row_is_unusable = INT32_MAX;
 
-/// Copies n records, `stride` bytes apart, of at least two adjacent numbers to columns, `column_length` numbers apart.
+/// Copies n records, `stride` bytes apart, of 2, 3, 4 or 6 adjacent numbers to columns, `column_length` numbers apart.
 template <class T>
 using CopyRecords = void (*)(Unaligned<T> from, std::ptrdiff_t stride, int fields, std::int32_t n, T* columns,
                              std::int32_t column_length) noexcept;
@@ -112,6 +119,8 @@ struct KernelTable {
   ScalarKernels<double> f64;
   CheckedKernels<float> checked_f32;
   CheckedKernels<double> checked_f64;
+  PackedKernels<float> packed_f32;
+  PackedKernels<double> packed_f64;
 
   std::int32_t width(float) const noexcept { return width_f32; }
   std::int32_t width(double) const noexcept { return width_f64; }
@@ -121,6 +130,8 @@ struct KernelTable {
   const ScalarKernels<double>& of(double) const noexcept { return f64; }
   const CheckedKernels<float>& checked(float) const noexcept { return checked_f32; }
   const CheckedKernels<double>& checked(double) const noexcept { return checked_f64; }
+  const PackedKernels<float>& packed(float) const noexcept { return packed_f32; }
+  const PackedKernels<double>& packed(double) const noexcept { return packed_f64; }
 };
 
 extern const TieKernels kernels_portable_ties;

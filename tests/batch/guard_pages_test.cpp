@@ -122,6 +122,8 @@ TEST_P(GuardPages, AreNotTouchedByMany) {
         many<T>(Layout::columns, Layout::columns, n, edge);
         many<T>(Layout::packed, Layout::backward_columns, n, edge);
         many<T>(Layout::odd_records, Layout::backward_records, n, edge);
+        many<T>(Layout::packed, Layout::packed, n, edge);
+        many<T>(Layout::single, Layout::packed, n, edge);
         many<T>(Layout::single, Layout::columns, n, edge);
         many<T>(Layout::columns, Layout::repeated, n, edge);
       }
@@ -150,6 +152,7 @@ TEST_P(GuardPages, AreNotTouchedBySelect) {
       for (std::size_t n = 1; n <= most; ++n) {
         select<T>(Layout::columns, n, edge);
         select<T>(Layout::backward_records, n, edge);
+        select<T>(Layout::packed, n, edge);
       }
     }
   });

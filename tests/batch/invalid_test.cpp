@@ -96,6 +96,7 @@ TEST_P(Invalid, GetsZeroAndItsNeighboursTheirAnswers) {
           shapes[place] = shape;
           const std::string what = describe(c.kind_a, pairs.a[place], c.kind_b, pairs.b[place]);
           check(pairs, Layout::columns, Layout::packed, with_invalid_at(valid, place), what);
+          check(pairs, Layout::packed, Layout::packed, with_invalid_at(valid, place), what);
         }
       }
     }
@@ -178,6 +179,7 @@ TEST_P(Invalid, AmongManyInBlocks) {
     }
     const Stretch<T> s(pairs, 0, size);
     check(pairs, Layout::columns, Layout::columns, s.expected, "in step");
+    check(pairs, Layout::packed, Layout::packed, s.expected, "records in step");
     const Stored<T> a(c.kind_a, pairs.a, Layout::single), b(c.kind_b, pairs.b, Layout::columns);
     const Expected expected = in_step<T>(c.kind_a, pairs.a, true, c.kind_b, pairs.b, false);
     Output out(size);

@@ -68,6 +68,7 @@ TEST_P(Many, AgreesAtEveryLength) {
       check<T>(Layout::columns, Layout::single, n);
       check<T>(Layout::single, Layout::columns, n);
       check<T>(Layout::packed, Layout::packed, n);
+      check<T>(Layout::single, Layout::packed, n);
     }
   });
 }
@@ -77,6 +78,7 @@ TEST_P(Many, AgreesAtEveryAlignment) {
     for (std::size_t offset = 0; offset < 64; ++offset) {
       check<T>(Layout::columns, Layout::columns, three_vectors_and_one<T>(), offset);
       check<T>(Layout::packed, Layout::odd_records, three_vectors_and_one<T>(), offset);
+      check<T>(Layout::packed, Layout::packed, three_vectors_and_one<T>(), offset);
     }
   });
 }
@@ -91,6 +93,7 @@ TEST_P(Many, AgreesAboutBlockSizes) {
       check<T>(Layout::repeated, Layout::columns, n);
       check<T>(Layout::padded, Layout::backward_columns, n);
       check<T>(Layout::backward_records, Layout::odd_records, n);
+      check<T>(Layout::packed, Layout::packed, n);
       check<T>(Layout::packed, Layout::repeated, n);
       check<T>(Layout::repeated, Layout::single, n);
     }
@@ -100,15 +103,17 @@ TEST_P(Many, AgreesAboutBlockSizes) {
 constexpr int pairs_of_a_workload = 400;
 constexpr int pairs_about_contact_of_a_case = 4000;
 
-/// Every workload by itself, in columns: near ties, magnitudes of their own for each number, tiny, huge, any axis.
+/// Every workload by itself, in columns and in records: near ties, magnitudes of their own for each number, tiny, huge, any axis.
 TEST_P(Many, AgreesOnEveryWorkload) {
   in_its_scalar([this]<class T>(T) {
     const Case& c = GetParam();
     for (const Workload workload : properties::all_workloads) {
       const Pairs<T> p = pairs_of<T>(workload, c.kind_a, c.kind_b, pairs_of_a_workload * properties::repeat());
       const Stretch<T> s(p, 0, p.size());
-      const Stored<T> a(c.kind_a, s.a, Layout::columns), b(c.kind_b, s.b, Layout::columns);
-      expect_many(*c.set->table, a, b, s.expected, name(workload));
+      for (const Layout layout : {Layout::columns, Layout::packed}) {
+        const Stored<T> a(c.kind_a, s.a, layout), b(c.kind_b, s.b, layout);
+        expect_many(*c.set->table, a, b, s.expected, name(workload));
+      }
     }
   });
 }
@@ -119,8 +124,11 @@ TEST_P(Many, AgreesAboutContact) {
     const int count = pairs_about_contact_of_a_case * properties::repeat();
     const Pairs<T> p = pairs_about_contact<T>(c.kind_a, c.kind_b, count);
     const Stretch<T> s(p, 0, p.size());
-    const Stored<T> a(c.kind_a, s.a, Layout::columns), b(c.kind_b, s.b, Layout::packed);
-    expect_many(*c.set->table, a, b, s.expected, "about contact");
+    const Stored<T> b(c.kind_b, s.b, Layout::packed);
+    for (const Layout layout : {Layout::columns, Layout::packed}) {
+      const Stored<T> a(c.kind_a, s.a, layout);
+      expect_many(*c.set->table, a, b, s.expected, "about contact");
+    }
   });
 }
 

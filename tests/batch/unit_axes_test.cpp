@@ -82,6 +82,7 @@ TEST_P(UnitAxes, AgreesWithAnyShareOfOddOnes) {
         const std::string what =
             std::to_string(how_many) + " odd of " + std::to_string(block) + ", way " + std::to_string(int(odd));
         check<T>(pairs, Layout::columns, Layout::columns, what);
+        check<T>(pairs, Layout::packed, Layout::packed, what);
       }
     }
   });
@@ -97,6 +98,7 @@ TEST_P(UnitAxes, AgreesWhenOnlyOneBlockIsOdd) {
       for (std::size_t i = 0; i < part.size(); ++i) pairs.add(part.a[i], part.b[i]);
     }
     check<T>(pairs, Layout::columns, Layout::packed, "an odd block between two of unit axes");
+    check<T>(pairs, Layout::packed, Layout::packed, "an odd block between two of unit axes");
   });
 }
 
@@ -111,6 +113,7 @@ TEST_P(UnitAxes, AgreesWhenOneIsRepeated) {
         pairs.b[0] = made_odd(pairs.b[0], one, draw);
         const std::string what = "ways " + std::to_string(int(one)) + ", " + std::to_string(int(rest));
         check<T>(pairs, Layout::single, Layout::columns, what);
+        check<T>(pairs, Layout::single, Layout::packed, what);
         check<T>(pairs, Layout::columns, Layout::repeated, what);
       }
     }
@@ -122,6 +125,8 @@ TEST_P(UnitAxes, AgreesAtContact) {
   in_its_scalar([this]<class T>(T) {
     const Pairs<T> pairs = unit_pairs<T>(GetParam(), 100000 * properties::repeat(), 40);
     check<T>(pairs, Layout::columns, Layout::columns, "at contact");
+    check<T>(pairs, Layout::packed, Layout::packed, "at contact");
+    check<T>(pairs, Layout::single, Layout::packed, "at contact");
   });
 }
 

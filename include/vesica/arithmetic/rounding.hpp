@@ -13,8 +13,9 @@
 namespace vesica::detail::arithmetic {
 
 /// The numbers within `error` of high + low. An infinite or NaN error says that nothing is known.
+template <class V>
 struct Estimate {
-  double high, low, error;
+  V high, low, error;
 };
 
 /// The position of a number among the numbers of its type in ascending order; both zeros share one.
@@ -34,9 +35,10 @@ constexpr T at_rank(Integer position) noexcept {
 }
 
 /// c + e.
-VESICA_INLINE Estimate add(double c, const Estimate& e) noexcept {
-  const Pair<double> top = two_sum(c, e.high), rest = two_sum(top.low, e.low);
-  return {top.high, rest.high, (std::fabs(rest.low) + e.error) * (1 + 0x1p-50)};
+template <class V>
+VESICA_INLINE Estimate<V> add(V c, const Estimate<V>& e) noexcept {
+  const Pair<V> top = two_sum(c, e.high), rest = two_sum(top.low, e.low);
+  return {top.high, rest.high, (abs(rest.low) + e.error) * V(1 + 0x1p-50)};
 }
 
 /// The next double above x where `up`, else x; not for the negative double next to 0. By arithmetic, since a jump on a
@@ -47,13 +49,14 @@ inline double above_if(bool up, double x) noexcept {
 }
 
 /// The smallest double at or above the number e stands for; false when e leaves that open.
-VESICA_INLINE bool round_up(const Estimate& e, double& out) noexcept {
+template <class V>
+VESICA_INLINE auto round_up(const Estimate<V>& e, V& out) noexcept {
   // The number is q and an error above `nearest`, and |q| is at most half the way to the next double on q's side.
   // So an error below |q| leaves it strictly between `nearest` and that next double.
   const auto [nearest, q] = two_sum(e.high, e.low);
   // Next to 0 nothing is half way: q is 0.
-  out = above_if(q > 0, nearest);
-  return either(e.error < std::fabs(q), e.error == 0);
+  out = above_if(q > V(0.0), nearest);
+  return either(e.error < abs(q), e.error == V(0.0));
 }
 
 /// The nearest number of magnitude at most `largest`; -largest for NaN.

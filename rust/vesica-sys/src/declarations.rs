@@ -2185,7 +2185,7 @@ extern "C" {
     ///
     /// Accuracy: a coordinate is right to 1 unit in its last place plus 2^-98 times the largest of its three terms.
     ///
-    /// Cost: about 70 ns a shape.
+    /// Cost: about 50 ns a shape; 20 ns with AVX2 or AVX-512.
     ///
     /// Since: 0.1.
     pub fn vesica_corners_of_shapes_f64(shapes: *const Shapes<f64>, corners: *mut f64) -> i64;
@@ -2202,7 +2202,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_bounds_f64.
     ///
-    /// Cost: that of vesica_bounds_f64.
+    /// Cost: that of vesica_bounds_f64; with AVX2 or AVX-512 about 10 ns for shapes of which that takes up to 80.
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_many_f64(shapes: *const Shapes<f64>, out: *mut Aabb<f64>) -> i64;
@@ -2284,7 +2284,7 @@ extern "C" {
     /// Accuracy: a coordinate is right to 1 unit in its last place plus 2^-98 times the largest of its three terms.
     /// Each number is computed in double, within these bounds, and then rounded to float once.
     ///
-    /// Cost: about 70 ns a shape.
+    /// Cost: about 50 ns a shape; 20 ns with AVX2 or AVX-512.
     ///
     /// Since: 0.1.
     pub fn vesica_corners_of_shapes_f32(shapes: *const Shapes<f32>, corners: *mut f32) -> i64;
@@ -2301,7 +2301,7 @@ extern "C" {
     ///
     /// Accuracy: that of vesica_bounds_f32.
     ///
-    /// Cost: that of vesica_bounds_f32.
+    /// Cost: that of vesica_bounds_f32; with AVX2 or AVX-512 about 10 ns for shapes of which that takes up to 80.
     ///
     /// Since: 0.1.
     pub fn vesica_bounds_many_f32(shapes: *const Shapes<f32>, out: *mut Aabb<f32>) -> i64;
