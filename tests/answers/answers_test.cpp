@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// No bit of any answer changes unnoticed: hashes of what every function answers to the cases of cases.txt, one for each
+// function, scalar type and ordered pair of kinds, are those of hashes.txt. They say nothing about whether an answer is
+// right, which other tests do, but find any change at all, in little time. Where a change is meant:
+//
+//     VESICA_ANSWERS=update answers_test        writes hashes.txt; `git diff` shows which functions and kinds changed
+//     VESICA_ANSWERS=list answers_test          prints a hash for each function and case, to be compared between builds
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdlib>
+
+#include "answers/answers.hpp"
+#include "answers/table.hpp"
+#include "properties/pair.hpp"
+
+namespace {
+
+using answers::Case;
+using answers::Hash;
+using answers::Table;
+
+const std::string folder = VESICA_ANSWERS_FOLDER;
+constexpr std::size_t array_size = 20;
+
+std::string mode() {
+  const char* text = std::getenv("VESICA_ANSWERS");
+  return text != nullptr ? text : "";
+}
+
+struct Kinds {
+  int a, b;
+};
+
+class Answers : public testing::TestWithParam<Kinds> {
+ protected:
+  void SetUp() override {
+    if (std::endian::native != std::endian::little) GTEST_SKIP() << "hashes are of bytes in the other order";
+  }
+  std::string kinds() const {
+    return std::string(properties::kind_name(GetParam().a)) + '-' + properties::kind_name(GetParam().b);
+  }
+  std::vector<Case> cases() const { return answers::read_cases(folder + "/cases.txt", GetParam().a, GetParam().b); }
+
+  void take(const std::string& name, const answers::Bytes& answer, const std::string& of) {
+    hashes_[name].add(answer);
+    if (mode() != "list") return;
+    Hash one;
+    one.add(answer);
+    std::printf("%08x %s %s %s\n", one.value(), name.c_str(), kinds().c_str(), of.c_str());
+  }
+
+  void compare() const {
+    static Table pinned = answers::read_table(folder + "/hashes.txt");
+    for (const auto& [name, hash] : hashes_) {
+      auto& expected = pinned[name].at(static_cast<std::size_t>(GetParam().a)).at(static_cast<std::size_t>(GetParam().b));
+      if (mode() == "update") {
+        expected = hash.value();
+      } else {
+        EXPECT_EQ(expected, hash.value()) << name << " of " << kinds();
+      }
+    }
+    if (mode() == "update") answers::write_table(folder + "/hashes.txt", pinned);
+  }
+
+ private:
+  std::map<std::string, Hash> hashes_;
+};
+
+TEST_P(Answers, OfPairs) {
+  const std::vector<Case> all = cases();
+  ASSERT_GT(all.size(), array_size);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    answers::ask(all[i], [&](const std::string& name, const answers::Bytes& answer) {
+      take(name, answer, "case " + std::to_string(i));
+    });
+  }
+  compare();
+}
+
+TEST_P(Answers, OfArrays) {
+  const std::vector<Case> all = cases();
+  std::vector<Case> some;
+  for (std::size_t i = 0; i < array_size; ++i) some.push_back(all[i * all.size() / array_size]);
+  answers::ask_arrays(some, [&](const std::string& name, const answers::Bytes& answer) { take(name, answer, ""); });
+  compare();
+}
+
+std::vector<Kinds> ordered_pairs() {
+  std::vector<Kinds> pairs;
+  for (int a = 0; a < properties::kinds; ++a) {
+    for (int b = 0; b < properties::kinds; ++b) pairs.push_back({a, b});
+  }
+  return pairs;
+}
+
+std::string test_name(const testing::TestParamInfo<Kinds>& info) {
+  return std::string(properties::kind_name(info.param.a)) + '_' + properties::kind_name(info.param.b);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Answers, testing::ValuesIn(ordered_pairs()), test_name);
+
+}  // namespace
