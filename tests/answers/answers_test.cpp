@@ -3,12 +3,12 @@
 // function, scalar type and ordered pair of kinds, are those of hashes.txt. They say nothing about whether an answer is
 // right, which other tests do, but find any change at all, in little time. Where a change is meant:
 //
-//     VESICA_ANSWERS=update answers_test        writes hashes.txt; `git diff` shows which functions and kinds changed
+//     VESICA_ANSWERS=update answers_test        writes hashes.txt and scenes.txt; `git diff` shows which functions and kinds changed
 //     VESICA_ANSWERS=list answers_test          prints a hash for each function and case, to be compared between builds
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <cstdlib>
+#include <cstdio>
 
 #include "answers/answers.hpp"
 #include "answers/table.hpp"
@@ -18,15 +18,10 @@ namespace {
 
 using answers::Case;
 using answers::Hash;
+using answers::mode;
 using answers::Table;
 
-const std::string folder = VESICA_ANSWERS_FOLDER;
 constexpr std::size_t array_size = 20;
-
-std::string mode() {
-  const char* text = std::getenv("VESICA_ANSWERS");
-  return text != nullptr ? text : "";
-}
 
 struct Kinds {
   int a, b;
@@ -40,7 +35,7 @@ class Answers : public testing::TestWithParam<Kinds> {
   std::string kinds() const {
     return std::string(properties::kind_name(GetParam().a)) + '-' + properties::kind_name(GetParam().b);
   }
-  std::vector<Case> cases() const { return answers::read_cases(folder + "/cases.txt", GetParam().a, GetParam().b); }
+  std::vector<Case> cases() const { return answers::read_cases(answers::path("cases.txt"), GetParam().a, GetParam().b); }
 
   void take(const std::string& name, const answers::Bytes& answer, const std::string& of) {
     hashes_[name].add(answer);
@@ -51,16 +46,13 @@ class Answers : public testing::TestWithParam<Kinds> {
   }
 
   void compare() const {
-    static Table pinned = answers::read_table(folder + "/hashes.txt");
+    static Table pinned = answers::read_table("hashes.txt");
     for (const auto& [name, hash] : hashes_) {
-      auto& expected = pinned[name].at(static_cast<std::size_t>(GetParam().a)).at(static_cast<std::size_t>(GetParam().b));
-      if (mode() == "update") {
-        expected = hash.value();
-      } else {
-        EXPECT_EQ(expected, hash.value()) << name << " of " << kinds();
-      }
+      auto& line = pinned[name][properties::kind_name(GetParam().a)];
+      line.resize(properties::kinds);
+      answers::judge(line[static_cast<std::size_t>(GetParam().b)], hash.value(), name + " of " + kinds());
     }
-    if (mode() == "update") answers::write_table(folder + "/hashes.txt", pinned);
+    answers::write_table("hashes.txt", pinned);
   }
 
  private:
