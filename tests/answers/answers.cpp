@@ -17,10 +17,10 @@ using properties::Scalar;
 
 constexpr Scalar scalars[] = {Scalar::f64, Scalar::f32};
 
-/// Those that ask the C library for sines, cosines or a hypotenuse.
-bool asks_the_c_library(const std::string& name) {
-  return name == "impact_time" || name == "rect_from_angle" || name == "ellipse_from_angle" ||
-         name == "ellipse_from_covariance" || name == "ellipse_from_matrix" || name == "boxes";
+Functions which_asks(const std::string& name) {
+  const bool c_library = name == "impact_time" || name == "rect_from_angle" || name == "ellipse_from_angle" ||
+                         name == "ellipse_from_covariance" || name == "ellipse_from_matrix" || name == "boxes";
+  return c_library ? Functions::by_the_c_library : Functions::own;
 }
 
 std::string row(const char* name, Scalar scalar) { return std::string(name) + ' ' + properties::name(scalar); }
@@ -85,28 +85,30 @@ std::vector<Case> read_cases(const std::string& path, int kind_a, int kind_b) {
   return cases;
 }
 
-void ask(const Case& c, const Take& take) {
+void ask(Functions which, const Case& c, const Take& take) {
   const environment::Input input(c.pair);
   for (const Scalar scalar : scalars) {
     for (const auto& call : environment::scalar_calls(scalar)) {
-      if (!asks_the_c_library(call.name)) take(row(call.name, scalar), call.ask(input));
+      if (which_asks(call.name) == which) take(row(call.name, scalar), call.ask(input));
     }
+    if (which == Functions::by_the_c_library) continue;
     for (const Query query : {Query::cast, Query::sweep_bounds}) {
       const std::string name = std::string(hammer::name(query)) + " of a case";
       take(row(name.c_str(), scalar), bytes_of(hammer::ask({query, scalar, c.pair, c.motion})));
     }
     take(row("within about the distance", scalar), ask_within(c, scalar));
   }
+  if (which == Functions::by_the_c_library) return;
   take(row("impact_time without turning", Scalar::f64), ask_impact_time<double>(c));
   take(row("impact_time without turning", Scalar::f32), ask_impact_time<float>(c));
 }
 
-void ask_arrays(const std::vector<Case>& cases, const Take& take) {
+void ask_arrays(Functions which, const std::vector<Case>& cases, const Take& take) {
   environment::Inputs inputs;
   for (const Case& c : cases) inputs.pairs.emplace_back(c.pair);
   for (const Scalar scalar : scalars) {
     for (const auto& call : environment::batch_calls(scalar)) {
-      if (!asks_the_c_library(call.name)) take(row(call.name, scalar), call.ask(inputs));
+      if (which_asks(call.name) == which) take(row(call.name, scalar), call.ask(inputs));
     }
   }
 }

@@ -24,11 +24,13 @@ std::vector<Case> read_cases(const std::string& path, int kind_a, int kind_b);
 /// Takes what one function answers to one case or to one array. Named as its row of the table: "nearest f64".
 using Take = std::function<void(const std::string& name, const Bytes& answer)>;
 
-/// What every function of one pair answers. No function that asks the C library for a sine: those are not the same
-/// bits everywhere.
-void ask(const Case& c, const Take& take);
+/// Those that ask the C library for sines, cosines or a hypotenuse are apart: its last places differ from one to another.
+enum class Functions { own, by_the_c_library };
+
+/// What every function of one pair answers.
+void ask(Functions which, const Case& c, const Take& take);
 
 /// What every function of arrays answers, the index and the join among them.
-void ask_arrays(const std::vector<Case>& cases, const Take& take);
+void ask_arrays(Functions which, const std::vector<Case>& cases, const Take& take);
 
 }  // namespace answers
