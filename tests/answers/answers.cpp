@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "capi/face.hpp"
-#include "environment/calls.hpp"
+#include "environment/method_calls.hpp"
 #include "hammer/call.hpp"
 
 namespace answers {
@@ -68,6 +68,13 @@ Bytes ask_impact_time(const Case& c) {
   return bytes;
 }
 
+void ask_methods(const properties::Pair& pair, const environment::Input& input, const Take& take) {
+  for (const auto& method : environment::method_calls()) {
+    if (method.kind_a != pair.kind_a || method.kind_b != pair.kind_b) continue;
+    take("method " + row(method.name, method.scalar), method.ask(input));
+  }
+}
+
 }  // namespace
 
 std::vector<Case> read_cases(const std::string& path, int kind_a, int kind_b) {
@@ -98,7 +105,7 @@ void ask(Functions which, const Case& c, const Take& take) {
     }
     take(row("within about the distance", scalar), ask_within(c, scalar));
   }
-  if (which == Functions::by_the_c_library) return;
+  if (which == Functions::by_the_c_library) return ask_methods(c.pair, input, take);
   take(row("impact_time without turning", Scalar::f64), ask_impact_time<double>(c));
   take(row("impact_time without turning", Scalar::f32), ask_impact_time<float>(c));
 }

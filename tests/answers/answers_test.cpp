@@ -89,15 +89,16 @@ TEST_P(Answers, OfArrays) { ask_arrays(Functions::own); }
 std::uint32_t hash_of_the_c_library() {
   Hash hash;
   for (int i = 1; i <= 20000; ++i) {
-    const double x = i * 0.00037, values[] = {std::sin(x), std::cos(x), std::hypot(x, 3 - x)};
-    hash.add_values(values, 3);
+    const double x = i * 0.00037, values[] = {std::sin(x), std::cos(x),  std::hypot(x, 3 - x),
+                                              std::cbrt(x), std::atan(x), std::acos(x / 8)};
+    hash.add_values(values, std::size(values));
   }
   return hash.value();
 }
 
 TEST_P(Answers, ByTheCLibrary) {
   static const std::uint32_t here = hash_of_the_c_library();
-  constexpr std::uint32_t where_hashes_were_made = 0xe7fb2aa9;  // glibc 2.36, x86-64 with FMA
+  constexpr std::uint32_t where_hashes_were_made = 0x39f6c738;  // glibc 2.36, x86-64 with FMA
   if (here != where_hashes_were_made) GTEST_SKIP() << "another C library: " << std::hex << here;
   ask_pairs(Functions::by_the_c_library);
   ask_arrays(Functions::by_the_c_library);
