@@ -5,13 +5,14 @@
 //
 //     VESICA_ANSWERS=update answers_test        writes hashes.txt and scenes.txt; `git diff` shows which functions and kinds changed
 //     VESICA_ANSWERS=list answers_test          prints a hash for each function and case, to be compared between builds
+#include "answers/answers.hpp"
+
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
 #include <cstdio>
 
-#include "answers/answers.hpp"
 #include "answers/table.hpp"
 #include "properties/pair.hpp"
 
@@ -37,7 +38,9 @@ class Answers : public testing::TestWithParam<Kinds> {
   std::string kinds() const {
     return std::string(properties::kind_name(GetParam().a)) + '-' + properties::kind_name(GetParam().b);
   }
-  std::vector<Case> cases() const { return answers::read_cases(answers::path("cases.txt"), GetParam().a, GetParam().b); }
+  std::vector<Case> cases() const {
+    return answers::read_cases(answers::path("cases.txt"), GetParam().a, GetParam().b);
+  }
 
   void ask_pairs(Functions which) {
     const std::vector<Case> all = cases();
@@ -89,7 +92,7 @@ TEST_P(Answers, OfArrays) { ask_arrays(Functions::own); }
 std::uint32_t hash_of_the_c_library() {
   Hash hash;
   for (int i = 1; i <= 20000; ++i) {
-    const double x = i * 0.00037, values[] = {std::sin(x), std::cos(x),  std::hypot(x, 3 - x),
+    const double x = i * 0.00037, values[] = {std::sin(x),  std::cos(x),  std::hypot(x, 3 - x),
                                               std::cbrt(x), std::atan(x), std::acos(x / 8)};
     hash.add_values(values, std::size(values));
   }

@@ -51,8 +51,8 @@ struct Named {
   const char* name;
   Place (*draw)(Random&, double side);
 };
-constexpr Named all[] = {{"uniform", uniform}, {"lattice", lattice}, {"decades", decades}, {"tight", tight},
-                         {"whole_range", whole_range}};
+constexpr Named all[] = {
+    {"uniform", uniform}, {"lattice", lattice}, {"decades", decades}, {"tight", tight}, {"whole_range", whole_range}};
 
 /// Numbers of a shape of a kind. Axes are integers, of any length.
 std::vector<double> shape(int kind, const Place& p, bool along_axes, Random& r) {

@@ -90,8 +90,8 @@ class Asked {
           if (n < 0) break;
         }
         typename F::Impact impact{};
-        add("cast first", F::index_cast_first(a_.index.get(), a_.sets.data(), a_.sets.count(), &asked, vx, vy,
-                                              infinity, &impact));
+        add("cast first",
+            F::index_cast_first(a_.index.get(), a_.sets.data(), a_.sets.count(), &asked, vx, vy, infinity, &impact));
         add("cast first", impact);
       }
     }
@@ -109,9 +109,9 @@ class Asked {
     std::vector<std::int64_t> out_a(500), out_b(500);
     for (const T distance : {T{0}, T{1} / 4}) {
       for (std::int64_t state[4] = {}; state[0] != -1;) {
-        const std::int64_t n = F::join_within(a_.index.get(), a_.sets.data(), a_.sets.count(), b_.index.get(),
-                                              b_.sets.data(), b_.sets.count(), distance, 0, 1, out_a.data(),
-                                              out_b.data(), 500, state);
+        const std::int64_t n =
+            F::join_within(a_.index.get(), a_.sets.data(), a_.sets.count(), b_.index.get(), b_.sets.data(),
+                           b_.sets.count(), distance, 0, 1, out_a.data(), out_b.data(), 500, state);
         add("join within", n);
         add_list("join within", out_a);
         add_list("join within", out_b);
@@ -146,15 +146,14 @@ class Asked {
     std::int64_t kept = 0;
     for (std::int32_t ratio = 0; ratio <= VESICA_RATIO_COMPLETE; ++ratio) {
       for (const bool labelled : {false, true}) {
-        add("suppress", F::suppress(&shapes, scores.data(), labelled ? labels.data() : nullptr, ratio, T{1} / 8, T{1} / 16, 150, scratch.get(),
-                                    scratch.size, keep.data(), &kept));
+        add("suppress", F::suppress(&shapes, scores.data(), labelled ? labels.data() : nullptr, ratio, T{1} / 8,
+                                    T{1} / 16, 150, scratch.get(), scratch.size, keep.data(), &kept));
         add("suppress", kept);
         add_list("suppress", keep);
       }
       for (const std::int32_t decay : {VESICA_DECAY_LINEAR, VESICA_DECAY_GAUSSIAN}) {
-        add("suppress soft", F::suppress_soft(&shapes, scores.data(), labels.data(), ratio, decay, T{1} / 2,
-                                              T{1} / 16, 60, soft.get(), soft.size, keep.data(), decayed.data(),
-                                              &kept));
+        add("suppress soft", F::suppress_soft(&shapes, scores.data(), labels.data(), ratio, decay, T{1} / 2, T{1} / 16,
+                                              60, soft.get(), soft.size, keep.data(), decayed.data(), &kept));
         add("suppress soft", kept);
         add_list("suppress soft", keep);
         add_list("suppress soft", decayed);
