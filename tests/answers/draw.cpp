@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws tests/answers/cases.txt: of each ordered pair of kinds and scalar type some groups of the hammer, and of each
+// answers_draw [SEED [GROUPS]]: draws tests/answers/cases.txt: of each ordered pair of kinds and scalar type some groups of the hammer, and of each
 // group the pair it began with, two about its contact and one further away, each with a motion; then a broken pair.
 #include <cstdio>
 #include <cstdlib>
@@ -12,8 +12,6 @@
 namespace {
 
 using namespace hammer;
-
-constexpr int groups_of_each = 6;
 
 /// One that only just hits or misses, where one can be found.
 Motion motion_of(const Pair& pair, Scalar scalar, properties::Random& random) {
@@ -37,6 +35,7 @@ void print(const Pair& pair, const Motion& motion) {
 
 int main(int argc, char** argv) {
   const std::uint64_t seed = argc > 1 ? std::strtoull(argv[1], nullptr, 0) : 1;
+  const int groups_of_each = argc > 2 ? std::atoi(argv[2]) : 6;
   properties::Random random(seed);
   std::map<std::tuple<int, int, Scalar>, int> drawn;
   int complete = 0;
