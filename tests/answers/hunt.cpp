@@ -4,6 +4,7 @@
 //     answers_hunt CASES mark COUNT   asks all cases, writes their hashes to CASES.hashes and, for each of COUNT mutants,
 //                                     the cases to which it makes a difference inside to CASES.reached
 //     answers_hunt CASES compare I... asks these cases and prints those of which an answer is another
+//     answers_hunt CASES list I...    prints what each function answers to these cases
 //
 // A number from 1000000 on is that of an array of cases.
 #include <fcntl.h>
@@ -46,7 +47,11 @@ struct Cases {
 
   std::uint64_t hash(std::size_t i) const {
     answers::Hash hash;
-    const auto take = [&](const std::string&, const answers::Bytes& bytes) { hash.add(bytes); };
+    ask(i, [&](const std::string&, const answers::Bytes& bytes) { hash.add(bytes); });
+    return hash.value();
+  }
+
+  void ask(std::size_t i, const answers::Take& take) const {
     for (const Functions which : {Functions::own, Functions::by_the_c_library}) {
       if (i >= first_array) {
         answers::ask_arrays(which, arrays[i - first_array], take);
@@ -54,7 +59,6 @@ struct Cases {
         answers::ask(which, all[i], take);
       }
     }
-    return hash.value();
   }
 
   std::vector<std::size_t> numbers() const {
@@ -101,11 +105,23 @@ int compare(const Cases& cases, const std::string& path, const std::vector<std::
   return 0;
 }
 
+int list(const Cases& cases, const std::vector<std::string>& wanted) {
+  for (const std::string& text : wanted) {
+    cases.ask(std::strtoull(text.c_str(), nullptr, 10), [&](const std::string& name, const answers::Bytes& bytes) {
+      std::printf("%s %s:", text.c_str(), name.c_str());
+      for (const unsigned char byte : bytes) std::printf(" %02x", byte);
+      std::printf("\n");
+    });
+  }
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   const Cases cases(words.at(0));
   if (words.at(1) == "mark") return mark(cases, words[0], std::strtoull(words.at(2).c_str(), nullptr, 10));
+  if (words[1] == "list") return list(cases, {words.begin() + 2, words.end()});
   return compare(cases, words[0], {words.begin() + 2, words.end()});
 }

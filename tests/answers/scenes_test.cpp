@@ -3,6 +3,7 @@
 // suppression. They are those of scenes.txt; see answers_test.cpp.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 
 #include "answers/scene.hpp"
@@ -144,6 +145,9 @@ class Asked {
     const Memory scratch(vesica_nms_scratch(shapes.count)), soft(vesica_suppress_soft_scratch(shapes.count));
     std::vector<std::int64_t> keep(scores.size());
     std::int64_t kept = 0;
+    // The narrow Gaussian leaves nothing of a score.
+    constexpr std::pair<std::int32_t, T> decays[] = {
+        {VESICA_DECAY_LINEAR, T{1} / 2}, {VESICA_DECAY_GAUSSIAN, T{1} / 2}, {VESICA_DECAY_GAUSSIAN, T{1} / 4096}};
     for (std::int32_t ratio = 0; ratio <= VESICA_RATIO_COMPLETE; ++ratio) {
       for (const bool labelled : {false, true}) {
         add("suppress", F::suppress(&shapes, scores.data(), labelled ? labels.data() : nullptr, ratio, T{1} / 8,
@@ -151,8 +155,8 @@ class Asked {
         add("suppress", kept);
         add_list("suppress", keep);
       }
-      for (const std::int32_t decay : {VESICA_DECAY_LINEAR, VESICA_DECAY_GAUSSIAN}) {
-        add("suppress soft", F::suppress_soft(&shapes, scores.data(), labels.data(), ratio, decay, T{1} / 2, T{1} / 16,
+      for (const auto& [decay, parameter] : decays) {
+        add("suppress soft", F::suppress_soft(&shapes, scores.data(), labels.data(), ratio, decay, parameter, T{1} / 16,
                                               60, soft.get(), soft.size, keep.data(), decayed.data(), &kept));
         add("suppress soft", kept);
         add_list("suppress soft", keep);
@@ -179,6 +183,25 @@ class Scenes : public testing::TestWithParam<std::string> {
     answers::write_table("scenes.txt", pinned);
   }
 };
+
+TEST(Sizes, OfWhatCallersProvide) {
+  Hash hash;
+  const auto add = [&](std::int64_t size) { hash.add_values(&size, 1); };
+  add(vesica_join_scratch());
+  for (const std::int64_t most : {std::int64_t{0}, std::int64_t{5000}, std::int64_t{1} << 20, std::int64_t{1} << 31}) {
+    for (std::int64_t n = std::max<std::int64_t>(most - 130, -2); n < most + 130; ++n) {
+      for (const auto size :
+           {vesica_index_size, vesica_index_scratch, vesica_nms_scratch, vesica_suppress_soft_scratch}) {
+        add(size(n));
+      }
+    }
+  }
+  Table pinned = answers::read_table("scenes.txt");
+  auto& line = pinned["sizes"]["all"];
+  line.resize(1);
+  answers::judge(line[0], hash.value(), "sizes");
+  answers::write_table("scenes.txt", pinned);
+}
 
 TEST_P(Scenes, Double) { compare<double>("f64"); }
 TEST_P(Scenes, Float) { compare<float>("f32"); }
