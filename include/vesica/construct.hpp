@@ -179,7 +179,8 @@ int ellipse_from_covariance(T mean_x, T mean_y, T cxx, T cxy, T cyy, T k, Ellips
   if (kind == detail::arithmetic::Definite::no) return error_argument;
   const detail::arithmetic::Scaled times = detail::take_apart(static_cast<double>(k));
   const T a = detail::multiply<T>(times, s.larger), b = detail::multiply<T>(times, s.smaller);
-  return detail::store(Ellipse<T>{mean_x, mean_y, static_cast<T>(s.x), static_cast<T>(s.y), a, std::fmin(a, b)}, out);
+  return detail::store(Ellipse<T>{mean_x, mean_y, static_cast<T>(s.x), static_cast<T>(s.y), a, detail::lesser(a, b)},
+                       out);
 }
 
 /// Ellipse of the points X with (X - C) . M (X - C) <= 1: a >= b; the axis is a unit vector with x >= 0.
@@ -195,7 +196,7 @@ int ellipse_from_matrix(T cx, T cy, T mxx, T mxy, T myy, Ellipse<T>& out) noexce
       detail::arithmetic::spectrum(static_cast<double>(myy), static_cast<double>(-mxy), static_cast<double>(mxx), s);
   if (kind != detail::arithmetic::Definite::positive) return error_argument;
   const T a = detail::invert<T>(s.smaller), b = detail::invert<T>(s.larger);
-  out = {cx, cy, static_cast<T>(s.x), static_cast<T>(s.y), a, std::fmin(a, b)};
+  out = {cx, cy, static_cast<T>(s.x), static_cast<T>(s.y), a, detail::lesser(a, b)};
   return 0;
 }
 
