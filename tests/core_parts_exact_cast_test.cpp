@@ -129,8 +129,9 @@ TEST(ExactCastParts, WideTimesOfABoxAndAnEllipse) {
   EXPECT_FALSE(wide_time(pair_of(e, Circle<double>{8, 0, 2}, -1, 0)).certain);
 }
 
-/// The line passes between a face and a corner to 2^-106: which it is stays open, whatever is found then.
-TEST(ExactCastParts, WideTimesAtATie) {
+/// The line passes between a face and a corner but for 2^-60 to 2^-110: an exact sign tells which it is. Only the line
+/// is moved, not the ellipse, so that the times of the two differ.
+TEST(ExactCastParts, WideTimesBesideATie) {
   const Passing p({0, 0, 3, 4, 1, 0.5}, {8, 3, 1, 0, 1, 1}, -2, -1);
   // The box's two kinks: the normal, the jump there, and how far off it the other one counts.
   struct Kink {
@@ -142,36 +143,55 @@ TEST(ExactCastParts, WideTimesAtATie) {
     const auto part = [&](double x) { return number<2>(std::ldexp(x, beside.exponent)); };
     for (const double end : {k.own - k.other, -k.own - k.other}) {
       const auto ask = [&](double step) {
-        return p.time(part(beside.value.high) + part(beside.value.low) + number<2>(step) + number<2>(end));
+        const WideTime found =
+            p.time(part(beside.value.high) + part(beside.value.low) + number<2>(step) + number<2>(end));
+        return found.certain ? value(found.time) : -1;
       };
-      for (const double step : {0.0, -0x1p-104, 0x1p-104, -0x1p-106, 0x1p-106, -0x1p-110, 0x1p-110}) {
-        EXPECT_FALSE(ask(step).certain) << end << ' ' << step;
+      const double far_before = ask(-0x1p-60), far_behind = ask(0x1p-60);
+      EXPECT_EQ(ask(-0x1p-100), far_before) << end;
+      EXPECT_EQ(ask(0x1p-100), far_behind) << end;
+      // Where `beside` ends is below 2^-100: in between it changes once.
+      double last = far_before;
+      for (const double step : {-0x1p-104, -0x1p-106, -0x1p-110, 0.0, 0x1p-110, 0x1p-106, 0x1p-104}) {
+        const double t = ask(step);
+        EXPECT_TRUE(t == last || t == far_behind) << end << ' ' << step;
+        last = t;
       }
-      EXPECT_TRUE(ask(-0x1p-60).certain || ask(0x1p-60).certain) << end;
+      EXPECT_NE(far_before, far_behind) << end;
     }
   }
 }
 
-/// Known to lie about the end of the range, or at a place of more digits than there is room for: no time is told.
-TEST(ExactCastParts, WideFloorsThatAreLeftOpen) {
+/// From the least double to beyond the largest. A place of more digits than there is room for is an error, where the
+/// time is so near a double that whether there is contact before it must be asked.
+TEST(ExactCastParts, FloorsOfTimes) {
   const auto floor = [](const auto& a, const auto& b, double vx, double vy) {
-    return wide_floor(pair_of(a, b, vx, vy));
+    const ExactPair pair = pair_of(a, b, vx, vy);
+    const WideTime found = wide_time(pair);
+    EXPECT_TRUE(found.certain);
+    double t;
+    const std::int32_t error = floor_of_time(pair, found.time, t);
+    EXPECT_TRUE(error == 0 || error == error_range);
+    return error == 0 ? t : -1;
   };
   const Aabb<double> box{-2, -1, 0, 1};
   EXPECT_EQ(floor(box, Point<double>{5, 0}, -1, 0), 5);
   EXPECT_EQ(floor(box, Point<double>{5, 0}, -0.75, 0), 5 / 0.75 - 0x1p-50) << "rounded down";
   EXPECT_EQ(floor(box, Point<double>{0x1p1000, 0}, -0x1p-19, 0), 0x1p1019);
-  EXPECT_EQ(floor(box, Point<double>{0x1p1000, 0}, -0x1p-23, 0), -1);
+  EXPECT_EQ(floor(box, Point<double>{0x1p1000, 0}, -0x1p-23, 0), 0x1p1023);
   EXPECT_EQ(floor(box, Point<double>{0x1p1000, 0}, -0x1p-30, 0), infinity);
-  EXPECT_EQ(floor(box, Point<double>{0x1p-1000, 0}, -0x1p10, 0), -1);
+  EXPECT_EQ(floor(box, Point<double>{0x1p-1000, 0}, -0x1p10, 0), 0x1p-1010);
+  EXPECT_EQ(floor(box, Point<double>{0x1p-1000, 0}, -0x1p73, 0), 0x1p-1073);
+  EXPECT_EQ(floor(box, Point<double>{0x1p-1000, 0}, -0x1.8p73, 0), 0x1p-1074) << "4/3 of it";
+  EXPECT_EQ(floor(box, Point<double>{0x1p-1000, 0}, -0x1.8p74, 0), 0) << "2/3 of the least";
   // The time is a double, and the place at it spans 2^1000 to 2^-1076.
   const Aabb<double> far{-0x1p1000, -1, 0, 1};
   EXPECT_EQ(floor(far, Point<double>{0x1p1000, 0}, -0x1p1002, 0), 0.25);
   EXPECT_EQ(floor(far, Point<double>{0x1p1000, 0}, -0x1p1002, 0x1p-1074), -1);
-  // The place at the time has room, and that at the next has not.
+  // The place at the time has room, and that at the next has not: it is not asked for.
   const Aabb<double> thin{-0x1p-1030, -0x1p990, 0, 0x1p990};
   EXPECT_EQ(floor(thin, Point<double>{0x1p-1030, 0x1p900}, -0x1p-1030, 0), 1);
-  EXPECT_EQ(floor(thin, Point<double>{0x1p-1030, 0x1p989}, -0x1p-1030, 0), -1);
+  EXPECT_EQ(floor(thin, Point<double>{0x1p-1030, 0x1p989}, -0x1p-1030, 0), 1);
 }
 
 /// Trials from any start: contact of insides comes after t0.

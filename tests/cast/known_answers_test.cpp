@@ -105,7 +105,8 @@ TEST(Known, Faces) {
   expect_hit(disc_on_box, {0, -1, infinity}, 6, 1, 2, 0, 1);
 }
 
-// The square of an edge's length underflows beside the other's: the point was NaN, and the answer that it is out of range.
+// The square of an edge's length underflows beside the other's: the point was NaN, and the answer that it is out of
+// range.
 TEST(Known, AnEdgeOfAlmostNoLength) {
   constexpr double w = 0x1p-600;
   for (const Pair& p : {Pair{VESICA_AABB, VESICA_AABB, {0, 0, w, 1}, {-1, -3, 1, -2}},

@@ -346,10 +346,14 @@ TEST(LongCubic, OfSmallNumbers) {
   using Few = exact::Leading<exact::few_limbs>;
   const Number<8> one = exact::square(exact::square(exact::square(exact::from_double(1.0))));
   const auto number = [&](int k) -> Number<8> { return exact::integer(k) * one; };
+  const Number<4> root_of_one = exact::square(exact::square(exact::from_double(1.0)));
+  const auto root = [&](int k) -> Number<4> { return exact::integer(k) * root_of_one; };
   int ties = 0, of_two_r = 0, of_slope = 0, of_delta = 0;
-  const auto expect = [&](int d1, int d2, int mu, int al, int be) {
+  const auto expect = [&](int root1, int root2, int mu, int al, int be) {
+    const int d1 = root1 * root1, d2 = root2 * root2;
     const int c1 = d1 + mu - al, c2 = d2 + mu - be, delta = mu * mu - 4 * d1 * d2, slope = 2 * c2 - 3 * mu;
-    const exact::ContactCubic p{number(d1), number(c1), number(c2), number(d2), number(mu), number(al), number(be)};
+    const exact::ContactCubic p{number(d1), number(c1), number(c2), number(d2), number(mu),
+                                number(al), number(be), root(root1), root(root2)};
     exact::Signs signs;
     const bool inside = exact::detail::first_in_second<Few>(p, exact::leading_small_parts<Few>(p), signs);
     const int rising = sign_with_root(slope * mu + 2 * d2 * (3 * d1 - c1), slope, delta);
@@ -361,12 +365,11 @@ TEST(LongCubic, OfSmallNumbers) {
     of_slope += slope == 0;
     of_delta += delta == 0;
   };
-  for (const int d1 : {1, 2, 4}) {
-    for (const int d2 : {1, 2, 4, 9, 16}) {
-      for (int mu = 1; mu <= 24; ++mu) {
-        if (mu * mu < 4 * d1 * d2) continue;
+  for (const int root1 : {1, 2, 3}) {
+    for (const int root2 : {1, 2, 3, 4}) {
+      for (int mu = 2 * root1 * root2; mu <= 24; ++mu) {
         for (int al = 1; al <= 12; ++al) {
-          for (int be = 1; be <= 12; ++be) expect(d1, d2, mu, al, be);
+          for (int be = 1; be <= 12; ++be) expect(root1, root2, mu, al, be);
         }
       }
     }
