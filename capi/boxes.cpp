@@ -89,7 +89,8 @@ int64_t each_in_blocks(const vesica::batch::Shapes<T>& shapes, T* out, const Fin
     find(columns.numbers(), vesica::batch::whole_vectors(n), column);
     for (int32_t i = 0; i < n; ++i) {
       const bool found = results[0][i] == results[0][i] && take(column, i, out + (begin + i) * width);
-      if (!found) [[unlikely]] put<width>(begin + i, out, make, result);
+      if (!found) [[unlikely]]
+        put<width>(begin + i, out, make, result);
     }
   }
   return result;
@@ -179,9 +180,7 @@ int64_t corners_of_shapes(const CShapesOf<T>* shapes, T* corners) noexcept {
   if (error != 0) return error;
   if (!has_box(shapes->kind)) return VESICA_E_KIND;
   const auto v = view<T>(*shapes);
-  const auto corners_of = [&](int64_t i, T(&numbers)[8]) {
-    return vesica::corners(Element<T>(v, i).rect(), numbers);
-  };
+  const auto corners_of = [&](int64_t i, T(&numbers)[8]) { return vesica::corners(Element<T>(v, i).rect(), numbers); };
   const vesica::BoxKernels* const kernels = box_kernels(v);
   if (kernels == nullptr) return each<8>(v.count, corners, corners_of);
   return each_in_blocks<8>(v, corners, kernels->corners, take_corners<T>, corners_of);

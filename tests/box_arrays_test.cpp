@@ -140,9 +140,8 @@ class BoxArrays {
       const auto one = alone_.view(kind, std::span(&s, 1), Layout::packed, Edge::after);
       return F::corners_of_shapes(&one, out);
     };
-    compare<4>(shapes, bounds, edge, [&](T* out) {
-      return F::bounds_many(&view, reinterpret_cast<typename F::Aabb*>(out));
-    });
+    compare<4>(shapes, bounds, edge,
+               [&](T* out) { return F::bounds_many(&view, reinterpret_cast<typename F::Aabb*>(out)); });
     if (kind < VESICA_RECT) return;
     compare<8>(shapes, corners, edge, [&](T* out) { return F::corners_of_shapes(&view, out); });
   }
@@ -177,7 +176,8 @@ template <class T>
 void check_all_lengths() {
   Random draw(properties::seed());
   BoxArrays<T> arrays;
-  for (const std::int32_t kind : {VESICA_POINT, VESICA_SEGMENT, VESICA_CIRCLE, VESICA_AABB, VESICA_RECT, VESICA_ELLIPSE}) {
+  for (const std::int32_t kind :
+       {VESICA_POINT, VESICA_SEGMENT, VESICA_CIRCLE, VESICA_AABB, VESICA_RECT, VESICA_ELLIPSE}) {
     for (std::size_t n = 2; n <= 40; ++n) {
       for (const Layout layout : {Layout::columns, Layout::packed, Layout::padded, Layout::backward}) {
         for (const Edge edge : {Edge::before, Edge::after}) {

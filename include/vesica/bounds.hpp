@@ -60,11 +60,11 @@ VESICA_INLINE arithmetic::Estimate<V> estimate_root(const arithmetic::Pair<V>& x
 }
 
 VESICA_INLINE arithmetic::Estimate<double> estimate(const Rect<double>&, const arithmetic::Pair<double>& x,
-                                            const arithmetic::Pair<double>& y) noexcept {
+                                                    const arithmetic::Pair<double>& y) noexcept {
   return estimate_sum(x, y);
 }
 VESICA_INLINE arithmetic::Estimate<double> estimate(const Ellipse<double>&, const arithmetic::Pair<double>& x,
-                                            const arithmetic::Pair<double>& y) noexcept {
+                                                    const arithmetic::Pair<double>& y) noexcept {
   return x.high == 0 || y.high == 0 ? estimate_sum(x, y) : estimate_root(x, y);
 }
 

@@ -14,8 +14,8 @@ namespace {
 
 /// As the scalar of this name.
 template <class V>
-requires detail::arithmetic::HasFused<V>
-VESICA_INLINE detail::arithmetic::Pair<V> two_product_fused(V a, V b) noexcept {
+requires detail::arithmetic::HasFused<V> VESICA_INLINE detail::arithmetic::Pair<V> two_product_fused(V a, V b)
+noexcept {
   const V high = a * b;
   return {high, fused_difference(a, b, high)};
 }

@@ -38,8 +38,8 @@ template <auto from, class Vector>
 VESICA_INLINE Vector shuffled(const Vector& a, const Vector& b) noexcept {
   constexpr int part = part_of<Vector>, length = sizeof(Vector) / sizeof(NumberOf<Vector>);
   return [&]<int... i>(std::integer_sequence<int, i...>) {
-    return __builtin_shufflevector(
-        a, b, (i - i % part + from(i % part) + (from(i % part) < part ? 0 : length - part))...);
+    return __builtin_shufflevector(a, b,
+                                   (i - i % part + from(i % part) + (from(i % part) < part ? 0 : length - part))...);
   }
   (std::make_integer_sequence<int, length>{});
 }

@@ -92,7 +92,7 @@ struct QueryTable {
   QueryKernels area;
   QueryKernels iou;
   ApartKernel apart;
-  const CastTable* cast;  // null where there are no kernels
+  const CastTable* cast;    // null where there are no kernels
   const BoxKernels* boxes;  // likewise
 };
 

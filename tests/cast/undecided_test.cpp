@@ -178,7 +178,7 @@ constexpr Expected all_expected[] = {
      {763, 1321, 0, 601, 101, 1773, 0, 1799, 913, 1299, 0, 383, 793, 1306, 0, 511}},
     {"ellipse_ellipse",
      left<Ellipse, Ellipse>,
-     {824, 1424, 1426, 0, 11, 1976, 2040, 0, 912, 1299, 1299, 0, 755, 1320, 1321, 0}},
+     {824, 1424, 1426, 0, 11, 1976, 2041, 0, 912, 1299, 1299, 0, 755, 1320, 1331, 0}},
 };
 
 INSTANTIATE_TEST_SUITE_P(Pairs, CastUndecided, testing::ValuesIn(all_expected),

@@ -114,8 +114,7 @@ TEST(CastAtUnlikeExponents, KnownTimes) {
        0x1.62a52f062ae82p+0},
       // Times below the least double, and among the subnormal ones.
       {{Kind::point, {0x1.b0ab206583e42p-989, -0x1p+72, 0, 0, 0, 0}},
-       {Kind::aabb,
-        {-0x1p+72, -0x1.858ed78e94f76p+817, -0x1.12b7109b0369bp-264, 0x1.aa38d1905887fp+459, 0, 0}},
+       {Kind::aabb, {-0x1p+72, -0x1.858ed78e94f76p+817, -0x1.12b7109b0369bp-264, 0x1.aa38d1905887fp+459, 0, 0}},
        {0x1.7ac2e0262cf25p+811, 0x1.4a75eee874e38p+816, infinity},
        0},
       {{Kind::point, {0, 0, 0, 0, 0, 0}}, {Kind::segment, {7, -1, 7, 2, 0, 0}}, {-0x1p+1001, -1, infinity}, 0x1.cp-999},

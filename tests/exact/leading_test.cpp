@@ -352,7 +352,7 @@ TEST(LongCubic, OfSmallNumbers) {
   const auto expect = [&](int root1, int root2, int mu, int al, int be) {
     const int d1 = root1 * root1, d2 = root2 * root2;
     const int c1 = d1 + mu - al, c2 = d2 + mu - be, delta = mu * mu - 4 * d1 * d2, slope = 2 * c2 - 3 * mu;
-    const exact::ContactCubic p{number(d1), number(c1), number(c2), number(d2), number(mu),
+    const exact::ContactCubic p{number(d1), number(c1), number(c2),  number(d2), number(mu),
                                 number(al), number(be), root(root1), root(root2)};
     exact::Signs signs;
     const bool inside = exact::detail::first_in_second<Few>(p, exact::leading_small_parts<Few>(p), signs);

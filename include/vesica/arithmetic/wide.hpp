@@ -29,12 +29,8 @@ struct Wide {
 };
 
 constexpr Wide operator-(const Wide& a) noexcept { return {-a.value, a.exponent}; }
-constexpr Wide operator*(const Wide& a, const Wide& b) noexcept {
-  return {a.value * b.value, a.exponent + b.exponent};
-}
-constexpr Wide operator/(const Wide& a, const Wide& b) noexcept {
-  return {a.value / b.value, a.exponent - b.exponent};
-}
+constexpr Wide operator*(const Wide& a, const Wide& b) noexcept { return {a.value * b.value, a.exponent + b.exponent}; }
+constexpr Wide operator/(const Wide& a, const Wide& b) noexcept { return {a.value / b.value, a.exponent - b.exponent}; }
 constexpr Wide operator+(const Wide& a, const Wide& b) noexcept {
   if (a.value == 0 || b.value == 0) return a.value == 0 ? b : a;
   if (a.exponent < b.exponent) return b + a;

@@ -212,7 +212,8 @@ class ExactPair {
     const Place place(*this, t);
     Window window = place.window;
     if (!window.place()) return Contact::beyond;
-    const ExactBody a = placed(a_, {}, {}, window), b = placed(b_, window.moved(place.x), window.moved(place.y), window);
+    const ExactBody a = placed(a_, {}, {}, window),
+                    b = placed(b_, window.moved(place.x), window.moved(place.y), window);
     if (a.round) return b.round ? contact(a.ellipse(), b.ellipse()) : contact(b.box, a.ellipse());
     return b.round ? contact(a.box, b.ellipse()) : contact(a.box, b.box);
   }

@@ -199,7 +199,9 @@ VESICA_COLD inline WideTime wide_grazing_time(const ExactPair& pair) noexcept {
   };
   const ExactReach &a = pair.reach_a_, &b = pair.reach_b_;
   const Number<3> straight = turned(a.along + b.along) - (a.edge + b.edge) - pair.q_;
-  const auto part = [&](const ExactReach& r) { return r.round ? Rough(turned(r.m)) / root(Rough(r.squared)) : Rough(); };
+  const auto part = [&](const ExactReach& r) {
+    return r.round ? Rough(turned(r.m)) / root(Rough(r.squared)) : Rough();
+  };
   Rough way = Rough(straight) + (part(a) + part(b));
   if (!way.is_precise() && a.round != b.round) {
     // x + y = (x^2 - y^2) / (x - y).
