@@ -3,8 +3,8 @@
 // function, scalar type and ordered pair of kinds, are those of hashes.txt. They say nothing about whether an answer is
 // right, which other tests do, but find any change at all, in little time. Where a change is meant:
 //
-//     VESICA_ANSWERS=update answers_test        writes hashes.txt and scenes.txt; `git diff` shows which functions and kinds changed
-//     VESICA_ANSWERS=list answers_test          prints a hash for each function and case, to be compared between builds
+//     VESICA_ANSWERS=update answers_test   writes hashes.txt and scenes.txt; `git diff` shows what changed
+//     VESICA_ANSWERS=list answers_test     prints a hash for each function and case, to be compared between builds
 #include "answers/answers.hpp"
 
 #include <gtest/gtest.h>

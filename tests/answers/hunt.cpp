@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// For mutants that no test finds: which cases show a difference? Of a build of ./run mutate; see tests/mutants/README.md.
+// For mutants that no test finds: which cases show a difference? Of a build of ./run mutate; see
+// tests/mutants/README.md.
 //
-//     answers_hunt CASES mark COUNT   asks all cases, writes their hashes to CASES.hashes and, for each of COUNT mutants,
-//                                     the cases to which it makes a difference inside to CASES.reached
+//     answers_hunt CASES mark COUNT   asks all cases, writes their hashes to CASES.hashes and, for each of COUNT
+//                                     mutants, the cases to which it makes a difference inside to CASES.reached
 //     answers_hunt CASES compare I... asks these cases and prints those of which an answer is another
 //     answers_hunt CASES list I...    prints what each function answers to these cases
 //

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Contact of a circle with a rectangle by squares in integers: what it decides is what the oracle decides, at contacts
-// with a face and with a corner, at their neighbours and anywhere else; it decides numbers of any length where exponents
-// are alike; and no invalid shape passes.
+// with a face and with a corner, at their neighbours and anywhere else; it decides numbers of any length where
+// exponents are alike; and no invalid shape passes.
 #include <gtest/gtest.h>
 
 #include <cmath>
