@@ -72,8 +72,8 @@ class BoxColumns {
   double one_[vesica::query_block], zero_[vesica::query_block];
 };
 
-/// The same for shapes in blocks: find(numbers, n, columns) finds `width` columns for n shapes, and take(columns, i, to)
-/// writes element i of them. Where that returns false, or find() found no number, make() is asked.
+/// The same for shapes in blocks: find(numbers, n, columns) finds `width` columns for n shapes, and take(columns, i,
+/// to) writes element i of them. Where that returns false, or find() found no number, make() is asked.
 template <int width, class T, class Find, class Take, class Make>
 int64_t each_in_blocks(const vesica::batch::Shapes<T>& shapes, T* out, const Find& find, const Take& take,
                        const Make& make) noexcept {

@@ -81,8 +81,8 @@ VESICA_INLINE constexpr std::int32_t decide_long_tie(const A& a, const B& b) noe
     return -1;
   }
 }
-/// Contacts of numbers of all digits, or whose exponents are far apart: there by an evaluation that detects that nothing
-/// was rounded.
+/// Contacts of numbers of all digits, or whose exponents are far apart: there by an evaluation that detects that
+/// nothing was rounded.
 template <class A, class B>
 VESICA_INLINE constexpr std::int32_t decide_longest_tie(const A& a, const B& b) noexcept {
   if constexpr (filter::HasAxes<A, B>) {

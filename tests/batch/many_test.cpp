@@ -103,7 +103,8 @@ TEST_P(Many, AgreesAboutBlockSizes) {
 constexpr int pairs_of_a_workload = 400;
 constexpr int pairs_about_contact_of_a_case = 4000;
 
-/// Every workload by itself, in columns and in records: near ties, magnitudes of their own for each number, tiny, huge, any axis.
+/// Every workload by itself, in columns and in records: near ties, magnitudes of their own for each number, tiny, huge,
+/// any axis.
 TEST_P(Many, AgreesOnEveryWorkload) {
   in_its_scalar([this]<class T>(T) {
     const Case& c = GetParam();

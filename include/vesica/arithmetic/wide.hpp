@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Doubles whose exponents have no bounds, for searches over many magnitudes. Each operation rounds about as double does.
+/// Doubles whose exponents have no bounds, for searches over many magnitudes. Each operation rounds about as double
+/// does.
 #pragma once
 
 #include <bit>

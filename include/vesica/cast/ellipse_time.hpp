@@ -6,8 +6,9 @@
 ///
 ///     rest(s) = r (1 - x / sqrt(1 + x^2)),   x = (s - s_i) / c,
 ///
-/// is in all r_a + r_b - |w|, for w < 0 in a mirror. That s is found in doubles of any exponent. Then T is evaluated from
-/// leading digits, in a direction of few digits, with the bound on what a better one gains. So a bad s does no harm.
+/// is in all r_a + r_b - |w|, for w < 0 in a mirror. That s is found in doubles of any exponent. Then T is evaluated
+/// from leading digits, in a direction of few digits, with the bound on what a better one gains. So a bad s does no
+/// harm.
 #pragma once
 
 #include <vesica/arithmetic/wide.hpp>
@@ -171,8 +172,8 @@ class SeenEllipses {
     }
   };
 
-  /// At the middle of an ellipse's bend n, times r^2, is -(v.v) (b^2 c u + a^2 k perp(u)); for both ellipses what u.n and
-  /// u x n then are, and n.D.
+  /// At the middle of an ellipse's bend n, times r^2, is -(v.v) (b^2 c u + a^2 k perp(u)); for both ellipses what u.n
+  /// and u x n then are, and n.D.
   struct FromBend {
     int bend;
     Digits along[2], across[2], way;

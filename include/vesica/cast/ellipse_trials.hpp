@@ -149,8 +149,8 @@ class Bracket {
 };
 
 /// The greatest double with no contact before it, for which ask(t) is answered by trials; infinite where there is no
-/// contact before the largest, negative where it is about that. Where wide formulas do not tell it, it is often 0, or the
-/// one before `start`. Else first the power of two is bisected, then the zero of the discriminant is approached by
+/// contact before the largest, negative where it is about that. Where wide formulas do not tell it, it is often 0, or
+/// the one before `start`. Else first the power of two is bisected, then the zero of the discriminant is approached by
 /// secants.
 template <class Ask>
 double floor_by_trials(double start, const Ask& ask) noexcept {

@@ -73,7 +73,8 @@ inline WideTime known_time(const ExactPair& pair) noexcept {
   return found;
 }
 
-/// Whether there is contact at the end, where the witness comes after it; or an error. The time, if known, tells mostly.
+/// Whether there is contact at the end, where the witness comes after it; or an error. The time, if known, tells
+/// mostly.
 inline std::int32_t contact_at_end(const ExactPair& pair, double end, const WideTime& found) noexcept {
   if (found.certain) {
     const Rough left = found.time - Rough(exact::from_double(end));

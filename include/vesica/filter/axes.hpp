@@ -4,11 +4,13 @@
 /// leave open, one pair at a time.
 ///
 /// Stored numbers are multiples of units: coordinates of P, axes of U, sizes of H, with P = 2^(64 + s) U H and s >= 0.
-/// So how far centres are apart along an axis is a multiple of 2^64 of what half sides reach along it, sizes times axes.
+/// So how far centres are apart along an axis is a multiple of 2^64 of what half sides reach along it, sizes times
+/// axes.
 ///
 /// Proved: no number overflows.
 ///
-///   - Up to the roundings of these sums, the magnitudes of all axes' numbers sum up to less than 2^63 U, those of sizes
+///   - Up to the roundings of these sums, the magnitudes of all axes' numbers sum up to less than 2^63 U, those of
+///   sizes
 ///     to less than 2^63 H, and those of coordinates to less than 2^62 P, of shapes with corners 2^61 P. So twice a way
 ///     between centres is below 2^62 P.
 ///   - |a.b| is at most the sum of a's magnitudes times the greater of b's. So dot and cross products are below 2^126,

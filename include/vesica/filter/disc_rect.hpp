@@ -35,8 +35,8 @@ struct Beyond {
   }
 };
 
-/// What was rounded down is less than 1 in x and in y, so their squares' sum is too small by less than 2 (x + y + 1), and
-/// that is below 2^128: only numbers of all digits that touch exactly, or nearly so, are left undecided.
+/// What was rounded down is less than 1 in x and in y, so their squares' sum is too small by less than 2 (x + y + 1),
+/// and that is below 2^128: only numbers of all digits that touch exactly, or nearly so, are left undecided.
 VESICA_INLINE constexpr Verdict<bool> compare_squares(const Beyond& x, const Beyond& y, const Residue256& reached,
                                                       bool valid) noexcept {
   const Residue256 room = reached - (square(x.whole) + square(y.whole));
