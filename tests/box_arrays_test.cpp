@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0 Bounds and corners of arrays have the bits of single calls: of every kind, layout
-// and length, among invalid shapes and extremes of magnitude. Arrays and results lie against pages that may not be
-// touched.
+// SPDX-License-Identifier: Apache-2.0
+// Bounds and corners of arrays have the bits of single calls: of every kind, layout and length, among invalid shapes
+// and extremes of magnitude. Arrays and results lie against pages that may not be touched.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -1,6 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0 Bounds and corners of rectangles and ellipses, a vector of shapes at a time, by
-// the functions of vesica/bounds.hpp and vesica/boxes.hpp. Included by query_loop.hpp, for lanes that have a fused
-// multiply-add.
+// SPDX-License-Identifier: Apache-2.0
+// Bounds and corners of rectangles and ellipses, a vector of shapes at a time, by the functions of vesica/bounds.hpp
+// and vesica/boxes.hpp. Included by query_loop.hpp, for lanes that have a fused multiply-add.
 #pragma once
 
 #include <limits>

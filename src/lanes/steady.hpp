@@ -1,8 +1,8 @@
-// SPDX-License-Identifier: Apache-2.0 A double whose operations round to nearest and raise no exception, whatever the
-// control register says: instructions of AVX-512 can hold their rounding themselves, and suppress exceptions
-// (tests/batch/steady.sh looks that all do). Two bits of the register are left that change results, flush-to-zero and
-// denormals-are-zero. keeps_subnormals() finds out about them by an operation; to read the register takes 5 ns on Zen
-// 4, and waits for all operations before.
+// SPDX-License-Identifier: Apache-2.0
+// A double whose operations round to nearest and raise no exception, whatever the control register says: instructions
+// of AVX-512 can hold their rounding themselves, and suppress exceptions (tests/batch/steady.sh looks that all do). Two
+// bits of the register are left that change results, flush-to-zero and denormals-are-zero. keeps_subnormals() finds out
+// about them by an operation; to read the register takes 5 ns on Zen 4, and waits for all operations before.
 #pragma once
 
 #include <immintrin.h>

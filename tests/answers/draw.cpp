@@ -1,6 +1,7 @@
-// SPDX-License-Identifier: Apache-2.0 answers_draw [SEED [GROUPS]]: draws tests/answers/cases.txt: of each ordered pair
-// of kinds and scalar type some groups of the hammer, and of each group the pair it began with, two about its contact
-// and one further away, each with a motion; then a broken pair.
+// SPDX-License-Identifier: Apache-2.0
+// answers_draw [SEED [GROUPS]]: draws tests/answers/cases.txt: of each ordered pair of kinds and scalar type some
+// groups of the hammer, and of each group the pair it began with, two about its contact and one further away, each with
+// a motion; then a broken pair.
 #include <cstdio>
 #include <cstdlib>
 #include <map>

@@ -1,5 +1,6 @@
-// SPDX-License-Identifier: Apache-2.0 Depths and distances of outlines where the cores in lanes have to work hardest or
-// to give up: batches have the bits of scalar calls, whichever of several equal minima that is.
+// SPDX-License-Identifier: Apache-2.0
+// Depths and distances of outlines where the cores in lanes have to work hardest or to give up: batches have the bits
+// of scalar calls, whichever of several equal minima that is.
 #include <gtest/gtest.h>
 #include <vesica.h>
 
