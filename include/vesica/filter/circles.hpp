@@ -4,8 +4,8 @@
 ///
 /// Policy, the same for all pairs: a call looks first where its filter takes more than twice the time of the look and
 /// of a jump that could not be predicted. These are the pairs of round shapes, for their contact cubic. Others would
-/// lose more among shapes that are close than they gain among shapes that are apart. The circles come first and alone:
-/// where most pairs are far apart they settle nearly all. Lanes never look: they cannot jump.
+/// lose more among shapes that are close than they gain among shapes that are apart. In double the circles come first
+/// and alone: where most pairs are far apart they settle nearly all. Lanes never look: they cannot jump.
 #pragma once
 
 #include <limits>
@@ -61,14 +61,14 @@ VESICA_INLINE constexpr Verdict<Mask> by_ellipses(V distance, V det, V room, V e
   return guarded(both(usable, error <= most), distance + error <= det + room, distance > V(2.0f) * det + error);
 }
 
-template <class V>
-VESICA_INLINE constexpr auto surely_disjoint() noexcept {
-  using Mask = decltype(V(0.0f) < V(0.0f));
-  return Verdict<Mask>{Mask(false), Mask(true)};
-}
-
 /// Lanes do not look.
 template <class V>
 inline constexpr bool looks = std::is_same_v<V, double>;
+
+/// Whether circles around the shapes are looked at first. That is cheaper where few pairs overlap, but where more do, a
+/// jump that is often predicted wrong. Where masks make one jump of all that the ellipses tell, that alone is quicker
+/// but for shares of overlap below 5%.
+template <class V>
+inline constexpr bool looks_around = std::is_same_v<V, double>;
 
 }  // namespace vesica::filter

@@ -113,10 +113,9 @@ VESICA_INLINE constexpr auto ellipse_ellipse_usable(const ContactCubic<V>& p, co
   return both(at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww), totals_in_range(p));
 }
 
-template <class V, class Mask>
-VESICA_INLINE constexpr Mask circles_apart(const Ellipse<V>& e, const Ellipse<V>& f, const Centre<V>& d, V vv, V ww,
-                                           Mask usable) noexcept {
-  const V outer_e = max(e.a * e.a, e.b * e.b) * vv, outer_f = max(f.a * f.a, f.b * f.b) * ww;
+VESICA_INLINE constexpr bool circles_apart(const Ellipse<double>& e, const Ellipse<double>& f, const Centre<double>& d,
+                                           double vv, double ww, bool usable) noexcept {
+  const double outer_e = max(e.a * e.a, e.b * e.b) * vv, outer_f = max(f.a * f.a, f.b * f.b) * ww;
   return circles_apart(d.x * d.x + d.y * d.y, outer_e + outer_f, usable);
 }
 
@@ -158,7 +157,9 @@ VESICA_INLINE constexpr auto ellipse_ellipse(const Ellipse<V>& e, const Ellipse<
   const Centre<V> d = offset(place(e), place(f));
   if constexpr (looks<V>) {
     const auto usable = at_least(guard_power<V, -6>(), e.a, e.b, f.a, f.b, vv, ww);
-    if (circles_apart(e, f, d, vv, ww, usable)) return surely_disjoint<V>();
+    if constexpr (looks_around<V>) {
+      if (circles_apart(e, f, d, vv, ww, usable)) return Verdict<bool>{false, true};
+    }
     const auto look = look_at_ellipses(e, f, d, vv, ww, usable);
     if (either(look.overlap, look.disjoint)) return look;
   }
@@ -196,10 +197,9 @@ VESICA_INLINE constexpr ContactCubic<V> contact_cubic(const Circle<V>& disc, con
   return pencil(disc, e, d, vv).contact;
 }
 
-template <class V, class Mask>
-VESICA_INLINE constexpr Mask circles_apart(const Circle<V>& disc, const Ellipse<V>& e, const Centre<V>& d, V vv,
-                                           Mask usable) noexcept {
-  const V about = disc.r * disc.r + max(e.a * e.a, e.b * e.b) * vv;
+VESICA_INLINE constexpr bool circles_apart(const Circle<double>& disc, const Ellipse<double>& e,
+                                           const Centre<double>& d, double vv, bool usable) noexcept {
+  const double about = disc.r * disc.r + max(e.a * e.a, e.b * e.b) * vv;
   return circles_apart(d.x * d.x + d.y * d.y, about, usable);
 }
 
@@ -236,7 +236,9 @@ VESICA_INLINE constexpr auto circle_ellipse(const Circle<V>& disc, const Ellipse
   const auto sizes = both(at_least(low, e.a, e.b, disc.r), vv >= guard_power<V, -16>());
   const Centre<V> d = offset(place(disc), place(e));
   if constexpr (looks<V>) {
-    if (circles_apart(disc, e, d, vv, sizes)) return surely_disjoint<V>();
+    if constexpr (looks_around<V>) {
+      if (circles_apart(disc, e, d, vv, sizes)) return Verdict<bool>{false, true};
+    }
     const auto look = look_at_ellipses(disc, e, d, vv, sizes);
     if (either(look.overlap, look.disjoint)) return look;
   }
