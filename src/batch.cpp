@@ -378,7 +378,7 @@ class PackedRecords {
  public:
   PackedRecords(const Question<T>& question, Repeat repeat, const Shapes<T>& first, const Shapes<T>& second) noexcept
       : first_(first), second_(second), width_(question.kernels.width(T{})), fields_(question.fields_first) {
-    if (first.kind != second.kind || !has_no_gaps(second)) return;
+    if (!has_packed_kernels || first.kind != second.kind || !has_no_gaps(second)) return;
     if (repeat == Repeat::first || has_no_gaps(first)) {
       kernel_ = question.kernels.packed(T{})[first.kind][static_cast<int>(repeat)];
     }
@@ -387,7 +387,7 @@ class PackedRecords {
   /// Answers the first of n pairs, those of whole vectors, and returns how many. None once much stayed undecided.
   [[gnu::noinline]] std::int32_t answer(Answerer<T>& answerer, std::int64_t begin, std::int32_t n, std::uint8_t* out,
                                         std::int32_t* undecided) noexcept {
-    if (kernel_ == nullptr || n < width_) return 0;
+    if (!has_packed_kernels || kernel_ == nullptr || n < width_) return 0;
     Block<T> block{};
     for (int k = 0; k < fields_; ++k) {
       block.first[k] = first_.field[k].advanced(begin * first_.stride);

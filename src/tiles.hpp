@@ -34,6 +34,13 @@ inline Surroundings around(const index::Boxes& boxes, std::int32_t n) noexcept {
   return valid == n ? all : Surroundings{-infinity, -infinity, infinity, infinity};
 }
 
+/// The modules for WebAssembly are downloaded: they go without, and look at all pairs.
+#if defined(__wasm__)
+inline constexpr bool has_tiles = false;
+#else
+inline constexpr bool has_tiles = true;
+#endif
+
 /// Tells which columns of a block some rows may meet.
 template <class T>
 class Tiles {
@@ -50,9 +57,11 @@ class Tiles {
   void begin(std::int64_t begin, std::int32_t length) noexcept {
     length_ = length;
     vain_ = 0;
-    usable_ = a_.count >= worth_boxing;
-    for (std::int32_t i = 0; usable_ && i * stretch < length; ++i) {
-      around_[i] = around(b_, begin + i * stretch, block_length(length - i * stretch, stretch));
+    if constexpr (has_tiles) {
+      usable_ = a_.count >= worth_boxing;
+      for (std::int32_t i = 0; usable_ && i * stretch < length; ++i) {
+        around_[i] = around(b_, begin + i * stretch, block_length(length - i * stretch, stretch));
+      }
     }
   }
 
@@ -60,6 +69,7 @@ class Tiles {
   /// surely do not.
   template <class Done>
   void each(std::int64_t row, std::int32_t n, Done done) noexcept {
+    if constexpr (!has_tiles) return done(0, length_, true);
     if (!usable_) return done(0, length_, true);
     const Surroundings rows_box = around(a_, row, n);
     const auto met = [&](std::int32_t column) { return !rows_box.apart_from(around_[column / stretch]); };

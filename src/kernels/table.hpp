@@ -66,6 +66,11 @@ struct TieKernels {
 /// in step, and one against many. They do what those of `unit` do for columns. Null where there are none.
 template <class T>
 using PackedKernels = BlockKernel<T>[kind_count][2];
+#if defined(__x86_64__)
+inline constexpr bool has_packed_kernels = true;
+#else
+inline constexpr bool has_packed_kernels = false;
+#endif
 
 /// Checked kernels: for the shape of a row against a block of columns that was checked before, by the two kinds,
 /// rectangle and ellipse. Null where there are none.
