@@ -92,10 +92,10 @@ TEST(ErrorFree, DecidesOnlyWhatIsRight) {
 /// Apart by 2^-60, which the difference to the near side rounds away, and that to the far side does not.
 TEST(ErrorFree, LooksAtTheSideThatIsNear) {
   Counts counts;
-  ask(Aabb<double>{-1, -1, -0x1p-60, 1}, Circle<double>{1, 0, 1}, counts);
-  ask(Aabb<double>{0x1p-60, -1, 1, 1}, Circle<double>{-1, 0, 1}, counts);
-  ask(Aabb<double>{-1, -1, 1, -0x1p-60}, Circle<double>{0, 1, 1}, counts);
-  ask(Aabb<double>{-1, 0x1p-60, 1, 1}, Circle<double>{0, -1, 1}, counts);
+  ask(Circle<double>{1, 0, 1}, Aabb<double>{-1, -1, -0x1p-60, 1}, counts);
+  ask(Circle<double>{-1, 0, 1}, Aabb<double>{0x1p-60, -1, 1, 1}, counts);
+  ask(Circle<double>{0, 1, 1}, Aabb<double>{-1, -1, 1, -0x1p-60}, counts);
+  ask(Circle<double>{0, -1, 1}, Aabb<double>{-1, 0x1p-60, 1, 1}, counts);
   EXPECT_EQ(counts.asked, 4);
   EXPECT_EQ(counts.wrong, 0);
 }
