@@ -39,7 +39,8 @@ TEST(EllipsesThatMeet, AreAnsweredQuicklyAtAnySpeed) {
     for (int i = 0; i < 500; ++i) {
       const Approach m = draw(random, exponents[k]);
       vesica::Impact<double> found;
-      const auto quick = vesica::detail::cast::quick_hit<vesica::detail::cast::SplitProducts>(m.a, m.b, m.motion, found);
+      const auto quick =
+          vesica::detail::cast::quick_hit<vesica::detail::cast::SplitProducts>(m.a, m.b, m.motion, found);
       open[k] += quick == vesica::detail::cast::Quick::open;
     }
   }

@@ -78,8 +78,9 @@ TYPED_TEST(CastsOfArrays, OfParallelBoxes) {
     const auto half = [&] { return random.integer(1, 15) * 0x1p-7; };
     const double far = random.integer(4, 9), beside = random.integer(-8, 8) * 0x1p-6;
     const double dx = far * x - beside * y, dy = far * y + beside * x;
-    pairs.push_back({{VESICA_RECT, VESICA_RECT, {0, 0, x, y, half() * (i % 5), half()}, {dx, dy, ux, uy, half(), half()}},
-                     {-dx + beside * y, -dy - beside * x, 0}});
+    pairs.push_back(
+        {{VESICA_RECT, VESICA_RECT, {0, 0, x, y, half() * (i % 5), half()}, {dx, dy, ux, uy, half(), half()}},
+         {-dx + beside * y, -dy - beside * x, 0}});
   }
   Arrays<T> s(VESICA_RECT, VESICA_RECT, pairs);
   check_many<T>(s, no_end<T>);

@@ -31,12 +31,14 @@ double bound_of_the_longest(double axis) {
 }
 
 TEST(CircleEllipsePolygonalSandwich, BoundOfTheLongestHalfLengths) {
-  for (const int e : {-460, -451, -450}) EXPECT_EQ(bound_of_the_longest(std::ldexp(1, e)), std::ldexp(0x1.31f599cdd2c81p+0, 1024 + e));
+  for (const int e : {-460, -451, -450})
+    EXPECT_EQ(bound_of_the_longest(std::ldexp(1, e)), std::ldexp(0x1.31f599cdd2c81p+0, 1024 + e));
 }
 
 // 2^0.303 times such a half length is beyond the range, and the bound is not.
 TEST(CircleEllipsePolygonalSandwich, BoundOfTheLongestHalfLengthsOnOrdinaryAxes) {
-  for (const int e : {-449, -100, -1}) EXPECT_EQ(bound_of_the_longest(std::ldexp(1, e)), std::ldexp(0x1.31f599cdd2c81p+0, 1024 + e));
+  for (const int e : {-449, -100, -1})
+    EXPECT_EQ(bound_of_the_longest(std::ldexp(1, e)), std::ldexp(0x1.31f599cdd2c81p+0, 1024 + e));
 }
 
 // The nearest point is at a slanting normal, so that the polygons have to grow towards it: the iterations that each gap
