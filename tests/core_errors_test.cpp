@@ -61,6 +61,16 @@ TEST(CoreErrors, TheSameInvalidShapeTwice) {
   EXPECT_EQ(out, 7);
 }
 
+/// A depth beyond the range of float is an error, and none where the answer is a value.
+TEST(CoreErrors, ADepthBeyondTheRange) {
+  const Circle<float> huge{0, 0, largest_f32};
+  Penetration<float> out{7, 7, 7};
+  EXPECT_EQ(depth_or_error(huge, huge, out), error_range);
+  EXPECT_TRUE(out.depth == 7 && out.x == 7 && out.y == 7);
+  const Penetration<float> none = depth(huge, huge);
+  EXPECT_TRUE(none.depth == 0 && none.x == 0 && none.y == 0);
+}
+
 TEST(CoreErrors, OutlinesInEitherOrder) {
   const auto first = boundary_distance(unit, oval), second = boundary_distance(oval, unit);
   EXPECT_EQ(first.distance, 6);

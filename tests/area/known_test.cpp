@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <vesica.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -10,6 +11,7 @@
 
 #include "area/reference.hpp"
 #include "properties/generators.hpp"
+#include "properties/random.hpp"
 
 namespace {
 
@@ -158,6 +160,50 @@ TEST(KnownAreas, OfShapesThatAllButCoincide) {
       EXPECT_GE(shared, whole * (1 - 16 * 0x1p-53));
     }
     EXPECT_GE(iou(a, b), 1 - 32 * 0x1p-53);
+  }
+}
+
+// A tall ellipse touches the disc from the inside, at the middle of a slice, and crosses it below: which outline is the
+// inner one is to be asked beside that place. With areas of 60 digits.
+TEST(KnownAreas, OfOutlinesThatTouchFromTheInside) {
+  const Kinded ellipses[] = {
+      {VESICA_ELLIPSE, {0, -0x1.d42896a4370ecp-2, 1, 0, 0x1.0ec7bdc7b8921p-1, 0x1.750a25a90dc3ap+0}},
+      {VESICA_ELLIPSE,
+       {-0x1.50785c1f07738p-3, -0x1.43e0d06071448p-3, 0x1.63120dab0f062p-1, -0x1.70e00e2a0a279p-1, 0x1.cd1294b0dc9fp-2,
+        0x1.3a60b186a449ap+0}},
+      {VESICA_ELLIPSE,
+       {-0x1.a50c27118accap-3, -0x1.7695985ed5e67p-1, 0x1.ece87b30a53cbp-1, -0x1.150625930e733p-2, 0x1.12d423def3cf6p-1,
+        0x1.c28bed3d35ec6p+0}},
+  };
+  for (const Kinded& ellipse : ellipses) {
+    const double expected =
+        reference::area(unit_circle.kind, unit_circle.numbers.data(), ellipse.kind, ellipse.numbers.data());
+    EXPECT_NEAR(area(unit_circle, ellipse), expected, 64 * 0x1p-53);
+    EXPECT_NEAR(area(ellipse, unit_circle), expected, 64 * 0x1p-53);
+  }
+}
+
+// Which of two equal boxes is cut by the other decides about the last digits: kernels take the same one as single calls.
+TEST(KnownAreas, OfEqualBoxesInArrays) {
+  constexpr int n = 64;
+  properties::Random random(1);
+  std::vector<std::array<double, 6>> first(n), second(n);
+  for (int i = 0; i < n; ++i) {
+    const auto axis = [&] { return random.between(-1, 1); };
+    const double a = random.between(0.5, 1), b = random.between(0.5, 1), ux = axis(), uy = axis();
+    first[i] = {0, 0, ux, uy, a, b};
+    // The same length of the axis, so that areas are equal.
+    second[i] = {i % 3 == 0 ? 0 : 0.2 * axis(), 0.2 * axis(), i % 2 == 0 ? uy : -ux, i % 2 == 0 ? ux : uy, b, a};
+  }
+  vesica_shapes_f64 of_first, of_second;
+  vesica_shapes_from_records_f64(VESICA_RECT, n, first.data(), sizeof first[0], &of_first);
+  vesica_shapes_from_records_f64(VESICA_RECT, n, second.data(), sizeof second[0], &of_second);
+  std::vector<double> areas(n);
+  ASSERT_EQ(vesica_area_many_f64(&of_first, &of_second, areas.data()), n);
+  for (int i = 0; i < n; ++i) {
+    double one = -1;
+    EXPECT_EQ(vesica_area_f64(VESICA_RECT, first[i].data(), VESICA_RECT, second[i].data(), &one), 0);
+    EXPECT_EQ(areas[i], one) << i;
   }
 }
 

@@ -89,6 +89,17 @@ TEST(ErrorFree, DecidesOnlyWhatIsRight) {
   for (const double step : {1.0, 0.5, 0.1, 0.01, 1.0 / 3}) EXPECT_EQ(ask_all({step, 0, 0}, 3000, 0.5).wrong, 0) << step;
 }
 
+/// Apart by 2^-60, which the difference to the near side rounds away, and that to the far side does not.
+TEST(ErrorFree, LooksAtTheSideThatIsNear) {
+  Counts counts;
+  ask(Circle<double>{1, 0, 1}, Aabb<double>{-1, -1, -0x1p-60, 1}, counts);
+  ask(Circle<double>{-1, 0, 1}, Aabb<double>{0x1p-60, -1, 1, 1}, counts);
+  ask(Circle<double>{0, 1, 1}, Aabb<double>{-1, -1, 1, -0x1p-60}, counts);
+  ask(Circle<double>{0, -1, 1}, Aabb<double>{-1, 0x1p-60, 1, 1}, counts);
+  EXPECT_EQ(counts.asked, 4);
+  EXPECT_EQ(counts.wrong, 0);
+}
+
 /// An error that underflows must not pass for none.
 TEST(ErrorFree, DecidesOnlyWhatIsRightAtTheEndsOfTheRange) {
   for (int e = -1074; e <= 1020; e += 12) {

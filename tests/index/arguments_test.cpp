@@ -108,6 +108,12 @@ TYPED_TEST(ArgumentsTest, Join) {
   EXPECT_EQ(call(0, b, 0, 2, scratch.size, 4, state), VESICA_E_ARGUMENT) << "the state of another join";
   EXPECT_EQ(call(2, b, 0, 1, scratch.size, 4, state), VESICA_E_ARGUMENT) << "the state of another query";
 
+  const std::int64_t sound[4] = {state[0], state[1], state[2], state[3]};
+  state[2] = -1;
+  EXPECT_EQ(call(0, b, 0, 1, scratch.size, 4, state), VESICA_E_ARGUMENT) << "fewer than no candidates";
+  state[2] = sound[2];
+  EXPECT_EQ(call(0, b, 0, 1, scratch.size, 4, state), 4);
+
   char foreign[512] = {};
   alignas(64) char zeros[512] = {};
   std::memcpy(zeros, foreign, sizeof zeros);
@@ -124,6 +130,25 @@ TYPED_TEST(ArgumentsTest, Join) {
   EXPECT_EQ(vesica_index_order(a.index.get(), nullptr, 0), 1000);
   EXPECT_EQ(vesica_index_order(a.index.get(), nullptr, 1), VESICA_E_NULL);
   EXPECT_STREQ(vesica_strerror(VESICA_E_INDEX), "the bytes are not an index of this version, or are damaged");
+}
+
+/// As many as there can be numbers for, of a part without a shape: nothing is written.
+TYPED_TEST(ArgumentsTest, TheMostNeighboursOfAJoin) {
+  using T = TypeParam;
+  const Indexed<T> many(rects<T>("uniform", 10, 1));
+  for (const std::int64_t n : {1, 2, 6}) {
+    const Indexed<T> asked(rects<T>("uniform", n, 2));
+    std::int64_t item = 7;
+    T distance = 7;
+    const auto call = [&](std::int64_t k) {
+      return Face<T>::join_nearest(asked.sets.data(), 1, many.index.get(), many.sets.data(), 1, k, T(1), 9, 10, &item,
+                                   &distance);
+    };
+    const std::int64_t most = INT64_MAX / 8 / (n + 1);
+    EXPECT_EQ(call(most), 0);
+    EXPECT_EQ(call(most + 1), VESICA_E_ARGUMENT);
+    EXPECT_TRUE(item == 7 && distance == 7);
+  }
 }
 
 }  // namespace

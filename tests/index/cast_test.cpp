@@ -143,6 +143,27 @@ TYPED_TEST(CastTest, OutOfRange) {
   EXPECT_EQ(cast(1, 2), 2);
 }
 
+/// Two sides whose times round down to one float: the lesser number is the first, though it is met later.
+TEST(CastOfFloats, EqualTimesAfterRounding) {
+  int ties = 0;
+  for (int i = 0; i < 200; ++i) {
+    const float x = std::nextafter(1.99f, 2.0f) + static_cast<float>(i) * 0x1p-23f, next = std::nextafter(x, 3.0f);
+    const Indexed<float> many(Records<float>{VESICA_AABB, {next, -1, 3, 1, x, -1, 3, 1}});
+    const std::vector<Item<float>> items = items_of(many.laid);
+    const float point[2] = {0, 0}, vx = 1.9f;
+    vesica_shapes_f32 one;
+    vesica_shapes_from_records_f32(VESICA_POINT, 1, point, 0, &one);
+    const Hits<float> expected = all_hits<float>(items, 2, {VESICA_POINT, point, 0, 0, 0, 0, 0}, vx, 0, INFINITY);
+    vesica_impact_f32 impact;
+    EXPECT_EQ(vesica_index_cast_first_f32(many.index.get(), many.sets.data(), 1, &one, vx, 0, INFINITY, &impact),
+              expected.first);
+    EXPECT_EQ(impact.t, expected.impact.t);
+    ties += expected.first == 0;
+  }
+  EXPECT_GT(ties, 20);
+  EXPECT_LT(ties, 180);
+}
+
 /// A moving shape whose bounds are beyond the finite numbers hits what is there, and no more.
 TEST(CastOfAllThereIs, InfiniteBounds) {
   const Indexed<double> many(Records<double>{VESICA_POINT, {1, 0, 0, 3, -5, 5}});

@@ -89,6 +89,43 @@ TEST(Damage, NumbersThatDisagree) {
   }));
 }
 
+/// As the index mixes a word into its checksum.
+std::uint64_t mixed(std::uint64_t sum, std::uint64_t word) {
+  sum = (sum ^ word) * 0x9e3779b97f4a7c15u;
+  return sum ^ sum >> 29;
+}
+/// The sum of a header's words but the last.
+std::uint64_t sum_of_header(const std::int64_t* header) {
+  std::uint64_t sum = 0x243f6a8885a308d3u;
+  for (int i = 0; i < 31; ++i) sum = mixed(sum, i == 12 ? 0 : static_cast<std::uint64_t>(header[i]));
+  return sum;
+}
+
+/// More shapes in blocks than there are, one of them twice, with the checksum mended by a word that nobody reads.
+TEST(Damage, AForgedNumberOfShapes) {
+  enum Field { items = 3, placed = 4, reserved = 31 };
+  const Indexed<double> whole(rects<double>("two_scales", 120, 1));
+  const Memory copy = copy_of(whole, whole.result);
+  auto* header = static_cast<std::int64_t*>(copy.get());
+  auto* numbers = static_cast<std::uint32_t*>(copy.get());
+  ASSERT_EQ(header[placed], header[items]);
+  const std::uint64_t sum = sum_of_header(header);
+  header[reserved] = 1;
+  ASSERT_EQ(vesica_index_check(copy.get(), copy.size), VESICA_E_INDEX) << "the checksum is of this word too";
+  header[11] ^= 1;  // a bound's last digit
+  header[reserved] = static_cast<std::int64_t>(sum_of_header(header) ^ sum);
+  ASSERT_EQ(vesica_index_check(copy.get(), copy.size), 0) << "mended";
+  --header[items];
+  header[reserved] = static_cast<std::int64_t>(sum_of_header(header) ^ sum);
+  const auto last = static_cast<std::uint32_t>(header[items]);
+  for (std::int64_t i = 64; i < copy.size / 4; ++i) {
+    if (numbers[i] != last) continue;
+    numbers[i] = 0;
+    EXPECT_EQ(vesica_index_check(copy.get(), copy.size), VESICA_E_INDEX);
+    numbers[i] = last;
+  }
+}
+
 TEST(Damage, EveryLength) {
   const Indexed<double> whole(rects<double>("two_scales", 200, 1));
   for (std::int64_t size = 0; size < whole.result; ++size) {

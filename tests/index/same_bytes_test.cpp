@@ -85,6 +85,23 @@ TEST(SameBytes, EveryQueryOfAllKinds) {
   EXPECT_EQ(hash_pairs(nearest), 17292048023935730889u);
 }
 
+/// Shapes enough for seven levels of cells, and some that are too wide or too tall for them.
+TEST(SameBytes, ManyLevels) {
+  Laid<double> laid = touching<double>(60000, 5);
+  Records<double> boxes{VESICA_AABB, {}};
+  std::uint64_t seed = 6;
+  for (int i = 0; i < 2000; ++i) {
+    const double x = static_cast<double>(next(seed) % 60), y = static_cast<double>(next(seed) % 60);
+    const double width = i % 2 == 0 ? 40 : 0.25, height = i % 2 == 0 ? 0.25 : 40;
+    boxes.numbers.insert(boxes.numbers.end(), {x, y, x + width, y + height});
+  }
+  laid.push_back(boxes);
+  const Indexed<double> all(laid);
+  if constexpr (std::endian::native == std::endian::little) {
+    EXPECT_EQ(hash_bytes(all.index.get(), static_cast<std::size_t>(all.result)), 17148071495984785089u);
+  }
+}
+
 TEST(SameBytes, PartsAndCapacities) {
   const Indexed<double> a(touching<double>(5000, 3)), b(touching<double>(4000, 4));
   for (const Indexed<double>* other : {&b, &a}) {

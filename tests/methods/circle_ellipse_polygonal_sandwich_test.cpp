@@ -21,6 +21,26 @@ TEST(CircleEllipsePolygonalSandwich, KnownAnswers) {
   }
 }
 
+/// The bound before any iteration, of half lengths that are nearly the largest number, on a short axis.
+double bound_of_the_longest(double axis) {
+  const vesica_ellipse_f64 ellipse{0, 0, axis, 0, 0x1.fp+1023, 0x1p+1023};
+  const vesica_circle_f64 circle{0, 0, 1};
+  vesica_approximation_f64 out{-1, -1, -1};
+  EXPECT_EQ(f64(&circle, &ellipse, 0, &out), VESICA_YES);
+  return out.outline_error;
+}
+
+TEST(CircleEllipsePolygonalSandwich, BoundOfTheLongestHalfLengths) {
+  for (const int e : {-460, -451, -450})
+    EXPECT_EQ(bound_of_the_longest(std::ldexp(1, e)), std::ldexp(0x1.31f599cdd2c81p+0, 1024 + e));
+}
+
+// 2^0.303 times such a half length is beyond the range, and the bound is not.
+TEST(CircleEllipsePolygonalSandwich, BoundOfTheLongestHalfLengthsOnOrdinaryAxes) {
+  for (const int e : {-449, -100, -1})
+    EXPECT_EQ(bound_of_the_longest(std::ldexp(1, e)), std::ldexp(0x1.31f599cdd2c81p+0, 1024 + e));
+}
+
 // The nearest point is at a slanting normal, so that the polygons have to grow towards it: the iterations that each gap
 // takes, and the bound reached, 2^(0.303 - 2 iterations) 45.
 TEST(CircleEllipsePolygonalSandwich, IterationsAndBound) {

@@ -12,6 +12,7 @@
 /// be.
 #pragma once
 
+#include <limits>
 #include <vesica/methods/bisected_arc.hpp>
 #include <vesica/methods/verdict.hpp>
 
@@ -160,8 +161,10 @@ T outline_error(const Ellipse<T>& ellipse, std::int32_t iterations) noexcept {
   constexpr double ratio = 0x1.3bd43bab2c296p+0;  // 2^0.303
   const Ellipse<double> e = widen(ellipse);
   const double factor = ratio * power_of_two(-2 * iterations), half = larger(e.a, e.b),
-               square = e.ux * e.ux + e.uy * e.uy;
-  if (square > 0x1p-900 && square < 0x1p900) return static_cast<T>(factor * half * std::sqrt(square));
+               square = e.ux * e.ux + e.uy * e.uy, share = factor * half;
+  if (square > 0x1p-900 && square < 0x1p900 && share <= std::numeric_limits<double>::max()) {
+    return static_cast<T>(share * std::sqrt(square));
+  }
   const auto axis = vesica::detail::arithmetic::unit_and_length(e.ux, e.uy).length;
   return vesica::detail::multiply<T>(take_apart(factor * take_apart(half).value),
                                      {axis.value, axis.exponent + take_apart(half).exponent});
