@@ -343,7 +343,11 @@ class Rows {
 
   Block<T> part(const Block<T>& whole, std::int32_t begin, std::int32_t length) const noexcept {
     Block<T> block = whole;
-    for (auto& field : repeat_ == Repeat::first ? block.second : block.first) field = field + begin;
+    const bool first_repeats = repeat_ == Repeat::first;
+    auto& field = first_repeats ? block.second : block.first;
+    // Fields beyond those of the kind are no addresses.
+    const int fields = first_repeats ? answerer_.question.fields_second : answerer_.question.fields_first;
+    for (int k = 0; k < fields; ++k) field[k] = field[k] + begin;
     block.count = length;
     return block;
   }

@@ -11,7 +11,7 @@
 
 namespace vesica::batch {
 
-/// A box that holds some shapes; infinite unless all of them are valid.
+/// A box that holds some shapes; the whole plane unless all of them are valid.
 struct Surroundings {
   double min_x, min_y, max_x, max_y;
 

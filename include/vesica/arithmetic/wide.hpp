@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Doubles whose exponents have no bounds, for searches over many magnitudes. Each operation rounds about as double
-/// does.
+/// Doubles whose exponents have no bounds, for searches over many magnitudes. Operations round about as double's.
 #pragma once
 
 #include <bit>

@@ -2,13 +2,13 @@
 /// The time of first contact of two ellipses where exponents are unlike: to about 100 bits, without trials.
 ///
 /// It is the greatest T(n) (bound.hpp), n = -v + s perp(v). In s each ellipse has a bend of width c at s_i, and reaches
-/// r across v; the slopes' sum is w where what is left of them,
+/// r across v. T is greatest where the slopes of both add up to w, that is where what they lack of their limits,
 ///
 ///     rest(s) = r (1 - x / sqrt(1 + x^2)),   x = (s - s_i) / c,
 ///
-/// is in all r_a + r_b - |w|, for w < 0 in a mirror. That s is found in doubles of any exponent. Then T is evaluated
-/// from leading digits, in a direction of few digits, with the bound on what a better one gains. So a bad s does no
-/// harm.
+/// adds up to r_a + r_b - |w|; for w < 0 both are mirrored. That s is found in doubles of any exponent. Then T is
+/// evaluated there from leading digits, and its error includes a bound on what a better s would gain. So a bad s costs
+/// time, and never a wrong answer.
 #pragma once
 
 #include <vesica/arithmetic/wide.hpp>

@@ -191,7 +191,7 @@ VESICA_COLD inline WideTime wide_time(const ExactPair& pair) noexcept {
 }
 
 /// The time at which a line that grazes enters: at the witness, or where the edge along v begins that it meets. As |w|
-/// = H, that is sgn(w) X - q - edge over v.v, of which a round shape's part is a root m / h.
+/// = H, that is (sgn(w) X - q - edge) / v.v; a round shape's part of X is m / h, h being a root.
 VESICA_COLD inline WideTime wide_grazing_time(const ExactPair& pair) noexcept {
   const auto turned = [&](auto x) {
     x.sign *= pair.w_.sign;

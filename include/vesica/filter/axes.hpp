@@ -4,15 +4,14 @@
 /// leave open, one pair at a time.
 ///
 /// Stored numbers are multiples of units: coordinates of P, axes of U, sizes of H, with P = 2^(64 + s) U H and s >= 0.
-/// So how far centres are apart along an axis is a multiple of 2^64 of what half sides reach along it, sizes times
-/// axes.
+/// Along an axis, a vector that is not normalised, half sides reach multiples of U^2 H, and centres are multiples of
+/// 2^64 U^2 H apart: the lowest limb of what is reached has no counterpart in the distance.
 ///
 /// Proved: no number overflows.
 ///
 ///   - Up to the roundings of these sums, the magnitudes of all axes' numbers sum up to less than 2^63 U, those of
-///   sizes
-///     to less than 2^63 H, and those of coordinates to less than 2^62 P, of shapes with corners 2^61 P. So twice a way
-///     between centres is below 2^62 P.
+///     sizes to less than 2^63 H, and those of coordinates to less than 2^62 P; of shapes with corners to less than
+///     2^61 P, and there twice a way between centres is below 2^62 P.
 ///   - |a.b| is at most the sum of a's magnitudes times the greater of b's. So dot and cross products are below 2^126,
 ///     and less another they are below 2^127.
 ///   - What Shift held is below 2^126.
