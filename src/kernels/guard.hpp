@@ -108,7 +108,7 @@ VESICA_INLINE V raised(V x) noexcept {
   if constexpr (HasBits<V>) {
     return with_bits_added(x, n);
   } else {
-    return x * (V(1.0f) + filter::roundoffs<V>(n));
+    return x * (V(1.0f) + filter::roundoffs<V>(n + 2));  // the product rounds
   }
 }
 
