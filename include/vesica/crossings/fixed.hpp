@@ -181,30 +181,23 @@ void set_part(const Quartic& q, exact::Limb from, exact::Limb to, Quartic& out) 
 
 /// The same quartic from t = from / 2^64 to t = to / 2^64, or to t = 1 for a `to` of 0, by its polar form: coefficient
 /// i is that of i times `to` and 4 - i times `from`. The lowest `limbs` limbs hold the coefficients.
-inline Quartic part(const Quartic& q, exact::Limb from, exact::Limb to, int limbs) noexcept {
-  Quartic out;
+inline void part(const Quartic& q, exact::Limb from, exact::Limb to, int limbs, Quartic& out) noexcept {
   with_limbs(limbs, [&]<int n>() { set_part<n>(q, from, to, out); });
-  return out;
 }
 
-/// Both halves of a quartic whose coefficients the lowest `limbs` limbs hold.
-struct Halves {
-  Quartic low, high;
-  Halves(const Quartic& q, int limbs) noexcept : high(q) {
-    with_limbs(limbs, [this]<int n>() { set<n>(); });
-  }
-
- private:
-  template <int n>
-  void set() noexcept {
+/// Cuts a quartic whose coefficients the lowest `limbs` limbs hold into halves: in place, since copies would take as
+/// long.
+inline void halve(Quartic& to_high, Quartic& low, int limbs) noexcept {
+  with_limbs(limbs, [&]<int n>() {
+    Fixed* high = to_high.coefficient;
     for (int i = 0; i < 5; ++i) {
-      low.coefficient[i] = high.coefficient[0];
-      for (int k = 0; k < 4 - i; ++k) move_halfway<n>(high.coefficient[k], high.coefficient[k + 1]);
+      for (int k = 0; k < n; ++k) low.coefficient[i].limb[k] = high[0].limb[k];
+      for (int k = 0; k < 4 - i; ++k) move_halfway<n>(high[k], high[k + 1]);
     }
     low.extend_signs<n>();
-    high.extend_signs<n>();
-  }
-};
+    to_high.extend_signs<n>();
+  });
+}
 
 /// A quartic's coefficients as doubles over 2^exponent, which makes the greatest about 1: between 1/2 and 1, or 0. Each
 /// is right to 2^-53 of itself and 2^-63.
@@ -234,8 +227,12 @@ struct InDoubles {
     for (int i = 0; i < 5; ++i) {
       const exact::Limb* m = magnitude[i].limb;
       const exact::Limb below = top > 0 && shift > 0 ? m[top - 1] >> (64 - shift) : 0;
-      const double value = static_cast<double>((shift == 64 ? 0 : m[top] << shift) | (shift == 64 ? 0 : below)) * 0x1p-64;
-      coefficient[i] = q.coefficient[i].negative() ? -value : value;
+      const exact::Limb kept = shift == 64 ? 0 : m[top] << shift | below;
+      // By halves, which are doubles, so that the sum is rounded once: a limb's top bit cannot be foreseen.
+      const double high = static_cast<double>(static_cast<std::int64_t>(kept >> 32)) * 0x1p-32;
+      const double low = static_cast<double>(static_cast<std::int64_t>(kept & 0xffffffffu)) * 0x1p-64;
+      const exact::Limb sign = q.coefficient[i].limb[Fixed::limbs - 1] >> 63 << 63;
+      coefficient[i] = std::bit_cast<double>(std::bit_cast<exact::Limb>(high + low) | sign);
     }
     exponent = 64 * (top + 1) - shift - (64 * Fixed::limbs - 1);
     const int needed = top + (shift >= 2 ? 1 : 2);

@@ -4,6 +4,8 @@
 /// Mehlhorn, J. Symb. Comput. 73 (2016) 46.
 #pragma once
 
+#include <algorithm>
+#include <utility>
 #include <vesica/crossings/fixed.hpp>
 #include <vesica/crossings/points.hpp>
 
@@ -36,21 +38,23 @@ struct Local {
   double most = 0;
 
   explicit Local(const Quartic& q, int limbs = Fixed::limbs) noexcept : bernstein(q, limbs) {
-    double d[5];
-    for (int i = 0; i < 5; ++i) {
-      d[i] = bernstein.coefficient[i];
-      most = std::fmax(most, std::fabs(d[i]));
-    }
-    for (int i = 0; i < 5; ++i) {
-      power[i] = binomial[4][i] * d[0];
-      for (int k = 0; k < 4 - i; ++k) d[k] = d[k + 1] - d[k];
-    }
+    const double* b = bernstein.coefficient;
+    for (int i = 0; i < 5; ++i) most = std::max(most, std::fabs(b[i]));
+    // Their differences, those of the differences, and so on.
+    const double first[4] = {b[1] - b[0], b[2] - b[1], b[3] - b[2], b[4] - b[3]};
+    const double second[3] = {first[1] - first[0], first[2] - first[1], first[3] - first[2]};
+    const double third[2] = {second[1] - second[0], second[2] - second[1]};
+    power[0] = b[0];
+    power[1] = 4 * first[0];
+    power[2] = 6 * second[0];
+    power[3] = 4 * third[0];
+    power[4] = third[1] - third[0];
   }
   /// The derivative of an order, over the order's factorial.
   template <int order>
   double derivative(double t) const noexcept {
-    double value = 0;
-    for (int i = 4; i >= order; --i) value = value * t + binomial[i][order] * power[i];
+    double value = binomial[4][order] * power[4];
+    for (int i = 3; i >= order; --i) value = value * t + binomial[i][order] * power[i];
     return value;
   }
   /// About where the derivative of an order changes its sign; the end at which it is less where it does not.
@@ -102,9 +106,10 @@ struct Local {
   double reach(double t) const noexcept {
     const double leading = std::fabs(derivative<k>(t)), rest = 0x1p-46 * most;
     double most_reach = root<k>((std::fabs(derivative<0>(t)) + rest) / leading);
-    if constexpr (k > 1) most_reach = std::fmax(most_reach, root<k - 1>((std::fabs(derivative<1>(t)) + rest) / leading));
-    if constexpr (k > 2) most_reach = std::fmax(most_reach, root<k - 2>((std::fabs(derivative<2>(t)) + rest) / leading));
-    if constexpr (k > 3) most_reach = std::fmax(most_reach, root<1>((std::fabs(derivative<3>(t)) + rest) / leading));
+    const auto see = [&](double x) { most_reach = std::max(most_reach, x); };
+    if constexpr (k > 1) see(root<k - 1>((std::fabs(derivative<1>(t)) + rest) / leading));
+    if constexpr (k > 2) see(root<k - 2>((std::fabs(derivative<2>(t)) + rest) / leading));
+    if constexpr (k > 3) see(root<1>((std::fabs(derivative<3>(t)) + rest) / leading));
     return 2 * most_reach;
   }
   /// Whether reach(k, t) is 2^-5 or more wherever t is, with little work. Were it less, the derivatives at t of order i
@@ -119,7 +124,7 @@ struct Local {
       all += at_most[i][k] * size;
     }
     constexpr double least[] = {0x1p-46, 0x1p-40, 0x1p-34, 0x1p-28, 0x1p-22};
-    const double ends = std::fmax(std::fabs(bernstein.coefficient[0]), std::fabs(bernstein.coefficient[4]));
+    const double ends = std::max(std::fabs(bernstein.coefficient[0]), std::fabs(bernstein.coefficient[4]));
     // All roundings together are below 2^-41 of the greatest coefficient.
     return 1.01 * leading < least[k] * most || 1.1 * all + 0x1p-40 * most < ends;
   }
@@ -160,11 +165,10 @@ struct Local {
 class ZeroSearch {
  public:
   ZeroSearch(const Quartic& whole, double quarter, Spots& spots) noexcept : spots_(spots) {
-    push({whole, Real(quarter), 1.0, whole.sign_changes(), Fixed::limbs});
-    while (count_ > 0) {
-      const Interval top = pending_[--count_];
-      visit(top);
-    }
+    for (int i = 0; i < places; ++i) pending_[i] = &interval_[i];
+    interval_[0] = {whole, Real(quarter), 1.0, whole.sign_changes(), Fixed::limbs};
+    count_ = interval_[0].changes > 0 ? 1 : 0;
+    while (count_ > 0) visit(*pending_[count_ - 1]);
   }
 
  private:
@@ -175,40 +179,57 @@ class ZeroSearch {
     int changes;
     int limbs;  ///< so many of the lowest hold the coefficients
   };
-  Interval pending_[8];
-  int count_ = 0;
+  static constexpr int most_pending = 8, places = most_pending + 1;
+  Interval interval_[places];
+  Interval* pending_[places];  ///< those after the first count_ are free
+  int count_;
   Spots& spots_;
 
-  void push(const Interval& i) noexcept {
-    if (i.changes == 0) return;
-    if (count_ < 8) {
-      pending_[count_++] = i;
-    } else {
-      end(i, i.from, i.from + Real(i.length));
-    }
-  }
-  void end(const Interval& i, const Real& from, const Real& to) noexcept {
+  void add_spot(const Interval& i, const Real& from, const Real& to) noexcept {
     spots_.add({from, to, i.changes, i.q.coefficient[0].negative(), i.q.coefficient[4].negative(),
                 i.changes == 2 ? Local(i.q).height() : 0});
   }
-  void visit(const Interval& i) noexcept {
-    if (i.length < shortest || i.q.negligible()) {
+  void end(const Interval& i, const Real& from, const Real& to) noexcept {
+    add_spot(i, from, to);
+    --count_;
+  }
+  /// The last of those pending: a narrower one takes its place, or halves, or none.
+  void visit(Interval& i) noexcept {
+    // Of negligible coefficients there are 4 changes.
+    if (i.length < shortest || (i.changes == 4 && i.q.negligible())) {
       end(i, i.from, i.from + Real(i.length));
       return;
     }
     const Local local(i.q, i.limbs);
+    i.limbs = local.bernstein.limbs;
     for (int k = i.changes; k <= 4; ++k) {
       if (visit_group(i, local, k)) return;
     }
-    const int limbs = local.bernstein.limbs;
-    const Halves halves(i.q, limbs);
-    const double half = 0.5 * i.length;
-    push({halves.high, i.from + Real(half), half, halves.high.sign_changes(), limbs});
-    push({halves.low, i.from, half, halves.low.sign_changes(), limbs});
+    visit_halves(i, *pending_[count_]);
+  }
+  /// The higher half stays where the whole was.
+  void visit_halves(Interval& high, Interval& low) noexcept {
+    halve(high.q, low.q, high.limbs);
+    low.from = high.from;
+    low.limbs = high.limbs;
+    low.length = high.length = 0.5 * high.length;
+    high.from = high.from + Real(high.length);
+    high.changes = high.q.sign_changes();
+    low.changes = low.q.sign_changes();
+    if (high.changes == 0) {
+      --count_;
+      std::swap(pending_[count_], pending_[count_ + 1]);
+    }
+    if (low.changes == 0) return;
+    if (count_ < most_pending) {
+      ++count_;
+    } else {
+      add_spot(low, low.from, low.from + Real(low.length));
+    }
   }
   /// Whether the zeros are in the middle of a group of k, with zeros beyond the ends or complex ones if there are fewer:
   /// then this ends the interval, or narrows it to the group.
-  bool visit_group(const Interval& i, const Local& local, int k) noexcept {
+  bool visit_group(Interval& i, const Local& local, int k) noexcept {
     const bool may_end = k == 1 && i.changes == 1;
     // A reach of 2^-5 ends only what is shorter than that.
     if (!(may_end && i.length < 0x1p5 * shortest) && local.is_far_reaching(k)) return false;
@@ -229,10 +250,10 @@ class ZeroSearch {
     return c.negligible() ? 0 : c.negative() ? -1 : 1;
   }
   /// The part within reach of t, a power of two long, if all of the zeros are in it.
-  bool narrow(const Interval& i, const Local& local, double t, double reach) noexcept {
+  bool narrow(Interval& i, const Local& local, double t, double reach) noexcept {
     const int bits = arithmetic::exponent_of(reach) + 1;  // half its length
     double half = arithmetic::power_of_two(bits < -50 ? -50 : bits);
-    double low = std::floor((t - half) / half) * half;
+    double low = static_cast<double>(static_cast<std::int64_t>((t - half) / half)) * half;
     if (low < 0) low = 0;
     double high = low + 4 * half;
     if (high > 1) {
@@ -243,10 +264,14 @@ class ZeroSearch {
     const double ends = sign_at(i, local, low) * sign_at(i, local, high);
     if (i.changes % 2 == 0 ? ends < 0 : ends > 0) return false;
     const auto grid = [](double x) { return x == 1 ? exact::Limb{0} : static_cast<exact::Limb>(x * 0x1p64); };
-    const Quartic inner = part(i.q, grid(low), grid(high), local.bernstein.limbs);
-    const int changes = inner.sign_changes();
-    if (changes != i.changes) return false;
-    push({inner, i.from + Real(low) * Real(i.length), (high - low) * i.length, changes, local.bernstein.limbs});
+    Interval& inner = *pending_[count_];
+    part(i.q, grid(low), grid(high), i.limbs, inner.q);
+    inner.changes = inner.q.sign_changes();
+    if (inner.changes != i.changes) return false;
+    inner.from = i.from + Real(low) * Real(i.length);
+    inner.length = (high - low) * i.length;
+    inner.limbs = i.limbs;
+    std::swap(pending_[count_ - 1], pending_[count_]);
     return true;
   }
 };
