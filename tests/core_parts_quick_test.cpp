@@ -151,7 +151,7 @@ TEST(QuickWays, ChangesOfSign) {
     ASSERT_EQ(q.sign_changes(), changes);
     ++counts[static_cast<std::size_t>(changes)];
   }
-  for (int n = 0; n < 5; ++n) EXPECT_GT(counts[static_cast<std::size_t>(n)], 100 * properties::repeat());
+  for (int n = 0; n < 5; ++n) EXPECT_GT(counts[static_cast<std::size_t>(n)], 30 * properties::repeat());
 }
 
 /// Where no group is searched, none would have been found; and a sign from doubles is that of the part cut off.
@@ -165,7 +165,7 @@ TEST(QuickWays, SearchesThatFail) {
     for (int k = 1; k <= 4; ++k) {
       const double t = local.zero_of_derivative(k - 1), reach = local.reach(k, t);
       const bool far = local.is_far_reaching(k);
-      if (far) ASSERT_GE(reach, 0x1p-5) << k;
+      ASSERT_TRUE(!far || reach >= 0x1p-5) << k;
       left_out += far;
       narrow += !far && reach < 0x1p-5;
       close += far && reach < 4;
@@ -223,7 +223,7 @@ vesica::Ellipse<double> draw_beyond(Random& random) {
 TEST(QuickWays, WithinBeyondTheRange) {
   Random random(properties::seed());
   std::array<int, 3> answers{};
-  for (int i = 0; i < 6000 * properties::repeat(); ++i) {
+  for (int i = 0; i < 20000 * properties::repeat(); ++i) {
     vesica::Ellipse<double> a = draw_beyond(random), b = draw_beyond(random);
     if (random.chance(0.7)) b = {b.cx, b.cy, 0, 1, std::ldexp(1.0, random.integer(0, 900)), b.b * 0x1p-500};
     const double distance = std::ldexp(1 + random.unit(), random.integer(-1000, 1023));
