@@ -244,8 +244,8 @@ TEST(QuickWays, ClearanceFromTheFirstDigits) {
     const auto power = [&] { return std::ldexp(1.0, random.integer(-900, 900)); };
     const double half = power(), x = random.chance(0.5) ? 0 : random.sign() * half;
     // Up to the end of an axis, past it, or not so far, by next to nothing.
-    const vesica::Ellipse<double> e{x, random.chance(0.5) ? power() : 0, 1, random.chance(0.5) ? power() : 0, half,
-                                    random.chance(0.5) ? half : power()};
+    const vesica::Ellipse<double> e{x,    random.chance(0.5) ? power() : 0,   1, random.chance(0.5) ? power() : 0,
+                                    half, random.chance(0.5) ? half : power()};
     const double off = random.chance(0.3) ? 0 : random.sign() * power();
     const vesica::Segment<double> s{random.chance(0.5) ? x : off, e.cy, x + half * random.integer(0, 1), e.cy + off};
     const exact::Box box = exact::form(s);

@@ -135,7 +135,8 @@ template <int n>
 void move_towards(Fixed& a, const Fixed& b, exact::Limb s) noexcept {
   const exact::Limb rest = exact::Limb{0} - s;
   // A number that is negative is 2^(64 n) less than its limbs.
-  const exact::Limb excess = ((exact::Limb{0} - (a.limb[n - 1] >> 63)) & rest) + ((exact::Limb{0} - (b.limb[n - 1] >> 63)) & s);
+  const exact::Limb excess =
+      ((exact::Limb{0} - (a.limb[n - 1] >> 63)) & rest) + ((exact::Limb{0} - (b.limb[n - 1] >> 63)) & s);
   exact::Limb carry_a = 0, carry_b = 0;
   for (int i = 0; i < n; ++i) {
     const auto part = exact::detail::multiply_add(a.limb[i], rest, carry_a, 0);
@@ -204,7 +205,7 @@ inline void halve(Quartic& to_high, Quartic& low, int limbs) noexcept {
 struct InDoubles {
   double coefficient[5];
   int exponent;
-  int limbs;  ///< so many of the lowest hold the coefficients with two bits to spare, or all do; at least 2
+  int limbs;  ///< so many of the lowest hold the coefficients with two bits to spare; at least 2
 
   /// Of coefficients that the lowest `most_limbs` limbs hold.
   explicit InDoubles(const Quartic& q, int most_limbs = Fixed::limbs) noexcept {
@@ -236,7 +237,7 @@ struct InDoubles {
     }
     exponent = 64 * (top + 1) - shift - (64 * Fixed::limbs - 1);
     const int needed = top + (shift >= 2 ? 1 : 2);
-    limbs = needed < 2 ? 2 : needed > Fixed::limbs ? Fixed::limbs : needed;
+    limbs = needed < 2 ? 2 : needed;
   }
 };
 
