@@ -130,7 +130,7 @@ VESICA_COLD Within by_distance(A a, B b, double distance) noexcept {
   for (int unit = 0; unit < 4; ++unit) {
     ClosestPoints<double> found;
     const double error = 9 * 0x1p-54 * scale(a, b) + std::numeric_limits<double>::denorm_min();
-    // Shapes that overlap are 0 apart, and if that gives the same answer, whether they do is not asked. Points of shapes
+    // Shapes that overlap are 0 apart; if that gives the same answer, whether they do is not asked. Points of shapes
     // of this scale are finite.
     if (overlapping == nearest::not_asked && error < 0x1p900 && nearest::nearest_in_order(a, b, 0, found) == 0) {
       const Within answer = compared(found.distance, distance, error);

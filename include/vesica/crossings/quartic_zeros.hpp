@@ -227,7 +227,7 @@ class ZeroSearch {
       add_spot(low, low.from, low.from + Real(low.length));
     }
   }
-  /// Whether the zeros are in the middle of a group of k, of which others are beyond the ends or complex: then this ends
+  /// Whether the zeros are in the middle of a group of k, others being beyond the ends or complex: then this ends
   /// the interval, or narrows it to the group.
   bool visit_group(Interval& i, const Local& local, int k) noexcept {
     const bool may_end = k == 1 && i.changes == 1;
