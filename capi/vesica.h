@@ -253,7 +253,7 @@ VESICA_API int32_t vesica_contains_f64(int32_t kind_a, const double *numbers_a,
  * Returns: the number of places, 0 to 8.
  * Accuracy: the number is exact. A place is right to 4 u times the largest coordinate or size of either shape, even
  * where the outlines nearly coincide. Places closer to one another than that may come in either order or be equal.
- * Cost: 1 to 10 us; at worst 100 us.
+ * Cost: 1 to 10 us; at worst 50 us.
  */
 VESICA_API int32_t vesica_crossings_f64(int32_t kind_a, const double *numbers_a,
                                         int32_t kind_b, const double *numbers_b, vesica_crossing_points_f64 *out);

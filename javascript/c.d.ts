@@ -123,7 +123,7 @@ export interface C {
    * where the outlines nearly coincide. Places closer to one another than that may come in either order or be equal.
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
    * centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x.
-   * Cost: 1 to 10 us; at worst 100 us. Since: 0.1.
+   * Cost: 1 to 10 us; at worst 50 us. Since: 0.1.
    */
   vesica_crossings_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -831,7 +831,7 @@ export interface C {
    * Each number is computed in double, within these bounds, and then rounded to float once. Bounds on computed numbers
    * use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
    * lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: 1 to 10 us; at worst
-   * 100 us. Since: 0.1.
+   * 50 us. Since: 0.1.
    */
   vesica_crossings_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, out: number): number;
   /**
@@ -2005,8 +2005,7 @@ export interface C {
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
    * centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x.
    * Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide, as
-   * when the distance is met exactly. At extreme magnitudes searches found up to 50 us, and 110 us for two ellipses
-   * (AMD EPYC, Zen 4). Since: 0.1.
+   * when the distance is met exactly. At extreme magnitudes searches found up to 30 us (AMD EPYC, Zen 4). Since: 0.1.
    */
   vesica_within_f64(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, distance: number): number;
   /**
@@ -2221,8 +2220,7 @@ export interface C {
    * Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
    * centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x.
    * Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide, as
-   * when the distance is met exactly. At extreme magnitudes searches found up to 50 us, and 110 us for two ellipses
-   * (AMD EPYC, Zen 4). Since: 0.1.
+   * when the distance is met exactly. At extreme magnitudes searches found up to 30 us (AMD EPYC, Zen 4). Since: 0.1.
    */
   vesica_within_f32(kind_a: number, numbers_a: number, kind_b: number, numbers_b: number, distance: number): number;
   /**

@@ -28,9 +28,7 @@ TEST(CrossingsParts, QuarticsOfNothing) {
   const Quartic none{};
   EXPECT_TRUE(none.negligible());
   EXPECT_EQ(none.sign_changes(), 4) << "coefficients without digits have either sign";
-  double out[5] = {7, 7, 7, 7, 7};
-  to_doubles(none, out);
-  for (const double x : out) EXPECT_EQ(x, 0);
+  for (const double x : InDoubles(none).coefficient) EXPECT_EQ(x, 0);
 }
 
 /// As doubles over a power of two, wherever the highest bit is.
@@ -39,8 +37,9 @@ TEST(CrossingsParts, QuarticsAsDoubles) {
     Quartic q{};
     q.coefficient[1] = fixed_of(1, shift);
     q.coefficient[3] = fixed_of(-0.375, shift);
-    double out[5];
-    const int exponent = to_doubles(q, out);
+    const InDoubles doubles(q);
+    const double* out = doubles.coefficient;
+    const int exponent = doubles.exponent;
     EXPECT_TRUE(out[1] >= 0.5 && out[1] <= 1) << shift;
     EXPECT_EQ(std::ldexp(out[1], exponent), std::ldexp(1, -shift)) << shift;
     EXPECT_EQ(std::ldexp(out[3], exponent), std::ldexp(-0.375, -shift)) << shift;

@@ -149,7 +149,7 @@ namespace Vesica
         /// order or be equal. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx|
         /// and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
         /// "Right to x": the error is &lt;= x.</para>
-        /// <para>Cost: 1 to 10 us; at worst 100 us.</para>
+        /// <para>Cost: 1 to 10 us; at worst 50 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -753,7 +753,7 @@ namespace Vesica
         /// Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between
         /// their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the
         /// error is &lt;= x.</para>
-        /// <para>Cost: 1 to 10 us; at worst 100 us.</para>
+        /// <para>Cost: 1 to 10 us; at worst 50 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1921,8 +1921,8 @@ namespace Vesica
         /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
         /// lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can
-        /// decide, as when the distance is met exactly. At extreme magnitudes searches found up to 50 us, and 110 us
-        /// for two ellipses (AMD EPYC, Zen 4).</para>
+        /// decide, as when the distance is met exactly. At extreme magnitudes searches found up to 30 us (AMD EPYC, Zen
+        /// 4).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2185,8 +2185,8 @@ namespace Vesica
         /// 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their half
         /// lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can
-        /// decide, as when the distance is met exactly. At extreme magnitudes searches found up to 50 us, and 110 us
-        /// for two ellipses (AMD EPYC, Zen 4).</para>
+        /// decide, as when the distance is met exactly. At extreme magnitudes searches found up to 30 us (AMD EPYC, Zen
+        /// 4).</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -503,7 +503,7 @@ Accuracy: the number is exact. A place is right to 4 u times the largest coordin
 even where the outlines nearly coincide. Places closer to one another than that may come in either order or
 be equal. Bounds on computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy|
 between their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x":
-the error is <= x. Cost: 1 to 10 us; at worst 100 us. Since: 0.1.""",
+the error is <= x. Cost: 1 to 10 us; at worst 50 us. Since: 0.1.""",
     ),
     "vesica_nearest_f64": (
         c_int32,
@@ -1323,7 +1323,7 @@ even where the outlines nearly coincide. Places closer to one another than that 
 be equal. Each number is computed in double, within these bounds, and then rounded to float once. Bounds on
 computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their
 centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
-<= x. Cost: 1 to 10 us; at worst 100 us. Since: 0.1.""",
+<= x. Cost: 1 to 10 us; at worst 50 us. Since: 0.1.""",
     ),
     "vesica_nearest_f32": (
         c_int32,
@@ -2714,7 +2714,7 @@ the one asked for. Bounds on computed numbers use u = 2^-53. The scale of two sh
 and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
 "Right to x": the error is <= x. Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us
 where only exact arithmetic can decide, as when the distance is met exactly. At extreme magnitudes searches
-found up to 50 us, and 110 us for two ellipses (AMD EPYC, Zen 4). Since: 0.1.""",
+found up to 30 us (AMD EPYC, Zen 4). Since: 0.1.""",
     ),
     "vesica_within_many_f64": (
         c_int64,
@@ -2975,7 +2975,7 @@ the one asked for. Bounds on computed numbers use u = 2^-53. The scale of two sh
 and |dy| between their centres and of their half lengths. An aspect ratio is longer over shorter size.
 "Right to x": the error is <= x. Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us
 where only exact arithmetic can decide, as when the distance is met exactly. At extreme magnitudes searches
-found up to 50 us, and 110 us for two ellipses (AMD EPYC, Zen 4). Since: 0.1.""",
+found up to 30 us (AMD EPYC, Zen 4). Since: 0.1.""",
     ),
     "vesica_within_many_f32": (
         c_int64,

@@ -46,16 +46,17 @@ inline Fixed operator-(const Fixed& a, const Fixed& b) noexcept {
 
 inline Fixed operator-(const Fixed& a) noexcept { return Fixed{} - a; }
 
-/// a = (a + b) / 2, rounded down.
-inline void move_halfway(Fixed& a, const Fixed& b) noexcept {
+/// a = (a + b) / 2, rounded down, for numbers that the lowest n limbs hold; those above are left as they are.
+template <int n>
+void move_halfway(Fixed& a, const Fixed& b) noexcept {
   exact::Limb carry = 0, below = 0;
-  for (int i = 0; i < Fixed::limbs; ++i) {
-    const exact::Limb part = a.limb[i] + b.limb[i], total = part + carry;
-    carry = static_cast<exact::Limb>(part < b.limb[i]) | static_cast<exact::Limb>(total < part);
-    if (i > 0) a.limb[i - 1] = below >> 1 | total << 63;
-    below = total;
+  for (int i = 0; i < n; ++i) {
+    const auto sum = exact::detail::multiply_add(1, a.limb[i], b.limb[i], carry);
+    carry = sum.high;
+    if (i > 0) a.limb[i - 1] = below >> 1 | sum.low << 63;
+    below = sum.low;
   }
-  a.limb[Fixed::limbs - 1] = below >> 1 | (below & exact::Limb{1} << 63);
+  a.limb[n - 1] = below >> 1 | (below & exact::Limb{1} << 63);
 }
 
 /// x / 2^exponent, rounded towards 0, for |x| < 2^exponent.
@@ -88,96 +89,156 @@ struct Quartic {
     }
     return true;
   }
-  /// The most changes of sign there can be, negligible coefficients having either sign.
+  /// The most changes of sign there can be, negligible coefficients having either sign. Without branches: which are
+  /// negligible cannot be foreseen.
   int sign_changes() const noexcept {
-    int changes = 0;
-    bool known = false, last = false;
+    unsigned changes = 0, known = 0, last = 0;
     for (const Fixed& c : coefficient) {
-      if (c.negligible()) {
-        ++changes;
-        last = !last;
-        continue;
-      }
-      if (known && c.negative() != last) ++changes;
-      known = true;
-      last = c.negative();
+      const unsigned tiny = c.negligible() ? 1 : 0, negative = c.negative() ? 1 : 0;
+      changes += tiny | (known & (negative ^ last));
+      known |= tiny ^ 1;
+      last = (tiny & ~last) | (~tiny & negative);
     }
-    return known ? changes : 4;
+    return known != 0 ? static_cast<int>(changes) : 4;
+  }
+  /// The limbs above the lowest n repeat the sign, as in numbers that these hold.
+  template <int n>
+  void extend_signs() noexcept {
+    for (Fixed& c : coefficient) {
+      const exact::Limb fill = exact::Limb{0} - (c.limb[n - 1] >> 63);
+      for (int i = n; i < Fixed::limbs; ++i) c.limb[i] = fill;
+    }
   }
 };
 
-/// a = a + (b - a) s / 2^64 for s > 0, rounded down: a (2^64 - s) + b s over 2^64.
-inline void move_towards(Fixed& a, const Fixed& b, exact::Limb s) noexcept {
+/// Calls f<n>(...) for a number of limbs that is at least 2: where the zeros of a quartic lie close together its
+/// coefficients are small, and the limbs above are not computed with. No result depends on n.
+template <class Function>
+void with_limbs(int n, const Function& f) noexcept {
+  switch (n) {
+    case 2:
+      return f.template operator()<2>();
+    case 3:
+      return f.template operator()<3>();
+    case 4:
+      return f.template operator()<4>();
+    case 5:
+      return f.template operator()<5>();
+    default:
+      return f.template operator()<6>();
+  }
+}
+
+/// a = a + (b - a) s / 2^64 for s > 0, rounded down: a (2^64 - s) + b s over 2^64. Of the lowest n limbs, which hold
+/// both; so they hold the result.
+template <int n>
+void move_towards(Fixed& a, const Fixed& b, exact::Limb s) noexcept {
   const exact::Limb rest = exact::Limb{0} - s;
-  // A number that is negative is 2^384 less than its limbs.
-  const exact::Limb excess = (a.negative() ? rest : 0) + (b.negative() ? s : 0);
+  // A number that is negative is 2^(64 n) less than its limbs.
+  const exact::Limb excess =
+      ((exact::Limb{0} - (a.limb[n - 1] >> 63)) & rest) + ((exact::Limb{0} - (b.limb[n - 1] >> 63)) & s);
   exact::Limb carry_a = 0, carry_b = 0;
-  for (int i = 0; i < Fixed::limbs; ++i) {
+  for (int i = 0; i < n; ++i) {
     const auto part = exact::detail::multiply_add(a.limb[i], rest, carry_a, 0);
     const auto sum = exact::detail::multiply_add(b.limb[i], s, carry_b, part.low);
     carry_a = part.high;
     carry_b = sum.high;
     if (i > 0) a.limb[i - 1] = sum.low;
   }
-  a.limb[Fixed::limbs - 1] = carry_a + carry_b - excess;
+  a.limb[n - 1] = carry_a + carry_b - excess;
 }
 
-/// One stage of de Casteljau's construction: n + 1 coefficients become n.
-inline void interpolate(Fixed* c, int n, exact::Limb s) noexcept {
+/// One stage of de Casteljau's construction: count + 1 coefficients become count.
+template <int n>
+void interpolate(Fixed* c, int count, exact::Limb s) noexcept {
   if (s == 0) return;
-  for (int i = 0; i < n; ++i) move_towards(c[i], c[i + 1], s);
+  for (int i = 0; i < count; ++i) move_towards<n>(c[i], c[i + 1], s);
+}
+
+/// part() of coefficients that the lowest n limbs hold.
+template <int n>
+void set_part(const Quartic& q, exact::Limb from, exact::Limb to, Quartic& out) noexcept {
+  Quartic at_from = q;
+  if (from == 0 && to != 0) {
+    // One construction has all of them.
+    for (int i = 0; i <= 4; ++i) {
+      out.coefficient[i] = at_from.coefficient[0];
+      interpolate<n>(at_from.coefficient, 4 - i, to);
+    }
+  } else {
+    for (int i = 4; i >= 0; --i) {
+      if (to == 0) {
+        out.coefficient[i] = at_from.coefficient[i];
+      } else {
+        Quartic rest = at_from;
+        for (int k = i; k > 0; --k) interpolate<n>(rest.coefficient, k, to);
+        out.coefficient[i] = rest.coefficient[0];
+      }
+      if (i > 0) interpolate<n>(at_from.coefficient, i, from);
+    }
+  }
+  out.extend_signs<n>();
 }
 
 /// The same quartic from t = from / 2^64 to t = to / 2^64, or to t = 1 for a `to` of 0, by its polar form: coefficient
-/// i is that of i times `to` and 4 - i times `from`.
-inline Quartic part(const Quartic& q, exact::Limb from, exact::Limb to) noexcept {
-  Quartic out, at_from = q;
-  for (int i = 4; i >= 0; --i) {
-    if (to == 0) {
-      out.coefficient[i] = at_from.coefficient[i];
-    } else {
-      Quartic rest = at_from;
-      for (int n = i; n > 0; --n) interpolate(rest.coefficient, n, to);
-      out.coefficient[i] = rest.coefficient[0];
-    }
-    if (i > 0) interpolate(at_from.coefficient, i, from);
-  }
-  return out;
+/// i is that of i times `to` and 4 - i times `from`. The lowest `limbs` limbs hold the coefficients.
+inline void part(const Quartic& q, exact::Limb from, exact::Limb to, int limbs, Quartic& out) noexcept {
+  with_limbs(limbs, [&]<int n>() { set_part<n>(q, from, to, out); });
 }
 
-/// Both halves.
-struct Halves {
-  Quartic low, high;
-  explicit Halves(const Quartic& q) noexcept : high(q) {
+/// Cuts a quartic whose coefficients the lowest `limbs` limbs hold into halves: in place, since copies would take as
+/// long.
+inline void halve(Quartic& to_high, Quartic& low, int limbs) noexcept {
+  with_limbs(limbs, [&]<int n>() {
+    Fixed* high = to_high.coefficient;
     for (int i = 0; i < 5; ++i) {
-      low.coefficient[i] = high.coefficient[0];
-      for (int k = 0; k < 4 - i; ++k) move_halfway(high.coefficient[k], high.coefficient[k + 1]);
+      for (int k = 0; k < n; ++k) low.coefficient[i].limb[k] = high[0].limb[k];
+      for (int k = 0; k < 4 - i; ++k) move_halfway<n>(high[k], high[k + 1]);
     }
+    low.extend_signs<n>();
+    to_high.extend_signs<n>();
+  });
+}
+
+/// A quartic's coefficients as doubles over 2^exponent, which makes the greatest about 1: between 1/2 and 1, or 0. Each
+/// is right to 2^-53 of itself and 2^-63.
+struct InDoubles {
+  double coefficient[5];
+  int exponent;
+  int limbs;  ///< so many of the lowest hold the coefficients with two bits to spare; at least 2
+
+  /// Of coefficients that the lowest `most_limbs` limbs hold.
+  explicit InDoubles(const Quartic& q, int most_limbs = Fixed::limbs) noexcept {
+    Fixed magnitude[5];
+    exact::Limb seen[Fixed::limbs] = {};
+    for (int i = 0; i < 5; ++i) {
+      const exact::Limb* c = q.coefficient[i].limb;
+      const exact::Limb flip = exact::Limb{0} - (c[Fixed::limbs - 1] >> 63);
+      exact::Limb carry = flip & 1;
+      for (int k = 0; k < most_limbs; ++k) {
+        const exact::Limb m = (c[k] ^ flip) + carry;
+        carry &= static_cast<exact::Limb>(m == 0);
+        magnitude[i].limb[k] = m;
+        seen[k] |= m;
+      }
+    }
+    int top = most_limbs - 1;
+    while (top > 0 && seen[top] == 0) --top;
+    const int shift = std::countl_zero(seen[top]);
+    for (int i = 0; i < 5; ++i) {
+      const exact::Limb* m = magnitude[i].limb;
+      const exact::Limb below = top > 0 && shift > 0 ? m[top - 1] >> (64 - shift) : 0;
+      const exact::Limb kept = shift == 64 ? 0 : m[top] << shift | below;
+      // By halves, which are doubles, so that the sum is rounded once: a limb's top bit cannot be foreseen.
+      const double high = static_cast<double>(static_cast<std::int64_t>(kept >> 32)) * 0x1p-32;
+      const double low = static_cast<double>(static_cast<std::int64_t>(kept & 0xffffffffu)) * 0x1p-64;
+      const exact::Limb sign = q.coefficient[i].limb[Fixed::limbs - 1] >> 63 << 63;
+      coefficient[i] = std::bit_cast<double>(std::bit_cast<exact::Limb>(high + low) | sign);
+    }
+    exponent = 64 * (top + 1) - shift - (64 * Fixed::limbs - 1);
+    const int needed = top + (shift >= 2 ? 1 : 2);
+    limbs = needed < 2 ? 2 : needed;
   }
 };
-
-/// Its coefficients as doubles over 2^exponent, which makes the greatest about 1. Returns the exponent.
-inline int to_doubles(const Quartic& q, double* out) noexcept {
-  Fixed magnitude[5];
-  int top = 0, shift = 64;
-  for (int i = 0; i < 5; ++i) {
-    const Fixed& c = q.coefficient[i];
-    magnitude[i] = c.negative() ? -c : c;
-    for (int k = Fixed::limbs - 1; k >= top; --k) {
-      if (magnitude[i].limb[k] == 0) continue;
-      const int zeros = std::countl_zero(magnitude[i].limb[k]);
-      shift = k > top || zeros < shift ? zeros : shift;
-      top = k;
-      break;
-    }
-  }
-  for (int i = 0; i < 5; ++i) {
-    const exact::Limb* m = magnitude[i].limb;
-    const exact::Limb below = top > 0 && shift > 0 ? m[top - 1] >> (64 - shift) : 0;
-    const double value = static_cast<double>((shift == 64 ? 0 : m[top] << shift) | (shift == 64 ? 0 : below)) * 0x1p-64;
-    out[i] = q.coefficient[i].negative() ? -value : value;
-  }
-  return 64 * (top + 1) - shift - (64 * Fixed::limbs - 1);
-}
 
 }  // namespace vesica::detail::crossings

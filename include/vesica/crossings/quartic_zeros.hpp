@@ -4,6 +4,8 @@
 /// Mehlhorn, J. Symb. Comput. 73 (2016) 46.
 #pragma once
 
+#include <algorithm>
+#include <utility>
 #include <vesica/crossings/fixed.hpp>
 #include <vesica/crossings/points.hpp>
 
@@ -31,40 +33,53 @@ inline constexpr double shortest = 0x1p-96;
 
 /// In doubles, scaled: the coefficients about a point, and where the zeros of an interval are by them.
 struct Local {
-  double bernstein[5], power[5];
+  InDoubles bernstein;
+  double power[5];
   double most = 0;
-  int exponent;
 
-  explicit Local(const Quartic& q) noexcept : exponent(to_doubles(q, bernstein)) {
-    double d[5];
-    for (int i = 0; i < 5; ++i) {
-      d[i] = bernstein[i];
-      most = std::fmax(most, std::fabs(d[i]));
-    }
-    constexpr double binomial[5] = {1, 4, 6, 4, 1};
-    for (int i = 0; i < 5; ++i) {
-      power[i] = binomial[i] * d[0];
-      for (int k = 0; k < 4 - i; ++k) d[k] = d[k + 1] - d[k];
-    }
+  explicit Local(const Quartic& q, int limbs = Fixed::limbs) noexcept : bernstein(q, limbs) {
+    const double* b = bernstein.coefficient;
+    for (int i = 0; i < 5; ++i) most = std::max(most, std::fabs(b[i]));
+    // Their differences, those of the differences, and so on.
+    const double first[4] = {b[1] - b[0], b[2] - b[1], b[3] - b[2], b[4] - b[3]};
+    const double second[3] = {first[1] - first[0], first[2] - first[1], first[3] - first[2]};
+    const double third[2] = {second[1] - second[0], second[2] - second[1]};
+    power[0] = b[0];
+    power[1] = 4 * first[0];
+    power[2] = 6 * second[0];
+    power[3] = 4 * third[0];
+    power[4] = third[1] - third[0];
   }
   /// The derivative of an order, over the order's factorial.
-  double derivative(int order, double t) const noexcept {
-    constexpr double binomial[5][5] = {
-        {1, 1, 1, 1, 1}, {0, 1, 2, 3, 4}, {0, 0, 1, 3, 6}, {0, 0, 0, 1, 4}, {0, 0, 0, 0, 1}};
-    double value = 0;
-    for (int i = 4; i >= order; --i) value = value * t + binomial[order][i] * power[i];
+  template <int order>
+  double derivative(double t) const noexcept {
+    double value = binomial[4][order] * power[4];
+    for (int i = 3; i >= order; --i) value = value * t + binomial[i][order] * power[i];
     return value;
   }
   /// About where the derivative of an order changes its sign; the end at which it is less where it does not.
   double zero_of_derivative(int order) const noexcept {
+    switch (order) {
+      case 0:
+        return zero_of_derivative<0>();
+      case 1:
+        return zero_of_derivative<1>();
+      case 2:
+        return zero_of_derivative<2>();
+      default:
+        return zero_of_derivative<3>();
+    }
+  }
+  template <int order>
+  double zero_of_derivative() const noexcept {
     double low = 0, high = 1;
-    const double at_low = derivative(order, 0), at_high = derivative(order, 1);
+    const double at_low = derivative<order>(0), at_high = derivative<order>(1);
     const bool sign = at_low < 0;
     if ((at_high < 0) == sign) return std::fabs(at_low) < std::fabs(at_high) ? 0 : 1;
     double t = 0.5;
     // A zero that Newton's steps do not reach soon is one of a group, for which the caller has other means.
     for (int i = 0; i < 16; ++i) {
-      const double value = derivative(order, t), slope = (order + 1) * (order < 4 ? derivative(order + 1, t) : 0);
+      const double value = derivative<order>(t), slope = (order + 1) * derivative<order + 1>(t);
       ((value < 0) == sign ? low : high) = t;
       double next = t - value / slope;
       if (!(next > low && next < high)) next = 0.5 * (low + high);
@@ -76,33 +91,84 @@ struct Local {
   }
   /// So far from t all zeros of a group of k may be, with what rounding adds.
   double reach(int k, double t) const noexcept {
-    const double leading = std::fabs(derivative(k, t)), rest = 0x1p-46 * most;
-    double most_reach = 0;
-    for (int i = 0; i < k; ++i) {
-      const double part = (std::fabs(derivative(i, t)) + rest) / leading;
-      const int root = k - i;
-      const double r = root == 1   ? part
-                       : root == 2 ? std::sqrt(part)
-                       : root == 3 ? std::cbrt(part)
-                                   : std::sqrt(std::sqrt(part));
-      most_reach = std::fmax(most_reach, r);
+    switch (k) {
+      case 1:
+        return reach<1>(t);
+      case 2:
+        return reach<2>(t);
+      case 3:
+        return reach<3>(t);
+      default:
+        return reach<4>(t);
     }
+  }
+  template <int k>
+  double reach(double t) const noexcept {
+    const double leading = std::fabs(derivative<k>(t)), rest = 0x1p-46 * most;
+    double most_reach = root<k>((std::fabs(derivative<0>(t)) + rest) / leading);
+    const auto see = [&](double x) { most_reach = std::max(most_reach, x); };
+    if constexpr (k > 1) see(root<k - 1>((std::fabs(derivative<1>(t)) + rest) / leading));
+    if constexpr (k > 2) see(root<k - 2>((std::fabs(derivative<2>(t)) + rest) / leading));
+    if constexpr (k > 3) see(root<1>((std::fabs(derivative<3>(t)) + rest) / leading));
     return 2 * most_reach;
   }
+  /// Whether reach(k, t) is 2^-5 or more wherever t is, with little work. Were it less, the derivatives at t of order i
+  /// below k would be less than 2^(-6 (k - i)) times the one of order k, `leading`. So `leading` would exceed 2^(6 k)
+  /// times what rounding adds, and, by Taylor's series about t, the sum of all others 1/32 of it at most: the value at
+  /// the ends would be less than 1.04 times the sum of the derivatives' greatest values from order k on.
+  bool is_far_reaching(int k) const noexcept {
+    double leading = 0, all = 0;
+    for (int i = 4; i >= k; --i) {
+      const double size = std::fabs(power[i]);
+      leading += binomial[i][k] * size;
+      all += at_most[i][k] * size;
+    }
+    constexpr double least[] = {0x1p-46, 0x1p-40, 0x1p-34, 0x1p-28, 0x1p-22};
+    const double ends = std::max(std::fabs(bernstein.coefficient[0]), std::fabs(bernstein.coefficient[4]));
+    // All roundings together are below 2^-41 of the greatest coefficient.
+    return 1.01 * leading < least[k] * most || 1.1 * all + 0x1p-40 * most < ends;
+  }
   double height() const noexcept {
-    const double t = zero_of_derivative(1);
-    return arithmetic::scale(std::fabs(derivative(0, t)), exponent);
+    const double t = zero_of_derivative<1>();
+    return arithmetic::scale(std::fabs(derivative<0>(t)), bernstein.exponent);
+  }
+  /// The value at t, a multiple of 2^-53 between 0 and 1, where its sign is certain and it is not negligible; else 0.
+  /// Without cancellation but that of the terms themselves, each right to 2^-50 of itself and 2^-60. The quartic that
+  /// part() cuts off has it as its first or last coefficient, to 2^-379.
+  double certain_value(double t) const noexcept {
+    if (bernstein.exponent < -250) return 0;
+    const double* b = bernstein.coefficient;
+    const double u = 1 - t, uu = u * u, tt = t * t;
+    const double term[5] = {b[0] * (uu * uu), 4 * b[1] * (uu * u * t), 6 * b[2] * (uu * tt), 4 * b[3] * (u * t * tt),
+                            b[4] * (tt * tt)};
+    double sum = 0, size = 0;
+    for (const double x : term) {
+      sum += x;
+      size += std::fabs(x);
+    }
+    return std::fabs(sum) > 0x1p-47 * size + 0x1p-59 ? sum : 0;
+  }
+
+ private:
+  static constexpr double binomial[5][5] = {
+      {1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}};
+  /// Sums of binomials i over j, j from the second index on.
+  static constexpr double at_most[5][5] = {
+      {1, 0, 0, 0, 0}, {2, 1, 0, 0, 0}, {4, 3, 1, 0, 0}, {8, 7, 4, 1, 0}, {16, 15, 11, 5, 1}};
+
+  template <int degree>
+  static double root(double x) noexcept {
+    return degree == 1 ? x : degree == 2 ? std::sqrt(x) : degree == 3 ? std::cbrt(x) : std::sqrt(std::sqrt(x));
   }
 };
 
 class ZeroSearch {
  public:
   ZeroSearch(const Quartic& whole, double quarter, Spots& spots) noexcept : spots_(spots) {
-    push({whole, Real(quarter), 1.0, whole.sign_changes()});
-    while (count_ > 0) {
-      const Interval top = pending_[--count_];
-      visit(top);
-    }
+    for (int i = 0; i < places; ++i) pending_[i] = &interval_[i];
+    interval_[0] = {whole, Real(quarter), 1.0, whole.sign_changes(), Fixed::limbs};
+    count_ = interval_[0].changes > 0 ? 1 : 0;
+    while (count_ > 0) visit(*pending_[count_ - 1]);
   }
 
  private:
@@ -111,63 +177,101 @@ class ZeroSearch {
     Real from;
     double length;
     int changes;
+    int limbs;  ///< so many of the lowest hold the coefficients
   };
-  Interval pending_[8];
-  int count_ = 0;
+  static constexpr int most_pending = 8, places = most_pending + 1;
+  Interval interval_[places];
+  Interval* pending_[places];  ///< those after the first count_ are free
+  int count_;
   Spots& spots_;
 
-  void push(const Interval& i) noexcept {
-    if (i.changes == 0) return;
-    if (count_ < 8) {
-      pending_[count_++] = i;
-    } else {
-      end(i, i.from, i.from + Real(i.length));
-    }
-  }
-  void end(const Interval& i, const Real& from, const Real& to) noexcept {
+  void add_spot(const Interval& i, const Real& from, const Real& to) noexcept {
     spots_.add({from, to, i.changes, i.q.coefficient[0].negative(), i.q.coefficient[4].negative(),
                 i.changes == 2 ? Local(i.q).height() : 0});
   }
-  void visit(const Interval& i) noexcept {
-    if (i.length < shortest || i.q.negligible()) {
+  void end(const Interval& i, const Real& from, const Real& to) noexcept {
+    add_spot(i, from, to);
+    --count_;
+  }
+  /// The last of those pending: a narrower one takes its place, or halves, or none.
+  void visit(Interval& i) noexcept {
+    // Of negligible coefficients there are 4 changes.
+    if (i.length < shortest || (i.changes == 4 && i.q.negligible())) {
       end(i, i.from, i.from + Real(i.length));
       return;
     }
-    const Local local(i.q);
-    const double t = local.zero_of_derivative(i.changes - 1), reach = local.reach(i.changes, t);
-    if (i.changes == 1 && reach * i.length < shortest && !i.q.coefficient[0].negligible() &&
+    const Local local(i.q, i.limbs);
+    i.limbs = local.bernstein.limbs;
+    for (int k = i.changes; k <= 4; ++k) {
+      if (visit_group(i, local, k)) return;
+    }
+    visit_halves(i, *pending_[count_]);
+  }
+  /// The higher half stays where the whole was.
+  void visit_halves(Interval& high, Interval& low) noexcept {
+    halve(high.q, low.q, high.limbs);
+    low.from = high.from;
+    low.limbs = high.limbs;
+    low.length = high.length = 0.5 * high.length;
+    high.from = high.from + Real(high.length);
+    high.changes = high.q.sign_changes();
+    low.changes = low.q.sign_changes();
+    if (high.changes == 0) {
+      --count_;
+      std::swap(pending_[count_], pending_[count_ + 1]);
+    }
+    if (low.changes == 0) return;
+    if (count_ < most_pending) {
+      ++count_;
+    } else {
+      add_spot(low, low.from, low.from + Real(low.length));
+    }
+  }
+  /// Whether the zeros are in the middle of a group of k, others being beyond the ends or complex: then this ends
+  /// the interval, or narrows it to the group.
+  bool visit_group(Interval& i, const Local& local, int k) noexcept {
+    const bool may_end = k == 1 && i.changes == 1;
+    // A reach of 2^-5 ends only what is shorter than that.
+    if (!(may_end && i.length < 0x1p5 * shortest) && local.is_far_reaching(k)) return false;
+    const double t = local.zero_of_derivative(k - 1), reach = local.reach(k, t);
+    if (may_end && reach * i.length < shortest && !i.q.coefficient[0].negligible() &&
         !i.q.coefficient[4].negligible()) {
       const Real at = i.from + Real(t) * Real(i.length);
       end(i, at, at);
-      return;
+      return true;
     }
-    if (reach < 0x1p-5 && narrow(i, t, reach)) return;
-    // In a group with zeros beyond the ends, or with complex ones.
-    for (int k = i.changes + 1; k <= 4; ++k) {
-      const double middle = local.zero_of_derivative(k - 1), wide = local.reach(k, middle);
-      if (wide < 0x1p-5 && narrow(i, middle, wide)) return;
-    }
-    const Halves halves(i.q);
-    const double half = 0.5 * i.length;
-    push({halves.high, i.from + Real(half), half, halves.high.sign_changes()});
-    push({halves.low, i.from, half, halves.low.sign_changes()});
+    return reach < 0x1p-5 && narrow(i, local, t, reach);
+  }
+  /// The sign of the first or last coefficient of a part that begins or ends at t, if it is certain and the coefficient
+  /// not negligible; else 0.
+  static double sign_at(const Interval& i, const Local& local, double t) noexcept {
+    if (t != 0 && t != 1) return local.certain_value(t);
+    const Fixed& c = i.q.coefficient[t == 0 ? 0 : 4];
+    return c.negligible() ? 0 : c.negative() ? -1 : 1;
   }
   /// The part within reach of t, a power of two long, if all of the zeros are in it.
-  bool narrow(const Interval& i, double t, double reach) noexcept {
+  bool narrow(Interval& i, const Local& local, double t, double reach) noexcept {
     const int bits = arithmetic::exponent_of(reach) + 1;  // half its length
     double half = arithmetic::power_of_two(bits < -50 ? -50 : bits);
-    double low = std::floor((t - half) / half) * half;
+    double low = static_cast<double>(static_cast<std::int64_t>((t - half) / half)) * half;
     if (low < 0) low = 0;
     double high = low + 4 * half;
     if (high > 1) {
       high = 1;
       low = 1 - 4 * half;
     }
+    // An odd number of changes has ends of unlike signs.
+    const double ends = sign_at(i, local, low) * sign_at(i, local, high);
+    if (i.changes % 2 == 0 ? ends < 0 : ends > 0) return false;
     const auto grid = [](double x) { return x == 1 ? exact::Limb{0} : static_cast<exact::Limb>(x * 0x1p64); };
-    const Quartic inner = part(i.q, grid(low), grid(high));
-    const int changes = inner.sign_changes();
-    if (changes != i.changes) return false;
-    push({inner, i.from + Real(low) * Real(i.length), (high - low) * i.length, changes});
+    Interval& inner = *pending_[count_];
+    part(i.q, grid(low), grid(high), i.limbs, inner.q);
+    inner.changes = inner.q.sign_changes();
+    if (inner.changes != i.changes) return false;
+    inner.from = i.from + Real(low) * Real(i.length);
+    inner.length = (high - low) * i.length;
+    inner.limbs = i.limbs;
+    std::swap(pending_[count_ - 1], pending_[count_]);
     return true;
   }
 };

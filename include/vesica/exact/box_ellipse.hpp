@@ -154,16 +154,14 @@ constexpr int contact(const Box& box, const Ellipse& ellipse) noexcept {
   return edges.centre_inside ? -1 : edges.gap(-1);
 }
 
-/// How far a box stays within an ellipse that is not degenerate: 1 clear of the outline, 0 up to it, -1 not within.
-/// With m, g and h the offset of centres and the half edges in the frame in which the ellipse is the disc of radius a b
-/// V about the origin, the corners are m +- (g + h) and m +- (g - h). Degree 8.
-constexpr int clearance(const Box& box, const Ellipse& ellipse) noexcept {
-  const Length dx = box.cx - ellipse.cx, dy = box.cy - ellipse.cy;
-  const auto& [cx, cy, vx, vy, a, b] = ellipse;
-  const auto m0 = b * dot(vx, vy, dx, dy), m1 = a * cross(vx, vy, dx, dy);
-  const auto c = dot(vx, vy, box.ux, box.uy), s = cross(vx, vy, box.ux, box.uy);
-  const auto g0 = b * (box.hx * c), g1 = a * (box.hx * s), h0 = b * (box.hy * s), h1 = a * (box.hy * c);
-  const auto radius = a * b * dot(vx, vy, vx, vy);
+namespace detail {
+
+/// The least room that a corner has in the disc; see clearance().
+template <class Place, class Axis, class Size>
+constexpr int least_room(Signs& sign, const Place& m0, const Place& m1, const Axis& c, const Axis& s, const Axis& vv,
+                         const Size& a, const Size& b, const Size& hx, const Size& hy) noexcept {
+  const auto g0 = b * (hx * c), g1 = a * (hx * s), h0 = b * (hy * s), h1 = a * (hy * c);
+  const auto radius = a * b * vv;
   const auto room = [](const auto& r, const auto& x, const auto& y, const auto& ex, const auto& ey) {
     const auto product = abs(x * ex + y * ey);
     return square(r) - (square(x) + square(y) + (product + product) + square(ex) + square(ey));
@@ -172,15 +170,30 @@ constexpr int clearance(const Box& box, const Ellipse& ellipse) noexcept {
   for (int side = -1; side <= 1; side += 2) {
     // The further of m + e and m - e is at |m|^2 + 2 |m . e| + |e|^2.
     const auto e0 = side > 0 ? g0 - h0 : g0 + h0, e1 = side > 0 ? g1 + h1 : g1 - h1;
-    const int sign = sign_of(room, radius, m0, m1, e0, e1);
-    if (sign < least) least = sign;
+    const int corner = sign.of_polynomial(room, radius, m0, m1, e0, e1);
+    if (corner < least) least = corner;
   }
   return least;
+}
+
+}  // namespace detail
+
+/// How far a box stays within an ellipse that is not degenerate: 1 clear of the outline, 0 up to it, -1 not within.
+/// With m, g and h the offset of centres and the half edges in the frame in which the ellipse is the disc of radius a b
+/// V about the origin, the corners are m +- (g + h) and m +- (g - h). Degree 8.
+constexpr int clearance(const Box& box, const Ellipse& ellipse) noexcept {
+  const Length dx = box.cx - ellipse.cx, dy = box.cy - ellipse.cy;
+  const auto& [cx, cy, vx, vy, a, b] = ellipse;
+  const auto m0 = b * dot(vx, vy, dx, dy), m1 = a * cross(vx, vy, dx, dy);
+  const auto c = dot(vx, vy, box.ux, box.uy), s = cross(vx, vy, box.ux, box.uy);
+  return decide([](Signs& sign, const auto&... numbers) { return detail::least_room(sign, numbers...); }, m0, m1, c, s,
+                dot(vx, vy, vx, vy), a, b, box.hx, box.hy);
 }
 
 /// How far an ellipse that is not degenerate stays within a box. Its half extent along an axis is a square root:
 /// squared once. Degree 6.
 constexpr int clearance(const Ellipse& ellipse, const Box& box) noexcept {
+  if (box.hx.sign == 0 || box.hy.sign == 0) return -1;
   const Length dx = ellipse.cx - box.cx, dy = ellipse.cy - box.cy;
   const auto uu = dot(box.ux, box.uy, box.ux, box.uy);
   const auto room_x = box.hx * uu - abs(dot(box.ux, box.uy, dx, dy));

@@ -158,7 +158,7 @@ final class Native {
    * their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
    * &lt;= x.
    *
-   * <p>Cost: 1 to 10 us; at worst 100 us.
+   * <p>Cost: 1 to 10 us; at worst 50 us.
    *
    * <p>Since: 0.1.
    */
@@ -881,7 +881,7 @@ final class Native {
    * numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of their
    * half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
    *
-   * <p>Cost: 1 to 10 us; at worst 100 us.
+   * <p>Cost: 1 to 10 us; at worst 50 us.
    *
    * <p>Since: 0.1.
    */
@@ -2303,8 +2303,7 @@ final class Native {
    * over shorter size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-   * as when the distance is met exactly. At extreme magnitudes searches found up to 50 us, and 110 us for two ellipses
-   * (AMD EPYC, Zen 4).
+   * as when the distance is met exactly. At extreme magnitudes searches found up to 30 us (AMD EPYC, Zen 4).
    *
    * <p>Since: 0.1.
    */
@@ -2619,8 +2618,7 @@ final class Native {
    * over shorter size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-   * as when the distance is met exactly. At extreme magnitudes searches found up to 50 us, and 110 us for two ellipses
-   * (AMD EPYC, Zen 4).
+   * as when the distance is met exactly. At extreme magnitudes searches found up to 30 us (AMD EPYC, Zen 4).
    *
    * <p>Since: 0.1.
    */

@@ -415,7 +415,7 @@ extern "C" {
     /// their centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
     /// \<= x.
     ///
-    /// Cost: 1 to 10 us; at worst 100 us.
+    /// Cost: 1 to 10 us; at worst 50 us.
     ///
     /// Since: 0.1.
     pub fn vesica_crossings_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -1302,7 +1302,7 @@ extern "C" {
     /// computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres
     /// and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
-    /// Cost: 1 to 10 us; at worst 100 us.
+    /// Cost: 1 to 10 us; at worst 50 us.
     ///
     /// Since: 0.1.
     pub fn vesica_crossings_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,
@@ -2812,8 +2812,7 @@ extern "C" {
     /// An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: 10 to 60 ns; that of vesica_nearest_f64 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-    /// as when the distance is met exactly. At extreme magnitudes searches found up to 50 us, and 110 us for two
-    /// ellipses (AMD EPYC, Zen 4).
+    /// as when the distance is met exactly. At extreme magnitudes searches found up to 30 us (AMD EPYC, Zen 4).
     ///
     /// Since: 0.1.
     pub fn vesica_within_f64(kind_a: i32, numbers_a: *const f64, kind_b: i32, numbers_b: *const f64,
@@ -3082,8 +3081,7 @@ extern "C" {
     /// An aspect ratio is longer over shorter size. "Right to x": the error is \<= x.
     ///
     /// Cost: 10 to 60 ns; that of vesica_nearest_f32 for ellipses; 1 to 10 us where only exact arithmetic can decide,
-    /// as when the distance is met exactly. At extreme magnitudes searches found up to 50 us, and 110 us for two
-    /// ellipses (AMD EPYC, Zen 4).
+    /// as when the distance is met exactly. At extreme magnitudes searches found up to 30 us (AMD EPYC, Zen 4).
     ///
     /// Since: 0.1.
     pub fn vesica_within_f32(kind_a: i32, numbers_a: *const f32, kind_b: i32, numbers_b: *const f32,

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: Apache-2.0
+// Quick ways of the header against the slow ones that they stand for, where it is close which is taken.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <vesica/crossings.hpp>
+#include <vesica/within.hpp>
+
+#include "properties/random.hpp"
+
+namespace {
+
+using namespace vesica::detail::crossings;
+namespace exact = vesica::exact;
+using properties::Random;
+
+/// The lowest `bits` bits are random, or all zeros or ones in runs, and those above repeat the sign.
+Fixed draw_fixed(Random& random, int bits) {
+  Fixed x{};
+  const bool negative = random.chance(0.5);
+  const auto some = random.below(4);
+  for (int i = 0; i < Fixed::limbs; ++i) {
+    const exact::Limb limb = some == 0 ? 0 : some == 1 ? ~exact::Limb{0} : random.bits();
+    const int left = bits - 64 * i;
+    x.limb[i] = left <= 0 ? 0 : left >= 64 ? limb : limb & ((exact::Limb{1} << left) - 1);
+  }
+  return negative ? -x : x;
+}
+
+/// Of a size from that of what rounding leaves to nearly the greatest, its coefficients of about one size or not.
+Quartic draw_quartic(Random& random) {
+  Quartic q;
+  const int bits = random.integer(1, 380);
+  for (Fixed& c : q.coefficient) c = draw_fixed(random, random.chance(0.7) ? bits : random.integer(0, bits));
+  return q;
+}
+
+/// (t - zero)^k (t - other)^(4 - k) about, which a search finds in a group: as Bernstein coefficients.
+Quartic draw_group(Random& random) {
+  const int k = random.integer(1, 4);
+  const double zero = random.between(-0.25, 1.25), other = random.between(-9, 9);
+  const double spread = std::ldexp(random.unit(), -random.integer(1, 40));
+  double power[5] = {1, 0, 0, 0, 0};
+  for (int i = 0; i < 4; ++i) {
+    const double root = i < k ? zero + spread * random.between(-1, 1) : other;
+    for (int j = i + 1; j > 0; --j) power[j] = (j <= i ? -root * power[j] : 0) + power[j - 1];
+    power[0] *= -root;
+  }
+  constexpr double binomial[5][5] = {
+      {1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}};
+  const int down = random.integer(20, 300);
+  Quartic q;
+  for (int i = 0; i < 5; ++i) {
+    double value = 0;
+    for (int j = 0; j <= i; ++j) value += binomial[i][j] / binomial[4][j] * power[j];
+    q.coefficient[i] = fixed(exact::from_double(value), down);
+  }
+  return q;
+}
+
+::testing::AssertionResult equal(const Quartic& a, const Quartic& b) {
+  for (int i = 0; i < 5; ++i) {
+    for (int k = 0; k < Fixed::limbs; ++k) {
+      if (a.coefficient[i].limb[k] != b.coefficient[i].limb[k]) {
+        return ::testing::AssertionFailure() << "coefficient " << i << ", limb " << k;
+      }
+    }
+  }
+  return ::testing::AssertionSuccess();
+}
+
+/// Only the limbs that hold the coefficients are computed with.
+TEST(QuickWays, FewLimbsOfQuartics) {
+  Random random(properties::seed());
+  std::array<int, Fixed::limbs + 1> of_limbs{};
+  for (int i = 0; i < 20000 * properties::repeat(); ++i) {
+    const Quartic q = draw_quartic(random);
+    const InDoubles doubles(q), again(q, InDoubles(q).limbs);
+    const int limbs = doubles.limbs;
+    ++of_limbs[static_cast<std::size_t>(limbs)];
+    ASSERT_EQ(doubles.exponent, again.exponent);
+    for (int k = 0; k < 5; ++k) {
+      const double x = doubles.coefficient[k];
+      ASSERT_EQ(x, again.coefficient[k]);
+      const Fixed& c = q.coefficient[k];
+      ASSERT_EQ(std::signbit(x), c.negative());
+      // Rounded to nearest, of the 64 bits from the greatest coefficient's highest on.
+      exact::Number<7> all;
+      all.sign = 1;
+      all.size = Fixed::limbs;
+      const Fixed size = c.negative() ? -c : c;
+      for (int j = 0; j < Fixed::limbs; ++j) all.limb[j] = size.limb[j];
+      all.strip();
+      const auto nearest = exact::rounded(all);
+      const double expected = std::ldexp(nearest.value, nearest.exponent - (64 * Fixed::limbs - 1) - doubles.exponent);
+      ASSERT_LE(std::fabs(std::fabs(x) - expected), 0x1p-52 * expected + 0x1p-63);
+    }
+    Quartic high = q, low{}, high_of_all = q, low_of_all{}, part_of_few{}, part_of_all{};
+    halve(high, low, limbs);
+    halve(high_of_all, low_of_all, Fixed::limbs);
+    ASSERT_TRUE(equal(high, high_of_all) && equal(low, low_of_all)) << limbs;
+    const exact::Limb from = random.chance(0.3) ? 0 : random.bits() >> 1;
+    const exact::Limb to = random.chance(0.3) ? 0 : from + (random.bits() >> 1 | 1);
+    part(q, from, to, limbs, part_of_few);
+    part(q, from, to, Fixed::limbs, part_of_all);
+    ASSERT_TRUE(equal(part_of_few, part_of_all)) << limbs;
+  }
+  for (int n = 2; n <= Fixed::limbs; ++n) EXPECT_GT(of_limbs[static_cast<std::size_t>(n)], 500 * properties::repeat());
+}
+
+/// The part from 0 on, by one construction, is that of the polar form.
+TEST(QuickWays, PartsFromTheStart) {
+  Random random(properties::seed());
+  for (int i = 0; i < 5000 * properties::repeat(); ++i) {
+    const Quartic q = draw_quartic(random);
+    const exact::Limb to = random.bits() | 1;
+    Quartic quick;
+    part(q, 0, to, Fixed::limbs, quick);
+    for (int k = 0; k < 5; ++k) {
+      Quartic rest = q;
+      for (int n = k; n > 0; --n) interpolate<Fixed::limbs>(rest.coefficient, n, to);
+      for (int j = 0; j < Fixed::limbs; ++j) ASSERT_EQ(quick.coefficient[k].limb[j], rest.coefficient[0].limb[j]);
+    }
+  }
+}
+
+TEST(QuickWays, ChangesOfSign) {
+  Random random(properties::seed());
+  std::array<int, 6> counts{};
+  for (int i = 0; i < 20000 * properties::repeat(); ++i) {
+    Quartic q;
+    const bool of_one_sign = random.chance(0.2);
+    for (Fixed& c : q.coefficient) {
+      c = draw_fixed(random, random.chance(0.4) ? random.integer(0, 66) : 300);
+      if (of_one_sign && c.negative()) c = -c;
+    }
+    int changes = 0, known = 0;
+    bool last = false;
+    for (const Fixed& c : q.coefficient) {
+      if (c.negligible()) {
+        ++changes;
+        last = !last;
+        continue;
+      }
+      changes += known > 0 && c.negative() != last;
+      ++known;
+      last = c.negative();
+    }
+    if (known == 0) changes = 4;
+    ASSERT_EQ(q.sign_changes(), changes);
+    ++counts[static_cast<std::size_t>(changes)];
+  }
+  for (int n = 0; n < 5; ++n) EXPECT_GT(counts[static_cast<std::size_t>(n)], 30 * properties::repeat());
+}
+
+/// Where no group is searched, none would have been found; and a sign from doubles is that of the part cut off.
+TEST(QuickWays, SearchesThatFail) {
+  Random random(properties::seed());
+  int left_out = 0, narrow = 0, close = 0, certain = 0, uncertain = 0;
+  for (int i = 0; i < 40000 * properties::repeat(); ++i) {
+    const Quartic q = random.chance(0.8) ? draw_group(random) : draw_quartic(random);
+    if (q.negligible()) continue;
+    const Local local(q);
+    for (int k = 1; k <= 4; ++k) {
+      const double t = local.zero_of_derivative(k - 1), reach = local.reach(k, t);
+      const bool far = local.is_far_reaching(k);
+      ASSERT_TRUE(!far || reach >= 0x1p-5) << k;
+      left_out += far;
+      narrow += !far && reach < 0x1p-5;
+      close += far && reach < 4;
+    }
+    const double low = std::floor(random.unit() * 0x1p20) * 0x1p-20;
+    const double at = local.certain_value(low);
+    (at == 0 ? uncertain : certain) += 1;
+    if (at == 0) continue;
+    Quartic cut;
+    part(q, static_cast<exact::Limb>(low * 0x1p64), 0, local.bernstein.limbs, cut);
+    ASSERT_FALSE(cut.coefficient[0].negligible());
+    ASSERT_EQ(cut.coefficient[0].negative(), at < 0);
+  }
+  const auto n = properties::repeat();
+  EXPECT_GT(left_out, 10000 * n);
+  EXPECT_GT(close, 500 * n);
+  EXPECT_GT(narrow, 5000 * n);
+  EXPECT_GT(certain, 10000 * n);
+  EXPECT_GT(uncertain, 100 * n);
+}
+
+/// by_distance() without its short way: whether scaled shapes overlap is always asked.
+template <class A, class B>
+vesica::Within always_asked(A a, B b, double distance) {
+  namespace within = vesica::detail::within;
+  std::int32_t overlapping = 0;
+  for (int unit = 0; unit < 4; ++unit) {
+    vesica::ClosestPoints<double> found;
+    const double error = 9 * 0x1p-54 * within::scale(a, b) + std::numeric_limits<double>::denorm_min();
+    if (std::isfinite(error) && vesica::detail::nearest::nearest_in_order(a, b, overlapping, found) == 0) {
+      return within::compared(found.distance, distance, error);
+    }
+    const A of_a = within::times(0x1p-600, a);
+    const B of_b = within::times(0x1p-600, b);
+    if (!within::kept_digits(a, of_a) || !within::kept_digits(b, of_b)) {
+      overlapping = vesica::detail::nearest::not_asked;
+    }
+    a = of_a, b = of_b, distance *= 0x1p-600;
+  }
+  return vesica::Within::nearly;
+}
+
+vesica::Ellipse<double> draw_beyond(Random& random) {
+  const auto number = [&](int low, int high) {
+    return random.sign() * std::ldexp(1 + random.unit(), random.integer(low, high));
+  };
+  const auto small = [&] { return random.chance(0.5) ? number(-1074, 0) : number(0, 1000); };
+  const bool long_axis = random.chance(0.7);
+  const double first = number(600, 1020), second = random.chance(0.5) ? number(600, 1020) : number(-700, 1020);
+  vesica::Ellipse<double> e{small(), small(), small(), number(400, 1020), std::fabs(first), std::fabs(second)};
+  if (!long_axis) e.uy = number(0, 40), e.ux = number(-1074, 0);
+  return e;
+}
+
+TEST(QuickWays, WithinBeyondTheRange) {
+  Random random(properties::seed());
+  std::array<int, 3> answers{};
+  for (int i = 0; i < 20000 * properties::repeat(); ++i) {
+    vesica::Ellipse<double> a = draw_beyond(random), b = draw_beyond(random);
+    if (random.chance(0.7)) b = {b.cx, b.cy, 0, 1, std::ldexp(1.0, random.integer(0, 900)), b.b * 0x1p-500};
+    const double distance = std::ldexp(1 + random.unit(), random.integer(-1000, 1023));
+    if (vesica::overlap_or_error(a, b) != 0) continue;
+    const vesica::Within answer = vesica::detail::within::by_distance(a, b, distance);
+    ASSERT_EQ(answer, always_asked(a, b, distance));
+    ++answers[static_cast<std::size_t>(answer)];
+  }
+  for (const int count : answers) EXPECT_GT(count, 20 * properties::repeat());
+}
+
+/// A box's clearance in an ellipse from the first digits, against the signs of exact numbers.
+TEST(QuickWays, ClearanceFromTheFirstDigits) {
+  Random random(properties::seed());
+  std::array<int, 3> signs{};
+  int told = 0, not_told = 0;
+  for (int i = 0; i < 20000 * properties::repeat(); ++i) {
+    const auto power = [&] { return std::ldexp(1.0, random.integer(-900, 900)); };
+    const double half = power(), x = random.chance(0.5) ? 0 : random.sign() * half;
+    // Up to the end of an axis, past it, or not so far, by next to nothing.
+    const vesica::Ellipse<double> e{x,    random.chance(0.5) ? power() : 0,   1, random.chance(0.5) ? power() : 0,
+                                    half, random.chance(0.5) ? half : power()};
+    const double off = random.chance(0.3) ? 0 : random.sign() * power();
+    const vesica::Segment<double> s{random.chance(0.5) ? x : off, e.cy, x + half * random.integer(0, 1), e.cy + off};
+    const exact::Box box = exact::form(s);
+    const exact::Ellipse ellipse = exact::form(e);
+    const exact::Length dx = box.cx - ellipse.cx, dy = box.cy - ellipse.cy;
+    const auto& [cx, cy, vx, vy, a, b] = ellipse;
+    const auto m0 = b * exact::dot(vx, vy, dx, dy), m1 = a * exact::cross(vx, vy, dx, dy);
+    const auto c = exact::dot(vx, vy, box.ux, box.uy), t = exact::cross(vx, vy, box.ux, box.uy);
+    const auto vv = exact::dot(vx, vy, vx, vy);
+    exact::Signs all, few;
+    const int sign = exact::detail::least_room(all, m0, m1, c, t, vv, a, b, box.hx, box.hy);
+    using Few = exact::Leading<exact::few_limbs>;
+    exact::detail::least_room(few, Few(m0), Few(m1), Few(c), Few(t), Few(vv), Few(a), Few(b), Few(box.hx), Few(box.hy));
+    (few.certain ? told : not_told) += 1;
+    ASSERT_EQ(exact::clearance(box, ellipse), sign);
+    ++signs[static_cast<std::size_t>(sign + 1)];
+  }
+  for (const int count : signs) EXPECT_GT(count, 100 * properties::repeat());
+  EXPECT_GT(told, 1000 * properties::repeat());
+  EXPECT_GT(not_told, 100 * properties::repeat());
+}
+
+}  // namespace
