@@ -110,7 +110,8 @@ struct CallTable {
   using Call = std::int32_t (*)(const void* a, const void* b, RestOfCall rest) noexcept;
   using Calls = Call[kind_count][kind_count];
   template <class T>
-  using Cast = std::int32_t (*)(const void* a, const void* b, T vx, T vy, T end, void* out, RestOfCast<T> rest) noexcept;
+  using Cast = std::int32_t (*)(const void* a, const void* b, T vx, T vy, T end, void* out,
+                                RestOfCast<T> rest) noexcept;
   Calls f32, f64;
   Cast<float> casts_f32[kind_count][kind_count];
   Cast<double> casts_f64[kind_count][kind_count];
