@@ -19,6 +19,12 @@ enum class Quick {
 };
 
 inline constexpr double quick_tiny = 0x1p-400;
+/// Conditions that nearly always hold: processors foresee jumps, so that those of scalars need not be combined.
+VESICA_INLINE bool all_hold(bool a, bool b, bool c) noexcept { return a && b && c; }
+template <class Mask>
+VESICA_INLINE Mask all_hold(Mask a, Mask b, Mask c) noexcept {
+  return both(both(a, b), c);
+}
 template <class V>
 VESICA_INLINE auto in_quick_range(V square) noexcept {
   return both(square >= V(0x1p-80), square <= V(0x1p80));
@@ -26,7 +32,7 @@ VESICA_INLINE auto in_quick_range(V square) noexcept {
 /// Of a motion, by v.v. Places at an earlier end may have more digits than exact numbers hold, which is not told here.
 template <class V>
 VESICA_INLINE auto is_quick(const MotionOf<V>& v, V vv) noexcept {
-  return both(in_quick_range(vv), v.end >= V(0x1p-300));
+  return all_hold(vv >= V(0x1p-80), vv <= V(0x1p80), v.end >= V(0x1p-300));
 }
 
 /// `miss` is above 0 only if a miss is certain, `hit` only if contact at some time is; early(), asked last, only if the
@@ -71,7 +77,7 @@ template <class V>
 VESICA_INLINE Quick filter_disc(V dx, V dy, V r, const MotionOf<V>& v) noexcept {
   constexpr double u = 0x1p-53;
   const V tiny(quick_tiny), vv = v.vx * v.vx + v.vy * v.vy, dd = dx * dx + dy * dy, rr = r * r, sizes = dd + rr;
-  const auto usable = both(is_quick(v, vv), both(r >= V(0.0), sizes <= V(most_usable * most_usable)));
+  const auto usable = all_hold(is_quick(v, vv), r >= V(0.0), sizes <= V(most_usable * most_usable));
   const V w = v.vx * dy - v.vy * dx, q = v.vx * dx + v.vy * dy, f = dd - rr;
   const V inside = rr * vv - w * w, line_error = V(16 * u) * (vv * sizes) + tiny;
   const V speed = abs(v.vx) + abs(v.vy), far = abs(dx) + abs(dy);
@@ -105,8 +111,8 @@ VESICA_INLINE Quick quick_filter(const Ellipse<V>& e, const Point<V>& p, const M
   const V tiny(quick_tiny), bound(16 * u), zero(0.0);
   const V dx = p.x - e.cx, dy = p.y - e.cy, vv = v.vx * v.vx + v.vy * v.vy, uu = e.ux * e.ux + e.uy * e.uy;
   const V far = abs(dx) + abs(dy), sum = e.a + e.b;
-  const auto sized = both(both(e.a >= zero, e.b >= zero), sum + far <= V(most_usable));
-  const auto usable = both(both(is_quick(v, vv), in_quick_range(uu)), sized);
+  const auto sized = all_hold(e.a >= zero, e.b >= zero, sum + far <= V(most_usable));
+  const auto usable = all_hold(is_quick(v, vv), in_quick_range(uu), sized);
   const V x = e.b * (e.ux * dx + e.uy * dy), y = e.a * (e.ux * dy - e.uy * dx);
   const V c = e.b * (e.ux * v.vx + e.uy * v.vy), k = e.a * (e.ux * v.vy - e.uy * v.vx);
   const V w = v.vx * dy - v.vy * dx, al = k * k + c * c, area = e.a * e.b * uu, q = x * c + y * k;
@@ -143,7 +149,7 @@ VESICA_INLINE Quick filter_box(const BoxFrame<V>& f, V dx, V dy, const MotionOf<
   const V tiny(quick_tiny), bound(16 * u);
   const V vv = v.vx * v.vx + v.vy * v.vy, speed = abs(v.vx) + abs(v.vy), far = abs(dx) + abs(dy);
   const V sum = f.hx + f.hy, whole = sum * f.axis + far;
-  const auto usable = both(is_quick(v, vv), both(sized, sum + far <= V(most_usable)));
+  const auto usable = all_hold(is_quick(v, vv), sized, sum + far <= V(most_usable));
   const V along_x = abs(f.c), along_y = abs(f.k), turning = bound * (f.axis * speed);
   const V w = v.vx * dy - v.vy * dx, inside = (f.hx * along_y + f.hy * along_x) - abs(w);
   const V line_error = bound * (speed * whole) + tiny, error = bound * (f.axis * whole) + tiny;
@@ -173,7 +179,7 @@ VESICA_INLINE Quick quick_filter_of_box(const Box<V>& box, const Point<V>& p, co
                           hy,
                           ux * ux + uy * uy,
                           axis};
-  return filter_box(frame, dx, dy, v, both(both(hx >= V(0.0), hy >= V(0.0)), in_usable_range(axis)));
+  return filter_box(frame, dx, dy, v, all_hold(hx >= V(0.0), hy >= V(0.0), in_usable_range(axis)));
 }
 template <class V>
 VESICA_INLINE Quick quick_filter(const Aabb<V>& a, const Point<V>& p, const MotionOf<V>& v) noexcept {
