@@ -41,7 +41,8 @@ Body body_of(int32_t kind, const T* numbers) noexcept {
 }
 
 /// Of shapes whose kinds are known when this is compiled. The C structs are the core's shapes and contacts byte for
-/// byte, and of doubles its result is written where it shall be. `told`: what the quick filter told, where it was asked.
+/// byte, and of doubles its result is written where it shall be. `told`: what the quick filter has told, where it was
+/// asked before.
 template <class A, class B, class T, class... Told>
 VESICA_INLINE int32_t cast_shapes(const void* a, const void* b, const Motion& motion, void* out,
                                   Told... told) noexcept {

@@ -4,8 +4,10 @@
 /// contact and the time are certain, and points and normals are computed by the same operations.
 ///
 /// Bounds below have u = 2^-53. Differences of coordinates are off by u of themselves. Underflow adds less than 2^-400:
-/// velocities are between 2^-40 and 2^40 or so, lengths below 2^200 as in filter.hpp. The filters of rays and of two discs
-/// have a type V of numbers: double, or one whose products may be fused, which makes no bound less.
+/// velocities are between 2^-40 and 2^40 or so, lengths below 2^200 as in filter.hpp.
+///
+/// The filters of rays and of two discs have a type V of numbers: double, or one that may fuse products with sums. No
+/// bound needs a product to be rounded.
 #pragma once
 
 #include <vesica/cast/first_contact.hpp>
