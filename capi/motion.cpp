@@ -15,6 +15,7 @@ using vesica::Impact;
 using vesica::batch::body_at;
 using vesica::detail::cast::Body;
 using vesica::detail::cast::Motion;
+using vesica::detail::cast::Quick;
 namespace index = vesica::index;
 
 static_assert(vesica::cast_miss == VESICA_CAST_MISS && vesica::cast_hit == VESICA_CAST_HIT &&
@@ -39,32 +40,64 @@ Body body_of(int32_t kind, const T* numbers) noexcept {
   return body;
 }
 
-/// Of shapes whose kinds are known when this is compiled. The C structs are the core's shapes byte for byte, and of
-/// doubles its result is written where it shall be.
-template <class A, class B, class T, class Out>
-VESICA_INLINE int32_t cast_shapes(const void* a, const void* b, const Motion& motion, Out* out) noexcept {
+/// Of shapes whose kinds are known when this is compiled. The C structs are the core's shapes and contacts byte for
+/// byte, and of doubles its result is written where it shall be. `told`: what the quick filter has told, where it was
+/// asked before.
+template <class A, class B, class T, class... Told>
+VESICA_INLINE int32_t cast_shapes(const void* a, const void* b, const Motion& motion, void* out,
+                                  Told... told) noexcept {
   using vesica::detail::cast::in_double;
   const A& first = *static_cast<const A*>(a);
   const B& second = *static_cast<const B*>(b);
+  Impact<T>& to = *static_cast<Impact<T>*>(out);
   if constexpr (std::is_same_v<T, double>) {
-    auto& found = *static_cast<Impact<double>*>(static_cast<void*>(out));
-    const int32_t code = vesica::queries::cast_shapes(first, second, motion, found);
-    if (code == VESICA_CAST_MISS) write(vesica::detail::cast::no_impact<double>(), out);
+    const int32_t code = vesica::queries::cast_shapes(first, second, motion, to, told...);
+    if (code == VESICA_CAST_MISS) to = vesica::detail::cast::no_impact<double>();
     return code;
   } else {
     Impact<double> found;
-    const int32_t code = vesica::queries::cast_shapes(in_double(first), in_double(second), motion, found);
-    if (code < 0) return code;
-    Impact<T> rounded = vesica::detail::cast::no_impact<T>();
-    if (code != VESICA_CAST_MISS && !vesica::detail::cast::rounded_to(found, rounded)) return VESICA_E_RANGE;
-    write(rounded, out);
+    const int32_t code = vesica::queries::cast_shapes(in_double(first), in_double(second), motion, found, told...);
+    if (code == VESICA_CAST_MISS) to = vesica::detail::cast::no_impact<T>();
+    if (code > 0 && !vesica::detail::cast::rounded_to(found, to)) return VESICA_E_RANGE;
     return code;
   }
 }
 
+template <class A, class B, class T>
+int32_t cast_known(const void* a, const void* b, T vx, T vy, T end, void* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT((cast_known<A, B, T>), a, b, vx, vy, end, out);
+  return cast_shapes<A, B, T>(a, b, motion_of(vx, vy, end), out);
+}
+
+/// For calls that have not read the control register.
+template <class A, class B, class T>
+int32_t rest_of_cast(const void* a, const void* b, T vx, T vy, T end, void* out, Quick told) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT((cast_known<A, B, T>), a, b, vx, vy, end, out);
+  return cast_shapes<A, B, T>(a, b, motion_of(vx, vy, end), out, told);
+}
+
+/// The same by kinds: of the pairs that CallTable has casts of.
+template <class T>
+struct RestOfCasts {
+  vesica::RestOfCast<T> of[vesica::kind_count][vesica::kind_count];
+};
+template <class T>
+consteval RestOfCasts<T> rest_of_casts() noexcept {
+  RestOfCasts<T> rest{};
+  rest.of[VESICA_SEGMENT][VESICA_POINT] = rest_of_cast<vesica::Segment<T>, vesica::Point<T>, T>;
+  rest.of[VESICA_CIRCLE][VESICA_POINT] = rest_of_cast<vesica::Circle<T>, vesica::Point<T>, T>;
+  rest.of[VESICA_AABB][VESICA_POINT] = rest_of_cast<vesica::Aabb<T>, vesica::Point<T>, T>;
+  rest.of[VESICA_RECT][VESICA_POINT] = rest_of_cast<vesica::Rect<T>, vesica::Point<T>, T>;
+  rest.of[VESICA_ELLIPSE][VESICA_POINT] = rest_of_cast<vesica::Ellipse<T>, vesica::Point<T>, T>;
+  rest.of[VESICA_CIRCLE][VESICA_CIRCLE] = rest_of_cast<vesica::Circle<T>, vesica::Circle<T>, T>;
+  return rest;
+}
+template <class T>
+constinit const RestOfCasts<T> casts_by_kind = rest_of_casts<T>();
+
 template <class T, class Out>
-int32_t cast(int32_t kind_a, const T* a, int32_t kind_b, const T* b, T vx, T vy, T end, Out* out) noexcept {
-  VESICA_DEFAULT_ENVIRONMENT((cast<T, Out>), kind_a, a, kind_b, b, vx, vy, end, out);
+int32_t cast_any(int32_t kind_a, const T* a, int32_t kind_b, const T* b, T vx, T vy, T end, Out* out) noexcept {
+  VESICA_DEFAULT_ENVIRONMENT((cast_any<T, Out>), kind_a, a, kind_b, b, vx, vy, end, out);
   if (a == nullptr || b == nullptr || out == nullptr) return VESICA_E_NULL;
   if (!vesica::is_kind(kind_a) || !vesica::is_kind(kind_b)) return VESICA_E_KIND;
   const Motion motion = motion_of(vx, vy, end);
@@ -89,10 +122,30 @@ int32_t cast(int32_t kind_a, const T* a, int32_t kind_b, const T* b, T vx, T vy,
   return code;
 }
 
-template <class A, class B, class T, class Out>
-VESICA_INLINE int32_t cast_typed(const void* a, const void* b, T vx, T vy, T end, Out* out) noexcept {
+template <class T, class Out>
+VESICA_INLINE int32_t cast(int32_t kind_a, const T* a, int32_t kind_b, const T* b, T vx, T vy, T end,
+                           Out* out) noexcept {
+  const vesica::CallTable* const calls = vesica::chosen_calls();
+  const bool given = a != nullptr && b != nullptr && out != nullptr;
+  if (calls != nullptr && given && vesica::is_kind(kind_a) && vesica::is_kind(kind_b)) {
+    const auto call = calls->cast(T{}, kind_a, kind_b);
+    if (call != nullptr) return call(a, b, vx, vy, end, out, casts_by_kind<T>.of[kind_a][kind_b]);
+  }
+  return cast_any(kind_a, a, kind_b, b, vx, vy, end, out);
+}
+
+template <class A, class B, class T>
+VESICA_INLINE int32_t cast_typed(const void* a, const void* b, T vx, T vy, T end, void* out) noexcept {
   if (a == nullptr || b == nullptr || out == nullptr) return VESICA_E_NULL;
-  return cast_shapes<A, B, T>(a, b, motion_of(vx, vy, end), out);
+  constexpr int kind_a = static_cast<int>(vesica::ShapeTraits<A>::kind);
+  constexpr int kind_b = static_cast<int>(vesica::ShapeTraits<B>::kind);
+  constexpr vesica::RestOfCast<T> rest = rest_of_casts<T>().of[kind_a][kind_b];
+  if constexpr (rest != nullptr) {
+    const vesica::CallTable* const calls = vesica::chosen_calls();
+    if (calls != nullptr) [[likely]]
+      return calls->cast(T{}, kind_a, kind_b)(a, b, vx, vy, end, out, rest);
+  }
+  return cast_known<A, B, T>(a, b, vx, vy, end, out);
 }
 
 template <class T, class CTurn, class Out>
@@ -294,7 +347,6 @@ VESICA_MOTION(f32, float)
 #define VESICA_CAST_OF(a, A, b, B, scalar, T)                                                                          \
   int32_t vesica_cast_##a##_##b##_##scalar(const vesica_##a##_##scalar* s, const vesica_##b##_##scalar* t, T vx, T vy, \
                                            T t_end, vesica_impact_##scalar* out) {                                     \
-    VESICA_DEFAULT_ENVIRONMENT(vesica_cast_##a##_##b##_##scalar, s, t, vx, vy, t_end, out);                            \
     return cast_typed<vesica::A<T>, vesica::B<T>>(s, t, vx, vy, t_end, out);                                           \
   }
 #define VESICA_CAST(a, A, b, B) VESICA_CAST_OF(a, A, b, B, f64, double) VESICA_CAST_OF(a, A, b, B, f32, float)

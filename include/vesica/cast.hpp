@@ -29,13 +29,6 @@ namespace detail::cast {
 
 inline bool is_sound(const Motion& m) noexcept { return all_finite(m.vx, m.vy) && m.end >= 0; }
 
-/// The result of a miss.
-template <class T>
-constexpr Impact<T> no_impact() noexcept {
-  constexpr T none = std::numeric_limits<T>::quiet_NaN();
-  return {std::numeric_limits<T>::infinity(), none, none, none, none};
-}
-
 /// The time is rounded down, the rest to the nearest. False where a number would exceed the finite ones.
 template <class T>
 bool rounded_to(const Impact<double>& i, Impact<T>& out) noexcept {

@@ -5,9 +5,10 @@
 #include "lanes/steady.hpp"
 // clang-format on
 #include "kernels/calls.hpp"
+#include "kernels/cast_calls.hpp"
 
 namespace vesica {
 
-constinit const CallTable kernels_avx512_calls = make_calls();
+constinit const CallTable kernels_avx512_calls = with_casts(make_calls());
 
 }  // namespace vesica

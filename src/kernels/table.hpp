@@ -99,15 +99,32 @@ using CopyRecords = void (*)(Unaligned<T> from, std::ptrdiff_t stride, int field
 /// What a call asks where it does not know the answer: its filter leaves the pair undecided, or subnormals are flushed.
 using RestOfCall = std::int32_t (*)(const void* a, const void* b) noexcept;
 
+/// The same of a cast, where the quick filter knows no miss: what it does know, which is nothing where subnormals are
+/// flushed.
+namespace detail::cast {
+enum class Quick;
+}
+template <class T>
+using RestOfCast = std::int32_t (*)(const void* a, const void* b, T vx, T vy, T end, void* out,
+                                    detail::cast::Quick quick) noexcept;
+
 /// Whether two shapes overlap, in any floating-point environment, without reading the control register. By the two
-/// kinds in the order of shapes. kernels/calls.hpp has the functions.
+/// kinds in the order of shapes. kernels/calls.hpp has the functions. And casts by a quick filter; null where there is
+/// none.
 struct CallTable {
   using Call = std::int32_t (*)(const void* a, const void* b, RestOfCall rest) noexcept;
   using Calls = Call[kind_count][kind_count];
+  template <class T>
+  using Cast = std::int32_t (*)(const void* a, const void* b, T vx, T vy, T end, void* out,
+                                RestOfCast<T> rest) noexcept;
   Calls f32, f64;
+  Cast<float> casts_f32[kind_count][kind_count];
+  Cast<double> casts_f64[kind_count][kind_count];
 
   const Calls& of(float) const noexcept { return f32; }
   const Calls& of(double) const noexcept { return f64; }
+  Cast<float> cast(float, int a, int b) const noexcept { return casts_f32[a][b]; }
+  Cast<double> cast(double, int a, int b) const noexcept { return casts_f64[a][b]; }
 };
 
 struct QueryTable;

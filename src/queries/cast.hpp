@@ -33,18 +33,25 @@ std::int32_t cast_rest(const Body& a, const Body& b, const Motion& motion, const
 template <class A, class B>
 detail::cast::Quick quick_hit(const A& a, const B& b, double vx, double vy, double end, Impact<double>& out) noexcept;
 
+/// The answer about two shapes of which the quick filter has told `quick`, or error_argument.
+template <template <class> class A, template <class> class B>
+VESICA_INLINE std::int32_t cast_shapes(const A<double>& a, const B<double>& b, const Motion& motion,
+                                       Impact<double>& out, detail::cast::Quick quick) noexcept {
+  using namespace detail::cast;
+  if (quick == Quick::missed) return cast_miss;
+  if (quick == Quick::hit) quick = queries::quick_hit(a, b, motion.vx, motion.vy, motion.end, out);
+  if (quick != Quick::open) return quick == Quick::hit ? cast_hit : cast_miss;
+  if (!is_sound(motion)) return error_argument;
+  return cast_open(body(a), body(b), motion, out);
+}
+
 /// The answer about two shapes, or error_argument. Their first filter is compiled where it is called, and nothing else.
 template <template <class> class A, template <class> class B>
 VESICA_INLINE std::int32_t cast_shapes(const A<double>& a, const B<double>& b, const Motion& motion,
                                        Impact<double>& out) noexcept {
   using namespace detail::cast;
   if constexpr (HasQuick<A<double>, B<double>>) {
-    Quick quick = quick_filter(a, b, motion);
-    if (quick == Quick::missed) return cast_miss;
-    if (quick == Quick::hit) quick = queries::quick_hit(a, b, motion.vx, motion.vy, motion.end, out);
-    if (quick != Quick::open) return quick == Quick::hit ? cast_hit : cast_miss;
-    if (!is_sound(motion)) return error_argument;
-    return cast_open(body(a), body(b), motion, out);
+    return cast_shapes(a, b, motion, out, quick_filter(a, b, motion));
   } else {
     if (!is_sound(motion)) return error_argument;
     const Filtered known = detail::cast::filter(sketch(a), sketch(b), motion);

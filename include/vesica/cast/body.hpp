@@ -65,10 +65,12 @@ VESICA_INLINE auto with_shape(const Body& body, const Action& action) noexcept {
 }
 
 /// The second body moves by v t while t runs from 0 to `end`, which may be infinite.
-struct Motion {
-  double vx, vy, end;
+template <class V>
+struct MotionOf {
+  V vx, vy, end;
 
   bool is_still() const noexcept { return vx == 0 && vy == 0; }
 };
+using Motion = MotionOf<double>;
 
 }  // namespace vesica::detail::cast

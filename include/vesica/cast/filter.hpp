@@ -19,7 +19,10 @@ struct Sketch {
 
 inline constexpr double least_usable = 0x1p-200, most_usable = 0x1p200;
 
-inline bool in_usable_range(double x) noexcept { return x >= least_usable && x <= most_usable; }
+template <class V>
+VESICA_INLINE auto in_usable_range(V x) noexcept {
+  return both(x >= V(least_usable), x <= V(most_usable));
+}
 
 template <class Shape>
 VESICA_INLINE Sketch sketch(const Shape& s) noexcept {
@@ -83,8 +86,9 @@ struct Filtered {
 
 /// Offset of the centres along a coordinate: the mean of two differences, each rounded, and none larger than |D| + R /
 /// V. So the error is below 2u |D| + u R / V.
-VESICA_INLINE double offset(double to0, double to1, double from0, double from1) noexcept {
-  return 0.5 * ((to0 - from0) + (to1 - from1));
+template <class V>
+VESICA_INLINE V offset(V to0, V to1, V from0, V from1) noexcept {
+  return V(0.5) * ((to0 - from0) + (to1 - from1));
 }
 
 VESICA_INLINE Filtered filter(const Sketch& a, const Sketch& b, const Motion& v) noexcept {

@@ -31,6 +31,13 @@ enum CastAnswer : std::int32_t {
 
 namespace detail::cast {
 
+/// The result of a miss.
+template <class T>
+constexpr Impact<T> no_impact() noexcept {
+  constexpr T none = std::numeric_limits<T>::quiet_NaN();
+  return {std::numeric_limits<T>::infinity(), none, none, none, none};
+}
+
 /// A line that grazes, and on which side of it the second shape's centre passes.
 struct Graze {
   bool grazes;

@@ -18,7 +18,7 @@ struct QuickSide {
 VESICA_INLINE QuickSide quick_side(double from, double low, double high, double v) noexcept {
   // Along a side: between that and the one opposite all the time.
   if (v == 0) return {{-1, 0}, 1, 0, 0};
-  return {nearest::exact_difference(v > 0 ? low : high, from), v, 0, 0};
+  return {nearest::exact_difference(lane::select(v > 0, low, high), from), v, 0, 0};
 }
 template <class Products>
 VESICA_INLINE void set_rest(QuickSide& side) noexcept {
@@ -51,15 +51,14 @@ VESICA_INLINE Quick quick_hit(const Aabb<double>& a, const Point<double>& b, con
   if (t > v.end) return Quick::missed;
   if (t == v.end && (on_x ? x.rest : y.rest) != 0) return Quick::open;
   const double half_x = width * 0.5, half_y = height * 0.5;
-  const double at_x = d.x.high + t * v.vx, at_y = d.y.high + t * v.vy;
-  const Two share = Two{at_x * half_x, at_y * half_y} / Two{half_x * half_x, half_y * half_y};
+  // Along the side that is met: where on it.
+  const double half = lane::select(on_x, half_y, half_x);
+  const double at = lane::select(on_x, d.y.high, d.x.high) + t * lane::select(on_x, v.vy, v.vx);
+  const double share = lane::min(lane::max(at * half / (half * half), -1.0), 1.0);
   const double side_x = lane::flip_sign(-1.0, v.vx), side_y = lane::flip_sign(-1.0, v.vy);
-  const auto within = [](double s) { return lane::min(lane::max(s, -1.0), 1.0); };
-  out = {
-      t,
-      support_minimum::located_coordinate(from.x0, from.x1, lane::select(on_x, side_x, within(share.x)) * half_x) + 0.0,
-      support_minimum::located_coordinate(from.y0, from.y1, lane::select(on_x, within(share.y), side_y) * half_y) + 0.0,
-      lane::select(on_x, side_x, 0.0), lane::select(on_x, 0.0, side_y)};
+  out = {t, support_minimum::located_coordinate(from.x0, from.x1, lane::select(on_x, side_x, share) * half_x) + 0.0,
+         support_minimum::located_coordinate(from.y0, from.y1, lane::select(on_x, share, side_y) * half_y) + 0.0,
+         lane::select(on_x, side_x, 0.0), lane::select(on_x, 0.0, side_y)};
   return Quick::hit;
 }
 

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Casts of two shapes that miss, without reading the control register. Included once, by src/isa/<set>_calls.cpp, after
+// kernels/calls.hpp.
+#pragma once
+
+#include <vesica/cast/quick.hpp>
+
+namespace vesica {
+namespace {
+
+template <class A, class B, class T>
+VESICA_KERNEL std::int32_t cast_call(const void* a, const void* b, T vx, T vy, T end, void* out,
+                                     RestOfCast<T> rest) noexcept {
+  using namespace detail::cast;
+  Quick quick = Quick::open;
+  if (keeps_subnormals()) [[likely]] {
+    const MotionOf<Steady> motion{Steady::load(vx), Steady::load(vy), Steady::load(end)};
+    quick = quick_filter(Read<A>::from(a), Read<B>::from(b), motion);
+  }
+  if (quick != Quick::missed) return rest(a, b, vx, vy, end, out, quick);
+  *static_cast<Impact<T>*>(out) = no_impact<T>();
+  return cast_miss;
+}
+
+template <template <class> class A, template <class> class B>
+consteval void enter_cast(CallTable& calls) noexcept {
+  constexpr int a = static_cast<int>(kind_of<A>), b = static_cast<int>(kind_of<B>);
+  calls.casts_f32[a][b] = cast_call<A<float>, B<float>, float>;
+  calls.casts_f64[a][b] = cast_call<A<double>, B<double>, double>;
+}
+consteval CallTable with_casts(CallTable calls) noexcept {
+  enter_cast<Segment, Point>(calls);
+  enter_cast<Circle, Point>(calls);
+  enter_cast<Aabb, Point>(calls);
+  enter_cast<Rect, Point>(calls);
+  enter_cast<Ellipse, Point>(calls);
+  enter_cast<Circle, Circle>(calls);
+  return calls;
+}
+
+}  // namespace
+}  // namespace vesica
