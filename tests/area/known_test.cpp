@@ -183,7 +183,8 @@ TEST(KnownAreas, OfOutlinesThatTouchFromTheInside) {
   }
 }
 
-// Which of two equal boxes is cut by the other decides about the last digits: kernels take the same one as single calls.
+// Which of two equal boxes is cut by the other decides about the last digits: kernels take the same one as single
+// calls.
 TEST(KnownAreas, OfEqualBoxesInArrays) {
   constexpr int n = 64;
   properties::Random random(1);
