@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ellipses at what their quick decisions are made for: how many contacts of two are left to the general search, and rays
-// at ellipses that are tiny or thin, where a bound that is a little too small tells a wrong answer.
+// Ellipses at what their quick decisions are made for: how many contacts of two are left to the general search, and
+// rays at ellipses that are tiny or thin, where a bound that is a little too small tells a wrong answer.
 #include <gtest/gtest.h>
 
 #include <array>
