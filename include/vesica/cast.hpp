@@ -18,6 +18,7 @@
 #pragma once
 
 #include <limits>
+#include <type_traits>
 #include <vesica/bounds.hpp>
 #include <vesica/cast/quick_hit.hpp>
 #include <vesica/depth.hpp>
@@ -70,7 +71,8 @@ std::int32_t cast_any(const A<T>& a, const B<T>& b, const Motion& motion, Impact
 /// vesica_motion.h. Writes the contact; after a miss t is infinite and the rest NaN. On error `out` is untouched. Any
 /// kinds, in either order.
 template <template <class> class A, template <class> class B, class T>
-std::int32_t cast_or_error(const A<T>& a, const B<T>& b, T vx, T vy, T t_end, Impact<T>& out) noexcept {
+std::int32_t cast_or_error(const A<T>& a, const B<T>& b, std::type_identity_t<T> vx, std::type_identity_t<T> vy,
+                           std::type_identity_t<T> t_end, Impact<T>& out) noexcept {
   const detail::cast::Motion motion{static_cast<double>(vx), static_cast<double>(vy), static_cast<double>(t_end)};
   if constexpr (detail::cast::HasQuick<A<double>, B<double>>) {
     using detail::cast::Quick;
@@ -95,7 +97,8 @@ std::int32_t cast_or_error(const A<T>& a, const B<T>& b, T vx, T vy, T t_end, Im
 /// The first contact. For valid shapes and motions: t is infinite after a miss, and all numbers are NaN where
 /// cast_or_error(), the checked form, returns an error.
 template <template <class> class A, template <class> class B, class T>
-Impact<T> cast(const A<T>& a, const B<T>& b, T vx, T vy, T t_end) noexcept {
+Impact<T> cast(const A<T>& a, const B<T>& b, std::type_identity_t<T> vx, std::type_identity_t<T> vy,
+               std::type_identity_t<T> t_end) noexcept {
   constexpr T none = std::numeric_limits<T>::quiet_NaN();
   Impact<T> out{none, none, none, none, none};
   cast_or_error(a, b, vx, vy, t_end, out);
@@ -106,7 +109,8 @@ Impact<T> cast(const A<T>& a, const B<T>& b, T vx, T vy, T t_end) noexcept {
 /// outward. Returns 0, error_shape, error_argument as cast_or_error() does, or error_range when a side would be beyond
 /// the finite numbers; on error `out` is untouched.
 template <template <class> class Shape, class T>
-int sweep_bounds(const Shape<T>& s, T vx, T vy, T t_end, Aabb<T>& out) noexcept {
+int sweep_bounds(const Shape<T>& s, std::type_identity_t<T> vx, std::type_identity_t<T> vy,
+                 std::type_identity_t<T> t_end, Aabb<T>& out) noexcept {
   const detail::cast::Motion motion{static_cast<double>(vx), static_cast<double>(vy), static_cast<double>(t_end)};
   if (!detail::cast::is_sound(motion)) return error_argument;
   Aabb<T> box;

@@ -15,6 +15,7 @@
 /// directions or 4096 poses.
 #pragma once
 
+#include <type_traits>
 #include <vesica/cast.hpp>
 #include <vesica/impact_time/advance.hpp>
 
@@ -128,7 +129,7 @@ Turn<double> widen(const Turn<T>& t) noexcept {
 /// error nothing is written. Any kinds, in either order.
 template <template <class> class A, template <class> class B, class T>
 std::int32_t impact_time_or_error(const A<T>& a, const Turn<T>& turn_a, const B<T>& b, const Turn<T>& turn_b,
-                                  T tolerance, Impact<T>& out, T& gap) noexcept {
+                                  std::type_identity_t<T> tolerance, Impact<T>& out, T& gap) noexcept {
   namespace impl = detail::impact_time;
   if (!impl::is_sound(turn_a) || !impl::is_sound(turn_b) || !(tolerance > 0)) return error_argument;
   Impact<double> found{};
@@ -161,7 +162,7 @@ struct ImpactTime {
 /// returns an error.
 template <template <class> class A, template <class> class B, class T>
 ImpactTime<T> impact_time(const A<T>& a, const Turn<T>& turn_a, const B<T>& b, const Turn<T>& turn_b,
-                          T tolerance) noexcept {
+                          std::type_identity_t<T> tolerance) noexcept {
   constexpr T none = std::numeric_limits<T>::quiet_NaN();
   ImpactTime<T> out{{none, none, none, none, none}, none};
   impact_time_or_error(a, turn_a, b, turn_b, tolerance, out.impact, out.gap);
