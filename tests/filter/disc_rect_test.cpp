@@ -100,6 +100,27 @@ TEST(DiscRect, DecideIntegersOfAnyLength) {
   }
 }
 
+/// Lengths of 128 bits, less what was cut off: rounded up they would tell that shapes are disjoint, and one that was
+/// cut off tells nothing where the squares are as near to each other as that.
+TEST(DiscRect, WhatWasCutOffCounts) {
+  using filter::Beyond, filter::Integer64, filter::Residue128, filter::Residue256, filter::compare_squares;
+  const Beyond none({0, 0}, Integer64{0}, {1, 0}), half({0, 4}, Integer64{1}, {1ULL << 63, 0});  // 2^66 - 1/2
+  const auto told = [&](const Beyond& x, const Residue256& reached) {
+    const auto verdict = compare_squares(x, none, reached, true);
+    return verdict.overlap ? 1 : verdict.disjoint ? 0 : -1;
+  };
+  // Its square is 2^132 - 2^66 + 1/4.
+  EXPECT_EQ(told(half, {{0, 0 - 2ULL}, {15, 0}}), -1) << "2^132 - 2^65 is greater";
+  EXPECT_EQ(told(half, {{0, 0 - 8ULL}, {15, 0}}), 0) << "2^132 - 2^67 is less";
+  EXPECT_EQ(told(half, {{0, 0}, {17, 0}}), 1) << "2^132 + 2^128";
+  const Beyond ten({10, 0}, Integer64{1}, {1, 0});  // 10 - 2^-64
+  EXPECT_EQ(told(ten, {{90, 0}, {0, 0}}), -1) << "less, but it is rounded down to 9";
+  EXPECT_EQ(told(ten, {{80, 0}, {0, 0}}), 0);
+  const Beyond whole({10, 0}, Integer64{1}, {0, 1});  // 10 - 1
+  EXPECT_EQ(told(whole, {{81, 0}, {0, 0}}), 1) << "contact";
+  EXPECT_EQ(told(whole, {{80, 0}, {0, 0}}), 0);
+}
+
 TEST(DiscRect, DecideNumbersOfAllDigits) {
   Random random(properties::seed());
   Counts counts;
