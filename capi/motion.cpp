@@ -139,11 +139,12 @@ VESICA_INLINE int32_t cast_typed(const void* a, const void* b, T vx, T vy, T end
   if (a == nullptr || b == nullptr || out == nullptr) return VESICA_E_NULL;
   constexpr int kind_a = static_cast<int>(vesica::ShapeTraits<A>::kind);
   constexpr int kind_b = static_cast<int>(vesica::ShapeTraits<B>::kind);
-  constexpr vesica::RestOfCast<T> rest = rest_of_casts<T>().of[kind_a][kind_b];
-  if constexpr (rest != nullptr) {
+  // Those that CallTable has casts of.
+  if constexpr ((kind_a != VESICA_POINT && kind_b == VESICA_POINT) ||
+                (kind_a == VESICA_CIRCLE && kind_b == VESICA_CIRCLE)) {
     const vesica::CallTable* const calls = vesica::chosen_calls();
     if (calls != nullptr) [[likely]]
-      return calls->cast(T{}, kind_a, kind_b)(a, b, vx, vy, end, out, rest);
+      return calls->cast(T{}, kind_a, kind_b)(a, b, vx, vy, end, out, rest_of_cast<A, B, T>);
   }
   return cast_known<A, B, T>(a, b, vx, vy, end, out);
 }
