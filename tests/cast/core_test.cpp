@@ -65,12 +65,12 @@ TEST(CastOfTheHeader, HasTheBitsOfTheLibrary) {
   expect_same_answers<Circle, Circle, float>();
 }
 
-/// Velocities and ends need not be of the shapes' type: INFINITY is a float, and 1 is an int.
+/// Velocities and ends need not be of the shapes' type: they become it.
 TEST(CastOfTheHeader, TakesNumbersOfOtherTypes) {
   const Circle<double> disc{0, 0, 1};
   const Point<double> point{5, 0};
-  EXPECT_EQ(cast(disc, point, -1, 0, INFINITY).t, 4);
-  EXPECT_EQ(cast(disc, point, -0.5f, 0.0, 100).t, 8);
+  EXPECT_EQ(cast(disc, point, -1, 0, 100).t, 4);
+  EXPECT_EQ(cast(disc, point, -0.5, 0, HUGE_VAL).t, 8);
   EXPECT_EQ(cast(Circle<float>{0, 0, 1}, Point<float>{5, 0}, -1, 0, INFINITY).t, 4);
   Aabb<double> box;
   EXPECT_EQ(sweep_bounds(disc, 0, 0, 3, box), 0);
