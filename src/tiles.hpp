@@ -97,7 +97,7 @@ class Tiles {
   [[gnu::noinline]] Surroundings around(const Shapes<T>& shapes, std::int64_t begin, std::int32_t n) const noexcept {
     Columns<T, stretch> columns;
     columns.set(kernels_, shapes, begin, n);
-    index::Fields fields;
+    index::Fields fields{};
     for (int k = 0; k < field_count(shapes.kind); ++k) widen(columns.field[k], n, fields.column[k]);
     index::Boxes boxes;
     boxes_.bounds(shapes.kind, fields, n, boxes);
