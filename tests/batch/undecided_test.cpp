@@ -20,8 +20,8 @@ using properties::Workload;
 
 constexpr int count = 4096;
 /// Instruction sets differ by 8 at most, for some fuse operations. The numbers below are of g++ for x86-64. Clang, and
-/// g++ for s390x, draw the operands of some products in another order, and so other pairs: they differ by 270 at most. A
-/// bound eight times as wide differs by 3 of the 11 powers of two drawn, or 1,100.
+/// g++ for s390x, draw the operands of some products in another order, and so other pairs: they differ by 270 at most.
+/// A bound eight times as wide differs by 3 of the 11 powers of two drawn, or 1,100.
 #if defined(__clang__) || !defined(__x86_64__)
 constexpr int tolerance = 320;
 #else
