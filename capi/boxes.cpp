@@ -100,7 +100,7 @@ int64_t each_in_blocks(const vesica::batch::Shapes<T>& shapes, T* out, const Fin
 template <class T>
 const vesica::BoxKernels* box_kernels(const vesica::batch::Shapes<T>& shapes) noexcept {
   constexpr int64_t few = 4;
-  if constexpr (!vesica::casts_in_lanes) return nullptr;
+  if constexpr (!vesica::has_box_kernels) return nullptr;
   return shapes.stride == 0 || shapes.count <= few ? nullptr : vesica::kernels().queries->boxes;
 }
 

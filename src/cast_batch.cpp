@@ -322,7 +322,7 @@ void cast_first_in_lanes(const Shapes<T>& one, FirstSearch<T>& search) noexcept 
 }
 
 bool in_lanes(std::int64_t n) noexcept {
-  return casts_in_lanes && n >= fewest_for_lanes && kernels().queries->cast != nullptr;
+  return has_cast_kernels && n >= fewest_for_lanes && kernels().queries->cast != nullptr;
 }
 
 }  // namespace
@@ -331,7 +331,7 @@ template <class T>
 CastTally cast_many(const Shapes<T>& a, const Shapes<T>& b, std::int64_t n, const Velocities<T>& v, double end,
                     T* const (&columns)[5]) noexcept {
   CastTally tally;
-  if constexpr (casts_in_lanes) {
+  if constexpr (has_cast_kernels) {
     if (in_lanes(n)) {
       cast_many_in_lanes(a, b, n, v, end, columns, tally);
       return tally;
@@ -346,7 +346,7 @@ FirstHit cast_first(const Shapes<T>& many, const Shapes<T>& one, const Motion& m
   FirstSearch<T> search{many, body_at(one, 0), motion, {many.count, 0}, detail::cast::no_impact<T>()};
   if (!is_valid(search.moving)) return {0, error_shape};
   bool asked = false;
-  if constexpr (casts_in_lanes) {
+  if constexpr (has_cast_kernels) {
     asked = in_lanes(many.count);
     if (asked) cast_first_in_lanes(one, search);
   }

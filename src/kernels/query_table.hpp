@@ -68,12 +68,14 @@ struct CastTable {
   CastKernel contact[kind_count][kind_count];  // by the kinds of the shape at rest and of that which moves, or null
 };
 
-/// Whether there are kernels of casts at all. Two lanes of SSE2 gain nothing: 0.9 to 1.3 of single calls.
+/// Whether there are kernels of casts, and of one rectangle or ellipse, at all. Two lanes of SSE2 gain nothing: 0.9 to
+/// 1.3 of single calls.
 #if defined(__x86_64__)
-inline constexpr bool casts_in_lanes = true;
+inline constexpr bool has_cast_kernels = true;
 #else
-inline constexpr bool casts_in_lanes = false;
+inline constexpr bool has_cast_kernels = false;
 #endif
+inline constexpr bool has_box_kernels = has_cast_kernels;
 
 /// What each of n rectangles or ellipses has for itself, n as above, by columns of six numbers: the bits of the scalar
 /// function. results[0][i] is NaN where it must be asked, as for invalid shapes.

@@ -5,16 +5,8 @@
 # and suppresses exceptions: {rn-sae} or {sae} of AVX-512.
 set -euo pipefail
 
-fail() {
-  echo "steady: $1" >&2
-  exit 1
-}
-
-[ $# -ge 3 ] || fail "usage: steady.sh OBJDUMP COMPILER OBJECT..."
-objdump=$1
-compiler=$2
-shift 2
-command -v "$objdump" >/dev/null || fail "no objdump ('$objdump'): nothing can be checked"
+# shellcheck source=tests/batch/objects.sh
+. "$(dirname "${BASH_SOURCE[0]}")/objects.sh"
 
 # All of SSE, AVX and AVX-512 that MXCSR is for, by the beginnings of their names.
 arithmetic='^v?(add|sub|mul|div|sqrt|max|min|cmp[a-z_]*|u?comi|cvt[a-z0-9]*|round|rndscale|reduce|range|scalef|fixupimm'
@@ -28,8 +20,6 @@ unsteady() {
 }
 
 # The test can fail: these are what the compiler makes of plain arithmetic.
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 for expression in 'a + b' 'a * b + c' 'a < b' '(float)a' '(int)a' '__builtin_sqrt(a)' 'a / b'; do
   echo "double plain(double a, double b, double c) { (void)b; (void)c; return $expression; }" >"$work/plain.c"
   for flags in -O2 "-O2 -mavx512f -ffp-contract=fast"; do
@@ -41,7 +31,7 @@ done
 
 checked=0
 wrong=0
-for object in "$@"; do
+for object in "${objects[@]}"; do
   case $object in */isa/*_calls.*) ;; *) continue ;; esac
   [ "$("$objdump" -d "$object" | grep -c 'sae}')" -ge 10 ] || fail "$object has few steady instructions"
   found=$(unsteady "$object")

@@ -12,16 +12,8 @@
 #                                            in alternation there
 set -euo pipefail
 
-fail() {
-  echo "unfused: $1" >&2
-  exit 1
-}
-
-[ $# -ge 3 ] || fail "usage: unfused.sh OBJDUMP COMPILER OBJECT..."
-objdump=$1
-compiler=$2
-shift 2
-command -v "$objdump" >/dev/null || fail "no objdump ('$objdump'): nothing can be checked"
+# shellcheck source=tests/batch/objects.sh
+. "$(dirname "${BASH_SOURCE[0]}")/objects.sh"
 
 # found RULE OBJECT: the functions of an object with instructions that the rule forbids, and one such instruction each.
 found() {
@@ -33,8 +25,6 @@ found() {
 }
 
 # The test can fail: this is what the compiler makes of such numbers where it may.
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
 cat >"$work/alternate.c" <<'END'
 void alternate(double *restrict r, const double *restrict a, const double *restrict b, const double *restrict c) {
   r[0] = a[0] * b[0] - c[0];
@@ -48,7 +38,7 @@ END
 
 checked=0
 wrong=0
-for object in "$@"; do
+for object in "${objects[@]}"; do
   case $object in
     */vesica_index.dir/*) rule=plain ;;
     */isa/*_queries.*) rule=queries ;;

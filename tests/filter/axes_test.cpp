@@ -5,20 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "residues.hpp"
 
+namespace vesica::filter_test {
 namespace {
-
-using namespace vesica;
-using filter_test::ask;
-using filter_test::Counts;
-using filter_test::decided;
-using filter_test::neighbour;
-using properties::Random;
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
 
 /// A rectangle, a point on or about one of its faces, and another axis with sizes.
 struct Place {
@@ -227,3 +218,4 @@ TEST(Axes, LeaveInvalidShapes) {
 }
 
 }  // namespace
+}  // namespace vesica::filter_test

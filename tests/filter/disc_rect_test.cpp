@@ -5,27 +5,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "residues.hpp"
 
+namespace vesica::filter_test {
 namespace {
-
-using namespace vesica;
-using filter_test::ask;
-using filter_test::Counts;
-using filter_test::decided;
-using filter_test::neighbour;
-using properties::Random;
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
 
 struct Contact {
   Circle<double> c;
   Rect<double> r;
 };
 
-void ask(const Contact& at, Counts& counts) { filter_test::ask(at.c, at.r, counts); }
+void ask(const Contact& at, Counts& counts) { ask(at.c, at.r, counts); }
 
 Contact moved(Contact at, Random& random) {
   for (double* const number :
@@ -241,3 +232,4 @@ TEST(DiscRect, LeaveInvalidShapes) {
 }
 
 }  // namespace
+}  // namespace vesica::filter_test

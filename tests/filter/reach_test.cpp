@@ -5,20 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "residues.hpp"
 
+namespace vesica::filter_test {
 namespace {
-
-using namespace vesica;
-using filter_test::ask;
-using filter_test::Counts;
-using filter_test::decided;
-using filter_test::neighbour;
-using properties::Random;
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
 
 /// A circle, and the way from its centre to a point on or about its rim.
 struct Place {
@@ -195,3 +186,4 @@ TEST(Reach, LeavesInvalidShapes) {
 }
 
 }  // namespace
+}  // namespace vesica::filter_test

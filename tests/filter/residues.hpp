@@ -13,6 +13,10 @@
 
 namespace vesica::filter_test {
 
+using properties::Random;
+
+inline constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+
 struct Counts {
   int asked = 0, near = 0, far = 0, wrong = 0, overlap = 0;
 };
@@ -52,8 +56,7 @@ bool decided(const A& a, const B& b) {
 }
 
 /// A number up to two places away.
-inline double neighbour(double x, properties::Random& random) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
+inline double neighbour(double x, Random& random) {
   for (int places = random.integer(0, 2); places > 0; --places) x = std::nextafter(x, random.chance(0.5) ? inf : -inf);
   return x;
 }

@@ -8,21 +8,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <vesica/overlap.hpp>
 
 #include "residues.hpp"
 
+namespace vesica::filter_test {
 namespace {
-
-using namespace vesica;
-using filter_test::ask;
-using filter_test::Counts;
-using filter_test::decided;
-using filter_test::neighbour;
-using properties::Random;
-
-constexpr double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
 
 /// A segment, and a point on or about it.
 struct Place {
@@ -177,3 +168,4 @@ TEST(Sides, LeaveInvalidShapes) {
 }
 
 }  // namespace
+}  // namespace vesica::filter_test

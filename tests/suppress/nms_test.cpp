@@ -294,42 +294,47 @@ TEST(Nms, OfAChain) {
   }
 }
 
-/// Discs that do not meet, and one over all of them, which is in hundreds of blocks' reach: the best, it is left alone;
-/// the worst, it alone goes.
-TEST(Nms, OneOverAll) {
-  constexpr int side = 220;
+constexpr int grid_side = 220;
+
+struct Scored {
   std::vector<vesica_circle_f64> discs;
   std::vector<double> scores;
-  for (int i = 0; i < side * side; ++i) {
-    discs.push_back({static_cast<double>(i % side), static_cast<double>(i / side), 0.25});
-    scores.push_back(1 + i % 7);
+};
+
+/// Discs that do not meet, of scores from 1 to 7.
+Scored grid_of_discs() {
+  Scored grid;
+  for (int i = 0; i < grid_side * grid_side; ++i) {
+    grid.discs.push_back({static_cast<double>(i % grid_side), static_cast<double>(i / grid_side), 0.25});
+    grid.scores.push_back(1 + i % 7);
   }
-  discs.push_back({side / 2.0, side / 2.0, side});
+  return grid;
+}
+
+/// Discs, and one over all of them, which is in hundreds of blocks' reach: the best, it is left alone; the worst, it
+/// alone goes.
+TEST(Nms, OneOverAll) {
+  auto [discs, scores] = grid_of_discs();
+  discs.push_back({grid_side / 2.0, grid_side / 2.0, grid_side});
   scores.push_back(0);
   const Result worst = run(vesica_nms_f64, shapes_of(VESICA_CIRCLE, discs), scores, 0.0);
-  ASSERT_EQ(worst.kept.size(), static_cast<std::size_t>(side * side));
-  EXPECT_EQ(std::count(worst.kept.begin(), worst.kept.end(), side * side), 0);
+  ASSERT_EQ(worst.kept.size(), static_cast<std::size_t>(grid_side * grid_side));
+  EXPECT_EQ(std::count(worst.kept.begin(), worst.kept.end(), grid_side * grid_side), 0);
   scores.back() = 9;
-  EXPECT_EQ(run(vesica_nms_f64, shapes_of(VESICA_CIRCLE, discs), scores, 0.0).kept, (Indices{side * side}));
+  EXPECT_EQ(run(vesica_nms_f64, shapes_of(VESICA_CIRCLE, discs), scores, 0.0).kept, (Indices{grid_side * grid_side}));
 }
 
 /// The same with two giants of little score, at a threshold that no ratio of large and small reaches: their block has
 /// more neighbours than are listed, and still the better one suppresses the other and nothing else.
 TEST(Nms, GiantsAmongManyBlocks) {
-  constexpr int side = 220;
-  std::vector<vesica_circle_f64> discs;
-  std::vector<double> scores;
-  for (int i = 0; i < side * side; ++i) {
-    discs.push_back({static_cast<double>(i % side), static_cast<double>(i / side), 0.25});
-    scores.push_back(1 + i % 7);
-  }
+  auto [discs, scores] = grid_of_discs();
   for (const double score : {0.25, 0.5}) {
-    discs.push_back({side / 2.0, side / 2.0, side + score});
+    discs.push_back({grid_side / 2.0, grid_side / 2.0, grid_side + score});
     scores.push_back(score);
   }
   const Indices kept = run(vesica_nms_f64, shapes_of(VESICA_CIRCLE, discs), scores, 0.5).kept;
-  ASSERT_EQ(kept.size(), static_cast<std::size_t>(side * side + 1));
-  EXPECT_EQ(kept.back(), side * side + 1);
+  ASSERT_EQ(kept.size(), static_cast<std::size_t>(grid_side * grid_side + 1));
+  EXPECT_EQ(kept.back(), grid_side * grid_side + 1);
 }
 
 TEST(Nms, OfManyFloats) {

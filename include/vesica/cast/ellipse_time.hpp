@@ -32,13 +32,7 @@ Wide wide(const Number<Degree>& x) noexcept {
 }
 template <int limbs>
 Rough rough(const Leading<limbs>& x) noexcept {
-  Number<limbs> kept;
-  kept.sign = x.sign;
-  kept.low = x.low;
-  kept.size = x.sign == 0 ? 0 : limbs;
-  for (int i = 0; i < kept.size; ++i) kept.limb[i] = x.limb[i];
-  kept.strip();
-  Rough out(kept);
+  Rough out(exact::detail::digits_of(x));
   if (x.error == Leading<limbs>::nothing) return out;
   const int place = static_cast<int>(x.error);
   // Of digits that are all beyond what is known, only how great they may be.

@@ -25,21 +25,28 @@ constexpr vesica::detail::arithmetic::Scaled rounded(const Number<Degree>& x) no
 
 namespace detail {
 
-/// rounded() of leading digits, if the missing digits cannot change the result.
+/// The digits that are kept, as a number of a degree that has room for them.
 template <int limbs>
-constexpr bool rounds_surely(const Leading<limbs>& x, vesica::detail::arithmetic::Scaled& out) noexcept {
-  constexpr int degree = (limbs + 31) / 32 + 1;
-  if (!x.sign_is_certain()) return false;
-  Number<degree> kept;
+constexpr auto digits_of(const Leading<limbs>& x) noexcept {
+  Number<(limbs + 31) / 32 + 1> kept;
+  static_assert(limbs <= kept.capacity);
   kept.sign = x.sign;
   kept.low = x.low;
   kept.size = x.sign == 0 ? 0 : limbs;
   for (int i = 0; i < kept.size; ++i) kept.limb[i] = x.limb[i];
   kept.strip();
+  return kept;
+}
+
+/// rounded() of leading digits, if the missing digits cannot change the result.
+template <int limbs>
+constexpr bool rounds_surely(const Leading<limbs>& x, vesica::detail::arithmetic::Scaled& out) noexcept {
+  if (!x.sign_is_certain()) return false;
+  auto kept = digits_of(x);
   out = rounded(kept);
   if (x.error == Leading<limbs>::nothing) return true;
   if (x.error < std::int64_t{64} * x.low) return false;  // beyond the digits kept
-  Number<degree> missing;
+  decltype(kept) missing;
   const int place = static_cast<int>(x.error - std::int64_t{64} * x.low);
   missing.sign = 1;
   missing.low = x.low + place / 64;
