@@ -88,25 +88,32 @@ struct HalfCircle {
   const Against<V>& f;
   double side;
 
-  /// The point's value: outside the other ellipse positive, inside negative.
-  double value(double at) const noexcept {
-    const V x(at), one(1.0), y = V(side) * sqrt((one - x) * (one + x));
-    const V z0 = (x - f.x) * f.over_p, z1 = (y - f.y) * f.over_q;
-    return rounded(z0 * z0 + z1 * z1 - one);
+  /// A point: how high it is above the diameter, and where it is in the frame in which the other ellipse is the unit
+  /// disc.
+  struct Point {
+    V height, z0, z1;
+    /// Outside the other ellipse positive, inside negative.
+    double value() const noexcept { return rounded(z0 * z0 + z1 * z1 - 1.0); }
+  };
+  Point point(double at) const noexcept {
+    const V height = sqrt(arithmetic::difference<V>(1, at) * arithmetic::difference<V>(1, -at));
+    return {height, (at - f.x) * f.over_p, ((side < 0 ? -height : height) - f.y) * f.over_q};
   }
-  /// The slope of the value along x, up to a positive factor.
-  double slope(double at) const noexcept {
-    const V x(at), one(1.0), room = (one - x) * (one + x), qq = f.over_q * f.over_q;
-    const V shallow = (x - f.x) * (f.over_p * f.over_p) - x * qq, steep = V(side) * x * f.y * qq;
+
+  double value(double at) const noexcept { return point(at).value(); }
+  /// The slope of the value along x at a point, up to a positive factor.
+  double slope(double at, const Point& p) const noexcept {
+    const V qq = f.over_q * f.over_q;
+    const V shallow = (at - f.x) * (f.over_p * f.over_p) - V(at) * qq, steep = V(side * at) * f.y * qq;
     // At the ends of the circle's diameter the slope counts that there is just inside, at no height below 2^-27.
-    return rounded((room > V(0.0) ? sqrt(room) : V(0x1p-27)) * shallow + steep);
+    return rounded((p.height > V(0.0) ? p.height : V(0x1p-27)) * shallow + steep);
   }
+  double slope(double at) const noexcept { return slope(at, point(at)); }
   /// The point's value, and the place that Newton's method along the circle gives for a value of 0.
   double value_and_step(double at, double& next, double& angle) const noexcept {
-    const V x(at), one(1.0), y = V(side) * sqrt((one - x) * (one + x));
-    const V z0 = (x - f.x) * f.over_p, z1 = (y - f.y) * f.over_q;
-    const double value = rounded(z0 * z0 + z1 * z1 - one), height = rounded(y);
-    const double slope = 2 * (at * rounded(z1 * f.over_q) - height * rounded(z0 * f.over_p));
+    const Point p = point(at);
+    const double value = p.value(), height = side * rounded(p.height);
+    const double slope = 2 * (at * rounded(p.z1 * f.over_q) - height * rounded(p.z0 * f.over_p));
     angle = -value / slope;
     next = (at - height * angle) / std::sqrt(1 + angle * angle);
     return value;
@@ -171,13 +178,14 @@ void add_crossings(const HalfCircle<V>& half, const Place& low, const Place& hig
     double x = to - slope_to * ((to - from) / (slope_to - slope_from));
     if (i % 3 == 2 || !(x > from && x < to)) x = from + 0.5 * (to - from);
     if (!(x > from && x < to) || to - from < 0x1p-40) return;
-    const double value = half.value(x);
+    const auto point = half.point(x);
+    const double value = point.value();
     if ((value < 0) != negative) {
       cuts.add(crossing(half, low.x, low.value, x, value));
       cuts.add(crossing(half, x, value, high.x, high.value));
       return;
     }
-    const double slope = half.slope(x);
+    const double slope = half.slope(x, point);
     const bool falling = slope < 0, before = falling == (slope_from < 0);
     (before ? from : to) = x;
     (before ? slope_from : slope_to) = slope;
