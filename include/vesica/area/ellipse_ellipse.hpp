@@ -120,55 +120,95 @@ struct HalfCircle {
   }
 };
 
-/// A sign change of the value between two places at which its signs differ: Newton's method from the secant's zero. The
-/// interval is halved where a step would leave it or does not shrink.
+/// A place and the value there.
+struct Place {
+  double x, value;
+};
+
+/// The search for a sign change of the value between two places at which its signs differ: Newton's method from the
+/// secant's zero. The interval is halved where a step would leave it or does not shrink.
 template <class V>
-double crossing(const HalfCircle<V>& half, double low, double at_low, double high, double at_high) noexcept {
-  double x = low - at_low * ((high - low) / (at_high - at_low)), last_angle = 4;
-  for (int i = 0; i < 200; ++i) {
-    if (!(x > low && x < high)) {
-      x = low + 0.5 * (high - low);
-      if (!(x > low && x < high)) break;
-      last_angle = 4;
+class Search {
+ public:
+  Search() noexcept = default;
+  Search(const HalfCircle<V>& half, const Place& from, const Place& to) noexcept
+      : half_(&half),
+        low_(from.x),
+        high_(to.x),
+        x_(from.x - from.value * ((to.x - from.x) / (to.value - from.value))),
+        negative_at_low_(from.value < 0) {}
+
+  bool found() const noexcept { return found_; }
+  double place() const noexcept { return x_; }
+  void step() noexcept { found_ = stepped() || ++steps_ == 200; }
+
+ private:
+  const HalfCircle<V>* half_ = nullptr;
+  double low_ = 0, high_ = 0, x_ = 0, last_angle_ = 4;
+  int steps_ = 0;
+  bool negative_at_low_ = false, found_ = false;
+
+  bool is_inside() const noexcept { return x_ > low_ && x_ < high_; }
+  double middle() const noexcept { return low_ + 0.5 * (high_ - low_); }
+  /// Whether x is the place now.
+  bool stepped() noexcept {
+    if (!is_inside()) {
+      x_ = middle();
+      if (!is_inside()) return true;
+      last_angle_ = 4;
     }
     double next, angle;
-    const double value = half.value_and_step(x, next, angle);
-    if (value == 0) return x;
-    ((value < 0) == (at_low < 0) ? low : high) = x;
+    const double value = half_->value_and_step(x_, next, angle);
+    if (value == 0) return true;
+    ((value < 0) == negative_at_low_ ? low_ : high_) = x_;
     angle = std::fabs(angle);
     // Newton's error is then squared once more by the step already made.
-    if (angle < 0x1p-28 && next >= low && next <= high) return next;
-    x = angle <= 0.5 * last_angle ? next : low + 0.5 * (high - low);
-    last_angle = angle;
+    const bool is_near = angle < 0x1p-28 && next >= low_ && next <= high_;
+    x_ = is_near || angle <= 0.5 * last_angle_ ? next : middle();
+    last_angle_ = angle;
+    return is_near;
   }
-  return x;
-}
+};
+
+/// All searches of a pair, a step of each at a time: a step is one long chain of operations, and the processor works on
+/// the chains of several at once.
+template <class V>
+struct Searches {
+  Search<V> search[8];
+  int count = 0;
+  void add(const HalfCircle<V>& half, const Place& low, const Place& high) noexcept { search[count++] = {half, low, high}; }
+  void run() noexcept {
+    for (bool any = true; any;) {
+      any = false;
+      for (int i = 0; i < count; ++i) {
+        if (search[i].found()) continue;
+        search[i].step();
+        any = true;
+      }
+    }
+  }
+};
 
 /// The places along x at which the outlines cross, and the ends of the shared stretch of x, ascending.
 struct Cuts {
   double x[10];
   int count = 0;
   void add(double at) noexcept {
-    if (count == 10) return;
     int i = count++;
     for (; i > 0 && x[i - 1] > at; --i) x[i] = x[i - 1];
     x[i] = at;
   }
 };
 
-/// A place and the value there.
-struct Place {
-  double x, value;
-};
-
 /// Crossings on a part of a half circle on which the value along x is convex (bend 1) or concave (bend -1): one where
 /// the ends differ in sign; else two if the extreme value between them differs.
 template <class V>
-void add_crossings(const HalfCircle<V>& half, const Place& low, const Place& high, double bend, Cuts& cuts) noexcept {
+void add_crossings(const HalfCircle<V>& half, const Place& low, const Place& high, double bend,
+                   Searches<V>& crossings) noexcept {
   if (!(low.x < high.x)) return;
   const bool negative = low.value < 0;
   if (negative != (high.value < 0)) {
-    cuts.add(crossing(half, low.x, low.value, high.x, high.value));
+    crossings.add(half, low, high);
     return;
   }
   if ((bend > 0) == negative) return;
@@ -181,8 +221,8 @@ void add_crossings(const HalfCircle<V>& half, const Place& low, const Place& hig
     const auto point = half.point(x);
     const double value = point.value();
     if ((value < 0) != negative) {
-      cuts.add(crossing(half, low.x, low.value, x, value));
-      cuts.add(crossing(half, x, value, high.x, high.value));
+      crossings.add(half, low, {x, value});
+      crossings.add(half, {x, value}, high);
       return;
     }
     const double slope = half.slope(x, point);
@@ -210,28 +250,33 @@ double reach_of_concave(const Against<V>& f) noexcept {
   return root < 1 ? std::sqrt((1 - root) * (1 + root)) : 0;
 }
 
+/// Crossings along a half circle, from the first of n places on to the last. At those between them the bend changes.
+template <class V>
+void add_crossings(const HalfCircle<V>& half, const double* x, int n, double bend, Searches<V>& crossings) noexcept {
+  Place before{x[0], half.value(x[0])};
+  for (int i = 1; i < n; ++i, bend = -bend) {
+    const Place here{x[i], half.value(x[i])};
+    add_crossings(half, before, here, bend, crossings);
+    before = here;
+  }
+}
+
 /// All cuts.
 template <class V>
 Cuts cuts(const Against<V>& f) noexcept {
   const double low = rounded(f.x - f.p), high = rounded(f.x + f.p);
-  const double from = low > -1 ? low : -1, to = high < 1 ? high : 1;
+  const double ends[] = {low > -1 ? low : -1, high < 1 ? high : 1};
   Cuts all;
-  if (!(from < to)) return all;
-  all.add(from);
-  all.add(to);
+  if (!(ends[0] < ends[1])) return all;
+  for (const double end : ends) all.add(end);
   const HalfCircle<V> upper{f, 1}, lower{f, -1};
-  const auto place = [](const HalfCircle<V>& half, double x) { return Place{x, half.value(x)}; };
-  add_crossings(lower, place(lower, from), place(lower, to), -1, all);
-  const Place first = place(upper, from), last = place(upper, to);
   const double bend = reach_of_concave(f);
-  if (bend == 0) {
-    add_crossings(upper, first, last, 1, all);
-    return all;
-  }
-  const Place second = place(upper, clamp(-bend, from, to)), third = place(upper, clamp(bend, from, to));
-  add_crossings(upper, first, second, 1, all);
-  add_crossings(upper, second, third, -1, all);
-  add_crossings(upper, third, last, 1, all);
+  const double bends[] = {ends[0], clamp(-bend, ends[0], ends[1]), clamp(bend, ends[0], ends[1]), ends[1]};
+  Searches<V> crossings;
+  add_crossings(lower, ends, 2, -1, crossings);
+  add_crossings(upper, bend == 0 ? ends : bends, bend == 0 ? 2 : 4, 1, crossings);
+  crossings.run();
+  for (int i = 0; i < crossings.count; ++i) all.add(crossings.search[i].place());
   return all;
 }
 
@@ -299,6 +344,13 @@ double area_in_disc(const Against<V>& f) noexcept {
     before = here;
   }
   return area > 0 ? area : 0;
+}
+
+/// The same, as a function of its own: in double-doubles it is what takes longest of an area, and the library has it
+/// once more for processors that fuse (src/queries/area_in_disc.cpp).
+template <class V>
+VESICA_CALLED double called_area_in_disc(const Against<V>& f) noexcept {
+  return area_in_disc(f);
 }
 
 /// As for boxes.
