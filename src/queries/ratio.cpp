@@ -55,6 +55,14 @@ std::int32_t derive(double asked, const ShapeOfKind& a, const ShapeOfKind& b, do
   }
 }
 
+/// Whether derive() would not look at the shared area as a double: to ask for that would take as long again.
+bool needs_measure_alone(Ratio which, const ShapeOfKind& a, const ShapeOfKind& b) noexcept {
+  using namespace detail::ratio;
+  if (!is_of_area(which) || (is_moderate(a.area) && is_moderate(b.area))) return false;
+  Facts first, second;
+  return facts_by_kind(a, first) == 0 && facts_by_kind(b, second) == 0 && only_measure_tells(which, first, second);
+}
+
 double area_as_of_iou(std::int32_t kind, const double* numbers) noexcept { return iou.shape_area(kind, numbers); }
 
 template <Ratio which>
@@ -84,11 +92,13 @@ std::int32_t ratio_of_pair(Ratio which, std::int32_t kind_a, const double* a, st
                            double& out) noexcept {
   const Query& query = ratio(which);
   if (query.derive == nullptr) return query.doubles.of[kind_a][kind_b](a, b, &out);
-  double asked = 0;
-  const std::int32_t error = query.asked_instead->doubles.of[kind_a][kind_b](a, b, &asked);
-  if (error == error_shape) return error;
-  if (error != 0) asked = std::numeric_limits<double>::quiet_NaN();
-  return query.derive(asked, {kind_a, a, area_as_of_iou(kind_a, a)}, {kind_b, b, area_as_of_iou(kind_b, b)}, out);
+  const ShapeOfKind first{kind_a, a, area_as_of_iou(kind_a, a)}, second{kind_b, b, area_as_of_iou(kind_b, b)};
+  double asked = std::numeric_limits<double>::quiet_NaN();
+  if (!needs_measure_alone(which, first, second)) {
+    const std::int32_t error = query.asked_instead->doubles.of[kind_a][kind_b](a, b, &asked);
+    if (error == error_shape) return error;
+  }
+  return query.derive(asked, first, second, out);
 }
 
 }  // namespace vesica::queries
