@@ -83,14 +83,15 @@ VESICA_CALLED constexpr bool first_in_second(const ContactCubic& p) noexcept {
 /// definite and q(y) > 0 (see above). This is how ellipses about nearly one centre are told that are nearly similar, of
 /// which the discriminant and first_in_second() are nearly 0. M is at least half of (1 - y) S2 there for the y taken: the
 /// 1 - y is a power of two, an eighth to a half of 1 - mu / (2 d2), which is 1 - y+ for similar ellipses.
-constexpr bool surely_inside(const ContactCubic& p) noexcept {
+/// difference: det(S2 - S1).
+constexpr bool surely_inside(const ContactCubic& p, const Number<8>& difference) noexcept {
   using Few = Leading<few_limbs>;
   const Number<8> twice = integer(2) * p.d2, gap = twice - p.mu;
   if (gap.sign <= 0) return false;
   const auto halvings = static_cast<int>(top_bit(twice) - top_bit(gap));
   const Number<1> rest = from_double(1, -2 - halvings);
   const Few t(rest), y(integer(1) - rest), d2(p.d2), al(p.al), be(p.be);
-  const Few determinant = Few(p.d1 + p.d2 - p.mu) - t * Few(gap) + square(t) * d2;
+  const Few determinant = Few(difference) - t * Few(gap) + square(t) * d2;
   const auto positive = [](const Few& x) { return x.sign > 0 && x.sign_is_certain(); };
   return positive(determinant) && positive(times(2, y * d2) - Few(p.mu)) &&
          positive(t * determinant - y * (y * be - al));
@@ -129,10 +130,13 @@ constexpr Relation relation(const Ellipse& e, const Ellipse& f) noexcept {
     const int roots = discriminant_sign(p);
     return roots < 0 ? Relation::cross : roots > 0 ? Relation::disjoint : Relation::touch;
   }
+  // Their insides meet. Each is wider than the other in some direction where S2 - S1 is indefinite.
+  const Number<8> determinant = p.d1 + p.d2 - p.mu;
+  if (determinant.sign < 0) return Relation::cross;
   const int order = compare(p.d1, p.d2);
   if (order == 0) return Relation::cross;  // only the same ellipse could lie within one of its area
   if (order > 0) detail::exchange_ellipses(p);
-  if (is_long(p) && detail::surely_inside(p)) return order < 0 ? Relation::inside : Relation::contains;
+  if (is_long(p) && detail::surely_inside(p, determinant)) return order < 0 ? Relation::inside : Relation::contains;
   const int roots = discriminant_sign(p);
   if (roots < 0 || !detail::first_in_second(p)) return Relation::cross;
   const bool apart = roots > 0 || detail::double_root_is_greater(p);
