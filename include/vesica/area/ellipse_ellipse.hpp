@@ -176,7 +176,9 @@ template <class V>
 struct Searches {
   Search<V> search[8];
   int count = 0;
-  void add(const HalfCircle<V>& half, const Place& low, const Place& high) noexcept { search[count++] = {half, low, high}; }
+  void add(const HalfCircle<V>& half, const Place& low, const Place& high) noexcept {
+    search[count++] = {half, low, high};
+  }
   void run() noexcept {
     for (bool any = true; any;) {
       any = false;
