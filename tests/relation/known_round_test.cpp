@@ -280,7 +280,8 @@ TEST(KnownRelation, EllipseEllipse) {
        {equal, {1, 2, 3, 4, 0, 0}, {1, 2, 5, 1, 0, 0}, {{'a', 4, 1, contains}}}});
 }
 
-/// Their centres and axes differ by so little that only the sizes count, and the discriminant of their cubic is nearly 0.
+/// Their centres and axes differ by so little that only the sizes count, and the discriminant of their cubic is nearly
+/// 0.
 TEST(KnownRelation, EllipsesNearlySimilarAboutNearlyOneCentre) {
   using Ellipse = std::array<double, 6>;
   const double above_5 = std::nextafter(5, 6), below_5 = std::nextafter(5, 4), above_3 = std::nextafter(3, 4),
@@ -300,6 +301,8 @@ TEST(KnownRelation, EllipsesNearlySimilarAboutNearlyOneCentre) {
       expect(cross, cross, e, other(5, 3));
       expect(cross, cross, e, other(above_5, below_3));
       expect(cross, cross, e, other(below_5, above_3));
+      // Discs whose radii differ by less than their offset, by 2^-4148 of themselves.
+      expect(cross, cross, {0, 0, 0x1p1000, 0, 5, 5}, {offset, 0, 0x1p1000, 0x1p-1074, 5, 5});
       // As long, and a little wider: beyond each other at one end, or by the tilt.
       expect(cross, cross, e, other(5, above_3));
     }

@@ -80,17 +80,16 @@ VESICA_CALLED constexpr bool first_in_second(const ContactCubic& p) noexcept {
 }
 
 /// Whether the first ellipse certainly lies in the inside of the second, by one y and a few leading digits: M is positive
-/// definite and q(y) > 0 (see above). This is how ellipses about nearly one centre are told that are nearly similar, of
-/// which the discriminant and first_in_second() are nearly 0. M is at least half of (1 - y) S2 there for the y taken: the
-/// 1 - y is a power of two, an eighth to a half of 1 - mu / (2 d2), which is 1 - y+ for similar ellipses.
-/// difference: det(S2 - S1).
+/// definite and q(y) > 0 (see above). So ellipses about nearly one centre are told that are nearly similar: of these the
+/// discriminant and first_in_second() are nearly 0. 1 - y is a power of two, an eighth to a half of 1 - mu / (2 d2),
+/// which is 1 - y+ for similar ellipses. difference: det(S2 - S1).
 constexpr bool surely_inside(const ContactCubic& p, const Number<8>& difference) noexcept {
   using Few = Leading<few_limbs>;
   const Number<8> twice = integer(2) * p.d2, gap = twice - p.mu;
   if (gap.sign <= 0) return false;
   const auto halvings = static_cast<int>(top_bit(twice) - top_bit(gap));
-  const Number<1> rest = from_double(1, -2 - halvings);
-  const Few t(rest), y(integer(1) - rest), d2(p.d2), al(p.al), be(p.be);
+  // As a whole number y could be longer than all others here.
+  const Few t(from_double(1, -2 - halvings)), y = Few(integer(1)) - t, d2(p.d2), al(p.al), be(p.be);
   const Few determinant = Few(difference) - t * Few(gap) + square(t) * d2;
   const auto positive = [](const Few& x) { return x.sign > 0 && x.sign_is_certain(); };
   return positive(determinant) && positive(times(2, y * d2) - Few(p.mu)) &&
