@@ -79,10 +79,10 @@ VESICA_CALLED constexpr bool first_in_second(const ContactCubic& p) noexcept {
   return sign_with_root(two * (p.d2 * p.al) + minus_be * p.mu, minus_be, delta) == 0;  // q
 }
 
-/// Whether the first ellipse certainly lies in the inside of the second, by one y and a few leading digits: M is positive
-/// definite and q(y) > 0 (see above). So ellipses about nearly one centre are told that are nearly similar: of these the
-/// discriminant and first_in_second() are nearly 0. 1 - y is a power of two, an eighth to a half of 1 - mu / (2 d2),
-/// which is 1 - y+ for similar ellipses. difference: det(S2 - S1).
+/// Whether the first ellipse certainly lies in the inside of the second, by one y and a few leading digits: M is
+/// positive definite and q(y) > 0 (see above). So ellipses about nearly one centre are told that are nearly similar: of
+/// these the discriminant and first_in_second() are nearly 0. 1 - y is a power of two, an eighth to a half of
+/// 1 - mu / (2 d2), which is 1 - y+ for similar ellipses. difference: det(S2 - S1).
 constexpr bool surely_inside(const ContactCubic& p, const Number<8>& difference) noexcept {
   using Few = Leading<few_limbs>;
   const Number<8> twice = integer(2) * p.d2, gap = twice - p.mu;
