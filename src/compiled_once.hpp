@@ -9,6 +9,8 @@
 #include <vesica/depth.hpp>
 #include <vesica/each_shape.hpp>
 
+#include "fused.hpp"
+
 // `keyword` is `extern template` here, and `template` in the file that has the functions.
 
 // exact_stage.cpp
@@ -64,6 +66,12 @@ VESICA_EACH_PAIR_OF_FORMS(VESICA_DECLARE)
 #undef VESICA_DECLARE
 
 VESICA_EACH_SHAPE_WITH_AREA(VESICA_SHAPE_MEASURE, extern template)
+
+#if VESICA_CHOOSES_FUSED
+// queries/area_in_disc.cpp
+template <>
+double detail::area::called_area_in_disc(const detail::area::Against<detail::area::DoubleDouble>&) noexcept;
+#endif
 
 }  // namespace vesica
 #endif

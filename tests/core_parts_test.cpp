@@ -77,7 +77,13 @@ TEST(CoreParts, CrossingThatIsNone) {
   f.p = 5, f.over_p = 0.2, f.q = 4, f.over_q = 0.25;
   for (const double side : {1.0, -1.0}) {
     const area::HalfCircle<double> half{f, side};
-    const double up = area::crossing(half, -1, -0.96, 0, 0.96), down = area::crossing(half, 0, 0.96, 1, -0.96);
+    const auto found = [&](const area::Place& from, const area::Place& to) {
+      area::Searches<double> one;
+      one.add(half, from, to);
+      one.run();
+      return one.search[0].place();
+    };
+    const double up = found({-1, -0.96}, {0, 0.96}), down = found({0, 0.96}, {1, -0.96});
     EXPECT_TRUE(up < 0 && up > -0x1p-60) << up;
     EXPECT_TRUE(down > 0 && down < 0x1p-60) << down;
   }

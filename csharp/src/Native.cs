@@ -115,7 +115,7 @@ namespace Vesica
         /// describe them.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
-        /// <para>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 30
+        /// <para>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 40
         /// us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
@@ -718,7 +718,7 @@ namespace Vesica
         /// describe them.</para>
         /// <para>Errors: VESICA_E_NULL, VESICA_E_KIND, VESICA_E_SHAPE.</para>
         /// <para>Accuracy: exact.</para>
-        /// <para>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 30
+        /// <para>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 40
         /// us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>

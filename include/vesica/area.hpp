@@ -100,7 +100,7 @@ Measure precise_ellipses(const A& a, const B& b) noexcept {
             2 * own.exponent};
   }
   const auto g = against(oval(p.a), oval(p.b), p.offset);
-  return {area_in_disc(g) * rounded(g.scale), 2 * p.exponent};
+  return {called_area_in_disc(g) * rounded(g.scale), 2 * p.exponent};
 }
 
 /// For pairs that certainly cross.

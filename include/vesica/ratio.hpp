@@ -14,6 +14,7 @@
 /// 2020. For turned shapes both are taken with the box along the coordinate axes about the two.
 #pragma once
 
+#include <limits>
 #include <vesica/arithmetic/angle.hpp>
 #include <vesica/iou.hpp>
 #include <vesica/ratio/facts.hpp>
@@ -55,6 +56,13 @@ inline bool is_usual(const area::Measure& m) noexcept {
 inline const area::Measure& divisor(Ratio which, const Facts& a, const Facts& b) noexcept {
   if (which == Ratio::over_smaller) return area::less(b.area, a.area) ? b.area : a.area;
   return which == Ratio::over_first ? a.area : b.area;
+}
+
+/// Whether over_area() takes the shared area's measure whatever the double: one of the areas that it depends on is
+/// beyond the usual, or the shared area is too small.
+inline bool only_measure_tells(Ratio which, const Facts& a, const Facts& b) noexcept {
+  const area::Measure& lesser = divisor(Ratio::over_smaller, a, b);
+  return !is_usual(divisor(which, a, b)) || (lesser.value != 0 && area::standard(lesser).exponent <= -900);
 }
 
 /// The shared area of valid shapes, also beyond the range of doubles.
@@ -128,8 +136,8 @@ inline double less_than_union(double r, Ratio which, const Facts& a, const Facts
   }
 }
 
-/// From the shared area, and from its measure where that area or another is beyond the range of doubles. Returns 0 or
-/// error_argument.
+/// From the shared area, and from its measure where that area or another is beyond the range of doubles, or the area is
+/// NaN. Returns 0 or error_argument.
 template <class SharedMeasure>
 std::int32_t over_area(double shared, Ratio which, const Facts& a, const Facts& b, const SharedMeasure& shared_measure,
                        double& out) noexcept {
@@ -161,7 +169,11 @@ std::int32_t ratio_or_error(Ratio which, const A<T>& a, const B<T>& b, T& out) n
   std::int32_t error;
   if (detail::ratio::is_of_area(which)) {
     const auto shared_measure = [&] { return detail::ratio::shared_measure(first, second); };
-    error = detail::ratio::over_area(area(first, second), which, facts(first), facts(second), shared_measure, result);
+    const auto a_facts = facts(first);
+    const auto b_facts = facts(second);
+    const bool by_measure = detail::ratio::only_measure_tells(which, a_facts, b_facts);
+    const double shared = by_measure ? std::numeric_limits<double>::quiet_NaN() : area(first, second);
+    error = detail::ratio::over_area(shared, which, a_facts, b_facts, shared_measure, result);
   } else {
     error = iou_or_error(first, second, result);
     if (error == 0 && which != Ratio::over_union) {

@@ -3,7 +3,7 @@
 
 #include <vesica/impact_time.hpp>
 
-#include "kernels/table.hpp"
+#include "fused.hpp"
 #include "query.hpp"
 
 namespace vesica {
@@ -17,14 +17,9 @@ std::int32_t answer(const Query& query, const Body& a, const Body& b, void* out)
   return query.doubles.of[static_cast<int>(a.kind)][static_cast<int>(b.kind)](a.number, b.number, out);
 }
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(_WIN32) && !defined(VESICA_HAS_FUSED)
-#define VESICA_CHOOSES_FUSED 1
-/// Kernels of four lanes and more are for processors that fuse.
-bool has_fused() noexcept { return kernels().width_f64 >= 4; }
-
-/// All that each calls is compiled into it, for processors that fuse; what exists beside them is for any. Not for
-/// Windows, whose stack g++ takes to be aligned for wide vectors (src/CMakeLists.txt). As one function they would be
-/// beyond what g++ inlines.
+#if VESICA_CHOOSES_FUSED
+/// All that each calls is compiled into it, for processors that fuse; what exists beside them is for any. As one
+/// function they would be beyond what g++ inlines.
 [[gnu::target("fma"), gnu::flatten, gnu::noinline]] bool quick_meeting_fused(const detail::cast::Scene& scene,
                                                                              detail::cast::Meeting& out) noexcept {
   return detail::cast::quick_meeting<detail::cast::FusedProducts>(scene, out);
@@ -41,7 +36,6 @@ template <class A, class B>
 }
 detail::cast::FindMeeting fused_meeting() noexcept { return has_fused() ? find_meeting_fused : nullptr; }
 #else
-#define VESICA_CHOOSES_FUSED 0
 detail::cast::FindMeeting fused_meeting() noexcept { return detail::cast::fused_meeting; }
 #endif
 

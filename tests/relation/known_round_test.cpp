@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <vesica.h>
 
+#include <array>
+#include <cmath>
+
 #include "relation/known.hpp"
 
 namespace {
@@ -275,6 +278,35 @@ TEST(KnownRelation, EllipseEllipse) {
        {equal, {0, 0, 3, 4, 8, 1}, {0, 0, 3, 4, 8, 1}, {{'a', 2, 1, cross}, {'a', 3, -1, cross}}},
        {equal, {1, 2, 3, 4, 2, 0}, {1, 2, 6, 8, 1, 0}, {{'a', 4, 1, contains}, {'a', 5, 1, contains_touch}}},
        {equal, {1, 2, 3, 4, 0, 0}, {1, 2, 5, 1, 0, 0}, {{'a', 4, 1, contains}}}});
+}
+
+/// Their centres and axes differ by so little that only the sizes count, and the discriminant of their cubic is nearly
+/// 0.
+TEST(KnownRelation, EllipsesNearlySimilarAboutNearlyOneCentre) {
+  using Ellipse = std::array<double, 6>;
+  const double above_5 = std::nextafter(5, 6), below_5 = std::nextafter(5, 4), above_3 = std::nextafter(3, 4),
+               below_3 = std::nextafter(3, 2);
+  const auto expect = [](int expected, int converse, const Ellipse& a, const Ellipse& b) {
+    EXPECT_EQ(vesica_relation_f64(VESICA_ELLIPSE, a.data(), VESICA_ELLIPSE, b.data()), expected) << a[4] << ' ' << b[4];
+    EXPECT_EQ(vesica_relation_f64(VESICA_ELLIPSE, b.data(), VESICA_ELLIPSE, a.data()), converse) << a[4] << ' ' << b[4];
+  };
+  for (const double offset : {0x1p-700, -0x1p-1040}) {
+    for (const double tilt : {0x1p-900, -0x1p-1070}) {
+      const Ellipse e{0, 0, 1, 0, 5, 3};
+      const auto other = [&](double a, double b) { return Ellipse{offset, 0, 1, tilt, a, b}; };
+      expect(inside, contains, e, other(above_5, above_3));
+      expect(contains, inside, e, other(below_5, below_3));
+      expect(inside, contains, e, other(0x1p300 * 5, 0x1p300 * 3));
+      expect(contains, inside, e, other(0x1p-300 * 5, 0x1p-300 * 3));
+      expect(cross, cross, e, other(5, 3));
+      expect(cross, cross, e, other(above_5, below_3));
+      expect(cross, cross, e, other(below_5, above_3));
+      // Discs whose radii differ by less than their offset, by 2^-4148 of themselves.
+      expect(cross, cross, {0, 0, 0x1p1000, 0, 5, 5}, {offset, 0, 0x1p1000, 0x1p-1074, 5, 5});
+      // As long, and a little wider: beyond each other at one end, or by the tilt.
+      expect(cross, cross, e, other(5, above_3));
+    }
+  }
 }
 
 }  // namespace

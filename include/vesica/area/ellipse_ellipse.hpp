@@ -88,64 +88,35 @@ struct HalfCircle {
   const Against<V>& f;
   double side;
 
-  /// The point's value: outside the other ellipse positive, inside negative.
-  double value(double at) const noexcept {
-    const V x(at), one(1.0), y = V(side) * sqrt((one - x) * (one + x));
-    const V z0 = (x - f.x) * f.over_p, z1 = (y - f.y) * f.over_q;
-    return rounded(z0 * z0 + z1 * z1 - one);
+  /// A point: how high it is above the diameter, and where it is in the frame in which the other ellipse is the unit
+  /// disc.
+  struct Point {
+    V height, z0, z1;
+    /// Outside the other ellipse positive, inside negative.
+    double value() const noexcept { return rounded(z0 * z0 + z1 * z1 - 1.0); }
+  };
+  Point point(double at) const noexcept {
+    const V height = sqrt(arithmetic::difference<V>(1, at) * arithmetic::difference<V>(1, -at));
+    return {height, (at - f.x) * f.over_p, ((side < 0 ? -height : height) - f.y) * f.over_q};
   }
-  /// The slope of the value along x, up to a positive factor.
-  double slope(double at) const noexcept {
-    const V x(at), one(1.0), room = (one - x) * (one + x), qq = f.over_q * f.over_q;
-    const V shallow = (x - f.x) * (f.over_p * f.over_p) - x * qq, steep = V(side) * x * f.y * qq;
+
+  double value(double at) const noexcept { return point(at).value(); }
+  /// The slope of the value along x at a point, up to a positive factor.
+  double slope(double at, const Point& p) const noexcept {
+    const V qq = f.over_q * f.over_q;
+    const V shallow = (at - f.x) * (f.over_p * f.over_p) - V(at) * qq, steep = V(side * at) * f.y * qq;
     // At the ends of the circle's diameter the slope counts that there is just inside, at no height below 2^-27.
-    return rounded((room > V(0.0) ? sqrt(room) : V(0x1p-27)) * shallow + steep);
+    return rounded((p.height > V(0.0) ? p.height : V(0x1p-27)) * shallow + steep);
   }
+  double slope(double at) const noexcept { return slope(at, point(at)); }
   /// The point's value, and the place that Newton's method along the circle gives for a value of 0.
   double value_and_step(double at, double& next, double& angle) const noexcept {
-    const V x(at), one(1.0), y = V(side) * sqrt((one - x) * (one + x));
-    const V z0 = (x - f.x) * f.over_p, z1 = (y - f.y) * f.over_q;
-    const double value = rounded(z0 * z0 + z1 * z1 - one), height = rounded(y);
-    const double slope = 2 * (at * rounded(z1 * f.over_q) - height * rounded(z0 * f.over_p));
+    const Point p = point(at);
+    const double value = p.value(), height = side * rounded(p.height);
+    const double slope = 2 * (at * rounded(p.z1 * f.over_q) - height * rounded(p.z0 * f.over_p));
     angle = -value / slope;
     next = (at - height * angle) / std::sqrt(1 + angle * angle);
     return value;
-  }
-};
-
-/// A sign change of the value between two places at which its signs differ: Newton's method from the secant's zero. The
-/// interval is halved where a step would leave it or does not shrink.
-template <class V>
-double crossing(const HalfCircle<V>& half, double low, double at_low, double high, double at_high) noexcept {
-  double x = low - at_low * ((high - low) / (at_high - at_low)), last_angle = 4;
-  for (int i = 0; i < 200; ++i) {
-    if (!(x > low && x < high)) {
-      x = low + 0.5 * (high - low);
-      if (!(x > low && x < high)) break;
-      last_angle = 4;
-    }
-    double next, angle;
-    const double value = half.value_and_step(x, next, angle);
-    if (value == 0) return x;
-    ((value < 0) == (at_low < 0) ? low : high) = x;
-    angle = std::fabs(angle);
-    // Newton's error is then squared once more by the step already made.
-    if (angle < 0x1p-28 && next >= low && next <= high) return next;
-    x = angle <= 0.5 * last_angle ? next : low + 0.5 * (high - low);
-    last_angle = angle;
-  }
-  return x;
-}
-
-/// The places along x at which the outlines cross, and the ends of the shared stretch of x, ascending.
-struct Cuts {
-  double x[10];
-  int count = 0;
-  void add(double at) noexcept {
-    if (count == 10) return;
-    int i = count++;
-    for (; i > 0 && x[i - 1] > at; --i) x[i] = x[i - 1];
-    x[i] = at;
   }
 };
 
@@ -154,14 +125,92 @@ struct Place {
   double x, value;
 };
 
+/// The search for a sign change of the value between two places at which its signs differ: Newton's method from the
+/// secant's zero. The interval is halved where a step would leave it or does not shrink.
+template <class V>
+class Search {
+ public:
+  Search() noexcept = default;
+  Search(const HalfCircle<V>& half, const Place& from, const Place& to) noexcept
+      : half_(&half),
+        low_(from.x),
+        high_(to.x),
+        x_(from.x - from.value * ((to.x - from.x) / (to.value - from.value))),
+        negative_at_low_(from.value < 0) {}
+
+  bool found() const noexcept { return found_; }
+  double place() const noexcept { return x_; }
+  void step() noexcept { found_ = stepped() || ++steps_ == 200; }
+
+ private:
+  const HalfCircle<V>* half_ = nullptr;
+  double low_ = 0, high_ = 0, x_ = 0, last_angle_ = 4;
+  int steps_ = 0;
+  bool negative_at_low_ = false, found_ = false;
+
+  bool is_inside() const noexcept { return x_ > low_ && x_ < high_; }
+  double middle() const noexcept { return low_ + 0.5 * (high_ - low_); }
+  /// Whether x is the place now.
+  bool stepped() noexcept {
+    if (!is_inside()) {
+      x_ = middle();
+      if (!is_inside()) return true;
+      last_angle_ = 4;
+    }
+    double next, angle;
+    const double value = half_->value_and_step(x_, next, angle);
+    if (value == 0) return true;
+    ((value < 0) == negative_at_low_ ? low_ : high_) = x_;
+    angle = std::fabs(angle);
+    // Newton's error is then squared once more by the step already made.
+    const bool is_near = angle < 0x1p-28 && next >= low_ && next <= high_;
+    x_ = is_near || angle <= 0.5 * last_angle_ ? next : middle();
+    last_angle_ = angle;
+    return is_near;
+  }
+};
+
+/// All searches of a pair, a step of each at a time: a step is one long chain of operations, and the processor works on
+/// the chains of several at once.
+template <class V>
+struct Searches {
+  Search<V> search[8];
+  int count = 0;
+  void add(const HalfCircle<V>& half, const Place& low, const Place& high) noexcept {
+    search[count++] = {half, low, high};
+  }
+  void run() noexcept {
+    for (bool any = true; any;) {
+      any = false;
+      for (int i = 0; i < count; ++i) {
+        if (search[i].found()) continue;
+        search[i].step();
+        any = true;
+      }
+    }
+  }
+};
+
+/// The places along x at which the outlines cross, and the ends of the shared stretch of x, ascending.
+struct Cuts {
+  double x[10];
+  int count = 0;
+  void add(double at) noexcept {
+    int i = count++;
+    for (; i > 0 && x[i - 1] > at; --i) x[i] = x[i - 1];
+    x[i] = at;
+  }
+};
+
 /// Crossings on a part of a half circle on which the value along x is convex (bend 1) or concave (bend -1): one where
 /// the ends differ in sign; else two if the extreme value between them differs.
 template <class V>
-void add_crossings(const HalfCircle<V>& half, const Place& low, const Place& high, double bend, Cuts& cuts) noexcept {
+void add_crossings(const HalfCircle<V>& half, const Place& low, const Place& high, double bend,
+                   Searches<V>& crossings) noexcept {
   if (!(low.x < high.x)) return;
   const bool negative = low.value < 0;
   if (negative != (high.value < 0)) {
-    cuts.add(crossing(half, low.x, low.value, high.x, high.value));
+    crossings.add(half, low, high);
     return;
   }
   if ((bend > 0) == negative) return;
@@ -171,13 +220,14 @@ void add_crossings(const HalfCircle<V>& half, const Place& low, const Place& hig
     double x = to - slope_to * ((to - from) / (slope_to - slope_from));
     if (i % 3 == 2 || !(x > from && x < to)) x = from + 0.5 * (to - from);
     if (!(x > from && x < to) || to - from < 0x1p-40) return;
-    const double value = half.value(x);
+    const auto point = half.point(x);
+    const double value = point.value();
     if ((value < 0) != negative) {
-      cuts.add(crossing(half, low.x, low.value, x, value));
-      cuts.add(crossing(half, x, value, high.x, high.value));
+      crossings.add(half, low, {x, value});
+      crossings.add(half, {x, value}, high);
       return;
     }
-    const double slope = half.slope(x);
+    const double slope = half.slope(x, point);
     const bool falling = slope < 0, before = falling == (slope_from < 0);
     (before ? from : to) = x;
     (before ? slope_from : slope_to) = slope;
@@ -202,28 +252,33 @@ double reach_of_concave(const Against<V>& f) noexcept {
   return root < 1 ? std::sqrt((1 - root) * (1 + root)) : 0;
 }
 
+/// Crossings along a half circle, from the first of n places on to the last. At those between them the bend changes.
+template <class V>
+void add_crossings(const HalfCircle<V>& half, const double* x, int n, double bend, Searches<V>& crossings) noexcept {
+  Place before{x[0], half.value(x[0])};
+  for (int i = 1; i < n; ++i, bend = -bend) {
+    const Place here{x[i], half.value(x[i])};
+    add_crossings(half, before, here, bend, crossings);
+    before = here;
+  }
+}
+
 /// All cuts.
 template <class V>
 Cuts cuts(const Against<V>& f) noexcept {
   const double low = rounded(f.x - f.p), high = rounded(f.x + f.p);
-  const double from = low > -1 ? low : -1, to = high < 1 ? high : 1;
+  const double ends[] = {low > -1 ? low : -1, high < 1 ? high : 1};
   Cuts all;
-  if (!(from < to)) return all;
-  all.add(from);
-  all.add(to);
+  if (!(ends[0] < ends[1])) return all;
+  for (const double end : ends) all.add(end);
   const HalfCircle<V> upper{f, 1}, lower{f, -1};
-  const auto place = [](const HalfCircle<V>& half, double x) { return Place{x, half.value(x)}; };
-  add_crossings(lower, place(lower, from), place(lower, to), -1, all);
-  const Place first = place(upper, from), last = place(upper, to);
   const double bend = reach_of_concave(f);
-  if (bend == 0) {
-    add_crossings(upper, first, last, 1, all);
-    return all;
-  }
-  const Place second = place(upper, clamp(-bend, from, to)), third = place(upper, clamp(bend, from, to));
-  add_crossings(upper, first, second, 1, all);
-  add_crossings(upper, second, third, -1, all);
-  add_crossings(upper, third, last, 1, all);
+  const double bends[] = {ends[0], clamp(-bend, ends[0], ends[1]), clamp(bend, ends[0], ends[1]), ends[1]};
+  Searches<V> crossings;
+  add_crossings(lower, ends, 2, -1, crossings);
+  add_crossings(upper, bend == 0 ? ends : bends, bend == 0 ? 2 : 4, 1, crossings);
+  crossings.run();
+  for (int i = 0; i < crossings.count; ++i) all.add(crossings.search[i].place());
   return all;
 }
 
@@ -291,6 +346,13 @@ double area_in_disc(const Against<V>& f) noexcept {
     before = here;
   }
   return area > 0 ? area : 0;
+}
+
+/// The same, as a function of its own: in double-doubles it is what takes longest of an area, and the library has it
+/// once more for processors that fuse (src/queries/area_in_disc.cpp).
+template <class V>
+VESICA_CALLED double called_area_in_disc(const Against<V>& f) noexcept {
+  return area_in_disc(f);
 }
 
 /// As for boxes.

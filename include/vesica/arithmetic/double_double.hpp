@@ -128,6 +128,14 @@ struct AccurateRules {
 
 using AccurateDoubleDouble = DoubleDouble<double, AccurateRules>;
 
+/// The same sum where one number is a double: what it has no low part for is left out, and no bit differs.
+inline AccurateDoubleDouble operator+(const AccurateDoubleDouble& a, double b) noexcept {
+  const Pair<double> s = two_sum(a.high, b), upper = fast_two_sum(s.high, s.low + a.low);
+  return {upper.high, upper.low};
+}
+inline AccurateDoubleDouble operator-(const AccurateDoubleDouble& a, double b) noexcept { return a + -b; }
+inline AccurateDoubleDouble operator-(double a, const AccurateDoubleDouble& b) noexcept { return -b + a; }
+
 /// The quotient's double, and what it leaves over divided once more, twice.
 inline AccurateDoubleDouble operator/(const AccurateDoubleDouble& a, const AccurateDoubleDouble& b) noexcept {
   const double first = a.high / b.high;
@@ -136,13 +144,15 @@ inline AccurateDoubleDouble operator/(const AccurateDoubleDouble& a, const Accur
   const double third = (rest - b * AccurateDoubleDouble(second)).high / b.high;
   return AccurateDoubleDouble::renormalised(first, second) + AccurateDoubleDouble(third);
 }
-/// A rounded root and one Newton step.
+/// A rounded root and one Newton step. The root's square has the number's own high part but for a few last places:
+/// their difference is exact.
 inline AccurateDoubleDouble sqrt(const AccurateDoubleDouble& a) noexcept {
   if (!(a.high > 0)) return {};
   const double root = std::sqrt(a.high);
   const Pair<double> square = two_product_fused(root, root);
-  const AccurateDoubleDouble rest = a - AccurateDoubleDouble(square.high, square.low);
-  return AccurateDoubleDouble::renormalised(root, rest.high / (2 * root));
+  const Pair<double> low = two_difference(a.low, square.low);
+  const Pair<double> rest = fast_two_sum(a.high - square.high, low.high);
+  return AccurateDoubleDouble::renormalised(root, (rest.high + (rest.low + low.low)) / (2 * root));
 }
 inline bool operator<(const AccurateDoubleDouble& a, const AccurateDoubleDouble& b) noexcept {
   return a.high < b.high || (a.high == b.high && a.low < b.low);
@@ -157,6 +167,10 @@ constexpr double rounded(double a) noexcept { return a; }
 /// a - b for doubles, without rounding where V allows that.
 template <class V>
 V difference(double a, double b) noexcept;
+template <>
+inline double difference<double>(double a, double b) noexcept {
+  return a - b;
+}
 template <>
 inline AccurateDoubleDouble difference<AccurateDoubleDouble>(double a, double b) noexcept {
   const Pair<double> d = two_sum(a, -b);

@@ -172,6 +172,7 @@ constexpr int least_room(Signs& sign, const Place& m0, const Place& m1, const Ax
     const auto e0 = side > 0 ? g0 - h0 : g0 + h0, e1 = side > 0 ? g1 + h1 : g1 - h1;
     const int corner = sign.of_polynomial(room, radius, m0, m1, e0, e1);
     if (corner < least) least = corner;
+    if (least < 0) break;  // no corner can have less
   }
   return least;
 }

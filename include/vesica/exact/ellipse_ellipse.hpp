@@ -79,6 +79,23 @@ VESICA_CALLED constexpr bool first_in_second(const ContactCubic& p) noexcept {
   return sign_with_root(two * (p.d2 * p.al) + minus_be * p.mu, minus_be, delta) == 0;  // q
 }
 
+/// Whether the first ellipse certainly lies in the inside of the second, by one y and a few leading digits: M is
+/// positive definite and q(y) > 0 (see above). So ellipses about nearly one centre are told that are nearly similar: of
+/// these the discriminant and first_in_second() are nearly 0. 1 - y is a power of two, an eighth to a half of
+/// 1 - mu / (2 d2), which is 1 - y+ for similar ellipses. difference: det(S2 - S1).
+constexpr bool surely_inside(const ContactCubic& p, const Number<8>& difference) noexcept {
+  using Few = Leading<few_limbs>;
+  const Number<8> twice = integer(2) * p.d2, gap = twice - p.mu;
+  if (gap.sign <= 0) return false;
+  const auto halvings = static_cast<int>(top_bit(twice) - top_bit(gap));
+  // As a whole number y could be longer than all others here.
+  const Few t(from_double(1, -2 - halvings)), y = Few(integer(1)) - t, d2(p.d2), al(p.al), be(p.be);
+  const Few determinant = Few(difference) - t * Few(gap) + square(t) * d2;
+  const auto positive = [](const Few& x) { return x.sign > 0 && x.sign_is_certain(); };
+  return positive(determinant) && positive(times(2, y * d2) - Few(p.mu)) &&
+         positive(t * determinant - y * (y * be - al));
+}
+
 /// Whether a double root of p is the greater of its roots, so that p'' > 0 there: x0 = -b / (2a) > -c2 / (3 d2), a > 0
 /// unless the root is triple, and then both sides are 0. Degree 24.
 constexpr bool double_root_is_greater(const ContactCubic& p) noexcept {
@@ -108,13 +125,19 @@ constexpr void exchange_ellipses(ContactCubic& p) noexcept {
 constexpr Relation relation(const Ellipse& e, const Ellipse& f) noexcept {
   ContactCubic p = contact_cubic(e, f);
   if (p.al.sign == 0) return detail::concentric(p);
-  const int roots = discriminant_sign(p);
-  if (roots < 0) return Relation::cross;
-  if (p.c1.sign < 0 || p.c2.sign < 0) return roots > 0 ? Relation::disjoint : Relation::touch;
+  if (p.c1.sign < 0 || p.c2.sign < 0) {
+    const int roots = discriminant_sign(p);
+    return roots < 0 ? Relation::cross : roots > 0 ? Relation::disjoint : Relation::touch;
+  }
+  // Their insides meet. Each is wider than the other in some direction where S2 - S1 is indefinite.
+  const Number<8> determinant = p.d1 + p.d2 - p.mu;
+  if (determinant.sign < 0) return Relation::cross;
   const int order = compare(p.d1, p.d2);
   if (order == 0) return Relation::cross;  // only the same ellipse could lie within one of its area
   if (order > 0) detail::exchange_ellipses(p);
-  if (!detail::first_in_second(p)) return Relation::cross;
+  if (is_long(p) && detail::surely_inside(p, determinant)) return order < 0 ? Relation::inside : Relation::contains;
+  const int roots = discriminant_sign(p);
+  if (roots < 0 || !detail::first_in_second(p)) return Relation::cross;
   const bool apart = roots > 0 || detail::double_root_is_greater(p);
   const Relation inside = apart ? Relation::inside : Relation::inside_touch;
   return order < 0 ? inside : converse(inside);

@@ -92,6 +92,9 @@ struct Pair {
   Pair(const exact::Box& box_a, const exact::Box& box_b, const Vertex* of_first, const Vertex* of_second) noexcept
       : a(box_a), b(box_b), of_a(a, b), of_b(b, a), corner_a(of_first), corner_b(of_second) {}
 
+  /// Of two quadrilaterals. Convex insides are apart iff the line of an edge of one shape has the other on its outer
+  /// side.
+  bool insides_meet() const noexcept { return !separates(of_a) && !separates(of_b); }
   Chord chord_of(int edge) const noexcept { return chord(of_a.sign[edge]); }
 
   /// Of corner i of a.
@@ -113,6 +116,13 @@ struct Pair {
   }
 
  private:
+  static bool separates(const Sides& of_p) noexcept {
+    bool any = false;
+    for (const auto& side : of_p.sign) {
+      any = any || (side[0] <= 0 && side[1] <= 0 && side[2] <= 0 && side[3] <= 0);
+    }
+    return any;
+  }
   static int least_side(const Sides& of_p, const Polygon& p, int i, const Polygon& q) noexcept {
     const auto &x = q.corners.x[i], &y = q.corners.y[i];
     if (p.corners.count == 1) return crossings::is_corner(p.corners, 0, x, y) ? 0 : -1;
@@ -240,16 +250,19 @@ inline Vertices common_area(const Pair& p) noexcept {
   return v;
 }
 
+inline bool is_segment(const exact::Box& s) noexcept { return (s.hx.sign == 0) != (s.hy.sign == 0); }
+inline bool is_quadrilateral(const exact::Box& s) noexcept { return s.hx.sign != 0 && s.hy.sign != 0; }
+
 /// The region of two shapes that overlap.
 VESICA_COLD inline Vertices common_region(const exact::Box& a, const exact::Box& b, const Vertex* corner_a,
                                           const Vertex* corner_b) noexcept {
+  if (is_quadrilateral(a) && is_segment(b)) return common_region(b, a, corner_b, corner_a);
   const Pair p(a, b, corner_a, corner_b);
   const int of_a = p.a.corners.count, of_b = p.b.corners.count;
   if (of_a == 1 || of_b == 1) return common_corners(p);
   if (of_a == 2 && of_b == 2) return crossing_of_segments(p);
   if (of_a == 2) return clipped(p);
-  if (of_b == 2) return clipped(Pair(b, a, corner_b, corner_a));
-  return exact::contact(a, b) < 0 ? common_area(p) : common_corners(p);
+  return p.insides_meet() ? common_area(p) : common_corners(p);
 }
 
 }  // namespace vesica::detail::intersection

@@ -117,7 +117,7 @@ final class Native {
    *
    * <p>Accuracy: exact.
    *
-   * <p>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 30 us.
+   * <p>Cost: up to twice that of vesica_overlap_f64; 0.1 to 8 us if shapes touch or are equal; at worst 40 us.
    *
    * <p>Since: 0.1.
    */
@@ -840,7 +840,7 @@ final class Native {
    *
    * <p>Accuracy: exact.
    *
-   * <p>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 30 us.
+   * <p>Cost: up to twice that of vesica_overlap_f32; 0.1 to 8 us if shapes touch or are equal; at worst 40 us.
    *
    * <p>Since: 0.1.
    */
