@@ -17,7 +17,24 @@
 namespace vesica::detail::cast {
 
 using crossings::Rough;
+using exact::Leading;
 using exact::Number;
+
+template <int limbs>
+Rough rough(const Leading<limbs>& x) noexcept {
+  Number<limbs> kept;
+  kept.sign = x.sign;
+  kept.low = x.low;
+  kept.size = x.sign == 0 ? 0 : limbs;
+  for (int i = 0; i < kept.size; ++i) kept.limb[i] = x.limb[i];
+  kept.strip();
+  Rough out(kept);
+  if (x.error == Leading<limbs>::nothing) return out;
+  const int place = static_cast<int>(x.error);
+  // Of digits that are all beyond what is known, only how great they may be.
+  if (x.sign == 0 || place > out.exponent + 60) return {{}, 2, place};
+  return {out.value, out.error + arithmetic::scale(1.01, place - out.exponent), out.exponent};
+}
 
 /// A shape in its exact form; a round one has an area.
 struct ExactBody {
@@ -184,18 +201,11 @@ class ExactPair {
 
   /// t_w, above 0.
   Rough rough_witness() const noexcept {
-    const ExactReach &a = reach_a_, &b = reach_b_;
     const auto reach = [](const ExactReach& r) { return r.round ? root(Rough(r.squared)) : Rough(r.h); };
-    const Rough across = reach(a) + reach(b);
+    const Rough across = reach(reach_a_) + reach(reach_b_);
     if (across.sign() == 0) return -Rough(q_) / Rough(vv_);
-    // w X - q H; of a round shape over a root.
-    const auto round = [this](const ExactReach& r) { return w_ * r.m - q_ * r.squared; };
-    const Number<5> straight = w_ * (a.along + b.along) - q_ * (a.h + b.h);
-    const Rough way = a.round && b.round ? sum_over_roots(round(a), a.squared, round(b), b.squared)
-                      : a.round          ? sum_over_roots(straight, exact::integer(1), round(a), a.squared)
-                      : b.round          ? sum_over_roots(straight, exact::integer(1), round(b), b.squared)
-                                         : Rough(straight);
-    return way / (across * Rough(vv_));
+    const Rough way = way_to_witness_from_digits();
+    return (way.is_precise() ? way : way_to_witness()) / (across * Rough(vv_));
   }
 
   /// Sign of t_w - t for a line that meets M.
@@ -253,6 +263,28 @@ class ExactPair {
   friend double floor_of_ellipses(const ExactPair& pair, double start) noexcept;
 
  private:
+  /// w X - q H from leading digits: precise unless its terms cancel.
+  Rough way_to_witness_from_digits() const noexcept {
+    using Few = Leading<exact::few_limbs>;
+    const Few w(w_), q(q_);
+    const auto part = [&](const ExactReach& r) {
+      return r.round ? rough(w * Few(r.m) - q * Few(r.squared)) / root(Rough(r.squared))
+                     : rough(w * Few(r.along) - q * Few(r.h));
+    };
+    return part(reach_a_) + part(reach_b_);
+  }
+  /// To 2^-50 or better whatever cancels.
+  Rough way_to_witness() const noexcept {
+    const ExactReach &a = reach_a_, &b = reach_b_;
+    // Of a round shape over a root.
+    const auto round = [this](const ExactReach& r) { return w_ * r.m - q_ * r.squared; };
+    if (a.round && b.round) return sum_over_roots(round(a), a.squared, round(b), b.squared);
+    const Number<5> straight = w_ * (a.along + b.along) - q_ * (a.h + b.h);
+    if (!a.round && !b.round) return Rough(straight);
+    const ExactReach& r = a.round ? a : b;
+    return sum_over_roots(straight, exact::integer(1), round(r), r.squared);
+  }
+
   /// All bits of the place at times of this exponent, and of the axes, are in [low, top).
   struct Extent {
     std::int64_t top, low;
