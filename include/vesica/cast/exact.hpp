@@ -191,7 +191,9 @@ class ExactPair {
         vv_(exact::dot(vx_, vy_, vx_, vy_)),
         reach_a_(a_, vx_, vy_),
         reach_b_(b_, vx_, vy_),
-        gap_(line_gap(reach_a_, reach_b_, w_)) {}
+        gap_(line_gap(reach_a_, reach_b_, w_)) {
+    if (is_long() && !line_misses()) witness_ = find_witness();
+  }
 
   bool line_misses() const noexcept { return gap_ > 0; }
   /// The line only touches M, or M has no extent across it.
@@ -199,18 +201,12 @@ class ExactPair {
   /// On which side of the line through the first centre along v the second lies: the sign of w.
   int side() const noexcept { return w_.sign; }
 
-  /// t_w, above 0.
-  Rough rough_witness() const noexcept {
-    const auto reach = [](const ExactReach& r) { return r.round ? root(Rough(r.squared)) : Rough(r.h); };
-    const Rough across = reach(reach_a_) + reach(reach_b_);
-    if (across.sign() == 0) return -Rough(q_) / Rough(vv_);
-    const Rough way = way_to_witness_from_digits();
-    return (way.is_precise() ? way : way_to_witness()) / (across * Rough(vv_));
-  }
+  /// t_w, above 0, for a line that meets M.
+  Rough rough_witness() const noexcept { return is_long() ? witness_ : find_witness(); }
 
   /// Sign of t_w - t for a line that meets M.
   int witness_after(double t) const noexcept {
-    if (reach_a_.is_long() || reach_b_.is_long()) {
+    if (is_long()) {
       const Rough left = rough_witness() - Rough(exact::from_double(t));
       if (left.sign_is_known()) return left.sign();
     }
@@ -263,6 +259,15 @@ class ExactPair {
   friend double floor_of_ellipses(const ExactPair& pair, double start) noexcept;
 
  private:
+  bool is_long() const noexcept { return reach_a_.is_long() || reach_b_.is_long(); }
+
+  Rough find_witness() const noexcept {
+    const auto reach = [](const ExactReach& r) { return r.round ? root(Rough(r.squared)) : Rough(r.h); };
+    const Rough across = reach(reach_a_) + reach(reach_b_);
+    if (across.sign() == 0) return -Rough(q_) / Rough(vv_);
+    const Rough way = way_to_witness_from_digits();
+    return (way.is_precise() ? way : way_to_witness()) / (across * Rough(vv_));
+  }
   /// w X - q H from leading digits: precise unless its terms cancel.
   Rough way_to_witness_from_digits() const noexcept {
     using Few = Leading<exact::few_limbs>;
@@ -335,6 +340,7 @@ class ExactPair {
   Number<2> w_, q_, vv_;
   ExactReach reach_a_, reach_b_;
   int gap_;
+  Rough witness_;  ///< of long numbers, and a line that meets M
 };
 
 }  // namespace vesica::detail::cast
