@@ -85,23 +85,30 @@ inline Feature<double> feature(int k) noexcept {
   return {(k & 1) != 0 ? 1.0 : -1.0, (k & 2) != 0 ? 1.0 : -1.0, k >= 4 && k < 8, k >= 8};
 }
 
-/// Whether vertex k needs no search: it is one that came before, or behind the best one as seen along the best one's
-/// normal, which alone keeps the ellipse farther from it.
-inline bool is_vertex_beaten(const Box<double>& box, int k, const BoxEllipse<double>& best, double size) noexcept {
+/// Whether vertex k needs no search, being certainly farther than the best feature so far: it is another one with the
+/// same place, or behind the best one as seen along the best one's normal, which alone keeps the ellipse farther from
+/// it. Or the way to the ellipse's centre is over 8 times as long as the ellipse and over 4 times as long as the best
+/// distance. Then the slope that Halving sees has the right sign, but for directions within 12 degrees of that way: the
+/// ellipse adds at most 1.5 / 8 of it. So the search ends there, and finds a distance of more than half of the way.
+inline bool is_vertex_beaten(const Box<double>& box, const Axes<double>& e, const Vector<double>& d, int k,
+                             const BoxEllipse<double>& best, double size) noexcept {
   if ((box.hx.high == 0 && (k & 1) != 0) || (box.hy.high == 0 && (k & 2) != 0)) return true;
   const Feature<double> f = feature(k);
   const Vector<double> at = vertex(box, f.i, f.j);
   const Vector<double> from = vertex(box, std::copysign(1.0, best.spot.s), std::copysign(1.0, best.spot.t));
-  return best.nx * (from.x.high - at.x.high) + best.ny * (from.y.high - at.y.high) > 0x1p-30 * size;
+  if (best.nx * (from.x.high - at.x.high) + best.ny * (from.y.high - at.y.high) > 0x1p-30 * size) return true;
+  const double way = max(abs(d.x.high - at.x.high), abs(d.y.high - at.y.high));
+  return way > 8 * (max(e.a, e.b) * (abs(e.ux) + abs(e.uy))) && way > 4 * best.distance.high;
 }
 
-/// All four vertices, and the faces that the ellipse's support point stands above. The vertex that is likely to be the
+/// The faces that the ellipse's support point stands above, and all four vertices. The vertex that is likely to be the
 /// closest is tried first: then few others need a search. Of equally close features the first counts.
 inline BoxEllipse<double> box_ellipse_by_features(const Box<double>& box, const Axes<double>& e,
-                                                  const Vector<double>& d, double size, int& steps) noexcept {
+                                                  const Vector<double>& d, double size) noexcept {
   BoxEllipse<double> best{{0x1p1000, 0}, {0, 0}, 0, 0, 0, 0, false};
   int of_best = 12;
   const auto attempt = [&](int k) {
+    int steps;
     const BoxEllipse<double> found = feature_ellipse(box, e, d, size, feature(k), Halving{}, steps);
     if (k >= 4 && !(found.settled && rounded(found.distance) > -0x1p-80 * size)) return;
     const double farther = rounded(renormalised(found.distance - best.distance));
@@ -109,11 +116,12 @@ inline BoxEllipse<double> box_ellipse_by_features(const Box<double>& box, const 
     best = found;
     of_best = k;
   };
+  for (int k = 4; k < 12; ++k) attempt(k);
   const Feature<double> guess = closest_feature(box, e, d.x.high, d.y.high);
   const int likely = (guess.i > 0 && box.hx.high != 0 ? 1 : 0) + (guess.j > 0 && box.hy.high != 0 ? 2 : 0);
-  attempt(likely);
-  for (int k = 0; k < 12; ++k) {
-    if (k >= 4 || (k != likely && !is_vertex_beaten(box, k, best, size))) attempt(k);
+  for (const int turn : {0, 1, 2, 3}) {
+    const int k = turn ^ likely;
+    if (!is_vertex_beaten(box, e, d, k, best, size)) attempt(k);
   }
   return best;
 }
@@ -122,7 +130,10 @@ inline BoxEllipse<double> box_ellipse_by_features(const Box<double>& box, const 
 inline Closest closest_box_ellipse(const Box<double>& box, const Axes<double>& e, const Vector<double>& d, double size,
                                    double radius, int& steps) noexcept {
   BoxEllipse<double> found = box_ellipse(box, e, d, size, steps);
-  if (!found.settled) found = box_ellipse_by_features(box, e, d, size, steps);
+  if (!found.settled) {
+    found = box_ellipse_by_features(box, e, d, size);
+    steps = 0;
+  }
   // A face's normal lacks nothing, and leaves no doubt.
   if (found.doubt > 0 && rounded(found.distance) - radius < found.doubt) {
     const Vector<double> corner = vertex(box, std::copysign(1.0, found.spot.s), std::copysign(1.0, found.spot.t));
