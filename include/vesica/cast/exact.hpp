@@ -100,6 +100,16 @@ int sum_of_roots(const Number<A>& a, const Number<X>& x, const Number<B>& b, con
   return a.sign * exact::sign_of(difference, a, x, b, y);
 }
 
+/// The same from leading digits: 0 where these do not tell.
+template <int limbs>
+int sum_of_roots(const Leading<limbs>& a, const Leading<limbs>& x, const Leading<limbs>& b,
+                 const Leading<limbs>& y) noexcept {
+  if (!a.sign_is_certain() || !b.sign_is_certain()) return 0;
+  if (a.sign * b.sign >= 0) return a.sign != 0 ? a.sign : b.sign;
+  const auto difference = square(a) * x - square(b) * y;
+  return difference.sign_is_certain() ? a.sign * difference.sign : 0;
+}
+
 /// a / sqrt(x) + b / sqrt(y), x, y > 0, to 2^-50 or better whatever cancels.
 template <int A, int X, int B, int Y>
 Rough sum_over_roots(const Number<A>& a, const Number<X>& x, const Number<B>& b, const Number<Y>& y) noexcept {
@@ -120,8 +130,15 @@ int witness_sign(const ExactReach& a, const ExactReach& b, const Number<2>& w, c
     const auto reach = a.h + b.h;
     return reach.sign == 0 ? -q.sign : exact::compare(w * (a.along + b.along), q * reach);
   }
+  const auto of_round = [&](const auto& x, const auto& y, const auto& m_a, const auto& squared_a, const auto& m_b,
+                            const auto& squared_b) {
+    return sum_of_roots(x * m_a - y * squared_a, squared_b, x * m_b - y * squared_b, squared_a);
+  };
   if (a.round && b.round) {
-    return sum_of_roots(w * a.m - q * a.squared, b.squared, w * b.m - q * b.squared, a.squared);
+    using Few = Leading<exact::few_limbs>;
+    const bool is_long = a.is_long() || b.is_long();
+    const int sign = is_long ? of_round(Few(w), Few(q), Few(a.m), Few(a.squared), Few(b.m), Few(b.squared)) : 0;
+    return sign != 0 ? sign : of_round(w, q, a.m, a.squared, b.m, b.squared);
   }
   const ExactReach &round = a.round ? a : b, &box = a.round ? b : a;
   return exact::detail::sign_with_root(w * round.m - q * round.squared, w * box.along - q * box.h, round.squared);
@@ -251,6 +268,7 @@ class ExactPair {
   }
 
   bool of_ellipses() const noexcept { return a_.round && b_.round; }
+  bool is_long() const noexcept { return reach_a_.is_long() || reach_b_.is_long(); }
 
   friend WideTime wide_time(const ExactPair& pair) noexcept;
   friend WideTime wide_grazing_time(const ExactPair& pair) noexcept;
@@ -259,8 +277,6 @@ class ExactPair {
   friend double floor_of_ellipses(const ExactPair& pair, double start) noexcept;
 
  private:
-  bool is_long() const noexcept { return reach_a_.is_long() || reach_b_.is_long(); }
-
   Rough find_witness() const noexcept {
     const auto reach = [](const ExactReach& r) { return r.round ? root(Rough(r.squared)) : Rough(r.h); };
     const Rough across = reach(reach_a_) + reach(reach_b_);

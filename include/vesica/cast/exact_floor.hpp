@@ -96,7 +96,9 @@ inline std::int32_t contact_at_end(const ExactPair& pair, double end, const Wide
 /// Where a few digits do not tell the time of two ellipses: from more of them, or by trials. Negative where unknown.
 VESICA_COLD inline double tried_floor(const ExactPair& pair, double start, std::int32_t& error) noexcept {
   if (pair.line_grazes() || !pair.of_ellipses()) return -1;
-  const WideTime found = SeenEllipses<exact::more_limbs>(pair).time();
+  WideTime found;
+  if (pair.is_long()) found = SeenEllipses<exact::some_limbs>(pair).time();
+  if (!found.certain) found = SeenEllipses<exact::more_limbs>(pair).time();
   if (!found.certain) return floor_of_ellipses(pair, start);
   double t;
   error = floor_of_time(pair, found.time, t);
