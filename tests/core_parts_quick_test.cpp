@@ -266,10 +266,10 @@ TEST(QuickWays, BoxAtDisc) {
                                     half, random.chance(0.5) ? half : power()};
     const double off = random.chance(0.3) ? 0 : random.sign() * power(), left = random.chance(0.5) ? x : off;
     const double right = x + half * random.integer(0, 1);
-    const exact::Box box = random.chance(0.5)
-                               ? exact::form(vesica::Segment<double>{left, e.cy, right, e.cy + off})
-                               : exact::form(vesica::Rect<double>{right, e.cy + off, 1, random.chance(0.5) ? power() : 0,
-                                                                  random.chance(0.5) ? half : power(), power()});
+    const exact::Box box =
+        random.chance(0.5) ? exact::form(vesica::Segment<double>{left, e.cy, right, e.cy + off})
+                           : exact::form(vesica::Rect<double>{right, e.cy + off, 1, random.chance(0.5) ? power() : 0,
+                                                              random.chance(0.5) ? half : power(), power()});
     const exact::Ellipse ellipse = exact::form(e);
     const exact::detail::BoxAtDisc at_disc(box, ellipse);
     const int clearance = at_disc.clearance();

@@ -105,11 +105,11 @@ VESICA_INLINE bool rounded_to(const ClosestPoints<double>& c, bool overlapping, 
   return true;
 }
 
-/// overlap_or_error() where the filter left it undecided. Of a box and an ellipse by exact::contact(), which takes a
-/// part of the time where exponents are unlike.
+/// overlap_or_error() where the filter left it undecided. Of a box and an ellipse, or one without area, by
+/// exact::contact(), which takes a part of the time where exponents are unlike.
 template <class A, class B>
 VESICA_COLD std::int32_t undecided_overlap(const A& a, const B& b) noexcept {
-  if constexpr (ShapeTraits<A>::kind != Kind::point && !crossings::is_round<A> && ShapeTraits<B>::kind == Kind::ellipse) {
+  if constexpr (ShapeTraits<A>::kind != Kind::point && ShapeTraits<B>::kind == Kind::ellipse) {
     const std::int32_t answer = decide_without_errors(a, b);
     if (answer >= 0) return answer;
     if (check(a) != 0 || check(b) != 0) return error_shape;

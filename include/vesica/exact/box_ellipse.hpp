@@ -135,6 +135,13 @@ struct VisibleEdges {
     return is_long(c) || is_long(s) || is_long(near_x) || is_long(far_x) || is_long(near_y) || is_long(far_y);
   }
 
+  /// The lesser gap of the two edges, or not.
+  constexpr bool few_digits_tell(int& gap) const noexcept {
+    using Few = Leading<few_limbs>;
+    Signs sign;
+    gap = least_gap(-1, sign, Few(a), Few(b), Few(c), Few(s), Few(near_x), Few(far_x), Few(near_y), Few(far_y));
+    return sign.certain;
+  }
   /// The lesser gap of the two edges; that of the first if it is at most `enough`.
   constexpr int gap(int enough) const noexcept {
     return decide([enough](Signs& sign, const auto&... numbers) { return least_gap(enough, sign, numbers...); }, a, b,
@@ -156,7 +163,9 @@ constexpr bool overlap(const Box& box, const Ellipse& ellipse) noexcept {
 constexpr int contact(const Box& box, const Ellipse& ellipse) noexcept {
   const detail::VisibleEdges edges(box, ellipse);
   if (edges.centre_inside) return -1;
-  return edges.are_long() ? detail::BoxAtDisc(box, ellipse).gap(edges.near_x, edges.near_y) : edges.gap(-1);
+  if (!edges.are_long()) return edges.gap(-1);
+  int gap = 0;
+  return edges.few_digits_tell(gap) ? gap : detail::BoxAtDisc(box, ellipse).gap(edges.near_x, edges.near_y);
 }
 
 /// How far a box stays within an ellipse that is not degenerate: 1 clear of the outline, 0 up to it, -1 not within.

@@ -53,31 +53,59 @@ inline Closest closest_boxes(const Box<double>& a, const Box<double>& b, const V
 
 /// farthest_direction() by halving alone, to the last place of the direction.
 struct Halving {
-  /// At the end the same few directions may come again and again, by turns of middle(): whole rounds of them are left
-  /// out, which changes nothing.
-  static constexpr int most_steps = 200, round = 6, last_round = most_steps / round * round;
+  static constexpr int most_steps = 200;
 
   template <class Shapes>
   FoundDirection<double> operator()(const Shapes& shapes, const Direction<double>& d, double size) const noexcept {
-    Direction<double> n = first_direction(shapes, d), n_before{0, 0};
-    Bracket<double> bracket = first_bracket(d, n), before{{0, 0}, {0, 0}};
+    const Direction<double> first = first_direction(shapes, d);
+    State now{first, first_bracket(d, first)}, before = now, long_before = now;
     int step = 0;
     for (; step < most_steps; ++step) {
-      if (step % round == 0) {
-        if (same(n, n_before) && same(bracket.low, before.low) && same(bracket.high, before.high)) step = last_round;
-        n_before = n;
-        before = bracket;
+      if (step % turns == 0) {
+        const int round = step > 0 && now == before ? turns : step > turns && now == long_before ? 2 * turns : 0;
+        if (round > 0) step += (most_steps - step) / round * round;
+        long_before = before;
+        before = now;
       }
-      (turn_at(shapes, d, size, n).slope > 0 ? bracket.low : bracket.high) = n;
-      const Direction<double> next = middle(shapes, d, bracket, step);
-      if (same(next, n)) break;
-      n = next;
+      (turn_at(shapes, d, size, now.n).slope > 0 ? now.bracket.low : now.bracket.high) = now.n;
+      const Direction<double> next = middle(shapes, d, now.bracket, step);
+      if (same(next, now.n)) break;
+      now.n = next;
     }
-    return {n, true, step};
+    return {now.n, true, step};
   }
 
  private:
+  /// middle() goes by turns of 2 or 3 steps. At the end the same few directions may come again and again: after 6 steps,
+  /// or 12. Whole rounds of them are left out, which changes nothing.
+  static constexpr int turns = 6;
+
   static bool same(const Direction<double>& a, const Direction<double>& b) noexcept { return a.x == b.x && a.y == b.y; }
+
+  struct State {
+    Direction<double> n;
+    Bracket<double> bracket;
+
+    bool operator==(const State& other) const noexcept {
+      return same(n, other.n) && same(bracket.low, other.bracket.low) && same(bracket.high, other.bracket.high);
+    }
+  };
+};
+
+/// Halving of one ellipse at a time. Vertices of a box that is far smaller than its distance are at one place, and are
+/// searched once.
+struct RepeatedHalving {
+  Direction<double>& of;
+  FoundDirection<double>& found;
+
+  FoundDirection<double> operator()(const OneEllipse<double>& e, const Direction<double>& d,
+                                    double size) const noexcept {
+    if (d.x != of.x || d.y != of.y) {
+      of = d;
+      found = Halving{}(e, d, size);
+    }
+    return found;
+  }
 };
 
 /// The signs of a feature's vertex, by its number: vertices, faces across x, faces across y.
@@ -107,9 +135,12 @@ inline BoxEllipse<double> box_ellipse_by_features(const Box<double>& box, const 
                                                   const Vector<double>& d, double size) noexcept {
   BoxEllipse<double> best{{0x1p1000, 0}, {0, 0}, 0, 0, 0, 0, false};
   int of_best = 12;
+  Direction<double> last{0, 0};
+  FoundDirection<double> last_found{{0, 0}, false, 0};
   const auto attempt = [&](int k) {
     int steps;
-    const BoxEllipse<double> found = feature_ellipse(box, e, d, size, feature(k), Halving{}, steps);
+    const RepeatedHalving search{last, last_found};
+    const BoxEllipse<double> found = feature_ellipse(box, e, d, size, feature(k), search, steps);
     if (k >= 4 && !(found.settled && rounded(found.distance) > -0x1p-80 * size)) return;
     const double farther = rounded(renormalised(found.distance - best.distance));
     if (!(farther < 0 || (farther == 0 && k < of_best))) return;
