@@ -76,7 +76,7 @@ struct Halving {
   }
 
  private:
-  /// middle() goes by turns of 2 or 3 steps. At the end the same few directions may come again and again: after 6 steps,
+  /// middle() goes by turns of 2 or 3 steps. At the end the same few directions may come again and again, after 6 steps
   /// or 12. Whole rounds of them are left out, which changes nothing.
   static constexpr int turns = 6;
 
