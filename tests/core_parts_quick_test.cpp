@@ -2,6 +2,7 @@
 // Quick ways of the header against the slow ones that they stand for, where it is close which is taken.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vesica/crossings.hpp>
@@ -235,37 +236,58 @@ TEST(QuickWays, WithinBeyondTheRange) {
   for (const int count : answers) EXPECT_GT(count, 20 * properties::repeat());
 }
 
-/// A box's clearance in an ellipse from the first digits, against the signs of exact numbers.
-TEST(QuickWays, ClearanceFromTheFirstDigits) {
+/// How far a box stays within an ellipse, from its corners in the frame of the ellipse, one by one.
+int least_room_of_corners(const exact::Box& box, const exact::Ellipse& e) {
+  int least = 1;
+  for (const int i : {-1, 1}) {
+    for (const int j : {-1, 1}) {
+      const auto x = exact::integer(i) * box.hx, y = exact::integer(j) * box.hy;
+      const auto dx = box.cx + (x * box.ux - y * box.uy) - e.cx, dy = box.cy + (x * box.uy + y * box.ux) - e.cy;
+      const auto along = square(e.b * exact::dot(e.ux, e.uy, dx, dy)),
+                 across = square(e.a * exact::cross(e.ux, e.uy, dx, dy));
+      least = std::min(least, compare(square(e.a * e.b * exact::dot(e.ux, e.uy, e.ux, e.uy)), along + across));
+    }
+  }
+  return least;
+}
+
+/// Boxes and ellipses in the frame in which the ellipse is a disc, against the frame of the box, at like exponents and
+/// unlike ones. The ellipse has its centre below an end of an axis of half length `half`, or above that by next to
+/// nothing.
+TEST(QuickWays, BoxAtDisc) {
   Random random(properties::seed());
-  std::array<int, 3> signs{};
-  int told = 0, not_told = 0;
+  std::array<int, 3> clearances{}, gaps{};
+  int long_ones = 0, short_ones = 0;
   for (int i = 0; i < 20000 * properties::repeat(); ++i) {
-    const auto power = [&] { return std::ldexp(1.0, random.integer(-900, 900)); };
+    const int most = random.chance(0.5) ? 900 : 2;
+    const auto power = [&] { return std::ldexp(1.0, random.integer(-most, most)); };
     const double half = power(), x = random.chance(0.5) ? 0 : random.sign() * half;
-    // Up to the end of an axis, past it, or not so far, by next to nothing.
     const vesica::Ellipse<double> e{x,    random.chance(0.5) ? power() : 0,   1, random.chance(0.5) ? power() : 0,
                                     half, random.chance(0.5) ? half : power()};
-    const double off = random.chance(0.3) ? 0 : random.sign() * power();
-    const vesica::Segment<double> s{random.chance(0.5) ? x : off, e.cy, x + half * random.integer(0, 1), e.cy + off};
-    const exact::Box box = exact::form(s);
+    const double off = random.chance(0.3) ? 0 : random.sign() * power(), left = random.chance(0.5) ? x : off;
+    const double right = x + half * random.integer(0, 1);
+    const exact::Box box =
+        random.chance(0.5) ? exact::form(vesica::Segment<double>{left, e.cy, right, e.cy + off})
+                           : exact::form(vesica::Rect<double>{right, e.cy + off, 1, random.chance(0.5) ? power() : 0,
+                                                              random.chance(0.5) ? half : power(), power()});
     const exact::Ellipse ellipse = exact::form(e);
-    const exact::Length dx = box.cx - ellipse.cx, dy = box.cy - ellipse.cy;
-    const auto& [cx, cy, vx, vy, a, b] = ellipse;
-    const auto m0 = b * exact::dot(vx, vy, dx, dy), m1 = a * exact::cross(vx, vy, dx, dy);
-    const auto c = exact::dot(vx, vy, box.ux, box.uy), t = exact::cross(vx, vy, box.ux, box.uy);
-    const auto vv = exact::dot(vx, vy, vx, vy);
-    exact::Signs all, few;
-    const int sign = exact::detail::least_room(all, m0, m1, c, t, vv, a, b, box.hx, box.hy);
-    using Few = exact::Leading<exact::few_limbs>;
-    exact::detail::least_room(few, Few(m0), Few(m1), Few(c), Few(t), Few(vv), Few(a), Few(b), Few(box.hx), Few(box.hy));
-    (few.certain ? told : not_told) += 1;
-    ASSERT_EQ(exact::clearance(box, ellipse), sign);
-    ++signs[static_cast<std::size_t>(sign + 1)];
+    const exact::detail::BoxAtDisc at_disc(box, ellipse);
+    const int clearance = at_disc.clearance();
+    ASSERT_EQ(clearance, least_room_of_corners(box, ellipse));
+    ASSERT_EQ(exact::clearance(box, ellipse), clearance);
+    ++clearances[static_cast<std::size_t>(clearance + 1)];
+    const exact::detail::VisibleEdges edges(box, ellipse);
+    if (edges.centre_inside) continue;
+    const int gap = at_disc.gap(edges.near_x, edges.near_y);
+    ASSERT_EQ(gap, edges.gap(-1));
+    ASSERT_EQ(exact::contact(box, ellipse), gap);
+    ++gaps[static_cast<std::size_t>(gap + 1)];
+    (edges.are_long() ? long_ones : short_ones) += 1;
   }
-  for (const int count : signs) EXPECT_GT(count, 100 * properties::repeat());
-  EXPECT_GT(told, 1000 * properties::repeat());
-  EXPECT_GT(not_told, 100 * properties::repeat());
+  for (const int count : clearances) EXPECT_GT(count, 100 * properties::repeat());
+  for (const int count : gaps) EXPECT_GT(count, 100 * properties::repeat());
+  EXPECT_GT(long_ones, 1000 * properties::repeat());
+  EXPECT_GT(short_ones, 1000 * properties::repeat());
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ void expect_found_by_search(const ExactPair& pair, double t) {
 bool check(const Body& a, const Body& b, const core::Motion& m, bool by_search) {
   const ExactPair pair(a, b, m);
   if (pair.contact_at(0) != core::Contact::none) return false;
-  const core::LineMeeting line = core::exact_line(a, b, m);
+  const core::LineMeeting line = core::exact_line(pair, m.end);
   if (!line.meets) return false;
   const core::WideTime found = core::known_time(pair);
   double t = 0;

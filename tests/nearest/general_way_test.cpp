@@ -41,13 +41,49 @@ TEST(GeneralWay, FeaturesOfBoxAndEllipse) {
     const Ellipse<double> b = ellipse(random);
     if (overlap(a, b)) continue;
     const ScaledPair p = scaled(a, b);
-    int steps = 0;
-    const BoxEllipse<double> found = box_ellipse_by_features(p.a.box, p.b.axes(), p.d, p.size, steps);
+    const BoxEllipse<double> found = box_ellipse_by_features(p.a.box, p.b.axes(), p.d, p.size);
     const double distance = std::ldexp(rounded(found.distance), p.exponent);
     ++asked;
     ASSERT_NEAR(distance, nearest(a, b).distance, allowed * std::ldexp(p.size, p.exponent))
         << a.ux << ' ' << a.uy << ' ' << a.hx << ' ' << a.hy << " | " << b.cx << ' ' << b.cy << ' ' << b.ux << ' '
         << b.uy << ' ' << b.a << ' ' << b.b;
+  }
+  EXPECT_GT(asked, 1000);
+}
+
+/// Every vertex and every face, without a thought of which may be the closest.
+BoxEllipse<double> closest_of_all(const ScaledPair& p) {
+  BoxEllipse<double> best{{0x1p1000, 0}, {0, 0}, 0, 0, 0, 0, false};
+  for (int k = 0; k < 12; ++k) {
+    const bool again = (p.a.box.hx.high == 0 && k % 2 == 1) || (p.a.box.hy.high == 0 && k / 2 % 2 == 1);
+    if (k < 4 && again) continue;
+    int steps = 0;
+    const auto found = feature_ellipse(p.a.box, p.b.axes(), p.d, p.size, feature(k), Halving{}, steps);
+    const bool counts = k < 4 || (found.settled && rounded(found.distance) > -0x1p-80 * p.size);
+    if (counts && less(found.distance, best.distance)) best = found;
+  }
+  return best;
+}
+
+/// Ellipses down to a billionth of the box, beside faces and vertices: those that need no search change nothing.
+TEST(GeneralWay, VerticesThatNeedNoSearch) {
+  Random random(properties::seed());
+  int asked = 0;
+  for (int i = 0; i < 10000 * properties::repeat(); ++i) {
+    const Rect<double> a = rect(random);
+    Ellipse<double> b = ellipse(random);
+    const double scale = std::ldexp(1.0, -random.integer(0, 40)), about = std::ldexp(1.0, -random.integer(0, 40));
+    b.a *= scale, b.b *= scale;
+    if (random.chance(0.5)) b.cx = std::trunc(b.cx / 2) + about * random.integer(-2, 2);
+    if (random.chance(0.5)) b.cy = std::trunc(b.cy / 2) + about * random.integer(-2, 2);
+    if (overlap(a, b)) continue;
+    const ScaledPair p = scaled(a, b);
+    if (p.a.curved || !p.b.curved) continue;
+    const auto found = box_ellipse_by_features(p.a.box, p.b.axes(), p.d, p.size), all = closest_of_all(p);
+    ++asked;
+    ASSERT_EQ(found.distance.high, all.distance.high);
+    ASSERT_EQ(found.distance.low, all.distance.low);
+    ASSERT_TRUE(found.bx == all.bx && found.by == all.by && found.spot.s == all.spot.s && found.spot.t == all.spot.t);
   }
   EXPECT_GT(asked, 1000);
 }

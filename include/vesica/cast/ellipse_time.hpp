@@ -17,7 +17,6 @@
 namespace vesica::detail::cast {
 
 using arithmetic::Wide;
-using exact::Leading;
 
 template <int limbs>
 Wide wide(const Leading<limbs>& x) noexcept {
@@ -29,15 +28,6 @@ Wide wide(const Leading<limbs>& x) noexcept {
 template <int Degree>
 Wide wide(const Number<Degree>& x) noexcept {
   return Wide(exact::rounded(x));
-}
-template <int limbs>
-Rough rough(const Leading<limbs>& x) noexcept {
-  Rough out(exact::detail::digits_of(x));
-  if (x.error == Leading<limbs>::nothing) return out;
-  const int place = static_cast<int>(x.error);
-  // Of digits that are all beyond what is known, only how great they may be.
-  if (x.sign == 0 || place > out.exponent + 60) return {{}, 2, place};
-  return {out.value, out.error + arithmetic::scale(1.01, place - out.exponent), out.exponent};
 }
 
 /// The bends of two ellipses: their widths, their reaches, and how far the second is behind the first; and the slope

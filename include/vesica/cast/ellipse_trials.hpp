@@ -78,11 +78,7 @@ class LeadingWitness {
   /// 0 where these digits do not tell.
   int after(double time) const noexcept {
     const Few q = q_ + Few(exact::from_double(time)) * vv_;
-    const Few a = along_a_ - q * squared_a_, b = along_b_ - q * squared_b_;
-    if (!a.sign_is_certain() || !b.sign_is_certain()) return 0;
-    if (a.sign * b.sign >= 0) return a.sign != 0 ? a.sign : b.sign;
-    const Few difference = square(a) * squared_b_ - square(b) * squared_a_;
-    return difference.sign_is_certain() ? a.sign * difference.sign : 0;
+    return sum_of_roots(along_a_ - q * squared_a_, squared_b_, along_b_ - q * squared_b_, squared_a_);
   }
 
  private:

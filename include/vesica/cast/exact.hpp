@@ -17,7 +17,18 @@
 namespace vesica::detail::cast {
 
 using crossings::Rough;
+using exact::Leading;
 using exact::Number;
+
+template <int limbs>
+Rough rough(const Leading<limbs>& x) noexcept {
+  Rough out(exact::detail::digits_of(x));
+  if (x.error == Leading<limbs>::nothing) return out;
+  const int place = static_cast<int>(x.error);
+  // Of digits that are all beyond what is known, only how great they may be.
+  if (x.sign == 0 || place > out.exponent + 60) return {{}, 2, place};
+  return {out.value, out.error + arithmetic::scale(1.01, place - out.exponent), out.exponent};
+}
 
 /// A shape in its exact form; a round one has an area.
 struct ExactBody {
@@ -83,6 +94,16 @@ int sum_of_roots(const Number<A>& a, const Number<X>& x, const Number<B>& b, con
   return a.sign * exact::sign_of(difference, a, x, b, y);
 }
 
+/// The same from leading digits: 0 where these do not tell.
+template <int limbs>
+int sum_of_roots(const Leading<limbs>& a, const Leading<limbs>& x, const Leading<limbs>& b,
+                 const Leading<limbs>& y) noexcept {
+  if (!a.sign_is_certain() || !b.sign_is_certain()) return 0;
+  if (a.sign * b.sign >= 0) return a.sign != 0 ? a.sign : b.sign;
+  const auto difference = square(a) * x - square(b) * y;
+  return difference.sign_is_certain() ? a.sign * difference.sign : 0;
+}
+
 /// a / sqrt(x) + b / sqrt(y), x, y > 0, to 2^-50 or better whatever cancels.
 template <int A, int X, int B, int Y>
 Rough sum_over_roots(const Number<A>& a, const Number<X>& x, const Number<B>& b, const Number<Y>& y) noexcept {
@@ -103,8 +124,15 @@ int witness_sign(const ExactReach& a, const ExactReach& b, const Number<2>& w, c
     const auto reach = a.h + b.h;
     return reach.sign == 0 ? -q.sign : exact::compare(w * (a.along + b.along), q * reach);
   }
+  const auto of_round = [&](const auto& x, const auto& y, const auto& m_a, const auto& squared_a, const auto& m_b,
+                            const auto& squared_b) {
+    return sum_of_roots(x * m_a - y * squared_a, squared_b, x * m_b - y * squared_b, squared_a);
+  };
   if (a.round && b.round) {
-    return sum_of_roots(w * a.m - q * a.squared, b.squared, w * b.m - q * b.squared, a.squared);
+    using Few = Leading<exact::few_limbs>;
+    const bool is_long = a.is_long() || b.is_long();
+    const int sign = is_long ? of_round(Few(w), Few(q), Few(a.m), Few(a.squared), Few(b.m), Few(b.squared)) : 0;
+    return sign != 0 ? sign : of_round(w, q, a.m, a.squared, b.m, b.squared);
   }
   const ExactReach &round = a.round ? a : b, &box = a.round ? b : a;
   return exact::detail::sign_with_root(w * round.m - q * round.squared, w * box.along - q * box.h, round.squared);
@@ -174,7 +202,9 @@ class ExactPair {
         vv_(exact::dot(vx_, vy_, vx_, vy_)),
         reach_a_(a_, vx_, vy_),
         reach_b_(b_, vx_, vy_),
-        gap_(line_gap(reach_a_, reach_b_, w_)) {}
+        gap_(line_gap(reach_a_, reach_b_, w_)) {
+    if (is_long() && !line_misses()) witness_ = find_witness();
+  }
 
   bool line_misses() const noexcept { return gap_ > 0; }
   /// The line only touches M, or M has no extent across it.
@@ -182,25 +212,12 @@ class ExactPair {
   /// On which side of the line through the first centre along v the second lies: the sign of w.
   int side() const noexcept { return w_.sign; }
 
-  /// t_w, above 0.
-  Rough rough_witness() const noexcept {
-    const ExactReach &a = reach_a_, &b = reach_b_;
-    const auto reach = [](const ExactReach& r) { return r.round ? root(Rough(r.squared)) : Rough(r.h); };
-    const Rough across = reach(a) + reach(b);
-    if (across.sign() == 0) return -Rough(q_) / Rough(vv_);
-    // w X - q H; of a round shape over a root.
-    const auto round = [this](const ExactReach& r) { return w_ * r.m - q_ * r.squared; };
-    const Number<5> straight = w_ * (a.along + b.along) - q_ * (a.h + b.h);
-    const Rough way = a.round && b.round ? sum_over_roots(round(a), a.squared, round(b), b.squared)
-                      : a.round          ? sum_over_roots(straight, exact::integer(1), round(a), a.squared)
-                      : b.round          ? sum_over_roots(straight, exact::integer(1), round(b), b.squared)
-                                         : Rough(straight);
-    return way / (across * Rough(vv_));
-  }
+  /// t_w, above 0, for a line that meets M.
+  Rough rough_witness() const noexcept { return is_long() ? witness_ : find_witness(); }
 
   /// Sign of t_w - t for a line that meets M.
   int witness_after(double t) const noexcept {
-    if (reach_a_.is_long() || reach_b_.is_long()) {
+    if (is_long()) {
       const Rough left = rough_witness() - Rough(exact::from_double(t));
       if (left.sign_is_known()) return left.sign();
     }
@@ -245,6 +262,7 @@ class ExactPair {
   }
 
   bool of_ellipses() const noexcept { return a_.round && b_.round; }
+  bool is_long() const noexcept { return reach_a_.is_long() || reach_b_.is_long(); }
 
   friend WideTime wide_time(const ExactPair& pair) noexcept;
   friend WideTime wide_grazing_time(const ExactPair& pair) noexcept;
@@ -253,6 +271,35 @@ class ExactPair {
   friend double floor_of_ellipses(const ExactPair& pair, double start) noexcept;
 
  private:
+  Rough find_witness() const noexcept {
+    const auto reach = [](const ExactReach& r) { return r.round ? root(Rough(r.squared)) : Rough(r.h); };
+    const Rough across = reach(reach_a_) + reach(reach_b_);
+    if (across.sign() == 0) return -Rough(q_) / Rough(vv_);
+    const Rough way = way_to_witness_from_digits();
+    return (way.is_precise() ? way : way_to_witness()) / (across * Rough(vv_));
+  }
+  /// w X - q H from leading digits: precise unless its terms cancel.
+  Rough way_to_witness_from_digits() const noexcept {
+    using Few = Leading<exact::few_limbs>;
+    const Few w(w_), q(q_);
+    const auto part = [&](const ExactReach& r) {
+      return r.round ? rough(w * Few(r.m) - q * Few(r.squared)) / root(Rough(r.squared))
+                     : rough(w * Few(r.along) - q * Few(r.h));
+    };
+    return part(reach_a_) + part(reach_b_);
+  }
+  /// To 2^-50 or better whatever cancels.
+  Rough way_to_witness() const noexcept {
+    const ExactReach &a = reach_a_, &b = reach_b_;
+    // Of a round shape over a root.
+    const auto round = [this](const ExactReach& r) { return w_ * r.m - q_ * r.squared; };
+    if (a.round && b.round) return sum_over_roots(round(a), a.squared, round(b), b.squared);
+    const Number<5> straight = w_ * (a.along + b.along) - q_ * (a.h + b.h);
+    if (!a.round && !b.round) return Rough(straight);
+    const ExactReach& r = a.round ? a : b;
+    return sum_over_roots(straight, exact::integer(1), round(r), r.squared);
+  }
+
   /// All bits of the place at times of this exponent, and of the axes, are in [low, top).
   struct Extent {
     std::int64_t top, low;
@@ -303,6 +350,7 @@ class ExactPair {
   Number<2> w_, q_, vv_;
   ExactReach reach_a_, reach_b_;
   int gap_;
+  Rough witness_;  ///< of long numbers, and a line that meets M
 };
 
 }  // namespace vesica::detail::cast

@@ -73,6 +73,12 @@ inline WideTime known_time(const ExactPair& pair) noexcept {
   return found;
 }
 
+/// Contact at one time; where the shapes touch is not told.
+inline std::int32_t exact_contact_at(const ExactPair& pair, double t) noexcept {
+  const Contact contact = pair.contact_at(t);
+  return contact == Contact::beyond ? static_cast<std::int32_t>(error_range) : contact != Contact::none ? 1 : 0;
+}
+
 /// Whether there is contact at the end, where the witness comes after it; or an error. The time, if known, tells
 /// mostly.
 inline std::int32_t contact_at_end(const ExactPair& pair, double end, const WideTime& found) noexcept {
@@ -84,14 +90,15 @@ inline std::int32_t contact_at_end(const ExactPair& pair, double end, const Wide
       return pair.holds_place(end) ? (left.sign() < 0 ? 1 : 0) : static_cast<std::int32_t>(error_range);
     }
   }
-  const Contact contact = pair.contact_at(end);
-  return contact == Contact::beyond ? static_cast<std::int32_t>(error_range) : contact != Contact::none ? 1 : 0;
+  return exact_contact_at(pair, end);
 }
 
 /// Where a few digits do not tell the time of two ellipses: from more of them, or by trials. Negative where unknown.
 VESICA_COLD inline double tried_floor(const ExactPair& pair, double start, std::int32_t& error) noexcept {
   if (pair.line_grazes() || !pair.of_ellipses()) return -1;
-  const WideTime found = SeenEllipses<exact::more_limbs>(pair).time();
+  WideTime found;
+  if (pair.is_long()) found = SeenEllipses<exact::some_limbs>(pair).time();
+  if (!found.certain) found = SeenEllipses<exact::more_limbs>(pair).time();
   if (!found.certain) return floor_of_ellipses(pair, start);
   double t;
   error = floor_of_time(pair, found.time, t);
@@ -100,14 +107,13 @@ VESICA_COLD inline double tried_floor(const ExactPair& pair, double start, std::
 
 /// For a line that enters M after the start, and a witness that comes after the end if that is `late`. Returns 1, or 0
 /// where there is no contact up to the end, or error_range where the time or a place is beyond the numbers.
-VESICA_COLD inline std::int32_t exact_floor(const Body& a, const Body& b, const Motion& motion, bool late,
-                                            double estimate, double& out) noexcept {
-  const ExactPair pair(a, b, motion);
+VESICA_COLD inline std::int32_t exact_floor(const ExactPair& pair, double end, bool late, double estimate,
+                                            double& out) noexcept {
   const bool usable = estimate > 0 && estimate < std::numeric_limits<double>::max();
   const double start = usable ? arithmetic::at_rank<double>(arithmetic::rank(estimate) + 1) : 1.0;
   const WideTime found = known_time(pair);
   if (late) {
-    const std::int32_t at_end = contact_at_end(pair, motion.end, found);
+    const std::int32_t at_end = contact_at_end(pair, end, found);
     if (at_end <= 0) return at_end;
   }
   std::int32_t error = 0;

@@ -112,26 +112,35 @@ inline void meet(const Scene& scene, const Graze& graze, FindMeeting fused, Meet
   }
 }
 
-// What asks exact numbers is in functions of its own, so that no two of them are on the stack at a time.
-
-/// Contact at one time; where the shapes touch is not told.
-VESICA_COLD inline std::int32_t exact_contact_at(const Body& a, const Body& b, const Motion& motion,
-                                                 double t) noexcept {
-  const Contact contact = ExactPair(a, b, motion).contact_at(t);
-  return contact == Contact::beyond ? static_cast<std::int32_t>(error_range) : contact != Contact::none ? 1 : 0;
-}
-
 /// Whether the line meets M after the start; if so, whether its witness comes after the end, and how it meets M.
 struct LineMeeting {
   bool meets, late;
   Graze graze;
 };
-VESICA_COLD inline LineMeeting exact_line(const Body& a, const Body& b, const Motion& motion) noexcept {
-  const ExactPair pair(a, b, motion);
+VESICA_COLD inline LineMeeting exact_line(const ExactPair& pair, double end) noexcept {
   if (pair.line_misses() || pair.witness_after(0) <= 0) return {false, false, {false, 0}};
-  const bool late = motion.end < std::numeric_limits<double>::infinity() && pair.witness_after(motion.end) > 0;
+  const bool late = end < std::numeric_limits<double>::infinity() && pair.witness_after(end) > 0;
   return {true, late, {pair.line_grazes(), pair.side()}};
 }
+
+/// A pair that moves. Exact numbers are formed where they are asked for, unless they are there already; in functions of
+/// its own, so that they are not twice on the stack.
+struct MovingPair {
+  const Body &a, &b;
+  const Motion& motion;
+  const ExactPair* known = nullptr;
+
+  template <class Question>
+  std::int32_t exactly(const Question& question) const noexcept {
+    return known != nullptr ? question(*known) : exactly_anew(question);
+  }
+
+ private:
+  template <class Question>
+  VESICA_COLD std::int32_t exactly_anew(const Question& question) const noexcept {
+    return question(ExactPair(a, b, motion));
+  }
+};
 
 /// The time in units of the scene, and what it means.
 inline Impact<double> impact(const Body& a, const Scene& scene, const Meeting& m, double t) noexcept {
@@ -145,27 +154,36 @@ inline Impact<double> impact(const Body& a, const Scene& scene, const Meeting& m
 
 /// For shapes that do not overlap at the start, and a line that meets M after it. late: whether the witness comes after
 /// the end, so that there may be contact only then.
-[[gnu::noinline]] inline std::int32_t first_contact(const Body& a, const Body& b, const Motion& motion, bool late,
-                                                    const Graze& graze, FindMeeting fused,
-                                                    Impact<double>& out) noexcept {
+[[gnu::noinline]] inline std::int32_t first_contact(const MovingPair& pair, bool late, const Graze& graze,
+                                                    FindMeeting fused, Impact<double>& out) noexcept {
+  const double end = pair.motion.end;
   Scene seen;
-  set_scene(a, b, motion, seen);
+  set_scene(pair.a, pair.b, pair.motion, seen);
   Meeting met;
   meet(seen, graze, fused, met);
   const Found& found = met.found;
   double t = graze.grazes ? -1 : known_floor(seen, found.time);
+  std::int32_t reached = 1;
   if (t < 0) {
     const double estimate = arithmetic::scale_far(arithmetic::rounded(found.time.value), seen.time);
-    const std::int32_t answer = exact_floor(a, b, motion, late, estimate, t);
-    if (answer <= 0) return answer;
-  } else if (late && t >= motion.end) {
-    const std::int32_t at_end = t > motion.end ? 0 : exact_contact_at(a, b, motion, t);
-    if (at_end <= 0) return at_end;
+    reached = pair.exactly([&](const ExactPair& exact) { return exact_floor(exact, end, late, estimate, t); });
+  } else if (late && t >= end) {
+    reached = t > end ? 0 : pair.exactly([t](const ExactPair& exact) { return exact_contact_at(exact, t); });
   }
-  const Impact<double> impact = cast::impact(a, seen, met, t);
+  if (reached <= 0) return reached;
+  const Impact<double> impact = cast::impact(pair.a, seen, met, t);
   if (!all_finite(impact.x, impact.y, impact.nx, impact.ny)) return error_range;
   out = impact;
   return cast_hit;
+}
+
+/// The same, where whether the line meets M is still to be asked.
+VESICA_COLD inline std::int32_t first_contact_of_undecided(const Body& a, const Body& b, const Motion& motion,
+                                                           FindMeeting fused, Impact<double>& out) noexcept {
+  const ExactPair exact(a, b, motion);
+  const LineMeeting line = exact_line(exact, motion.end);
+  return line.meets ? first_contact({a, b, motion, &exact}, line.late, line.graze, fused, out)
+                    : static_cast<std::int32_t>(cast_miss);
 }
 
 /// The answer, or error_range, where the filter has told `known`. Contact at the start is for the caller to describe.
@@ -179,10 +197,8 @@ VESICA_INLINE std::int32_t cast_bodies(const Body& a, const Body& b, const Motio
   const std::int32_t overlapping = apart ? 0 : overlap_at_start();
   if (overlapping != 0) return overlapping < 0 ? overlapping : static_cast<std::int32_t>(cast_start);
   if (verdict == Verdict::passed || motion.is_still()) return cast_miss;
-  LineMeeting line{true, verdict == Verdict::late, {false, 0}};
-  if (verdict == Verdict::undecided) line = exact_line(a, b, motion);
-  return line.meets ? first_contact(a, b, motion, line.late, line.graze, fused, out)
-                    : static_cast<std::int32_t>(cast_miss);
+  if (verdict == Verdict::undecided) return first_contact_of_undecided(a, b, motion, fused, out);
+  return first_contact({a, b, motion}, verdict == Verdict::late, {false, 0}, fused, out);
 }
 
 }  // namespace detail::cast

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <type_traits>
-#include <vesica/exact/box_box.hpp>
+#include <vesica/exact/box_at_disc.hpp>
 
 namespace vesica::exact {
 
@@ -131,6 +131,17 @@ struct VisibleEdges {
   }
 
  public:
+  constexpr bool are_long() const noexcept {
+    return is_long(c) || is_long(s) || is_long(near_x) || is_long(far_x) || is_long(near_y) || is_long(far_y);
+  }
+
+  /// The lesser gap of the two edges, or not.
+  constexpr bool few_digits_tell(int& gap) const noexcept {
+    using Few = Leading<few_limbs>;
+    Signs sign;
+    gap = least_gap(-1, sign, Few(a), Few(b), Few(c), Few(s), Few(near_x), Few(far_x), Few(near_y), Few(far_y));
+    return sign.certain;
+  }
   /// The lesser gap of the two edges; that of the first if it is at most `enough`.
   constexpr int gap(int enough) const noexcept {
     return decide([enough](Signs& sign, const auto&... numbers) { return least_gap(enough, sign, numbers...); }, a, b,
@@ -151,44 +162,31 @@ constexpr bool overlap(const Box& box, const Ellipse& ellipse) noexcept {
 /// disjoint. The inside of the ellipse is open, so if it meets the box, it also meets the box's relative inside.
 constexpr int contact(const Box& box, const Ellipse& ellipse) noexcept {
   const detail::VisibleEdges edges(box, ellipse);
-  return edges.centre_inside ? -1 : edges.gap(-1);
+  if (edges.centre_inside) return -1;
+  if (!edges.are_long()) return edges.gap(-1);
+  int gap = 0;
+  return edges.few_digits_tell(gap) ? gap : detail::BoxAtDisc(box, ellipse).gap(edges.near_x, edges.near_y);
 }
-
-namespace detail {
-
-/// The least room that a corner has in the disc; see clearance().
-template <class Place, class Axis, class Size>
-constexpr int least_room(Signs& sign, const Place& m0, const Place& m1, const Axis& c, const Axis& s, const Axis& vv,
-                         const Size& a, const Size& b, const Size& hx, const Size& hy) noexcept {
-  const auto g0 = b * (hx * c), g1 = a * (hx * s), h0 = b * (hy * s), h1 = a * (hy * c);
-  const auto radius = a * b * vv;
-  const auto room = [](const auto& r, const auto& x, const auto& y, const auto& ex, const auto& ey) {
-    const auto product = abs(x * ex + y * ey);
-    return square(r) - (square(x) + square(y) + (product + product) + square(ex) + square(ey));
-  };
-  int least = 1;
-  for (int side = -1; side <= 1; side += 2) {
-    // The further of m + e and m - e is at |m|^2 + 2 |m . e| + |e|^2.
-    const auto e0 = side > 0 ? g0 - h0 : g0 + h0, e1 = side > 0 ? g1 + h1 : g1 - h1;
-    const int corner = sign.of_polynomial(room, radius, m0, m1, e0, e1);
-    if (corner < least) least = corner;
-    if (least < 0) break;  // no corner can have less
-  }
-  return least;
-}
-
-}  // namespace detail
 
 /// How far a box stays within an ellipse that is not degenerate: 1 clear of the outline, 0 up to it, -1 not within.
-/// With m, g and h the offset of centres and the half edges in the frame in which the ellipse is the disc of radius a b
-/// V about the origin, the corners are m +- (g + h) and m +- (g - h). Degree 8.
+/// With m, g and h the offset of centres and the half edges in the frame of BoxAtDisc, the corners are m +- (g + h) and
+/// m +- (g - h). Degree 8.
 constexpr int clearance(const Box& box, const Ellipse& ellipse) noexcept {
   const Length dx = box.cx - ellipse.cx, dy = box.cy - ellipse.cy;
   const auto& [cx, cy, vx, vy, a, b] = ellipse;
   const auto m0 = b * dot(vx, vy, dx, dy), m1 = a * cross(vx, vy, dx, dy);
   const auto c = dot(vx, vy, box.ux, box.uy), s = cross(vx, vy, box.ux, box.uy);
-  return decide([](Signs& sign, const auto&... numbers) { return detail::least_room(sign, numbers...); }, m0, m1, c, s,
-                dot(vx, vy, vx, vy), a, b, box.hx, box.hy);
+  if (is_long(m0) || is_long(m1) || is_long(c) || is_long(s)) return detail::BoxAtDisc(box, ellipse).clearance();
+  const auto g0 = b * (box.hx * c), g1 = a * (box.hx * s), h0 = b * (box.hy * s), h1 = a * (box.hy * c);
+  const auto square_of_radius = square(a * b * dot(vx, vy, vx, vy));
+  const auto room_of_further = [&](const auto& e0, const auto& e1) {
+    // The further of m + e and m - e is at |m|^2 + 2 |m . e| + |e|^2.
+    const auto product = abs(m0 * e0 + m1 * e1);
+    const auto rest = square(m0) + square(m1) + (product + product) + square(e0) + square(e1);
+    return compare(square_of_radius, rest);
+  };
+  const int first = room_of_further(g0 + h0, g1 - h1), second = room_of_further(g0 - h0, g1 + h1);
+  return first < second ? first : second;
 }
 
 /// How far an ellipse that is not degenerate stays within a box. Its half extent along an axis is a square root:

@@ -53,31 +53,59 @@ inline Closest closest_boxes(const Box<double>& a, const Box<double>& b, const V
 
 /// farthest_direction() by halving alone, to the last place of the direction.
 struct Halving {
-  /// At the end the same few directions may come again and again, by turns of middle(): whole rounds of them are left
-  /// out, which changes nothing.
-  static constexpr int most_steps = 200, round = 6, last_round = most_steps / round * round;
+  static constexpr int most_steps = 200;
 
   template <class Shapes>
   FoundDirection<double> operator()(const Shapes& shapes, const Direction<double>& d, double size) const noexcept {
-    Direction<double> n = first_direction(shapes, d), n_before{0, 0};
-    Bracket<double> bracket = first_bracket(d, n), before{{0, 0}, {0, 0}};
+    const Direction<double> first = first_direction(shapes, d);
+    State now{first, first_bracket(d, first)}, before = now, long_before = now;
     int step = 0;
     for (; step < most_steps; ++step) {
-      if (step % round == 0) {
-        if (same(n, n_before) && same(bracket.low, before.low) && same(bracket.high, before.high)) step = last_round;
-        n_before = n;
-        before = bracket;
+      if (step % turns == 0) {
+        const int round = step > 0 && now == before ? turns : step > turns && now == long_before ? 2 * turns : 0;
+        if (round > 0) step += (most_steps - step) / round * round;
+        long_before = before;
+        before = now;
       }
-      (turn_at(shapes, d, size, n).slope > 0 ? bracket.low : bracket.high) = n;
-      const Direction<double> next = middle(shapes, d, bracket, step);
-      if (same(next, n)) break;
-      n = next;
+      (turn_at(shapes, d, size, now.n).slope > 0 ? now.bracket.low : now.bracket.high) = now.n;
+      const Direction<double> next = middle(shapes, d, now.bracket, step);
+      if (same(next, now.n)) break;
+      now.n = next;
     }
-    return {n, true, step};
+    return {now.n, true, step};
   }
 
  private:
+  /// middle() goes by turns of 2 or 3 steps. At the end the same few directions may come again and again, after 6 steps
+  /// or 12. Whole rounds of them are left out, which changes nothing.
+  static constexpr int turns = 6;
+
   static bool same(const Direction<double>& a, const Direction<double>& b) noexcept { return a.x == b.x && a.y == b.y; }
+
+  struct State {
+    Direction<double> n;
+    Bracket<double> bracket;
+
+    bool operator==(const State& other) const noexcept {
+      return same(n, other.n) && same(bracket.low, other.bracket.low) && same(bracket.high, other.bracket.high);
+    }
+  };
+};
+
+/// Halving of one ellipse at a time. Vertices of a box that is far smaller than its distance are at one place, and are
+/// searched once.
+struct RepeatedHalving {
+  Direction<double>& of;
+  FoundDirection<double>& found;
+
+  FoundDirection<double> operator()(const OneEllipse<double>& e, const Direction<double>& d,
+                                    double size) const noexcept {
+    if (d.x != of.x || d.y != of.y) {
+      of = d;
+      found = Halving{}(e, d, size);
+    }
+    return found;
+  }
 };
 
 /// The signs of a feature's vertex, by its number: vertices, faces across x, faces across y.
@@ -85,35 +113,46 @@ inline Feature<double> feature(int k) noexcept {
   return {(k & 1) != 0 ? 1.0 : -1.0, (k & 2) != 0 ? 1.0 : -1.0, k >= 4 && k < 8, k >= 8};
 }
 
-/// Whether vertex k needs no search: it is one that came before, or behind the best one as seen along the best one's
-/// normal, which alone keeps the ellipse farther from it.
-inline bool is_vertex_beaten(const Box<double>& box, int k, const BoxEllipse<double>& best, double size) noexcept {
+/// Whether vertex k needs no search, being certainly farther than the best feature so far: it is another one with the
+/// same place, or behind the best one as seen along the best one's normal, which alone keeps the ellipse farther from
+/// it. Or the way to the ellipse's centre is over 8 times as long as the ellipse and over 4 times as long as the best
+/// distance. Then the slope that Halving sees has the right sign, but for directions within 12 degrees of that way: the
+/// ellipse adds at most 1.5 / 8 of it. So the search ends there, and finds a distance of more than half of the way.
+inline bool is_vertex_beaten(const Box<double>& box, const Axes<double>& e, const Vector<double>& d, int k,
+                             const BoxEllipse<double>& best, double size) noexcept {
   if ((box.hx.high == 0 && (k & 1) != 0) || (box.hy.high == 0 && (k & 2) != 0)) return true;
   const Feature<double> f = feature(k);
   const Vector<double> at = vertex(box, f.i, f.j);
   const Vector<double> from = vertex(box, std::copysign(1.0, best.spot.s), std::copysign(1.0, best.spot.t));
-  return best.nx * (from.x.high - at.x.high) + best.ny * (from.y.high - at.y.high) > 0x1p-30 * size;
+  if (best.nx * (from.x.high - at.x.high) + best.ny * (from.y.high - at.y.high) > 0x1p-30 * size) return true;
+  const double way = max(abs(d.x.high - at.x.high), abs(d.y.high - at.y.high));
+  return way > 8 * (max(e.a, e.b) * (abs(e.ux) + abs(e.uy))) && way > 4 * best.distance.high;
 }
 
-/// All four vertices, and the faces that the ellipse's support point stands above. The vertex that is likely to be the
+/// The faces that the ellipse's support point stands above, and all four vertices. The vertex that is likely to be the
 /// closest is tried first: then few others need a search. Of equally close features the first counts.
 inline BoxEllipse<double> box_ellipse_by_features(const Box<double>& box, const Axes<double>& e,
-                                                  const Vector<double>& d, double size, int& steps) noexcept {
+                                                  const Vector<double>& d, double size) noexcept {
   BoxEllipse<double> best{{0x1p1000, 0}, {0, 0}, 0, 0, 0, 0, false};
   int of_best = 12;
+  Direction<double> last{0, 0};
+  FoundDirection<double> last_found{{0, 0}, false, 0};
   const auto attempt = [&](int k) {
-    const BoxEllipse<double> found = feature_ellipse(box, e, d, size, feature(k), Halving{}, steps);
+    int steps;
+    const RepeatedHalving search{last, last_found};
+    const BoxEllipse<double> found = feature_ellipse(box, e, d, size, feature(k), search, steps);
     if (k >= 4 && !(found.settled && rounded(found.distance) > -0x1p-80 * size)) return;
     const double farther = rounded(renormalised(found.distance - best.distance));
     if (!(farther < 0 || (farther == 0 && k < of_best))) return;
     best = found;
     of_best = k;
   };
+  for (int k = 4; k < 12; ++k) attempt(k);
   const Feature<double> guess = closest_feature(box, e, d.x.high, d.y.high);
   const int likely = (guess.i > 0 && box.hx.high != 0 ? 1 : 0) + (guess.j > 0 && box.hy.high != 0 ? 2 : 0);
-  attempt(likely);
-  for (int k = 0; k < 12; ++k) {
-    if (k >= 4 || (k != likely && !is_vertex_beaten(box, k, best, size))) attempt(k);
+  for (const int turn : {0, 1, 2, 3}) {
+    const int k = turn ^ likely;
+    if (!is_vertex_beaten(box, e, d, k, best, size)) attempt(k);
   }
   return best;
 }
@@ -122,7 +161,10 @@ inline BoxEllipse<double> box_ellipse_by_features(const Box<double>& box, const 
 inline Closest closest_box_ellipse(const Box<double>& box, const Axes<double>& e, const Vector<double>& d, double size,
                                    double radius, int& steps) noexcept {
   BoxEllipse<double> found = box_ellipse(box, e, d, size, steps);
-  if (!found.settled) found = box_ellipse_by_features(box, e, d, size, steps);
+  if (!found.settled) {
+    found = box_ellipse_by_features(box, e, d, size);
+    steps = 0;
+  }
   // A face's normal lacks nothing, and leaves no doubt.
   if (found.doubt > 0 && rounded(found.distance) - radius < found.doubt) {
     const Vector<double> corner = vertex(box, std::copysign(1.0, found.spot.s), std::copysign(1.0, found.spot.t));
