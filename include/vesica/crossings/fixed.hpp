@@ -168,10 +168,10 @@ template <int n, class Coefficient>
 bool set_part_from_end(Fixed* c, exact::Limb s, int changes, const Coefficient& coefficient) noexcept {
   if (changes == 1 && c[0].negligible()) {
     // Where the first two are negligible there are two changes.
-    Fixed second = c[0];
-    move_towards<n>(second, c[1], s);
-    second.extend_sign<n>();
-    if (second.negligible()) return false;
+    Fixed second[] = {c[0], c[1]};
+    interpolate<n>(second, 1, s);
+    second[0].extend_sign<n>();
+    if (second[0].negligible()) return false;
   }
   for (int i = 0; i <= 4; ++i) {
     coefficient(i) = c[0];

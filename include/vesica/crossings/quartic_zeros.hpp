@@ -211,9 +211,9 @@ class ZeroSearch {
   Spots& spots_;
   Spots* opposite_;
 
-  static void step(Interval& i, double way) noexcept {
+  void step(Interval& i, double way) const noexcept {
     i.from = i.from + Real(way);
-    i.opposite_from = i.opposite_from + Real(way);
+    if (opposite_ != nullptr) i.opposite_from = i.opposite_from + Real(way);
   }
   /// Of what is left of an interval whose start is where the spot's is.
   void add_spot(const Interval& i, double length) noexcept {
