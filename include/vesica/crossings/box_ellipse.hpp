@@ -215,7 +215,7 @@ inline Found crossings(const exact::Box& box, const exact::Ellipse& ellipse) noe
     const DiscEdge disc_edge(frame, corner[i], corner[corners.next(i)]);
     const Roots roots = roots_inside(disc_edge);
     if (roots.count == 0) continue;
-    const Edge edge(corners, i);
+    const RoundedEdge edge(corners, i);
     const Chord chord(disc_edge, roots);
     for (int k = 0; k < roots.count; ++k) {
       const double t = roots.t[k];
