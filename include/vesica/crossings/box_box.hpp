@@ -75,21 +75,19 @@ struct Polygon {
   }
 };
 
-inline Rough cross(const Rough& ux, const Rough& uy, const Rough& wx, const Rough& wy) noexcept {
-  return ux * wy - uy * wx;
-}
-
-/// The sizes of Sides by the offset of the boxes' centres c, d and the halves a, b of edges, of which fewer cancel than
-/// of corners. With h half an edge, ahead of c or behind it, h x (q - p) for a corner q = d + g, where p is any
-/// point of the edge's line, is h x (d - c) + h x g +- a x b.
+/// The sizes of Sides by the offset of the boxes' centres and by their axes, of which less cancels than of corners. With
+/// c and d the centres, a and b halves of edges and h one of them, h x (q - p) for a corner q = d + g and p on that edge
+/// is h x (d - c) + h x g +- a x b; and each product is one of half lengths and an exact one of axes.
 class SidesByCentres {
  public:
   SidesByCentres(const Corners& p, const Corners& q) noexcept : p_(p), q_(q) {
-    const Rough ax(p.ax), ay(p.ay), bx(p.bx), by(p.by), dx(q.cx - p.cx), dy(q.cy - p.cy);
-    const Rough qax(q.ax), qay(q.ay), qbx(q.bx), qby(q.by);
-    middle_ = cross(ax, ay, bx, by);
-    along_ = {cross(ax, ay, dx, dy), cross(ax, ay, qax, qay), cross(ax, ay, qbx, qby)};
-    across_ = {cross(bx, by, dx, dy), cross(bx, by, qax, qay), cross(bx, by, qbx, qby)};
+    const exact::Box &f = p.box, &g = q.box;
+    const exact::Length dx = g.cx - f.cx, dy = g.cy - f.cy;
+    const Rough hx(f.hx), hy(f.hy), gx(g.hx), gy(g.hy);
+    const Rough c(exact::dot(f.ux, f.uy, g.ux, g.uy)), s(exact::cross(f.ux, f.uy, g.ux, g.uy));
+    middle_ = hx * hy * Rough(exact::dot(f.ux, f.uy, f.ux, f.uy));
+    along_ = {hx * Rough(exact::cross(f.ux, f.uy, dx, dy)), hx * gx * s, hx * gy * c};
+    across_ = {-(hy * Rough(exact::dot(f.ux, f.uy, dx, dy))), -(hy * gx * c), hy * gy * s};
   }
   /// Edge i of p times the way from its line to corner j of q.
   Rough size(int i, int j) const noexcept {

@@ -111,14 +111,13 @@ using Position = exact::Number<2>;
 /// corner i to the next; 2 corners have one edge.
 struct Corners {
   Position x[4], y[4];
-  exact::Length cx, cy;
+  exact::Box box;
   Position ax, ay, bx, by;  ///< halves of the edges along the axis and across it
   int count, edges;
   bool wide, high;
 
   explicit Corners(const exact::Box& b) noexcept
-      : cx(b.cx),
-        cy(b.cy),
+      : box(b),
         ax(b.hx * b.ux),
         ay(b.hx * b.uy),
         bx(exact::integer(-1) * (b.hy * b.uy)),
@@ -127,8 +126,8 @@ struct Corners {
         high(b.hy.sign != 0) {
     count = (wide ? 2 : 1) * (high ? 2 : 1);
     edges = count == 2 ? 1 : count == 4 ? 4 : 0;
-    set(x, cx, ax, bx);
-    set(y, cy, ay, by);
+    set(x, b.cx, ax, bx);
+    set(y, b.cy, ay, by);
   }
   bool is_right(int i) const noexcept { return wide && (i == 1 || i == 2); }
   bool is_top(int i) const noexcept { return high && (count == 2 ? i == 1 : i >= 2); }
