@@ -99,6 +99,15 @@ inline bool rounds_surely(const Rough& x, Scaled& nearest) noexcept {
   return true;
 }
 
+/// The same, but a number that is not precise enough is tried again in another form, in which less cancels.
+template <class OtherForm, class Polynomial, int... Degree>
+Scaled size_of_either(const Rough& rough, const OtherForm& other, const Polynomial& value,
+                      const exact::Number<Degree>&... x) noexcept {
+  if (rough.is_precise()) return rough.scaled();
+  Scaled nearest;
+  return rounds_surely(other(), nearest) ? nearest : exact::rounded_value(value, x...);
+}
+
 /// a b + c d, and a b - c d.
 struct SumOfProducts {
   template <class A, class B, class C, class D>
