@@ -75,9 +75,9 @@ struct Polygon {
   }
 };
 
-/// The sizes of Sides by the offset of the boxes' centres and by their axes, of which less cancels than of corners. With
-/// c and d the centres, a and b halves of edges and h one of them, h x (q - p) for a corner q = d + g and p on that edge
-/// is h x (d - c) + h x g +- a x b; and each product is one of half lengths and an exact one of axes.
+/// The sizes of Sides by the offset of the boxes' centres and by their axes, of which less cancels than of corners.
+/// With c and d the centres, a and b halves of edges and h one of them, h x (q - p) for a corner q = d + g and p on that
+/// edge is h x (d - c) + h x g +- a x b; and each product is one of half lengths and an exact one of axes.
 class SidesByCentres {
  public:
   SidesByCentres(const Corners& p, const Corners& q) noexcept : p_(p), q_(q) {
@@ -154,8 +154,7 @@ struct Sides {
   static Scaled exact_size(const Corners& a, int i, const Corners& b, int j, const Position& x,
                            const Position& y) noexcept {
     const int next = a.next(i);
-    return exact::rounded_value(DifferenceOfProducts{}, a.x[next] - a.x[i], b.y[j] - y, a.y[next] - a.y[i],
-                                b.x[j] - x);
+    return exact::rounded_value(DifferenceOfProducts{}, a.x[next] - a.x[i], b.y[j] - y, a.y[next] - a.y[i], b.x[j] - x);
   }
 };
 

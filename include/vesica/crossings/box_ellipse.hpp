@@ -73,13 +73,14 @@ struct DiscCorner {
     return less * more + square(by_m0 ? r1 : r0);
   }
   Scaled size(const DiscFrame& frame) const noexcept {
-    return size_of_either(value, [&] { return by_factors(frame); }, value_of, m0, m1, frame.radius);
+    return size_of_either(
+        value, [&] { return by_factors(frame); }, value_of, m0, m1, frame.radius);
   }
 };
 
 /// The line of an edge h w of a box, w its axis or across it, in the plane itself. The frame's cross products are those
-/// of the plane times the radius a b V: so the line's distance from the origin, times the edge's length, is 2 h r x, and
-/// its discriminant (2 h r)^2 (p^2 + q^2 - x^2), where (p, q) is w in the frame.
+/// of the plane times the radius r = a b V: so the line's distance from the origin, times the edge's length, is 2 h r x,
+/// and its discriminant (2 h r)^2 (p^2 + q^2 - x^2), where (p, q) is w in the frame.
 struct PlaneLine {
   exact::Number<3> p, q, x;
   Rough scale;
@@ -95,8 +96,8 @@ struct PlaneLine {
     q = e.a * (along ? s : c);
     // Edges in order are below the centre, to the right, above, to the left; a segment's is through it.
     const auto off = (along ? box.hy : box.hx) * squared_axis;
-    const auto centre = along ? exact::cross(box.ux, box.uy, dx, dy)
-                              : exact::integer(-1) * exact::dot(box.ux, box.uy, dx, dy);
+    const auto centre =
+        along ? exact::cross(box.ux, box.uy, dx, dy) : exact::integer(-1) * exact::dot(box.ux, box.uy, dx, dy);
     x = backward ? centre + off : centre - off;
     scale = times(backward ? -2 : 2, Rough(along ? box.hx : box.hy) * frame.rough_radius);
   }
@@ -166,11 +167,12 @@ inline Roots roots_inside(const DiscEdge& edge) noexcept {
   const auto line = [&]() -> const PlaneLine& {
     return known ? *known : known.emplace(edge.frame, edge.corners, edge.number);
   };
-  const Scaled d = size_of_either(edge.square_ * square(edge.frame.rough_radius) - square(off),
-                                  [&] { return line().discriminant(); }, discriminant, m.m0, m.m1, edge.e0, edge.e1,
-                                  edge.frame.radius);
+  const Scaled d = size_of_either(
+      edge.square_ * square(edge.frame.rough_radius) - square(off), [&] { return line().discriminant(); }, discriminant,
+      m.m0, m.m1, edge.e0, edge.e1, edge.frame.radius);
   if (d.value < 0 || (d.value == 0 && !both_outside)) return roots;
-  roots.off = size_of_either(off, [&] { return line().off(); }, DifferenceOfProducts{}, m.m1, edge.e0, m.m0, edge.e1);
+  roots.off = size_of_either(
+      off, [&] { return line().off(); }, DifferenceOfProducts{}, m.m1, edge.e0, m.m0, edge.e1);
   roots.discriminant = d;
   const Scaled a = edge.square_.scaled(), b = size_of(edge.slope, SumOfProducts{}, m.m0, edge.e0, m.m1, edge.e1);
   if (d.value == 0) {

@@ -305,7 +305,9 @@ inline Real along_circle(const Real& x, const Real& y, const Real& radius) noexc
 inline void mend_start(const exact::Ellipse& e, const exact::Ellipse& f, Found& found) noexcept {
   const auto z = image(e, f.cx - e.cx + f.a * f.ux, f.cy - e.cy + f.a * f.uy);
   const auto radius = e.a * e.b * exact::dot(e.ux, e.uy, e.ux, e.uy);
-  const auto off_outline = [](const auto& x, const auto& y, const auto& r) { return square(x) + square(y) - square(r); };
+  const auto off_outline = [](const auto& x, const auto& y, const auto& r) {
+    return square(x) + square(y) - square(r);
+  };
   if (exact::sign_of(off_outline, z.x, z.y, radius) != 0) return;
   const int unit = exact::rounded(radius).exponent;
   const Real start = along_circle(two_doubles(z.x, unit), two_doubles(z.y, unit), two_doubles(radius, unit));

@@ -156,8 +156,8 @@ struct Local {
   }
 
   /// Whether every coefficient of a part within `way` of t is negligible, and so the part's changes of sign are 4: by
-  /// Taylor's series about t they are at most the sum of the derivatives' sizes times the powers of `way`. All roundings
-  /// together are below 2^-41 of the greatest coefficient.
+  /// Taylor's series about t they are at most the sum of the derivatives' sizes times the powers of `way`. All
+  /// roundings together are below 2^-41 of the greatest coefficient.
   bool is_negligible_near(double t, double way) const noexcept {
     if (bernstein.exponent >= -275) return false;
     double size = std::fabs(derivative<4>(t));
@@ -217,7 +217,11 @@ class ZeroSearch {
   }
   /// Of what is left of an interval whose start is where the spot's is.
   void add_spot(const Interval& i, double length) noexcept {
-    Spot s{i.from, i.from + Real(length), i.changes, i.q.coefficient[0].negative(), i.q.coefficient[4].negative(),
+    Spot s{i.from,
+           i.from + Real(length),
+           i.changes,
+           i.q.coefficient[0].negative(),
+           i.q.coefficient[4].negative(),
            i.changes == 2 ? Local(i.q).height() : 0};
     spots_.add(s);
     if (opposite_ == nullptr) return;
