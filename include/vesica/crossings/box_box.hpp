@@ -76,8 +76,8 @@ struct Polygon {
 };
 
 /// The sizes of Sides by the offset of the boxes' centres and by their axes, of which less cancels than of corners.
-/// With c and d the centres, a and b halves of edges and h one of them, h x (q - p) for a corner q = d + g and p on that
-/// edge is h x (d - c) + h x g +- a x b; and each product is one of half lengths and an exact one of axes.
+/// With c and d the centres, a and b halves of edges and h one of them, h x (q - p) for a corner q = d + g and p on
+/// that edge is h x (d - c) + h x g +- a x b; and each product is one of half lengths and an exact one of axes.
 class SidesByCentres {
  public:
   SidesByCentres(const Corners& p, const Corners& q) noexcept : p_(p), q_(q) {

@@ -79,8 +79,8 @@ struct DiscCorner {
 };
 
 /// The line of an edge h w of a box, w its axis or across it, in the plane itself. The frame's cross products are those
-/// of the plane times the radius r = a b V: so the line's distance from the origin, times the edge's length, is 2 h r x,
-/// and its discriminant (2 h r)^2 (p^2 + q^2 - x^2), where (p, q) is w in the frame.
+/// of the plane times the radius r = a b V: so the line's distance from the origin, times the edge's length, is 2 h r
+/// x, and its discriminant (2 h r)^2 (p^2 + q^2 - x^2), where (p, q) is w in the frame.
 struct PlaneLine {
   exact::Number<3> p, q, x;
   Rough scale;
