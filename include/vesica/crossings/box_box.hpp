@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vesica/crossings/rough.hpp>
 
 namespace vesica::detail::crossings {
@@ -74,6 +75,44 @@ struct Polygon {
   }
 };
 
+/// The sizes of Sides by the offset of the boxes' centres and by their axes, of which less cancels than of corners.
+/// With c and d the centres, a and b halves of edges and h one of them, h x (q - p) for a corner q = d + g and p on
+/// that edge is h x (d - c) + h x g +- a x b; and each product is one of half lengths and an exact one of axes.
+class SidesByCentres {
+ public:
+  SidesByCentres(const Corners& p, const Corners& q) noexcept : p_(p), q_(q) {
+    const exact::Box &f = p.box, &g = q.box;
+    const exact::Length dx = g.cx - f.cx, dy = g.cy - f.cy;
+    const Rough hx(f.hx), hy(f.hy), gx(g.hx), gy(g.hy);
+    const Rough c(exact::dot(f.ux, f.uy, g.ux, g.uy)), s(exact::cross(f.ux, f.uy, g.ux, g.uy));
+    middle_ = hx * hy * Rough(exact::dot(f.ux, f.uy, f.ux, f.uy));
+    along_ = {hx * Rough(exact::cross(f.ux, f.uy, dx, dy)), hx * gx * s, hx * gy * c};
+    across_ = {-(hy * Rough(exact::dot(f.ux, f.uy, dx, dy))), -(hy * gx * c), hy * gy * s};
+  }
+  /// Edge i of p times the way from its line to corner j of q.
+  Rough size(int i, int j) const noexcept {
+    const ByHalf& h = by_half(i);
+    const Rough to_corner = h.centre + (q_.is_right(j) ? h.a : -h.a) + (q_.is_top(j) ? h.b : -h.b);
+    return times(2, (p_.is_backward(i) ? -to_corner : to_corner) + middle_);
+  }
+  /// Edge i of p times edge j of q, backwards.
+  Rough backwards(int i, int j) const noexcept {
+    const ByHalf& h = by_half(i);
+    const Rough product = times(4, q_.is_along_axis(j) ? h.a : h.b);
+    return p_.is_backward(i) == q_.is_backward(j) ? -product : product;
+  }
+
+ private:
+  struct ByHalf {
+    Rough centre, a, b;
+  };
+  const ByHalf& by_half(int i) const noexcept { return p_.is_along_axis(i) ? along_ : across_; }
+
+  const Corners &p_, &q_;
+  Rough middle_;
+  ByHalf along_, across_;
+};
+
 /// The side of each edge of one outline on which each corner of another is.
 struct Sides {
   Rough size[4][4];
@@ -83,29 +122,39 @@ struct Sides {
     for (int i = 0; i < p.corners.edges; ++i) {
       for (int j = 0; j < q.corners.count; ++j) {
         size[i][j] = p.dx[i] * (q.y[j] - p.y[i]) - p.dy[i] * (q.x[j] - p.x[i]);
-        sign[i][j] = size[i][j].sign_is_known() ? size[i][j].sign() : exact_sign(p.corners, i, q.corners, j);
+        if (!size[i][j].is_precise() && !by_centres_) by_centres_.emplace(p.corners, q.corners);
+        sign[i][j] = size[i][j].sign_is_known() ? size[i][j].sign() : sign_by_centres(p.corners, i, q.corners, j);
       }
     }
   }
   /// From one corner to the next of q, which are on different sides of edge i: how far off the edge's line is.
   double crossing(const Polygon& p, int i, const Polygon& q, int j) const noexcept {
     const int end = q.corners.next(j);
-    const Rough whole = size[i][j] - size[i][end];
+    const Rough &part = size[i][j], whole = part - size[i][end];
     const Corners &a = p.corners, &b = q.corners;
-    const int next = a.next(i);
-    const auto scaled = [&](const Rough& rough, const Position& x, const Position& y) {
-      if (rough.is_precise()) return rough.scaled();
-      return exact::rounded_value(DifferenceOfProducts{}, a.x[next] - a.x[i], b.y[j] - y, a.y[next] - a.y[i],
-                                  b.x[j] - x);
-    };
-    return quotient(scaled(size[i][j], a.x[i], a.y[i]), scaled(whole, b.x[end], b.y[end]));
+    Scaled x = part.scaled(), y = whole.scaled();
+    if (!part.is_precise() && !rounds_surely(by_centres_->size(i, j), x)) x = exact_size(a, i, b, j, a.x[i], a.y[i]);
+    if (!whole.is_precise() && !(by_centres_ && rounds_surely(by_centres_->backwards(i, j), y))) {
+      y = exact_size(a, i, b, j, b.x[end], b.y[end]);
+    }
+    return quotient(x, y);
   }
 
  private:
-  static int exact_sign(const Corners& p, int i, const Corners& q, int j) noexcept {
+  std::optional<SidesByCentres> by_centres_;  ///< where sizes of corners are not precise
+
+  int sign_by_centres(const Corners& p, int i, const Corners& q, int j) const noexcept {
+    const Rough by_centres = by_centres_->size(i, j);
+    if (by_centres.sign_is_known()) return by_centres.sign();
     const int end = p.next(i);
     return exact::sign_of(DifferenceOfProducts{}, p.x[end] - p.x[i], q.y[j] - p.y[i], p.y[end] - p.y[i],
                           q.x[j] - p.x[i]);
+  }
+  /// Edge i of a times the way to corner j of b from a place.
+  static Scaled exact_size(const Corners& a, int i, const Corners& b, int j, const Position& x,
+                           const Position& y) noexcept {
+    const int next = a.next(i);
+    return exact::rounded_value(DifferenceOfProducts{}, a.x[next] - a.x[i], b.y[j] - y, a.y[next] - a.y[i], b.x[j] - x);
   }
 };
 
@@ -137,7 +186,7 @@ struct EdgeCrossing {
 inline EdgeCrossing edge_crossing(const Polygon& a, const Sides& of_a, int i, const Polygon& b, const Sides& of_b,
                                   int j) noexcept {
   const double t = of_b.crossing(b, j, a, i), s = of_a.crossing(a, i, b, j);
-  const Edge e(a.corners, i), f(b.corners, j);
+  const RoundedEdge e(a.corners, i), f(b.corners, j);
   // The shorter edge tells the place better. Of equal ones, either order of the boxes takes the same.
   const double ex = e.at_x(t), ey = e.at_y(t), fx = f.at_x(s), fy = f.at_y(s);
   const double length_e = e.length(), length_f = f.length();

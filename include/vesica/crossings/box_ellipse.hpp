@@ -3,6 +3,7 @@
 /// quadratic in t, whose signs at the corners, slopes and discriminant are exact; and so accurate are its roots.
 #pragma once
 
+#include <optional>
 #include <vesica/arithmetic/spectrum.hpp>
 #include <vesica/crossings/box_box.hpp>
 
@@ -62,23 +63,70 @@ struct DiscCorner {
     r0 = Rough(m0);
     r1 = Rough(m1);
     value = square(r0) + square(r1) - square(box.frame.rough_radius);
-    sign = sign_of(value, value_of, m0, m1, box.frame.radius);
+    sign = value.sign_is_known() ? value.sign() : sign_of(by_factors(box.frame), value_of, m0, m1, box.frame.radius);
+  }
+  /// The value as (|m| - r) (|m| + r) + n^2, of which only the sum may cancel, m being the greater of the coordinates.
+  Rough by_factors(const DiscFrame& frame) const noexcept {
+    const bool by_m0 = exact::detail::compare_magnitude(m0.span(), m1.span()) > 0;
+    const Rough& m = by_m0 ? r0 : r1;
+    const Rough less(exact::abs(by_m0 ? m0 : m1) - frame.radius), more = (m.sign() < 0 ? -m : m) + frame.rough_radius;
+    return less * more + square(by_m0 ? r1 : r0);
+  }
+  Scaled size(const DiscFrame& frame) const noexcept {
+    return size_of_either(
+        value, [&] { return by_factors(frame); }, value_of, m0, m1, frame.radius);
+  }
+};
+
+/// The line of an edge h w of a box, w its axis or across it, in the plane itself. The frame's cross products are those
+/// of the plane times the radius r = a b V: so the line's distance from the origin, times the edge's length, is 2 h r
+/// x, and its discriminant (2 h r)^2 (p^2 + q^2 - x^2), where (p, q) is w in the frame.
+struct PlaneLine {
+  exact::Number<3> p, q, x;
+  Rough scale;
+
+  PlaneLine(const DiscFrame& frame, const Corners& corners, int i) noexcept {
+    const exact::Box& box = corners.box;
+    const exact::Ellipse& e = frame.e;
+    const exact::Length dx = box.cx - e.cx, dy = box.cy - e.cy;
+    const Position c = exact::dot(e.ux, e.uy, box.ux, box.uy), s = exact::cross(e.ux, e.uy, box.ux, box.uy);
+    const Position squared_axis = exact::dot(box.ux, box.uy, box.ux, box.uy);
+    const bool along = corners.is_along_axis(i), backward = corners.is_backward(i);
+    p = e.b * (along ? c : s);
+    q = e.a * (along ? s : c);
+    // Edges in order are below the centre, to the right, above, to the left; a segment's is through it.
+    const auto off = (along ? box.hy : box.hx) * squared_axis;
+    const auto centre =
+        along ? exact::cross(box.ux, box.uy, dx, dy) : exact::integer(-1) * exact::dot(box.ux, box.uy, dx, dy);
+    x = backward ? centre + off : centre - off;
+    scale = times(backward ? -2 : 2, Rough(along ? box.hx : box.hy) * frame.rough_radius);
+  }
+  Rough off() const noexcept { return scale * Rough(x); }
+  Rough discriminant() const noexcept {
+    const bool by_p = exact::detail::compare_magnitude(p.span(), q.span()) > 0;
+    const auto greater = exact::abs(by_p ? p : q), size = exact::abs(x);
+    const Rough product = Rough(greater - size) * (Rough(greater) + Rough(size));
+    return square(scale) * (product + square(Rough(by_p ? q : p)));
   }
 };
 
 /// Along an edge m + t e the squared distance less the squared radius is square t^2 + 2 slope t + value.
 struct DiscEdge {
   const DiscFrame& frame;
+  const Corners& corners;
+  int number;
   const DiscCorner &from, &to;
   exact::Number<4> e0, e1;
   Rough r0, r1, square_, slope, end_slope;
 
-  DiscEdge(const DiscFrame& f, const DiscCorner& start, const DiscCorner& end) noexcept
+  DiscEdge(const DiscFrame& f, const Corners& box, const DiscCorner* corner, int i) noexcept
       : frame(f),
-        from(start),
-        to(end),
-        e0(end.m0 - start.m0),
-        e1(end.m1 - start.m1),
+        corners(box),
+        number(i),
+        from(corner[i]),
+        to(corner[box.next(i)]),
+        e0(to.m0 - from.m0),
+        e1(to.m1 - from.m1),
         r0(e0),
         r1(e1),
         square_(square(r0) + square(r1)),
@@ -115,10 +163,16 @@ inline Roots roots_inside(const DiscEdge& edge) noexcept {
   const auto discriminant = [](const auto& m0, const auto& m1, const auto& e0, const auto& e1, const auto& r) {
     return (square(e0) + square(e1)) * square(r) - square(m1 * e0 - m0 * e1);
   };
-  const Scaled d = size_of(edge.square_ * square(edge.frame.rough_radius) - square(off), discriminant, m.m0, m.m1,
-                           edge.e0, edge.e1, edge.frame.radius);
+  std::optional<PlaneLine> known;
+  const auto line = [&]() -> const PlaneLine& {
+    return known ? *known : known.emplace(edge.frame, edge.corners, edge.number);
+  };
+  const Scaled d = size_of_either(
+      edge.square_ * square(edge.frame.rough_radius) - square(off), [&] { return line().discriminant(); }, discriminant,
+      m.m0, m.m1, edge.e0, edge.e1, edge.frame.radius);
   if (d.value < 0 || (d.value == 0 && !both_outside)) return roots;
-  roots.off = size_of(off, DifferenceOfProducts{}, m.m1, edge.e0, m.m0, edge.e1);
+  roots.off = size_of_either(
+      off, [&] { return line().off(); }, DifferenceOfProducts{}, m.m1, edge.e0, m.m0, edge.e1);
   roots.discriminant = d;
   const Scaled a = edge.square_.scaled(), b = size_of(edge.slope, SumOfProducts{}, m.m0, edge.e0, m.m1, edge.e1);
   if (d.value == 0) {
@@ -126,7 +180,7 @@ inline Roots roots_inside(const DiscEdge& edge) noexcept {
     return roots;
   }
   // a t^2 + 2 b t + c, c and the discriminant each rounded once. |b| + root does not cancel.
-  const Scaled c = size_of(m.value, DiscCorner::value_of, m.m0, m.m1, edge.frame.radius);
+  const Scaled c = m.size(edge.frame);
   const Scaled all = sum({std::fabs(b.value), b.exponent}, root(d));
   const double larger = quotient(all, a), lesser = quotient(c, all);
   if (start > 0) roots.add(b.value > 0 ? -larger : lesser, -1);
@@ -212,10 +266,10 @@ inline Found crossings(const exact::Box& box, const exact::Ellipse& ellipse) noe
   }
   for (int i = 0; i < corners.edges; ++i) {
     places.of_edge[i] = places.of_edge[i + 1] = found.count;
-    const DiscEdge disc_edge(frame, corner[i], corner[corners.next(i)]);
+    const DiscEdge disc_edge(frame, corners, corner, i);
     const Roots roots = roots_inside(disc_edge);
     if (roots.count == 0) continue;
-    const Edge edge(corners, i);
+    const RoundedEdge edge(corners, i);
     const Chord chord(disc_edge, roots);
     for (int k = 0; k < roots.count; ++k) {
       const double t = roots.t[k];

@@ -66,34 +66,73 @@ VESICA_COLD inline Census exact_census(const exact::Ellipse& e, const exact::Ell
   return has_triple_root(p) ? Census{2, 0, false} : Census{2, 1, false};
 }
 
-/// The coefficients of the contact cubic.
-struct RoughCubic {
-  Rough d1, c1, c2, d2, mu, al, be;
+/// What the contact cubic is made of: products of axes and of the offset of centres.
+struct SeenEllipses {
+  const exact::Ellipse &e, &f;
+  exact::Number<2> c, s, uu, ww;
+  exact::Number<2> e_along, e_across, f_along, f_across;  ///< the offset by either axis
 
-  RoughCubic(const exact::Ellipse& e, const exact::Ellipse& f) noexcept {
-    const exact::Length dx = f.cx - e.cx, dy = f.cy - e.cy;
-    const Rough c(exact::dot(e.ux, e.uy, f.ux, f.uy)), s(exact::cross(e.ux, e.uy, f.ux, f.uy));
-    const Rough ea(e.a), eb(e.b), fa(f.a), fb(f.b), a0 = square(ea), a1 = square(eb), b0 = square(fa), b1 = square(fb);
-    mu = square(c) * (a0 * b1 + a1 * b0) + square(s) * (a0 * b0 + a1 * b1);
-    al = square(eb * Rough(exact::dot(e.ux, e.uy, dx, dy))) + square(ea * Rough(exact::cross(e.ux, e.uy, dx, dy)));
-    be = square(fb * Rough(exact::dot(f.ux, f.uy, dx, dy))) + square(fa * Rough(exact::cross(f.ux, f.uy, dx, dy)));
-    d1 = square(ea * eb * Rough(exact::dot(e.ux, e.uy, e.ux, e.uy)));
-    d2 = square(fa * fb * Rough(exact::dot(f.ux, f.uy, f.ux, f.uy)));
+  SeenEllipses(const exact::Ellipse& first, const exact::Ellipse& second) noexcept
+      : SeenEllipses(first, second, second.cx - first.cx, second.cy - first.cy) {}
+  bool is_long() const noexcept {
+    return exact::is_long(c) || exact::is_long(s) || exact::is_long(e_along) || exact::is_long(f_along);
+  }
+  /// Of their areas.
+  int order() const noexcept {
+    const auto difference = [](const auto& a, const auto& b, const auto& axis, const auto& p, const auto& q,
+                               const auto& other) { return a * b * axis - p * q * other; };
+    return exact::sign_of(difference, e.a, e.b, uu, f.a, f.b, ww);
+  }
+
+ private:
+  SeenEllipses(const exact::Ellipse& first, const exact::Ellipse& second, const exact::Length& dx,
+               const exact::Length& dy) noexcept
+      : e(first),
+        f(second),
+        c(exact::dot(e.ux, e.uy, f.ux, f.uy)),
+        s(exact::cross(e.ux, e.uy, f.ux, f.uy)),
+        uu(exact::dot(e.ux, e.uy, e.ux, e.uy)),
+        ww(exact::dot(f.ux, f.uy, f.ux, f.uy)),
+        e_along(exact::dot(e.ux, e.uy, dx, dy)),
+        e_across(exact::cross(e.ux, e.uy, dx, dy)),
+        f_along(exact::dot(f.ux, f.uy, dx, dy)),
+        f_across(exact::cross(f.ux, f.uy, dx, dy)) {}
+};
+
+/// The coefficients of the contact cubic in numbers with a bound on their error.
+template <class Bounded>
+struct BoundedCubic {
+  Bounded d1, c1, c2, d2, mu, al, be;
+
+  explicit BoundedCubic(const SeenEllipses& seen) noexcept {
+    const Bounded ea(seen.e.a), eb(seen.e.b), fa(seen.f.a), fb(seen.f.b);
+    const Bounded a0 = square(ea), a1 = square(eb), b0 = square(fa), b1 = square(fb);
+    mu = square(Bounded(seen.c)) * (a0 * b1 + a1 * b0) + square(Bounded(seen.s)) * (a0 * b0 + a1 * b1);
+    al = square(eb * Bounded(seen.e_along)) + square(ea * Bounded(seen.e_across));
+    be = square(fb * Bounded(seen.f_along)) + square(fa * Bounded(seen.f_across));
+    d1 = square(ea * eb * Bounded(seen.uu));
+    d2 = square(fa * fb * Bounded(seen.ww));
     c1 = d1 + mu - al;
     c2 = d2 + mu - be;
   }
 };
 
-/// Signs of rough numbers, and whether all that were asked for were known.
-struct RoughSigns {
+/// Signs of such numbers, and whether all that were asked for were known.
+struct KnownSigns {
   bool known = true;
 
   int operator()(const Rough& x) noexcept {
     known = known && x.sign_is_known();
     return x.sign();
   }
+  template <int limbs>
+  int operator()(const exact::Leading<limbs>& x) noexcept {
+    known = known && x.sign_is_certain();
+    return x.sign;
+  }
   /// Of a + b sqrt(delta), delta >= 0.
-  int with_root(const Rough& a, const Rough& b, const Rough& delta) noexcept {
+  template <class Bounded>
+  int with_root(const Bounded& a, const Bounded& b, const Bounded& delta) noexcept {
     const int sign_a = (*this)(a), sign_b = (*this)(b);
     if (sign_a == sign_b) return sign_a;
     return (*this)(square(b) * delta - square(a)) > 0 ? sign_b : sign_a;
@@ -101,20 +140,21 @@ struct RoughSigns {
 };
 
 /// As exact::detail::first_in_second, where its signs are known and not 0.
-inline bool first_in_second(const RoughCubic& p, RoughSigns& sign) noexcept {
-  const Rough delta = square(p.mu) - times(4, p.d1 * p.d2), slope = times(2, p.c2) - times(3, p.mu);
-  if (sign.with_root(slope, Rough(Real(-3.0), 0, 0), delta) > 0) return true;
-  const Rough rest = slope * p.mu + times(2, p.d2 * (times(3, p.d1) - p.c1));
+template <class Bounded>
+bool first_in_second(const BoundedCubic<Bounded>& p, KnownSigns& sign) noexcept {
+  const Bounded delta = square(p.mu) - times(4, p.d1 * p.d2), slope = times(2, p.c2) - times(3, p.mu);
+  if (sign.with_root(slope, Bounded(exact::integer(-3)), delta) > 0) return true;
+  const Bounded rest = slope * p.mu + times(2, p.d2 * (times(3, p.d1) - p.c1));
   return sign.with_root(rest, slope, delta) > 0;
 }
 
-/// Without multiple roots. False where rough numbers do not tell.
-inline bool rough_census(const exact::Ellipse& e, const exact::Ellipse& f, Census& census) noexcept {
-  if (exact::compare(e.cx, f.cx) == 0 && exact::compare(e.cy, f.cy) == 0) return false;
-  RoughCubic p(e, f);
-  const Rough a = square(p.c2) - times(3, p.d2 * p.c1), b = p.c1 * p.c2 - times(9, p.d1 * p.d2),
-              c = square(p.c1) - times(3, p.d1 * p.c2), discriminant = times(4, a * c) - square(b);
-  RoughSigns sign;
+/// Without multiple roots. False where such numbers do not tell.
+template <class Bounded>
+bool bounded_census(const SeenEllipses& seen, Census& census) noexcept {
+  BoundedCubic<Bounded> p(seen);
+  const Bounded a = square(p.c2) - times(3, p.d2 * p.c1), b = p.c1 * p.c2 - times(9, p.d1 * p.d2),
+                c = square(p.c1) - times(3, p.d1 * p.c2), discriminant = times(4, a * c) - square(b);
+  KnownSigns sign;
   const int roots = sign(discriminant);
   if (!sign.known || roots == 0) return false;
   if (roots < 0) {
@@ -123,8 +163,7 @@ inline bool rough_census(const exact::Ellipse& e, const exact::Ellipse& f, Censu
   }
   census = {0, 0, false};
   if (sign(p.c1) < 0 || sign(p.c2) < 0) return sign.known;
-  const int order =
-      exact::compare(e.a * e.b * exact::dot(e.ux, e.uy, e.ux, e.uy), f.a * f.b * exact::dot(f.ux, f.uy, f.ux, f.uy));
+  const int order = seen.order();
   if (order > 0) {
     std::swap(p.d1, p.d2);
     std::swap(p.c1, p.c2);
@@ -134,9 +173,17 @@ inline bool rough_census(const exact::Ellipse& e, const exact::Ellipse& f, Censu
   return sign.known;
 }
 
+/// Rough numbers tell where little cancels, leading digits where more does: all digits of long numbers are many.
+inline bool census_is_known(const exact::Ellipse& e, const exact::Ellipse& f, Census& census) noexcept {
+  if (exact::compare(e.cx, f.cx) == 0 && exact::compare(e.cy, f.cy) == 0) return false;
+  const SeenEllipses seen(e, f);
+  if (bounded_census<Rough>(seen, census)) return true;
+  return seen.is_long() && bounded_census<exact::Leading<exact::few_limbs>>(seen, census);
+}
+
 inline Census census(const exact::Ellipse& e, const exact::Ellipse& f) noexcept {
   Census census;
-  return rough_census(e, f, census) ? census : exact_census(e, f);
+  return census_is_known(e, f, census) ? census : exact_census(e, f);
 }
 
 }  // namespace vesica::detail::crossings

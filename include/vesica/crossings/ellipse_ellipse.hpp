@@ -99,6 +99,8 @@ struct Harmonics {
   }
 
  public:
+  /// As of ellipses about one centre.
+  bool repeat_after_half_a_turn() const noexcept { return c1.is_zero() && s1.is_zero(); }
   /// The outline begun a quarter later.
   void advance() noexcept {
     const Fixed old = c1;
@@ -116,6 +118,18 @@ struct Harmonics {
              three_times(twice(c1 + twice(mean - c2 + s1 + s2))), three_times(twice(twice(twice(mean - c2 + s1))))}};
   }
 };
+
+/// The zeros all around the outline.
+inline Spots find_spots(Harmonics harmonics) noexcept {
+  const bool repeats = harmonics.repeat_after_half_a_turn();
+  Spots spots, opposite;
+  for (int quarter = 0; quarter < (repeats ? 2 : 4); ++quarter) {
+    ZeroSearch(harmonics.quarter(), quarter, spots, repeats ? &opposite : nullptr);
+    harmonics.advance();
+  }
+  for (int i = 0; i < opposite.count; ++i) spots.add(opposite.spot[i]);
+  return spots;
+}
 
 /// Spots next to each other, which are one.
 struct Group {
@@ -291,7 +305,10 @@ inline Real along_circle(const Real& x, const Real& y, const Real& radius) noexc
 inline void mend_start(const exact::Ellipse& e, const exact::Ellipse& f, Found& found) noexcept {
   const auto z = image(e, f.cx - e.cx + f.a * f.ux, f.cy - e.cy + f.a * f.uy);
   const auto radius = e.a * e.b * exact::dot(e.ux, e.uy, e.ux, e.uy);
-  if (exact::compare(exact::square(z.x) + exact::square(z.y), exact::square(radius)) != 0) return;
+  const auto off_outline = [](const auto& x, const auto& y, const auto& r) {
+    return square(x) + square(y) - square(r);
+  };
+  if (exact::sign_of(off_outline, z.x, z.y, radius) != 0) return;
   const int unit = exact::rounded(radius).exponent;
   const Real start = along_circle(two_doubles(z.x, unit), two_doubles(z.y, unit), two_doubles(radius, unit));
   const auto off = [&start](const Place& p) {
@@ -311,12 +328,8 @@ inline Found places(const exact::Ellipse& e, const StoredOutline& stored, const 
   found.shared = census.equal;
   if (census.crossing + census.touching == 0) return found;
   const Outline outline(e, f);
-  Harmonics harmonics(outline);
-  Spots spots;
-  for (int quarter = 0; quarter < 4; ++quarter) {
-    ZeroSearch(harmonics.quarter(), quarter, spots);
-    harmonics.advance();
-  }
+  const Harmonics harmonics(outline);
+  const Spots spots = find_spots(harmonics);
   Groups groups(spots);
   assert(groups.count > 0);
   share_out(groups, census);

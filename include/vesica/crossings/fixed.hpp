@@ -2,6 +2,7 @@
 /// Fixed-point fractions of 384 bits, and quartics in Bernstein form whose coefficients they are.
 #pragma once
 
+#include <algorithm>
 #include <vesica/exact/rounded.hpp>
 
 namespace vesica::detail::crossings {
@@ -12,6 +13,11 @@ struct Fixed {
   static constexpr int limbs = 6;
   exact::Limb limb[limbs];
 
+  bool is_zero() const noexcept {
+    exact::Limb any = 0;
+    for (const exact::Limb l : limb) any |= l;
+    return any == 0;
+  }
   bool negative() const noexcept { return limb[limbs - 1] >> 63 != 0; }
   /// Below 2^-319: no larger than what rounding may have left.
   bool negligible() const noexcept {
@@ -19,6 +25,12 @@ struct Fixed {
     exact::Limb differing = 0;
     for (int i = 1; i < limbs; ++i) differing |= limb[i] ^ fill;
     return differing == 0;
+  }
+  /// The limbs above the lowest n repeat the sign, as in numbers that these hold.
+  template <int n>
+  void extend_sign() noexcept {
+    const exact::Limb fill = exact::Limb{0} - (limb[n - 1] >> 63);
+    for (int i = n; i < limbs; ++i) limb[i] = fill;
   }
 };
 
@@ -101,13 +113,9 @@ struct Quartic {
     }
     return known != 0 ? static_cast<int>(changes) : 4;
   }
-  /// The limbs above the lowest n repeat the sign, as in numbers that these hold.
   template <int n>
   void extend_signs() noexcept {
-    for (Fixed& c : coefficient) {
-      const exact::Limb fill = exact::Limb{0} - (c.limb[n - 1] >> 63);
-      for (int i = n; i < Fixed::limbs; ++i) c.limb[i] = fill;
-    }
+    for (Fixed& c : coefficient) c.extend_sign<n>();
   }
 };
 
@@ -155,35 +163,53 @@ void interpolate(Fixed* c, int count, exact::Limb s) noexcept {
   for (int i = 0; i < count; ++i) move_towards<n>(c[i], c[i + 1], s);
 }
 
+/// part() from an end, which is at c[0], to s / 2^64 of the way to the other.
+template <int n, class Coefficient>
+bool set_part_from_end(Fixed* c, exact::Limb s, int changes, const Coefficient& coefficient) noexcept {
+  if (changes == 1 && c[0].negligible()) {
+    // Where the first two are negligible there are two changes.
+    Fixed second[] = {c[0], c[1]};
+    interpolate<n>(second, 1, s);
+    second[0].extend_sign<n>();
+    if (second[0].negligible()) return false;
+  }
+  for (int i = 0; i <= 4; ++i) {
+    coefficient(i) = c[0];
+    interpolate<n>(c, 4 - i, s);
+  }
+  return true;
+}
+
 /// part() of coefficients that the lowest n limbs hold.
 template <int n>
-void set_part(const Quartic& q, exact::Limb from, exact::Limb to, Quartic& out) noexcept {
+bool set_part(const Quartic& q, exact::Limb from, exact::Limb to, int changes, Quartic& out) noexcept {
   Quartic at_from = q;
+  Fixed* c = at_from.coefficient;
   if (from == 0 && to != 0) {
-    // One construction has all of them.
-    for (int i = 0; i <= 4; ++i) {
-      out.coefficient[i] = at_from.coefficient[0];
-      interpolate<n>(at_from.coefficient, 4 - i, to);
-    }
+    if (!set_part_from_end<n>(c, to, changes, [&](int i) -> Fixed& { return out.coefficient[i]; })) return false;
+  } else if (from != 0 && to == 0) {
+    std::reverse(c, c + 5);
+    const exact::Limb way = exact::Limb{0} - from;
+    if (!set_part_from_end<n>(c, way, changes, [&](int i) -> Fixed& { return out.coefficient[4 - i]; })) return false;
   } else {
     for (int i = 4; i >= 0; --i) {
-      if (to == 0) {
-        out.coefficient[i] = at_from.coefficient[i];
-      } else {
-        Quartic rest = at_from;
-        for (int k = i; k > 0; --k) interpolate<n>(rest.coefficient, k, to);
-        out.coefficient[i] = rest.coefficient[0];
-      }
-      if (i > 0) interpolate<n>(at_from.coefficient, i, from);
+      Quartic rest = at_from;
+      for (int k = i; k > 0; --k) interpolate<n>(rest.coefficient, k, to);
+      out.coefficient[i] = rest.coefficient[0];
+      if (i > 0) interpolate<n>(c, i, from);
     }
   }
   out.extend_signs<n>();
+  return out.sign_changes() == changes;
 }
 
 /// The same quartic from t = from / 2^64 to t = to / 2^64, or to t = 1 for a `to` of 0, by its polar form: coefficient
-/// i is that of i times `to` and 4 - i times `from`. The lowest `limbs` limbs hold the coefficients.
-inline void part(const Quartic& q, exact::Limb from, exact::Limb to, int limbs, Quartic& out) noexcept {
-  with_limbs(limbs, [&]<int n>() { set_part<n>(q, from, to, out); });
+/// i is that of i times `to` and 4 - i times `from`. The lowest `limbs` limbs hold the coefficients. False where it has
+/// another number of changes of sign than this; then `out` may be unfinished.
+inline bool part(const Quartic& q, exact::Limb from, exact::Limb to, int limbs, int changes, Quartic& out) noexcept {
+  bool as_many = false;
+  with_limbs(limbs, [&]<int n>() { as_many = set_part<n>(q, from, to, changes, out); });
+  return as_many;
 }
 
 /// Cuts a quartic whose coefficients the lowest `limbs` limbs hold into halves: in place, since copies would take as

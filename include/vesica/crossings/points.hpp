@@ -111,23 +111,39 @@ using Position = exact::Number<2>;
 /// corner i to the next; 2 corners have one edge.
 struct Corners {
   Position x[4], y[4];
+  exact::Box box;
+  Position ax, ay, bx, by;  ///< halves of the edges along the axis and across it
   int count, edges;
   bool wide, high;
 
-  explicit Corners(const exact::Box& b) noexcept : wide(b.hx.sign != 0), high(b.hy.sign != 0) {
+  explicit Corners(const exact::Box& b) noexcept
+      : box(b),
+        ax(b.hx * b.ux),
+        ay(b.hx * b.uy),
+        bx(exact::integer(-1) * (b.hy * b.uy)),
+        by(b.hy * b.ux),
+        wide(b.hx.sign != 0),
+        high(b.hy.sign != 0) {
     count = (wide ? 2 : 1) * (high ? 2 : 1);
     edges = count == 2 ? 1 : count == 4 ? 4 : 0;
-    const Position ax = b.hx * b.ux, ay = b.hx * b.uy, bx = exact::integer(-1) * (b.hy * b.uy), by = b.hy * b.ux;
-    for (int i = 0; i < count; ++i) {
-      x[i] = (is_right(i) ? b.cx + ax : b.cx - ax);
-      y[i] = (is_right(i) ? b.cy + ay : b.cy - ay);
-      x[i] = is_top(i) ? x[i] + bx : x[i] - bx;
-      y[i] = is_top(i) ? y[i] + by : y[i] - by;
-    }
+    set(x, b.cx, ax, bx);
+    set(y, b.cy, ay, by);
   }
   bool is_right(int i) const noexcept { return wide && (i == 1 || i == 2); }
   bool is_top(int i) const noexcept { return high && (count == 2 ? i == 1 : i >= 2); }
   int next(int i) const noexcept { return i + 1 == count ? 0 : i + 1; }
+  /// Edge i is twice this half, backwards where is_backward().
+  bool is_along_axis(int i) const noexcept { return edges == 1 ? wide : i % 2 == 0; }
+  bool is_backward(int i) const noexcept { return i >= 2; }
+
+ private:
+  void set(Position* at, const exact::Length& centre, const Position& a, const Position& b) const noexcept {
+    const Position left = centre - a, right = centre + a;
+    for (int i = 0; i < count; ++i) {
+      const Position& middle = is_right(i) ? right : left;
+      at[i] = is_top(i) ? middle + b : middle - b;
+    }
+  }
 };
 
 /// An edge as a place and a step.
@@ -135,13 +151,30 @@ struct Edge {
   Position x, y, dx, dy;
   Edge(const Corners& c, int i) noexcept
       : x(c.x[i]), y(c.y[i]), dx(c.x[c.next(i)] - c.x[i]), dy(c.y[c.next(i)] - c.y[i]) {}
+};
+
+/// An edge's ends and step, each rounded once.
+class RoundedEdge {
+ public:
+  RoundedEdge(const Corners& c, int i) noexcept
+      : x_{nearest(c.x[i]), nearest(c.x[c.next(i)]), step(c, i, c.is_along_axis(i) ? c.ax : c.bx)},
+        y_{nearest(c.y[i]), nearest(c.y[c.next(i)]), step(c, i, c.is_along_axis(i) ? c.ay : c.by)} {}
   /// From the nearer end.
-  double at_x(double t) const noexcept { return between(x, dx, t); }
-  double at_y(double t) const noexcept { return between(y, dy, t); }
-  static double between(const Position& from, const Position& step, double t) noexcept {
-    return t <= 0.5 ? nearest(from) + t * nearest(step) : nearest(from + step) - (1 - t) * nearest(step);
+  double at_x(double t) const noexcept { return x_.at(t); }
+  double at_y(double t) const noexcept { return y_.at(t); }
+  double length() const noexcept { return std::fabs(x_.step) + std::fabs(y_.step); }
+
+ private:
+  struct Way {
+    double from, to, step;
+    double at(double t) const noexcept { return t <= 0.5 ? from + t * step : to - (1 - t) * step; }
+  };
+  Way x_, y_;
+
+  static double step(const Corners& c, int i, const Position& half) noexcept {
+    const Scaled s = exact::rounded(half);
+    return to_double({c.is_backward(i) ? -s.value : s.value, s.exponent + 1});
   }
-  double length() const noexcept { return std::fabs(nearest(dx)) + std::fabs(nearest(dy)); }
 };
 
 }  // namespace detail::crossings

@@ -23,8 +23,9 @@ struct Spot {
 struct Spots {
   Spot spot[16];
   int count = 0;
+  bool is_full() const noexcept { return count == 16; }
   void add(const Spot& s) noexcept {
-    if (count < 16) spot[count++] = s;
+    if (!is_full()) spot[count++] = s;
   }
 };
 
@@ -89,7 +90,7 @@ struct Local {
     }
     return t;
   }
-  /// So far from t all zeros of a group of k may be, with what rounding adds.
+  /// So far from t all zeros of a group of k may be, with what rounding adds; 1 for some of those of 2^-5 or more.
   double reach(int k, double t) const noexcept {
     switch (k) {
       case 1:
@@ -105,6 +106,11 @@ struct Local {
   template <int k>
   double reach(double t) const noexcept {
     const double leading = std::fabs(derivative<k>(t)), rest = 0x1p-46 * most;
+    if constexpr (k > 1) {
+      // So most of those that are too far need no roots.
+      if (std::fabs(derivative<0>(t)) + rest > 1.01 * least_far<k> * leading) return 1;
+      if (std::fabs(derivative<1>(t)) + rest > 1.01 * least_far<k - 1> * leading) return 1;
+    }
     double most_reach = root<k>((std::fabs(derivative<0>(t)) + rest) / leading);
     const auto see = [&](double x) { most_reach = std::max(most_reach, x); };
     if constexpr (k > 1) see(root<k - 1>((std::fabs(derivative<1>(t)) + rest) / leading));
@@ -149,7 +155,23 @@ struct Local {
     return std::fabs(sum) > 0x1p-47 * size + 0x1p-59 ? sum : 0;
   }
 
+  /// Whether every coefficient of a part within `way` of t is negligible, and so the part's changes of sign are 4: by
+  /// Taylor's series about t they are at most the sum of the derivatives' sizes times the powers of `way`. All
+  /// roundings together are below 2^-41 of the greatest coefficient.
+  bool is_negligible_near(double t, double way) const noexcept {
+    if (bernstein.exponent >= -275) return false;
+    double size = std::fabs(derivative<4>(t));
+    size = size * way + std::fabs(derivative<3>(t));
+    size = size * way + std::fabs(derivative<2>(t));
+    size = size * way + std::fabs(derivative<1>(t));
+    size = size * way + std::fabs(derivative<0>(t));
+    return arithmetic::scale(size + 0x1p-41 * most, bernstein.exponent + 320) < 1;
+  }
+
  private:
+  /// What is less than this at a group of k, over the derivative of order k, is less than 2^-5 in reach().
+  template <int k>
+  static constexpr double least_far = 1.0 / (1 << 6 * k);
   static constexpr double binomial[5][5] = {
       {1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}};
   /// Sums of binomials i over j, j from the second index on.
@@ -164,17 +186,20 @@ struct Local {
 
 class ZeroSearch {
  public:
-  ZeroSearch(const Quartic& whole, double quarter, Spots& spots) noexcept : spots_(spots) {
+  /// The spots of a quarter of the outline; and, if `opposite` is given, those half a turn on, where the quartic is the
+  /// same.
+  ZeroSearch(const Quartic& whole, double quarter, Spots& spots, Spots* opposite) noexcept
+      : spots_(spots), opposite_(opposite) {
     for (int i = 0; i < places; ++i) pending_[i] = &interval_[i];
-    interval_[0] = {whole, Real(quarter), 1.0, whole.sign_changes(), Fixed::limbs};
+    interval_[0] = {whole, Real(quarter), Real(quarter + 2), 1.0, whole.sign_changes(), Fixed::limbs};
     count_ = interval_[0].changes > 0 ? 1 : 0;
-    while (count_ > 0) visit(*pending_[count_ - 1]);
+    while (count_ > 0 && !spots_.is_full()) visit(*pending_[count_ - 1]);
   }
 
  private:
   struct Interval {
     Quartic q;
-    Real from;
+    Real from, opposite_from;
     double length;
     int changes;
     int limbs;  ///< so many of the lowest hold the coefficients
@@ -184,20 +209,35 @@ class ZeroSearch {
   Interval* pending_[places];  ///< those after the first count_ are free
   int count_;
   Spots& spots_;
+  Spots* opposite_;
 
-  void add_spot(const Interval& i, const Real& from, const Real& to) noexcept {
-    spots_.add({from, to, i.changes, i.q.coefficient[0].negative(), i.q.coefficient[4].negative(),
-                i.changes == 2 ? Local(i.q).height() : 0});
+  void step(Interval& i, double way) const noexcept {
+    i.from = i.from + Real(way);
+    if (opposite_ != nullptr) i.opposite_from = i.opposite_from + Real(way);
   }
-  void end(const Interval& i, const Real& from, const Real& to) noexcept {
-    add_spot(i, from, to);
+  /// Of what is left of an interval whose start is where the spot's is.
+  void add_spot(const Interval& i, double length) noexcept {
+    Spot s{i.from,
+           i.from + Real(length),
+           i.changes,
+           i.q.coefficient[0].negative(),
+           i.q.coefficient[4].negative(),
+           i.changes == 2 ? Local(i.q).height() : 0};
+    spots_.add(s);
+    if (opposite_ == nullptr) return;
+    s.from = i.opposite_from;
+    s.to = i.opposite_from + Real(length);
+    opposite_->add(s);
+  }
+  void end(const Interval& i, double length) noexcept {
+    add_spot(i, length);
     --count_;
   }
   /// The last of those pending: a narrower one takes its place, or halves, or none.
   void visit(Interval& i) noexcept {
     // Of negligible coefficients there are 4 changes.
     if (i.length < shortest || (i.changes == 4 && i.q.negligible())) {
-      end(i, i.from, i.from + Real(i.length));
+      end(i, i.length);
       return;
     }
     const Local local(i.q, i.limbs);
@@ -211,9 +251,10 @@ class ZeroSearch {
   void visit_halves(Interval& high, Interval& low) noexcept {
     halve(high.q, low.q, high.limbs);
     low.from = high.from;
+    low.opposite_from = high.opposite_from;
     low.limbs = high.limbs;
     low.length = high.length = 0.5 * high.length;
-    high.from = high.from + Real(high.length);
+    step(high, high.length);
     high.changes = high.q.sign_changes();
     low.changes = low.q.sign_changes();
     if (high.changes == 0) {
@@ -224,7 +265,7 @@ class ZeroSearch {
     if (count_ < most_pending) {
       ++count_;
     } else {
-      add_spot(low, low.from, low.from + Real(low.length));
+      add_spot(low, low.length);
     }
   }
   /// Whether the zeros are in the middle of a group of k, others being beyond the ends or complex: then this ends
@@ -236,8 +277,8 @@ class ZeroSearch {
     const double t = local.zero_of_derivative(k - 1), reach = local.reach(k, t);
     if (may_end && reach * i.length < shortest && !i.q.coefficient[0].negligible() &&
         !i.q.coefficient[4].negligible()) {
-      const Real at = i.from + Real(t) * Real(i.length);
-      end(i, at, at);
+      step(i, t * i.length);
+      end(i, 0);
       return true;
     }
     return reach < 0x1p-5 && narrow(i, local, t, reach);
@@ -263,12 +304,14 @@ class ZeroSearch {
     // An odd number of changes has ends of unlike signs.
     const double ends = sign_at(i, local, low) * sign_at(i, local, high);
     if (i.changes % 2 == 0 ? ends < 0 : ends > 0) return false;
+    if (i.changes != 4 && local.is_negligible_near(t, 4 * half)) return false;
     const auto grid = [](double x) { return x == 1 ? exact::Limb{0} : static_cast<exact::Limb>(x * 0x1p64); };
     Interval& inner = *pending_[count_];
-    part(i.q, grid(low), grid(high), i.limbs, inner.q);
-    inner.changes = inner.q.sign_changes();
-    if (inner.changes != i.changes) return false;
-    inner.from = i.from + Real(low) * Real(i.length);
+    if (!part(i.q, grid(low), grid(high), i.limbs, i.changes, inner.q)) return false;
+    inner.changes = i.changes;
+    inner.from = i.from;
+    inner.opposite_from = i.opposite_from;
+    step(inner, low * i.length);
     inner.length = (high - low) * i.length;
     inner.limbs = i.limbs;
     std::swap(pending_[count_ - 1], pending_[count_]);

@@ -89,6 +89,25 @@ Scaled size_of(const Rough& rough, const Polynomial& value, const exact::Number<
   return rough.is_precise() ? rough.scaled() : exact::rounded_value(value, x...);
 }
 
+/// The double that is nearest to the number, if the error leaves no doubt which that is.
+inline bool rounds_surely(const Rough& x, Scaled& nearest) noexcept {
+  const auto [high, low] = x.value;
+  // Twice the error, as its sum with `low` is rounded.
+  if (high == 0 || high + (low + 2 * x.error) != high || high + (low - 2 * x.error) != high) return false;
+  const int shift = arithmetic::exponent_of(high);
+  nearest = {arithmetic::scale(high, -shift), x.exponent + shift};
+  return true;
+}
+
+/// The same, but a number that is not precise enough is tried again in another form, in which less cancels.
+template <class OtherForm, class Polynomial, int... Degree>
+Scaled size_of_either(const Rough& rough, const OtherForm& other, const Polynomial& value,
+                      const exact::Number<Degree>&... x) noexcept {
+  if (rough.is_precise()) return rough.scaled();
+  Scaled nearest;
+  return rounds_surely(other(), nearest) ? nearest : exact::rounded_value(value, x...);
+}
+
 /// a b + c d, and a b - c d.
 struct SumOfProducts {
   template <class A, class B, class C, class D>
