@@ -195,7 +195,7 @@ namespace Vesica
         /// "Right to x": the error is &lt;= x.</para>
         /// <para>Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us
         /// more; 0.5 to 2 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties;
-        /// at worst 100 us.</para>
+        /// at worst 60 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -800,7 +800,7 @@ namespace Vesica
         /// the error is &lt;= x.</para>
         /// <para>Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us
         /// more; 0.5 to 2 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties;
-        /// at worst 100 us.</para>
+        /// at worst 60 us.</para>
         /// <para>Since: 0.1.</para>
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

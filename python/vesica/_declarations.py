@@ -546,7 +546,7 @@ computed numbers use u = 2^-53. The scale of two shapes is the largest of |dx| a
 centres and of their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is
 <= x. Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us
 more; 0.5 to 2 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties;
-at worst 100 us. Since: 0.1.""",
+at worst 60 us. Since: 0.1.""",
     ),
     "vesica_depth_f64": (
         c_int32,
@@ -1367,7 +1367,7 @@ number is computed in double, within these bounds, and then rounded to float onc
 numbers use u = 2^-53. The scale of two shapes is the largest of |dx| and |dy| between their centres and of
 their half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is <= x. Cost: that
 of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to 2 us
-if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 100 us.
+if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 60 us.
 Since: 0.1.""",
     ),
     "vesica_depth_f32": (

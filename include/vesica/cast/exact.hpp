@@ -13,6 +13,7 @@
 #include <vesica/cast/body.hpp>
 #include <vesica/crossings/rough.hpp>
 #include <vesica/depth/exact_zero.hpp>
+#include <vesica/exact/rounded.hpp>
 
 namespace vesica::detail::cast {
 

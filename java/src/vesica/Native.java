@@ -208,7 +208,7 @@ final class Native {
    * &lt;= x.
    *
    * <p>Cost: that of vesica_nearest_f64 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to
-   * 2 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 100 us.
+   * 2 us if outlines meet, for thin shapes as vesica_crossings_f64; up to 5 us more for near-ties; at worst 60 us.
    *
    * <p>Since: 0.1.
    */
@@ -932,7 +932,7 @@ final class Native {
    * half lengths. An aspect ratio is longer over shorter size. "Right to x": the error is &lt;= x.
    *
    * <p>Cost: that of vesica_nearest_f32 for disjoint shapes; 0.1 to 0.5 us for nested ones, for a few 1 us more; 0.5 to
-   * 2 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 100 us.
+   * 2 us if outlines meet, for thin shapes as vesica_crossings_f32; up to 5 us more for near-ties; at worst 60 us.
    *
    * <p>Since: 0.1.
    */
