@@ -60,6 +60,15 @@ Quartic draw_group(Random& random) {
   return q;
 }
 
+/// part(), however many changes of sign it has.
+Quartic any_part(const Quartic& q, exact::Limb from, exact::Limb to, int limbs) {
+  Quartic out;
+  int changes = 0;
+  while (changes <= 5 && !part(q, from, to, limbs, changes, out)) ++changes;
+  EXPECT_EQ(out.sign_changes(), changes);
+  return out;
+}
+
 ::testing::AssertionResult equal(const Quartic& a, const Quartic& b) {
   for (int i = 0; i < 5; ++i) {
     for (int k = 0; k < Fixed::limbs; ++k) {
@@ -97,33 +106,42 @@ TEST(QuickWays, FewLimbsOfQuartics) {
       const double expected = std::ldexp(nearest.value, nearest.exponent - (64 * Fixed::limbs - 1) - doubles.exponent);
       ASSERT_LE(std::fabs(std::fabs(x) - expected), 0x1p-52 * expected + 0x1p-63);
     }
-    Quartic high = q, low{}, high_of_all = q, low_of_all{}, part_of_few{}, part_of_all{};
+    Quartic high = q, low{}, high_of_all = q, low_of_all{};
     halve(high, low, limbs);
     halve(high_of_all, low_of_all, Fixed::limbs);
     ASSERT_TRUE(equal(high, high_of_all) && equal(low, low_of_all)) << limbs;
     const exact::Limb from = random.chance(0.3) ? 0 : random.bits() >> 1;
-    const exact::Limb to = random.chance(0.3) ? 0 : from + (random.bits() >> 1 | 1);
-    part(q, from, to, limbs, part_of_few);
-    part(q, from, to, Fixed::limbs, part_of_all);
-    ASSERT_TRUE(equal(part_of_few, part_of_all)) << limbs;
+    const exact::Limb to = from != 0 && random.chance(0.3) ? 0 : from + (random.bits() >> 1 | 1);
+    ASSERT_TRUE(equal(any_part(q, from, to, limbs), any_part(q, from, to, Fixed::limbs))) << limbs;
   }
   for (int n = 2; n <= Fixed::limbs; ++n) EXPECT_GT(of_limbs[static_cast<std::size_t>(n)], 500 * properties::repeat());
 }
 
-/// The part from 0 on, by one construction, is that of the polar form.
-TEST(QuickWays, PartsFromTheStart) {
+/// The part from 0 on or up to 1, by one construction, is that of the polar form; and the number of its changes of sign
+/// is known, be they those that were expected or not.
+TEST(QuickWays, PartsFromAnEnd) {
   Random random(properties::seed());
+  std::array<int, 5> counts{};
   for (int i = 0; i < 5000 * properties::repeat(); ++i) {
-    const Quartic q = draw_quartic(random);
-    const exact::Limb to = random.bits() | 1;
-    Quartic quick;
-    part(q, 0, to, Fixed::limbs, quick);
+    const Quartic q = random.chance(0.5) ? draw_group(random) : draw_quartic(random);
+    const exact::Limb at = random.bits() | 1;
+    const bool from_start = random.chance(0.5);
+    Quartic expected;
     for (int k = 0; k < 5; ++k) {
       Quartic rest = q;
-      for (int n = k; n > 0; --n) interpolate<Fixed::limbs>(rest.coefficient, n, to);
-      for (int j = 0; j < Fixed::limbs; ++j) ASSERT_EQ(quick.coefficient[k].limb[j], rest.coefficient[0].limb[j]);
+      Fixed* const c = rest.coefficient + (from_start ? 0 : k);
+      for (int n = from_start ? k : 4 - k; n > 0; --n) interpolate<Fixed::limbs>(c, n, at);
+      expected.coefficient[k] = c[0];
     }
+    const exact::Limb from = from_start ? 0 : at, to = from_start ? at : 0;
+    ASSERT_TRUE(equal(any_part(q, from, to, Fixed::limbs), expected));
+    Quartic out;
+    for (int changes = 0; changes < 5; ++changes) {
+      ASSERT_EQ(part(q, from, to, Fixed::limbs, changes, out), changes == expected.sign_changes()) << changes;
+    }
+    ++counts[static_cast<std::size_t>(expected.sign_changes())];
   }
+  for (const int count : counts) EXPECT_GT(count, 0);
 }
 
 TEST(QuickWays, ChangesOfSign) {
@@ -171,12 +189,11 @@ TEST(QuickWays, SearchesThatFail) {
       narrow += !far && reach < 0x1p-5;
       close += far && reach < 4;
     }
-    const double low = std::floor(random.unit() * 0x1p20) * 0x1p-20;
+    const double low = (1 + std::floor(random.unit() * 0x1.ffffep19)) * 0x1p-20;
     const double at = local.certain_value(low);
     (at == 0 ? uncertain : certain) += 1;
+    const Quartic cut = any_part(q, static_cast<exact::Limb>(low * 0x1p64), 0, local.bernstein.limbs);
     if (at == 0) continue;
-    Quartic cut;
-    part(q, static_cast<exact::Limb>(low * 0x1p64), 0, local.bernstein.limbs, cut);
     ASSERT_FALSE(cut.coefficient[0].negligible());
     ASSERT_EQ(cut.coefficient[0].negative(), at < 0);
   }
@@ -186,6 +203,27 @@ TEST(QuickWays, SearchesThatFail) {
   EXPECT_GT(narrow, 5000 * n);
   EXPECT_GT(certain, 10000 * n);
   EXPECT_GT(uncertain, 100 * n);
+}
+
+/// A part that is said to be negligible is.
+TEST(QuickWays, NegligibleParts) {
+  Random random(properties::seed());
+  int asked = 0, negligible = 0;
+  for (int i = 0; i < 20000 * properties::repeat(); ++i) {
+    const Quartic q = draw_group(random);
+    const Local local(q);
+    const double way = std::ldexp(1.0, -random.integer(2, 20));
+    const double t = std::floor(local.zero_of_derivative(random.integer(0, 3)) / way) * way;
+    if (!(t - way > 0 && t + way < 1)) continue;
+    ++asked;
+    if (!local.is_negligible_near(t, way)) continue;
+    ++negligible;
+    const auto grid = [](double x) { return static_cast<exact::Limb>(x * 0x1p64); };
+    ASSERT_TRUE(any_part(q, grid(t - way), grid(t), Fixed::limbs).negligible());
+    ASSERT_TRUE(any_part(q, grid(t), grid(t + way), Fixed::limbs).negligible());
+  }
+  EXPECT_GT(negligible, 20 * properties::repeat());
+  EXPECT_GT(asked, 5000 * properties::repeat());
 }
 
 /// by_distance() without its short way: whether scaled shapes overlap is always asked.

@@ -203,9 +203,9 @@ bool set_part(const Quartic& q, exact::Limb from, exact::Limb to, int changes, Q
   return out.sign_changes() == changes;
 }
 
-/// The same quartic from t = from / 2^64 to t = to / 2^64, or to t = 1 for a `to` of 0, by its polar form: coefficient
-/// i is that of i times `to` and 4 - i times `from`. The lowest `limbs` limbs hold the coefficients. False where it has
-/// another number of changes of sign than this; then `out` may be unfinished.
+/// The same quartic from t = from / 2^64 to t = to / 2^64, or to t = 1 for a `to` of 0, but not all of it, by its polar
+/// form: coefficient i is that of i times `to` and 4 - i times `from`. The lowest `limbs` limbs hold the coefficients.
+/// False where it has another number of changes of sign than this; then `out` may be unfinished.
 inline bool part(const Quartic& q, exact::Limb from, exact::Limb to, int limbs, int changes, Quartic& out) noexcept {
   bool as_many = false;
   with_limbs(limbs, [&]<int n>() { as_many = set_part<n>(q, from, to, changes, out); });
