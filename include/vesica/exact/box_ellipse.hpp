@@ -169,24 +169,9 @@ constexpr int contact(const Box& box, const Ellipse& ellipse) noexcept {
 }
 
 /// How far a box stays within an ellipse that is not degenerate: 1 clear of the outline, 0 up to it, -1 not within.
-/// With m, g and h the offset of centres and the half edges in the frame of BoxAtDisc, the corners are m +- (g + h) and
-/// m +- (g - h). Degree 8.
+/// Degree 8.
 constexpr int clearance(const Box& box, const Ellipse& ellipse) noexcept {
-  const Length dx = box.cx - ellipse.cx, dy = box.cy - ellipse.cy;
-  const auto& [cx, cy, vx, vy, a, b] = ellipse;
-  const auto m0 = b * dot(vx, vy, dx, dy), m1 = a * cross(vx, vy, dx, dy);
-  const auto c = dot(vx, vy, box.ux, box.uy), s = cross(vx, vy, box.ux, box.uy);
-  if (is_long(m0) || is_long(m1) || is_long(c) || is_long(s)) return detail::BoxAtDisc(box, ellipse).clearance();
-  const auto g0 = b * (box.hx * c), g1 = a * (box.hx * s), h0 = b * (box.hy * s), h1 = a * (box.hy * c);
-  const auto square_of_radius = square(a * b * dot(vx, vy, vx, vy));
-  const auto room_of_further = [&](const auto& e0, const auto& e1) {
-    // The further of m + e and m - e is at |m|^2 + 2 |m . e| + |e|^2.
-    const auto product = abs(m0 * e0 + m1 * e1);
-    const auto rest = square(m0) + square(m1) + (product + product) + square(e0) + square(e1);
-    return compare(square_of_radius, rest);
-  };
-  const int first = room_of_further(g0 + h0, g1 - h1), second = room_of_further(g0 - h0, g1 + h1);
-  return first < second ? first : second;
+  return detail::BoxAtDisc(box, ellipse).clearance();
 }
 
 /// How far an ellipse that is not degenerate stays within a box. Its half extent along an axis is a square root:
