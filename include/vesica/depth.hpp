@@ -72,11 +72,22 @@ VESICA_COLD std::int32_t undecided_overlap(const A& a, const B& b) noexcept {
 /// `value`, or the smallest number above 0 if it is not above 0.
 inline double above_zero(double value) noexcept { return std::fmax(value, std::numeric_limits<double>::denorm_min()); }
 
+/// Two boxes in the pair's unit. An offset that underflows there becomes the least one of its signs: it tells equal
+/// boxes apart.
+inline BoxPair<double> boxes_in_unit(const PlacedPair& pair) noexcept {
+  BoxPair<double> boxes = box_pair(pair);
+  if (boxes.d.x.high == 0 && boxes.d.y.high == 0) {
+    constexpr double least = std::numeric_limits<double>::denorm_min();
+    boxes.d = {{least * pair.lead.x, 0}, {least * pair.lead.y, 0}};
+  }
+  return boxes;
+}
+
 /// Boxes in the pair's unit, where no product underflows, by the same closed form; the rest by a search.
 inline Depth depth_of_forms(const Form& a, const Form& b) noexcept {
   if (!a.curved && !b.curved) {
     const PlacedPair pair = place(a, b);
-    const auto in_unit = box_box_depth(box_pair(pair));
+    const auto in_unit = box_box_depth(boxes_in_unit(pair));
     if (in_unit.settled) return {in_unit.depth, {in_unit.x, in_unit.y}, pair.exponent};
   }
   return searched_depth(a, b);

@@ -77,6 +77,23 @@ TEST_P(Laws, EveryPairOfKinds) {
 INSTANTIATE_TEST_SUITE_P(Depth, Laws, testing::ValuesIn(properties::all_workloads),
                          [](const auto& test) { return std::string(properties::name(test.param)); });
 
+/// Shapes of the same numbers but for an offset that underflows in a unit in which their sizes do not overflow.
+TEST(Depth, ExchangedShapesAtTheLeastOffsets) {
+  properties::Random random(properties::seed());
+  const auto tiny = [&] {
+    return random.chance(0.4) ? 0 : random.sign() * std::ldexp(random.integer(1, 3), random.integer(-1074, -100));
+  };
+  for (int i = 0; i < 4000 * properties::repeat(); ++i) {
+    const double size = std::ldexp(1.0, random.integer(940, 1000)), x = tiny(), y = tiny();
+    const double ux = random.integer(-2, 2), uy = random.integer(1, 2), a = size * random.integer(1, 2), b = size;
+    for (const int kind : {VESICA_RECT, VESICA_ELLIPSE})
+      expect_laws({kind, kind, {0, 0, ux, uy, a, b}, {x, y, ux, uy, a, b}});
+    expect_laws({VESICA_CIRCLE, VESICA_CIRCLE, {0, 0, a}, {x, y, a}});
+    expect_laws({VESICA_AABB, VESICA_AABB, {0, 0, a, b}, {x, y, a, b}});
+    expect_laws({VESICA_SEGMENT, VESICA_SEGMENT, {0, 0, a, ux * b}, {x, y, a, ux * b}});
+  }
+}
+
 /// b moved by the depth and a billionth of it: still overlapping before, disjoint beyond.
 TEST(Depth, MovingByItEndsTheOverlap) {
   int pairs = 0;
